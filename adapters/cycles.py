@@ -1,0 +1,337 @@
+"""Renders a lowered orbs-scene/1 file with Cycles on the CPU; runs inside Blender 3.4:
+
+    blender -b --factory-startup -noaudio --python-exit-code 3 --python adapters/cycles.py -- \\
+        --scene lowered.json --output out.exr --spp N --seed S --threads T [--scale auto|number]
+
+Ends with status 2 and one line on stderr when the scene holds anything unknown; the output appears only when complete.
+Prints `orbs: render_seconds <s>`, the time of the render call alone.
+
+--scale: the whole world is scaled, which no radiance depends on, except that Cycles 3.4 chooses between area and
+solid-angle sampling of an emitting triangle by comparing its longest edge with its distance divided by the *doubled area*
+(kernel/light/light.h: dot(N, v) / dot(N, N)), which is not a length. Large triangles are therefore sampled by solid angle
+even from afar, and that solid angle is a sum of three fast_acosf with 4.5e-5 rad error each: a light of 0.01 sr is then
+about 1 % too dark. `auto` shrinks the world until the largest emitting triangle has a doubled area of 0.1: from farther
+than 0.1 edges it is then sampled by area, which is exact. The scale stays above 0.01 (Cycles' ray offsets are absolute
+near the origin): lights that would need less are so large that 1e-4 sr do not matter.
+"""
+
+import argparse
+import json
+import math
+import os
+import sys
+import time
+
+import bpy
+from mathutils import Matrix, Vector
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import cycles_ies  # noqa: E402
+import cycles_materials  # noqa: E402
+import cycles_meshes  # noqa: E402
+
+IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+LARGEST_DOUBLED_EMITTER_AREA = 0.1
+SMALLEST_SCALE = 0.01
+LIGHT_SHAPES = {
+    "rect": (("half_width", "half_length"), cycles_meshes.rect_light),
+    "disk": (("radius",), cycles_meshes.disk_light),
+    "sphere": (("radius",), cycles_meshes.sphere_light),
+}
+
+
+class SceneError(ValueError):
+    """The scene holds something that this adapter does not know."""
+
+
+def main():
+    arguments = parse_arguments()
+    try:
+        with open(arguments.scene, encoding="utf-8") as file:
+            scene = json.load(file)
+        build(scene, os.path.dirname(os.path.abspath(arguments.scene)), arguments.scale)
+        set_integrator(checked(scene.get("integrator", {}), "integrator", [], ["trace_depth"]), arguments)
+        render(os.path.abspath(arguments.output))
+    except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
+        print(f"cycles.py: {arguments.scene}: {' '.join(str(error).split())}", file=sys.stderr, flush=True)
+        sys.exit(2)
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="cycles.py")
+    parser.add_argument("--scene", required=True)
+    parser.add_argument("--output", required=True)
+    parser.add_argument("--spp", type=int, required=True)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--scale", default="auto")
+    return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
+
+
+def checked(entry, place, required, optional=()):
+    """The entry, when it has all required keys and none that are unknown."""
+    if not isinstance(entry, dict):
+        raise SceneError(f"{place} must be an object")
+    for key in required:
+        if key not in entry:
+            raise SceneError(f"{place} lacks '{key}'")
+    for key in entry:
+        if key not in required and key not in optional:
+            raise SceneError(f"{place} has the unknown key '{key}'")
+    return entry
+
+
+def named(table, name, place):
+    if name not in table:
+        raise SceneError(f"{place} names '{name}', which does not exist")
+    return table[name]
+
+
+# --- the scene ----------------------------------------------------------------------------------------------------------
+
+
+def build(scene, folder, scale_option):
+    checked(scene, "scene", ["format", "name", "camera"],
+            ["environment", "textures", "materials", "meshes", "instances", "lights", "integrator"])  # fmt: skip
+    if scene["format"] != "orbs-scene/1":
+        raise SceneError(f"format must be orbs-scene/1, is {scene['format']}")
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    descriptions = {m["name"]: checked_material(m) for m in scene.get("materials", [])}
+    meshes = {m["name"]: read_mesh(m, folder) for m in scene.get("meshes", [])}
+    instances = [checked_instance(i, meshes, descriptions) for i in scene.get("instances", [])]
+    lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
+    scale = chosen_scale(scale_option, descriptions, meshes, instances, lights)
+    print(f"orbs: scale {scale:.9g}")
+    textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
+    materials = {name: make_material(m, textures) for name, m in descriptions.items()}
+    add_camera(scene["camera"], scale)
+    add_environment(scene.get("environment", [0, 0, 0]))
+    add_instances(meshes, instances, materials, scale)
+    for index, light in enumerate(lights):
+        add_light(light, f"light {index}", folder, scale)
+    # A camera path through glass carries the factor 1 / ior^2 for a while; roulette on it would only add noise.
+    has_glass = any(m["type"] in ("glass", "rough_glass") for m in descriptions.values())
+    bpy.context.scene.cycles.min_light_bounces = 1024 if has_glass else 0
+
+
+def checked_material(material):
+    place = f"material '{material.get('name')}'"
+    if material.get("type") not in cycles_materials.MATERIAL_TYPES:
+        raise SceneError(f"{place} has the unknown type '{material.get('type')}'")
+    required, optional, _ = cycles_materials.MATERIAL_TYPES[material["type"]]
+    checked(material, place, {"name", "type"} | required, optional)
+    if "texture" in material:
+        use = {"name": material["texture"]} if isinstance(material["texture"], str) else material["texture"]
+        checked(use, f"{place}: texture", ["name"], ["matrix"])
+        material = {**material, "texture": {"matrix": IDENTITY, **use}}
+    return material
+
+
+def load_texture(texture):
+    place = f"texture '{texture.get('name')}'"
+    checked(texture, place, ["name", "file"], ["wrap_u", "wrap_v"])
+    wraps = texture.get("wrap_u", "repeat"), texture.get("wrap_v", "repeat")
+    if not set(wraps) <= {"repeat", "clamp"}:
+        raise SceneError(f"{place}: wrap must be repeat or clamp")
+    return cycles_materials.load_texture(texture["file"]), wraps
+
+
+def make_material(description, textures):
+    if "texture" in description:
+        named(textures, description["texture"]["name"], f"material '{description['name']}'")
+    return cycles_materials.make_material(description, textures)
+
+
+def read_mesh(mesh, folder):
+    place = f"mesh '{mesh.get('name')}'"
+    checked(mesh, place, ["name", "file", "materials"])
+    if not mesh["file"].endswith(".ply"):
+        raise SceneError(f"{place}: only lowered meshes (binary PLY) can be read, found {mesh['file']}")
+    triangles = cycles_meshes.read_ply(os.path.join(folder, mesh["file"]))
+    if any(not 0 <= slot < len(mesh["materials"]) for slot in triangles.materials):
+        raise SceneError(f"{place}: a face names a material outside the mesh's list")
+    return triangles, mesh["materials"]
+
+
+def checked_instance(instance, meshes, materials):
+    """(name, mesh name, matrix, material name of each slot after the remap list)"""
+    place = f"instance '{instance.get('name')}'"
+    checked(instance, place, ["mesh"], ["name", "matrix", "remap"])
+    remap = instance.get("remap", [])
+    if len(remap) % 2:
+        raise SceneError(f"{place}: remap must hold pairs")
+    replacement = {}
+    for old, new in zip(remap[0::2], remap[1::2]):
+        replacement.setdefault(old, new)  # looked up once, not chained
+    slots = [replacement.get(name, name) for name in named(meshes, instance["mesh"], place)[1]]
+    for name in slots:
+        named(materials, name, place)
+    return instance.get("name", instance["mesh"]), instance["mesh"], checked_matrix(instance, place), slots
+
+
+def checked_matrix(entry, place):
+    matrix = entry.get("matrix", IDENTITY)
+    if len(matrix) != 16 or not all(isinstance(x, (int, float)) and math.isfinite(x) for x in matrix):
+        raise SceneError(f"{place}: matrix must be 16 finite numbers (a lowered scene)")
+    return matrix
+
+
+def checked_light(light, index):
+    place = f"light '{light.get('name', index)}'"
+    if light.get("type") not in LIGHT_SHAPES:
+        raise SceneError(f"{place} has the unknown type '{light.get('type')}'")
+    sizes, make_shape = LIGHT_SHAPES[light["type"]]
+    checked(light, place, ["type", "radiance", *sizes], ["name", "matrix", "ies"])
+    if "ies" in light:
+        checked(light["ies"], f"{place}: ies", ["file"], ["matrix", "point_area"])
+        checked_matrix(light["ies"], f"{place}: ies")
+    return light, make_shape(*(light[size] for size in sizes)), checked_matrix(light, place)
+
+
+def chosen_scale(option, descriptions, meshes, instances, lights):
+    if option != "auto":
+        scale = float(option)
+        if not (math.isfinite(scale) and scale > 0):
+            raise SceneError(f"--scale must be auto or above 0, is {option}")
+        return scale
+    largest = max((cycles_meshes.largest_triangle_area(shape, matrix) for _, shape, matrix in lights), default=0.0)
+    for _, mesh, matrix, slots in instances:
+        emitting = {i for i, name in enumerate(slots) if descriptions[name]["type"] == "emission"}
+        if emitting:
+            largest = max(largest, cycles_meshes.largest_triangle_area(meshes[mesh][0], matrix, emitting))
+    if largest == 0:
+        return 1.0
+    return min(1.0, max(SMALLEST_SCALE, math.sqrt(LARGEST_DOUBLED_EMITTER_AREA / (2 * largest))))
+
+
+def world_matrix(numbers, scale):
+    rows = [numbers[4 * r : 4 * r + 4] for r in range(4)]
+    return Matrix.Scale(scale, 4) @ Matrix(rows)
+
+
+def add_camera(camera, scale):
+    checked(camera, "camera", ["position", "look_at"],
+            ["up", "fov_y", "width", "height", "near", "far", "focus_distance"])  # fmt: skip
+    position = Vector(camera["position"])
+    back = (position - Vector(camera["look_at"])).normalized()  # Blender cameras look along local -Z, up is +Y
+    right = Vector(camera.get("up", (0, 1, 0))).cross(back).normalized()
+    if back.length == 0 or right.length == 0:
+        raise SceneError("camera: position, look_at and up give no direction")
+    data = bpy.data.cameras.new("camera")
+    data.sensor_fit = "VERTICAL"
+    data.angle_y = math.radians(camera.get("fov_y", 90.0))
+    data.clip_start, data.clip_end = 1e-4 * scale, 1e6  # near and far do not clip in orbs-scene/1
+    item = add_object("camera", data)
+    axes = Matrix((right, back.cross(right), back)).transposed().to_4x4()
+    item.matrix_world = Matrix.Translation(scale * position) @ axes
+    scene = bpy.context.scene
+    scene.camera = item
+    scene.render.resolution_x, scene.render.resolution_y = camera.get("width", 1024), camera.get("height", 1024)
+
+
+def add_environment(radiance):
+    world = bpy.data.worlds.new("environment")
+    bpy.context.scene.world = world
+    world.use_nodes = True
+    background = world.node_tree.nodes["Background"]
+    background.inputs["Color"].default_value = (*radiance, 1.0)
+    background.inputs["Strength"].default_value = 1.0
+    world.cycles.sampling_method = "NONE"  # a constant is sampled best by the surfaces themselves
+
+
+def add_instances(meshes, instances, materials, scale):
+    data = {}
+    for name, mesh, matrix, slots in instances:
+        triangles, own_slots = meshes[mesh]
+        if mesh not in data:
+            data[mesh] = cycles_meshes.make_mesh(mesh, triangles, [materials.get(slot) for slot in own_slots])
+        item = add_object(name, data[mesh], world_matrix(matrix, scale))
+        for slot, own, replaced in zip(item.material_slots, own_slots, slots):
+            if own != replaced:
+                slot.link = "OBJECT"
+                slot.material = materials[replaced]
+
+
+def add_light(light_shape_matrix, name, folder, scale):
+    light, shape, matrix = light_shape_matrix
+    ies = load_ies(light["ies"], matrix, folder, scale) if "ies" in light else None
+    material = cycles_materials.make_light_material(name, light["radiance"], ies)
+    add_object(name, cycles_meshes.make_mesh(name, shape, [material]), world_matrix(matrix, scale))
+
+
+def load_ies(use, light_matrix, folder, scale):
+    path = os.path.join(folder, use["file"])
+    with open(path, encoding="latin-1") as file:
+        try:
+            grid = cycles_ies.regular_grid(cycles_ies.parse_ies(file.read()))
+        except cycles_ies.IesError as error:
+            raise SceneError(f"{path}: not a usable LM-63 file: {error}") from None
+    frame = world_matrix(light_matrix, scale) @ world_matrix(use.get("matrix", IDENTITY), 1.0)
+    rows = frame.to_3x3().inverted().normalized()
+    centre = tuple(frame.to_translation()) if use.get("point_area", False) else None
+    return grid, [tuple(row) for row in rows], centre
+
+
+def add_object(name, data, matrix=None):
+    item = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(item)
+    if matrix is not None:
+        item.matrix_world = matrix
+    # Cycles moves the start of grazing shadow rays off smooth surfaces by default (0.1), which changes the shadows.
+    item.cycles.shadow_terminator_geometry_offset = 0.0
+    item.cycles.shadow_terminator_offset = 0.0
+    return item
+
+
+# --- the renderer -------------------------------------------------------------------------------------------------------
+
+
+def set_integrator(integrator, arguments):
+    scene = bpy.context.scene
+    depth = integrator.get("trace_depth", 5)
+    if not isinstance(depth, int) or depth < 1:
+        raise SceneError(f"integrator: trace_depth must be a whole number of at least 1, is {depth}")
+    scene.render.engine = "CYCLES"
+    scene.render.threads_mode, scene.render.threads = "FIXED", arguments.threads
+    cycles = scene.cycles
+    settings = {
+        "device": "CPU", "samples": arguments.spp, "seed": arguments.seed,
+        "use_adaptive_sampling": False, "use_denoising": False, "time_limit": 0.0,  # exactly spp samples, unfiltered
+        "sample_clamp_direct": 0.0, "sample_clamp_indirect": 0.0,  # 0: no clamping
+        "blur_glossy": 0.0, "light_sampling_threshold": 0.0,  # both trade bias for noise when above 0
+        "caustics_reflective": True, "caustics_refractive": True,
+        "pixel_filter_type": "BOX", "film_exposure": 1.0, "use_fast_gi": False,
+        # A path of N scatterings with light sampling at each is what Cycles calls N - 1 bounces.
+        "max_bounces": depth - 1, "diffuse_bounces": depth - 1, "glossy_bounces": depth - 1,
+        "transmission_bounces": depth - 1, "transparent_max_bounces": depth - 1, "volume_bounces": 0,
+        "use_auto_tile": False,
+    }  # fmt: skip
+    for key, value in settings.items():
+        setattr(cycles, key, value)
+    cycles.min_light_bounces = min(cycles.min_light_bounces, depth)
+
+
+def render(output):
+    scene = bpy.context.scene
+    image = scene.render.image_settings
+    image.file_format, image.color_mode, image.color_depth, image.exr_codec = "OPEN_EXR", "RGB", "32", "ZIP"
+    scene.view_settings.view_transform, scene.view_settings.look = "Raw", "None"
+    scene.view_settings.exposure, scene.view_settings.gamma = 0.0, 1.0
+    scene.render.resolution_percentage = 100
+    scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1.0
+    scene.render.film_transparent = False
+    scene.render.use_compositing = scene.render.use_sequencer = False
+    scene.render.dither_intensity = 0.0
+    scene.render.use_file_extension = False
+    temporary = f"{output}.{os.getpid()}.part"
+    scene.render.filepath = temporary
+    start = time.perf_counter()
+    bpy.ops.render.render(write_still=True)
+    print(f"orbs: render_seconds {time.perf_counter() - start:.6f}", flush=True)
+    if not os.path.exists(temporary):
+        raise SceneError("Blender wrote no picture")
+    os.replace(temporary, output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,246 @@
+"""Materials, textures and emitter shaders of orbs-scene/1 as Cycles node trees (Blender 3.4), for adapters/cycles.py.
+
+What Cycles computes was read in the kernel sources that Blender ships (addons/cycles/source/kernel):
+- Diffuse BSDF with roughness s > 0 is f = c (a + b t), a = 1 / (pi + (3 pi - 4) s / 6), b = s a; t is the Oren-Nayar term
+  cos(dphi) sin(alpha) tan(beta) where it is positive, and sin(theta_i) sin(theta_o) cos(dphi) where it is negative.
+- Glossy and Refraction GGX use separable Smith masking and no Fresnel factor; alpha = roughness^2.
+- Refraction does not scale radiance by the squared index: the adapter multiplies it in.
+- 8-bit sRGB images are interpolated in their encoded form: the adapter hands over decoded float texels instead.
+"""
+
+import math
+from array import array
+
+import bpy
+
+SRGB_BYTES = [v / 255 / 12.92 if v / 255 <= 0.04045 else ((v / 255 + 0.055) / 1.055) ** 2.4 for v in range(256)]
+FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
+
+
+class Shader:
+    """A material under construction; sockets and plain numbers are interchangeable as arguments."""
+
+    def __init__(self, name):
+        self.material = bpy.data.materials.new(name)
+        self.material.use_nodes = True
+        self.tree = self.material.node_tree
+        self.tree.nodes.clear()
+
+    def node(self, kind, inputs=(), **properties):
+        node = self.tree.nodes.new(kind)
+        for key, value in properties.items():
+            setattr(node, key, value)
+        for key, value in dict(inputs).items():
+            self.connect(value, node.inputs[key])
+        return node
+
+    def connect(self, value, socket):
+        if isinstance(value, bpy.types.NodeSocket):
+            self.tree.links.new(value, socket)
+        elif socket.type == "RGBA":
+            socket.default_value = (*value, 1.0)
+        else:
+            socket.default_value = value
+
+    def math(self, operation, *operands):
+        return self.node("ShaderNodeMath", enumerate(operands), operation=operation).outputs["Value"]
+
+    def vector(self, operation, *operands):
+        node = self.node("ShaderNodeVectorMath", enumerate(operands), operation=operation)
+        return node.outputs["Value" if operation in ("DOT_PRODUCT", "LENGTH") else "Vector"]
+
+    def scaled(self, vector, factor):
+        node = self.node("ShaderNodeVectorMath", {"Vector": vector, "Scale": factor}, operation="SCALE")
+        return node.outputs["Vector"]
+
+    def affine(self, vector, factors, offset):
+        """dot(vector, factors) + offset"""
+        return self.math("ADD", self.vector("DOT_PRODUCT", vector, factors), offset)
+
+    def finish(self, surface):
+        self.node("ShaderNodeOutputMaterial", {"Surface": surface}, target="CYCLES")
+        return self.material
+
+
+# --- textures -------------------------------------------------------------------------------------------------------
+
+
+def srgb_to_linear(value):
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+
+def load_texture(path):
+    """The file as an image of linear float texels, so that Cycles filters after the decoding and not before."""
+    source = bpy.data.images.load(path)
+    source.colorspace_settings.name = "Non-Color"
+    source.alpha_mode = "CHANNEL_PACKED"
+    width, height = source.size
+    if width == 0 or height == 0:
+        raise ValueError(f"{path}: Blender cannot read this image")
+    texels = array("f", bytes(4 * 4 * width * height))
+    source.pixels.foreach_get(texels)
+    if not path.lower().endswith(FLOAT_FORMATS):
+        decode = (lambda v: srgb_to_linear(v)) if source.is_float else (lambda v: SRGB_BYTES[round(v * 255)])
+        for channel in range(3):
+            texels[channel::4] = array("f", map(decode, texels[channel::4]))
+    texels[3::4] = array("f", [1.0]) * (width * height)
+    bpy.data.images.remove(source)
+    return float_image(path, width, height, texels)
+
+
+def float_image(name, width, height, texels):
+    """Non-colour RGBA float image; `texels` row by row from the bottom (v = 0)."""
+    image = bpy.data.images.new(name, width, height, alpha=True, float_buffer=True, is_data=True)
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "CHANNEL_PACKED"
+    image.use_half_precision = False
+    image.pixels.foreach_set(texels)
+    image.update()
+    image.pack()  # a packed image is what Cycles reads from memory, never from the path in its name
+    return image
+
+
+def sampled_texture(shader, use, textures):
+    """Colour socket of a texture use {name, matrix}. Blender wraps both axes alike, so a single clamped axis is clamped
+    to its outermost texel centres by nodes, which is the same thing."""
+    image, wraps = textures[use["name"]]
+    m = use["matrix"]
+    uv = shader.node("ShaderNodeUVMap", uv_map="uv").outputs["UV"]
+    coordinates = [shader.affine(uv, (m[0], m[1], 0.0), m[3]), shader.affine(uv, (m[4], m[5], 0.0), m[7])]
+    if wraps[0] != wraps[1]:
+        axis = wraps.index("clamp")
+        edge = 0.5 / image.size[axis]
+        coordinates[axis] = shader.math("MINIMUM", shader.math("MAXIMUM", coordinates[axis], edge), 1 - edge)
+    vector = shader.node("ShaderNodeCombineXYZ", {"X": coordinates[0], "Y": coordinates[1]}).outputs["Vector"]
+    extension = "EXTEND" if wraps == ("clamp", "clamp") else "REPEAT"
+    return image_lookup(shader, image, vector, extension)
+
+
+def image_lookup(shader, image, vector, extension):
+    node = shader.node("ShaderNodeTexImage", {"Vector": vector}, image=image, interpolation="Linear", extension=extension)
+    return node.outputs["Color"]
+
+
+def coloured(shader, colour, use, textures):
+    """The constant colour, times the texture if there is one."""
+    return shader.vector("MULTIPLY", sampled_texture(shader, use, textures), colour) if use else colour
+
+
+# --- surfaces -------------------------------------------------------------------------------------------------------
+
+
+def oren_nayar_mapping(roughness):
+    """(roughness, factor on the colour) of the Diffuse BSDF that has the constant term A and the slope B of
+    f = rho / pi (A + B max(0, cos(dphi)) sin(alpha) tan(beta)), sigma = roughness pi / 2. B / A < 0.78 for every sigma."""
+    sigma2 = (roughness * math.pi / 2) ** 2
+    a = 1 - 0.5 * sigma2 / (sigma2 + 0.33)
+    b = 0.45 * sigma2 / (sigma2 + 0.09)
+    return b / a, a * (1 + (3 * math.pi - 4) / (6 * math.pi) * b / a)
+
+
+def diffuse(shader, colour, roughness=0.0):
+    return shader.node("ShaderNodeBsdfDiffuse", {"Color": colour, "Roughness": roughness}).outputs["BSDF"]
+
+
+def glossy(shader, colour, alpha):
+    distribution = "GGX" if alpha > 0 else "SHARP"
+    return shader.node("ShaderNodeBsdfGlossy", {"Color": colour, "Roughness": math.sqrt(alpha)},
+                       distribution=distribution).outputs["BSDF"]  # fmt: skip
+
+
+def dielectric(shader, colour, ior, alpha):
+    """Fresnel mix of reflection and refraction. Radiance that enters is scaled by ior^2 and by 1 / ior^2 when it leaves;
+    a camera path meets these the other way round: front (outside) hit 1 / ior^2, back (inside) hit ior^2."""
+    inside = shader.node("ShaderNodeNewGeometry").outputs["Backfacing"]
+    scale = shader.math("MULTIPLY_ADD", inside, ior**2 - ior**-2, ior**-2)
+    refraction = shader.node(
+        "ShaderNodeBsdfRefraction",
+        {"Color": shader.scaled(colour, scale), "Roughness": math.sqrt(alpha), "IOR": ior},
+        distribution="GGX" if alpha > 0 else "SHARP",
+    ).outputs["BSDF"]
+    fresnel = shader.node("ShaderNodeFresnel", {"IOR": ior}).outputs["Fac"]
+    return shader.node("ShaderNodeMixShader", {0: fresnel, 1: refraction, 2: glossy(shader, colour, alpha)}).outputs["Shader"]
+
+
+def emission(shader, radiance, strength=1.0):
+    return shader.node("ShaderNodeEmission", {"Color": radiance, "Strength": strength}).outputs["Emission"]
+
+
+# One entry per material type: (required keys, keys that may be absent, function from shader, values and textures).
+def _lambert(shader, m, textures):
+    return diffuse(shader, coloured(shader, m["reflectance"], m.get("texture"), textures))
+
+
+def _oren_nayar(shader, m, textures):
+    roughness, factor = oren_nayar_mapping(m["roughness"])
+    colour = [factor * channel for channel in m["reflectance"]]
+    return diffuse(shader, coloured(shader, colour, m.get("texture"), textures), roughness)
+
+
+def _emission(shader, m, textures):
+    return emission(shader, coloured(shader, m["radiance"], m.get("texture"), textures))
+
+
+MATERIAL_TYPES = {
+    "lambert": ({"reflectance"}, {"texture"}, _lambert),
+    "oren_nayar": ({"reflectance", "roughness"}, {"texture"}, _oren_nayar),
+    "mirror": ({"reflectance"}, set(), lambda s, m, _: glossy(s, m["reflectance"], 0.0)),
+    "glass": ({"colour", "ior"}, set(), lambda s, m, _: dielectric(s, m["colour"], m["ior"], 0.0)),
+    "ggx": ({"colour", "alpha"}, set(), lambda s, m, _: glossy(s, m["colour"], m["alpha"])),
+    "rough_glass": ({"colour", "ior", "alpha"}, set(), lambda s, m, _: dielectric(s, m["colour"], m["ior"], m["alpha"])),
+    "emission": ({"radiance"}, {"texture"}, _emission),
+}
+
+
+def make_material(description, textures):
+    shader = Shader(description["name"])
+    build = MATERIAL_TYPES[description["type"]][2]
+    return shader.finish(build(shader, description, textures))
+
+
+# --- lights ---------------------------------------------------------------------------------------------------------
+
+
+def make_light_material(name, radiance, ies=None):
+    """Constant radiance in front and black behind; `ies` = (Grid, to_local 3x3 rows, centre or None) scales it."""
+    shader = Shader(name)
+    back = shader.node("ShaderNodeNewGeometry").outputs["Backfacing"]
+    strength = shader.math("SUBTRACT", 1.0, back)
+    if ies:
+        strength = shader.math("MULTIPLY", strength, ies_factor(shader, name, *ies))
+    return shader.finish(emission(shader, radiance, strength))
+
+
+def ies_factor(shader, name, grid, to_local, centre):
+    """candela / max candela towards the receiver. With a centre (point_area) the direction runs from there to the
+    receiver, which is the shaded point plus its view vector times the ray's length; both hold in light sampling too."""
+    geometry = shader.node("ShaderNodeNewGeometry")
+    direction = geometry.outputs["Incoming"]
+    if centre is not None:
+        length = shader.node("ShaderNodeLightPath").outputs["Ray Length"]
+        to_receiver = shader.scaled(direction, length)
+        receiver = shader.vector("ADD", geometry.outputs["Position"], to_receiver)
+        direction = shader.vector("SUBTRACT", receiver, centre)
+    x, y, z = (shader.vector("DOT_PRODUCT", direction, row) for row in to_local)
+    across = shader.math("SQRT", shader.math("MULTIPLY_ADD", x, x, shader.math("MULTIPLY", z, z)))
+    vertical = shader.math("ARCTAN2", across, shader.math("MULTIPLY", y, -1.0))  # 0 = local -Y
+    turns = shader.math("FRACT", shader.math("DIVIDE", shader.math("ARCTAN2", z, x), 2 * math.pi))  # 0 = +X, 1/4 = +Z
+    return grid_lookup(shader, name, grid, vertical, turns)
+
+
+def grid_lookup(shader, name, grid, vertical_rad, turns):
+    first, last = math.radians(grid.first_vertical_deg), math.radians(grid.last_vertical_deg)
+    texels = array("f", (v for value in grid.values for v in (value, value, value, 1.0)))
+    image = float_image(name, grid.columns, grid.rows, texels)
+    # Angle to texel centre: value k of n stands at (k + 0.5) / n.
+    u = shader.math("MULTIPLY_ADD", turns, (grid.columns - 1) / grid.columns, 0.5 / grid.columns)
+    slope = (grid.rows - 1) / grid.rows / (last - first) if grid.rows > 1 else 0.0
+    v = shader.math("MULTIPLY_ADD", vertical_rad, slope, 0.5 / grid.rows - first * slope)
+    vector = shader.node("ShaderNodeCombineXYZ", {"X": u, "Y": v}).outputs["Vector"]
+    factor = image_lookup(shader, image, vector, "EXTEND")
+    # LM-63: no light outside the stored vertical range. Beyond 180 deg there is nothing, whatever the rounding.
+    if last < math.radians(179.99):
+        factor = shader.math("MULTIPLY", factor, shader.math("LESS_THAN", vertical_rad, last))
+    if first > 0:
+        factor = shader.math("MULTIPLY", factor, shader.math("GREATER_THAN", vertical_rad, first))
+    return factor

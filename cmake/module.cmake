@@ -1,0 +1,32 @@
+# orbs_module(<name> USES <modules...> PACKAGES <third-party targets...>)
+# One static library per folder of src/. USES is the whole list of folders that it may include:
+# tests/structure reads the same lines and fails on any #include beyond them.
+function(orbs_module name)
+  cmake_parse_arguments(arg "" "" "USES;PACKAGES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "main\\.cpp$")
+  if(NOT sources)  # TEMPORARY
+    add_library(orbs_${name} INTERFACE)
+    list(TRANSFORM arg_USES PREPEND orbs_)
+    target_link_libraries(orbs_${name} INTERFACE ${arg_USES} fmt::fmt)
+    return()
+  endif()
+  add_library(orbs_${name} STATIC ${sources})
+  target_include_directories(orbs_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  list(TRANSFORM arg_USES PREPEND orbs_)
+  target_link_libraries(orbs_${name} PUBLIC ${arg_USES} fmt::fmt PRIVATE orbs_options ${arg_PACKAGES})
+endfunction()
+
+# orbs_program(<name> <main file> USES <modules...> PACKAGES <third-party targets...>)
+# A program: one main file, named main.cpp or *_main.cpp, which may include what its own USES names.
+function(orbs_program name main)
+  cmake_parse_arguments(arg "" "" "USES;PACKAGES" ${ARGN})
+  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${main})  # TEMPORARY
+    return()
+  endif()
+  add_executable(${name} ${main})
+  list(TRANSFORM arg_USES PREPEND orbs_)
+  target_link_libraries(${name} PRIVATE orbs_options ${arg_USES} ${arg_PACKAGES})
+  target_compile_definitions(${name} PRIVATE ORBS_VERSION="${ORBS_VERSION}")
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endfunction()

@@ -1,0 +1,14 @@
+# What every target of ours is compiled with.
+add_library(orbs_options INTERFACE)
+target_compile_options(orbs_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  # FMA contraction breaks the antisymmetry that watertight edge tests and bit-equal pictures rest on; and NaN must stay NaN.
+  -ffp-contract=off -fno-fast-math
+  # AVX2 machines are the oldest that Cycles and Embree are still tuned for; every x86-64 since 2013 has it.
+  -march=x86-64-v3
+  $<$<BOOL:${ORBS_WERROR}>:-Werror>
+  $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined;-fno-sanitize-recover=all;-fno-omit-frame-pointer>
+  $<$<BOOL:${ORBS_COVERAGE}>:--coverage;-O0>)
+target_link_options(orbs_options INTERFACE
+  $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined>
+  $<$<BOOL:${ORBS_COVERAGE}>:--coverage>)

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "registry/configuration.h"
+#include "registry/placeholders.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace orbs::adapters {
+
+/// One render as a renderer sees it: what is started, where, and where its picture must then be.
+struct Job {
+  std::vector<std::string> argv;
+  std::filesystem::path folder;  // working directory, holds everything of the job
+  std::filesystem::path scene_file;
+  std::filesystem::path image;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+struct JobSettings {
+  int spp = 64;
+  int seed = 1;
+  int threads = 1;
+  std::filesystem::path root;        // {root}
+  std::filesystem::path build;       // {build}
+  std::filesystem::path executable;  // {executable}, already found
+};
+
+/// Samples that a renderer gets for a case's `spp`, rounded, at least 1.
+int scaled_spp(int spp, double renderer_scale, double run_scale);
+
+/// The side of a square grid of at least `spp` samples: what {aa_grid} stands for.
+int aa_grid(int spp);
+
+/// The job in `folder` (absolute): pure, touches no file. argv[0] is settings.executable where the command
+/// starts with {executable}.
+Job make_job(const registry::Renderer& renderer,
+             const scene::Scene& scene,
+             const JobSettings& settings,
+             const std::filesystem::path& folder);
+
+}  // namespace orbs::adapters

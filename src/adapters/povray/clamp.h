@@ -1,0 +1,39 @@
+#pragma once
+
+#include "base/vec.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <vector>
+
+namespace orbs::adapters::povray {
+
+/// A corner of a triangle with the texture coordinates that the picture is looked up at (texture matrix
+/// applied).
+struct Corner {
+  Vec3d position;
+  Vec3d normal;
+  Vec2d uv;
+};
+
+/// Where coordinates of one axis stop. POV-Ray repeats a picture or shows nothing beyond its edge, so a
+/// clamped axis is cut at `low` and `high` and every coordinate beyond is moved there. Repeated axes have no
+/// bounds.
+struct ClampAxis {
+  bool active = false;
+  double low = 0;
+  double high = 1;
+};
+
+/// How a texture's clamped axes are cut. With both axes clamped the picture is looked up "once" and the
+/// bounds are just inside its edge; with one, POV-Ray's filter wraps around at both, and the bounds are the
+/// centres of the outer texels, which takes the picture's size: a PNG then, whose header is read. InputError
+/// when that is not to be had.
+std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture);
+
+/// The triangle cut along the bounds, each piece with coordinates within them; pieces without area are left
+/// out.
+std::vector<std::array<Corner, 3>> clamp_triangle(const std::array<Corner, 3>& triangle,
+                                                  const std::array<ClampAxis, 2>& axes);
+
+}  // namespace orbs::adapters::povray

@@ -1,0 +1,190 @@
+#include "adapters/povray/lights.h"
+
+#include "adapters/povray/sdl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters::povray {
+
+namespace {
+
+// POV-Ray attenuates by 2 / (1 + (d/f)^2), f = fade_distance. For f far below all distances that is 2 f^2 /
+// d^2.
+constexpr double kFadePerSize = 1e-5;
+// Between the bright side and the black one behind it, in units of the lamp's local size.
+constexpr double kGap = 1e-4;
+
+/// A flat piece of a lamp in the world: centre, two edge vectors (or conjugate diameters), the way it faces.
+struct Panel {
+  Vec3d centre;
+  Vec3d axis_u;
+  Vec3d axis_v;
+  Vec3d facing;
+  double area_m2 = 0;
+  bool is_round = false;
+};
+
+// A light source of colour C lights a Lambert surface to rho C (attenuation) cos; there is no 1/pi in
+// POV-Ray's diffuse term. A panel of radiance L and area A has to give rho L A cos cos / (pi d^2): hence C =
+// L A / (2 pi f^2). Samples: POV-Ray spans a grid edge to edge; (n-1)/n moves it to the centres of n x n
+// cells.
+std::string panel_light(const Panel& panel, scene::Rgb radiance, int grid, const PovraySettings& settings) {
+  const double fade_m = kFadePerSize * std::sqrt(panel.area_m2);
+  const scene::Rgb intensity = radiance * (panel.area_m2 / (2 * std::numbers::pi * fade_m * fade_m));
+  const double to_centres = static_cast<double>(grid - 1) / grid;
+  return fmt::format(
+      "light_source {{ {}, {}\n  spotlight point_at {} radius 90 falloff 90 tightness 1\n"
+      "  area_light {}, {}, {}, {}{} area_illumination on adaptive {}\n  fade_distance {} fade_power "
+      "2{}\n}}\n",
+      vector(panel.centre), colour(intensity), vector(panel.centre + panel.facing),
+      vector(panel.axis_u * to_centres), vector(panel.axis_v * to_centres), grid, grid,
+      panel.is_round ? " circular" : "", settings.area_adaptive, fade_m,
+      settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
+}
+
+struct LocalFrame {
+  Vec3d u;  // image of local X
+  Vec3d v;  // image of local Z
+  Vec3d facing;
+  double area_scale = 1;  // of areas in the local XZ plane
+};
+
+// The normal follows the inverse transpose: perpendicular to both edges, on the side that local -Y goes to.
+LocalFrame local_frame(const Mat4& matrix) {
+  const Vec3d u = transform_direction(matrix, {1, 0, 0});
+  const Vec3d v = transform_direction(matrix, {0, 0, 1});
+  const Vec3d down = transform_direction(matrix, {0, -1, 0});
+  const Vec3d across = cross(u, v);
+  const Vec3d facing = normalised(across) * (dot(across, down) < 0 ? -1.0 : 1.0);
+  return {u, v, facing, length(across)};
+}
+
+std::string rect_sources(const scene::Light& light,
+                         const scene::RectShape& rect,
+                         const PovraySettings& settings) {
+  const LocalFrame frame = local_frame(light.matrix);
+  const int split = settings.area_split;
+  const double width_m = 2 * rect.half_width_m / split;
+  const double length_m = 2 * rect.half_length_m / split;
+  std::string text;
+  for (int i = 0; i < split; ++i)
+    for (int j = 0; j < split; ++j) {
+      const Vec3d local{(i + 0.5) * width_m - rect.half_width_m, 0,
+                        (j + 0.5) * length_m - rect.half_length_m};
+      const Panel panel{transform_point(light.matrix, local), frame.u * width_m, frame.v * length_m,
+                        frame.facing, width_m * length_m * frame.area_scale};
+      text += panel_light(panel, light.radiance, std::max(2, settings.area_grid / split), settings);
+    }
+  return text;
+}
+
+// POV-Ray bends its square grid into rings, which crowds samples at the diagonals; a second source of half
+// the power turned by 45 degrees evens that out up to the eightfold symmetry that remains.
+std::string disk_sources(const scene::Light& light,
+                         const scene::DiskShape& disk,
+                         const PovraySettings& settings) {
+  const LocalFrame frame = local_frame(light.matrix);
+  const double diameter_m = 2 * disk.radius_m;
+  const double area_m2 = std::numbers::pi * disk.radius_m * disk.radius_m * frame.area_scale;
+  const Vec3d u = frame.u * diameter_m;
+  const Vec3d v = frame.v * diameter_m;
+  const double turn = std::numbers::sqrt2 / 2;
+  const Vec3d centre = transform_point(light.matrix, {});
+  std::string text;
+  for (const auto& [a, b] : std::array{std::pair{u, v}, std::pair{(u + v) * turn, (v - u) * turn}})
+    text += panel_light({centre, a, b, frame.facing, area_m2, true}, light.radiance * 0.5, settings.area_grid,
+                        settings);
+  return text;
+}
+
+// Seen from outside, a sphere of radius r lights as a point at its centre does: E = pi L r^2 / d^2 cos while
+// it is wholly above the horizon, hence C = L r^2 / (2 f^2). Its grid is a disc turned to the lit point, for
+// the shadows alone. The source shines through its own body (projected_through), which stays an obstacle to
+// all others.
+std::string sphere_sources(const scene::Light& light,
+                           const scene::SphereShape& sphere,
+                           const PovraySettings& settings) {
+  const double radius_m = sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0}));
+  const double fade_m = kFadePerSize * radius_m;
+  const scene::Rgb intensity = light.radiance * (radius_m * radius_m / (2 * fade_m * fade_m));
+  const Vec3d centre = transform_point(light.matrix, {});
+  const int grid = settings.area_grid;
+  const double size_m = 2 * radius_m * (grid - 1) / grid;
+  return fmt::format(
+      "light_source {{ {}, {}\n  area_light <{},0,0>, <0,{},0>, {}, {} circular orient adaptive {}\n"
+      "  fade_distance {} fade_power 2\n  projected_through {{ sphere {{ {}, {} }} }}{}\n}}\n",
+      vector(centre), colour(intensity), size_m, size_m, grid, grid, settings.area_adaptive, fade_m,
+      vector(centre), radius_m * (1 + kGap),
+      settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
+}
+
+std::string bright_finish(const scene::Light& light) {
+  return fmt::format(
+      "texture {{ pigment {{ {} }} finish {{ diffuse 0 emission 1 }} }} no_shadow no_radiosity photons {{ "
+      "pass_through }}",
+      colour(light.radiance));
+}
+
+constexpr const char* kBlack = "texture { pigment { rgb 0 } finish { diffuse 0 } }";
+
+// A flat shape as seen, and once more in black a little behind (local +Y).
+std::string flat_body(const scene::Light& light, const std::string& shape, double size_m) {
+  return fmt::format("object {{ {0} {1} {2} }}\nobject {{ {0} translate <0,{3},0> {4} {2} }}\n", shape,
+                     bright_finish(light), matrix(light.matrix), kGap * size_m, kBlack);
+}
+
+struct LightWriter {
+  const scene::Light& light;
+  const PovraySettings& settings;
+
+  std::string operator()(const scene::RectShape& rect) const {
+    const double w = rect.half_width_m;
+    const double l = rect.half_length_m;
+    const std::string shape = fmt::format(
+        "polygon {{ 5, <{0},0,{1}>, <{2},0,{1}>, <{2},0,{3}>, <{0},0,{3}>, <{0},0,{1}> }}", -w, -l, w, l);
+    return rect_sources(light, rect, settings) + flat_body(light, shape, std::min(w, l));
+  }
+  std::string operator()(const scene::DiskShape& disk) const {
+    const std::string shape = fmt::format("disc {{ <0,0,0>, <0,1,0>, {} }}", disk.radius_m);
+    return disk_sources(light, disk, settings) + flat_body(light, shape, disk.radius_m);
+  }
+  std::string operator()(const scene::SphereShape& sphere) const {
+    return sphere_sources(light, sphere, settings) +
+           fmt::format("sphere {{ <0,0,0>, {} {} {} }}\nsphere {{ <0,0,0>, {} {} {} }}\n", sphere.radius_m,
+                       bright_finish(light), matrix(light.matrix), sphere.radius_m * (1 - kGap), kBlack,
+                       matrix(light.matrix));
+  }
+};
+
+}  // namespace
+
+std::string light_text(const scene::Light& light, const PovraySettings& settings) {
+  return std::visit(LightWriter{light, settings}, light.shape);
+}
+
+std::string light_limit(const scene::Light& light) {
+  if (light.ies)
+    return fmt::format(
+        "light '{}' has an IES profile: POV-Ray's light sources have no measured intensity distribution",
+        light.name);
+  if (!std::holds_alternative<scene::SphereShape>(light.shape)) return "";
+  const Mat4& m = light.matrix;
+  const std::array columns{transform_direction(m, {1, 0, 0}), transform_direction(m, {0, 1, 0}),
+                           transform_direction(m, {0, 0, 1})};
+  const double square = dot(columns[0], columns[0]);
+  for (std::size_t i = 0; i < 3; ++i)
+    // Rounding of a turn and a uniform scale stays far below this; a scale meant to differ does not.
+    if (std::abs(dot(columns[i], columns[i]) - square) > 1e-6 * square ||
+        std::abs(dot(columns[i], columns[(i + 1) % 3])) > 1e-6 * square)
+      return fmt::format(
+          "sphere light '{}' is stretched into an ellipsoid, for which POV-Ray has no light source",
+          light.name);
+  return "";
+}
+
+}  // namespace orbs::adapters::povray

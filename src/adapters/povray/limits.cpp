@@ -1,0 +1,94 @@
+#include "adapters/povray/lights.h"
+#include "adapters/povray/materials.h"
+#include "adapters/povray/povray.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters {
+
+namespace {
+
+using povray::Surface;
+
+std::set<int> visible_materials(const scene::Scene& scene) {
+  std::set<int> result;
+  for (const scene::Instance& instance : scene.instances) {
+    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
+    for (const int material : std::set<int>(materials.begin(), materials.end()))
+      result.insert(scene::remapped(instance, material));
+  }
+  return result;
+}
+
+struct ModelLimit {
+  const std::string& name;
+
+  std::string operator()(const scene::Lambert&) const { return ""; }
+  std::string operator()(const scene::Mirror&) const { return ""; }
+  std::string operator()(const scene::Glass&) const { return ""; }
+  std::string operator()(const scene::Emission&) const { return ""; }
+  std::string operator()(const scene::OrenNayar& m) const {
+    if (m.roughness == 0) return "";
+    return fmt::format(
+        "material '{}' is Oren-Nayar with roughness {}: POV-Ray's diffuse reflection is Lambert's law", name,
+        m.roughness);
+  }
+  std::string operator()(const scene::Ggx&) const {
+    return fmt::format(
+        "material '{}' is GGX: POV-Ray has glossy highlights of light sources, no glossy reflection", name);
+  }
+  std::string operator()(const scene::RoughGlass&) const {
+    return fmt::format("material '{}' is rough glass: POV-Ray refracts at smooth surfaces only", name);
+  }
+};
+
+std::string texture_limit(const scene::Texture& texture) {
+  const std::string type = povray::image_type(texture.file);
+  if (type.empty())
+    return fmt::format("texture '{}' is a {} file, which POV-Ray does not read", texture.name,
+                       texture.file.extension().string());
+  if (texture.wrap_u != texture.wrap_v && type != "png")
+    return fmt::format(
+        "texture '{}' is clamped along one axis only, which the exporter can do for PNG files alone",
+        texture.name);
+  return "";
+}
+
+// Light that a mirror or glass sends on to a diffuse surface takes photons, which only light sources emit.
+bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
+  if (scene.trace_depth < 2 || scene.lights.empty()) return false;
+  bool has_diffuse = false;
+  bool has_specular = false;
+  for (const int material : materials) {
+    const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
+    if (povray::surface_of(model) != Surface::Plain) has_specular = true;
+    if (std::holds_alternative<scene::Lambert>(model)) has_diffuse = true;
+  }
+  return has_diffuse && has_specular;
+}
+
+}  // namespace
+
+std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings) {
+  std::vector<std::string> reasons;
+  const auto note = [&](const std::string& reason) {
+    if (!reason.empty()) reasons.push_back(reason);
+  };
+  const std::set<int> materials = visible_materials(scene);
+  std::set<int> textures;
+  for (const int index : materials) {
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
+    note(std::visit(ModelLimit{material.name}, material.model));
+    if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
+  }
+  for (const int texture : textures) note(texture_limit(scene.textures[static_cast<std::size_t>(texture)]));
+  for (const scene::Light& light : scene.lights) note(povray::light_limit(light));
+  if (settings.photons == 0 && needs_caustics(scene, materials))
+    note(
+        "a mirror or glass throws light on diffuse surfaces, which takes photons, and they are switched off");
+  return reasons;
+}
+
+}  // namespace orbs::adapters

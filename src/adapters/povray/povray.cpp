@@ -1,0 +1,143 @@
+#include "adapters/povray/povray.h"
+
+#include "adapters/povray/lights.h"
+#include "adapters/povray/materials.h"
+#include "adapters/povray/meshes.h"
+#include "adapters/povray/sdl.h"
+#include "base/error.h"
+#include "base/files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters {
+
+namespace {
+
+using povray::colour;
+using povray::vector;
+
+// POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
+constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
+
+// Names come from the user and end up behind "//": a line break in one would begin a statement.
+std::string comment(const std::string& name) {
+  std::string text = name;
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return text;
+}
+
+// Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
+// has the length of the picture's width, `up` of its height, `direction` of the distance of that window.
+std::string camera_text(const scene::Camera& camera) {
+  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
+  const Vec3d right = normalised(cross(forward, camera.up));
+  const Vec3d up = cross(right, forward);
+  const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
+  const double distance = 0.5 / std::tan(camera.fov_y_deg * std::numbers::pi / 360);
+  return fmt::format("camera {{\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",
+                     vector(camera.position_m), vector(forward * distance), vector(right * aspect),
+                     vector(up));
+}
+
+std::string radiosity_text(const scene::Scene& scene, const PovrayRadiosity& r) {
+  if (scene.trace_depth < 2) return "";
+  const int recursions = std::min(scene.trace_depth - 1, kMostRecursions);
+  return fmt::format(
+      "  radiosity {{\n    count {} error_bound {} low_error_factor {} nearest_count {} recursion_limit {}\n"
+      "    pretrace_start {} pretrace_end {} minimum_reuse {} maximum_reuse {} always_sample {}\n"
+      "    brightness 1 gray_threshold 0 adc_bailout 1e-6 normal off\n  }}\n",
+      r.count, r.error_bound, r.low_error_factor, r.nearest_count, recursions, r.pretrace_start,
+      r.pretrace_end, r.minimum_reuse, r.maximum_reuse, r.always_sample ? "on" : "off");
+}
+
+std::string settings_text(const scene::Scene& scene, const PovraySettings& settings) {
+  // Photons are counted per sample of the lamp, so many of POV-Ray's "count" are made of each.
+  const int samples = settings.area_grid * settings.area_grid / (settings.area_split * settings.area_split);
+  const std::string photons = settings.photons > 0 ? fmt::format("  photons {{ count {} }}\n",
+                                                                 std::max(1, settings.photons / samples))
+                                                   : "";
+  return fmt::format(
+      "#version 3.7;\nglobal_settings {{\n  assumed_gamma 1.0\n  max_trace_level {}\n  adc_bailout "
+      "1e-5\n{}{}}}\n"
+      "#default {{ finish {{ ambient 0 diffuse 1 emission 0 specular 0 phong 0 }} }}\n",
+      scene.trace_depth + 1, radiosity_text(scene, settings.radiosity), photons);
+}
+
+std::string part_text(const scene::Scene& scene,
+                      const scene::Instance& instance,
+                      const povray::MeshPart& part,
+                      const PovraySettings& settings) {
+  std::string extras;
+  if (part.material >= 0) {
+    const auto& model = scene.materials[static_cast<std::size_t>(part.material)].model;
+    if (const auto* glass = std::get_if<scene::Glass>(&model))
+      extras += fmt::format(" interior {{ ior {} }}", glass->ior);
+    if (settings.photons > 0) extras += " photons { target reflection on refraction on collect off }";
+  }
+  return fmt::format("object {{ {} {}{} }}\n", part.name, povray::matrix(instance.matrix), extras);
+}
+
+struct Text {
+  std::string scene;
+  povray::MeshLibrary meshes;
+  std::set<int> textures;
+};
+
+Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const std::string& stem) {
+  Text text;
+  std::set<int> materials;
+  std::string objects;
+  for (const scene::Instance& instance : scene.instances) {
+    objects += fmt::format("// instance {}\n", comment(instance.name));
+    for (const auto& part : povray::mesh_parts(scene, instance, text.meshes))
+      objects += part_text(scene, instance, part, settings);
+    const auto& given = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
+    for (const int m : std::set<int>(given.begin(), given.end()))
+      materials.insert(scene::remapped(instance, m));
+  }
+  text.scene = settings_text(scene, settings) + camera_text(scene.camera) +
+               fmt::format("background {{ {} }}\n", colour(scene.environment));
+  for (const int index : materials) {
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
+    text.scene += fmt::format("// material {}\n", comment(material.name)) +
+                  povray::material_declaration(scene, index, stem);
+    if (const auto& use = scene::texture_of(material.model)) text.textures.insert(use->texture);
+  }
+  if (!text.meshes.text.empty()) text.scene += fmt::format("#include \"{}-meshes.inc\"\n", stem);
+  text.scene += objects;
+  for (const scene::Light& light : scene.lights)
+    text.scene += fmt::format("// light {}\n", comment(light.name)) + povray::light_text(light, settings);
+  return text;
+}
+
+}  // namespace
+
+int povray_aa_grid(int spp) {
+  const double rays = std::ceil(std::sqrt(static_cast<double>(std::max(spp, 1))) / 4);
+  return std::clamp(static_cast<int>(rays), 1, 9);  // POV-Ray takes 1 to 9
+}
+
+void write_povray(const scene::Scene& scene,
+                  const PovraySettings& settings,
+                  const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::filesystem::path folder = file.parent_path();
+  const Text text = scene_text(scene, settings, stem);
+  for (const int index : text.textures) {
+    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
+    with_note(fmt::format("copying texture '{}' for POV-Ray", texture.name), [&] {
+      write_file(folder / povray::texture_copy(scene, index, stem), read_file(texture.file));
+    });
+  }
+  if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
+  write_file(file, text.scene);
+}
+
+}  // namespace orbs::adapters

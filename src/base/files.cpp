@@ -1,0 +1,68 @@
+#include "base/files.h"
+
+#include "base/error.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace orbs {
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(fmt::format("{}: is a folder, expected a file", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) throw InputError(fmt::format("{}: reading stopped: {}", path.string(), std::strerror(errno)));
+  return bytes;
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  static std::atomic<int> counter{0};
+  auto beside = path;
+  beside += fmt::format(".{}-{}.part", ::getpid(), counter++);
+  {
+    std::ofstream file(beside, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.flush();
+    if (!file) {
+      const std::string reason = std::strerror(errno);
+      std::error_code ignored;
+      std::filesystem::remove(beside, ignored);
+      throw InputError(fmt::format("{}: cannot be written: {}", path.string(), reason));
+    }
+  }
+  std::error_code failed;
+  std::filesystem::rename(beside, path, failed);
+  if (!failed) return;
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  throw InputError(fmt::format("{}: cannot be put into place: {}", path.string(), failed.message()));
+}
+
+std::uint64_t content_hash(std::string_view bytes, std::uint64_t seed) {
+  std::uint64_t hash = seed;
+  for (const char c : bytes) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3ULL;
+  }
+  return hash;
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::filesystem::path resolve_path(const std::filesystem::path& base_folder, const std::string& relative) {
+  const std::filesystem::path path(relative);
+  return std::filesystem::absolute(path.is_absolute() ? path : base_folder / path).lexically_normal();
+}
+
+}  // namespace orbs

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace orbs {
+
+/// The whole file as bytes. InputError with the reason when it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes beside the target and renames into place, so that a reader sees the old file or the new one, never a part.
+/// InputError when the disk refuses.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo; draft-eastlake-fnv): tells two versions of a file apart, no protection
+/// against somebody who wants them to collide.
+std::uint64_t content_hash(std::string_view bytes, std::uint64_t seed = 0xcbf29ce484222325ULL);
+
+/// content_hash as 16 hexadecimal digits, the form that passports and job ids use.
+std::string hash_text(std::uint64_t hash);
+
+/// Absolute path of `relative` read against `base_folder`; absolute paths stay as they are.
+std::filesystem::path resolve_path(const std::filesystem::path& base_folder, const std::string& relative);
+
+}  // namespace orbs

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orbs {
+
+std::string_view trim(std::string_view text);
+
+/// The parts between separators, empty ones included; the empty text has one empty part.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// The whole text as a number, independent of the locale; nothing when a part of it is no number.
+std::optional<double> to_number(std::string_view text);
+std::optional<long long> to_integer(std::string_view text);
+
+/// " (did you mean 'x'?)" for the nearest candidate within two edits, else "".
+std::string closest(const std::string& word, const std::set<std::string>& candidates);
+
+/// Shell-like pattern: '*' any run, '?' any one character; the whole text must match.
+bool glob_match(std::string_view pattern, std::string_view text);
+
+}  // namespace orbs

@@ -1,0 +1,144 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "image/image_io.h"
+#include "scene/load_scene.h"
+#include "tracer/render.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#ifndef ORBS_VERSION
+#  define ORBS_VERSION "unknown"
+#endif
+
+namespace {
+
+std::atomic<bool> stop{false};
+
+extern "C" void ask_to_stop(int) { stop = true; }
+
+struct Options {
+  std::string scene;
+  std::string output;
+  int width = 0;   // 0: the camera's own
+  int height = 0;
+  bool as_json = false;
+  orbs::tracer::RenderSettings render;
+};
+
+Options parse_options(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Renders one orbs-scene/1 file with the reference path tracer."};
+  app.set_version_flag("--version", "orbs-tracer " ORBS_VERSION);
+  app.add_option("scene", options.scene, "scene file (orbs-scene/1)")->required();
+  app.add_option("-o,--output", options.output, "picture to write (OpenEXR: R,G,B and their variances)")->required();
+  app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")->check(CLI::Range(1, 1 << 24))->capture_default_str();
+  app.add_option("--seed", options.render.seed, "same seed, same picture")->capture_default_str();
+  app.add_option("--threads", options.render.threads, "0: all cores; the picture does not depend on it")
+      ->check(CLI::Range(0, 1024))->capture_default_str();
+  app.add_option("--width", options.width, "replaces the camera's width, in pixels")->check(CLI::Range(1, 65536));
+  app.add_option("--height", options.height, "replaces the camera's height, in pixels")->check(CLI::Range(1, 65536));
+  app.add_flag("--split-paths", options.render.split_paths, "one layer per class of light path (path.EDSL.R ...)");
+  app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    std::exit(app.exit(e) == 0 ? 0 : 2);
+  }
+  return options;
+}
+
+// Called after every tile: writes at most about ten times a second.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool as_json) : as_json_(as_json), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+  void show(const orbs::tracer::Progress& progress) {
+    constexpr double kInterval = 0.1;  // seconds
+    if (progress.seconds < last_seconds_ + kInterval) return;
+    last_seconds_ = progress.seconds;
+    if (as_json_) {
+      fmt::print("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done, progress.samples_per_pixel, progress.seconds);
+      std::fflush(stdout);
+    } else if (on_terminal_) {
+      constexpr int kWidth = 40;
+      const auto full = static_cast<std::size_t>(progress.done * kWidth);
+      const double left = progress.seconds / progress.done - progress.seconds;
+      fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:.0f} s, {:.0f} s left ", std::string(full, '#'),
+                 std::string(kWidth - full, '.'), 100 * progress.done, progress.seconds, left);
+    }
+  }
+  void finish() const {
+    if (on_terminal_ && !as_json_ && last_seconds_ > 0) fmt::print(stderr, "\r{:79}\r", "");
+  }
+
+ private:
+  bool as_json_;
+  bool on_terminal_;
+  double last_seconds_ = 0;
+};
+
+// Nothing in the header depends on the machine, the time or the number of threads: same seed, same bytes.
+void stamp(orbs::tracer::Rendering& rendering, const Options& options, const orbs::scene::Scene& scene) {
+  auto& header = rendering.picture.attributes;
+  header["orbs.program"] = "orbs-tracer";
+  header["orbs.version"] = ORBS_VERSION;
+  header["orbs.scene"] = scene.name;
+  header["orbs.scene_hash"] = orbs::hash_text(orbs::content_hash(orbs::read_file(options.scene)));
+  header["orbs.spp"] = std::to_string(rendering.samples_per_pixel);
+  header["orbs.seed"] = std::to_string(options.render.seed);
+  header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
+  header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
+}
+
+void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
+  if (r.bad_samples.count > 0)
+    fmt::print(stderr, "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
+               r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
+  if (as_json)
+    fmt::print("{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
+               r.samples_per_pixel, r.seconds, r.cpu_seconds, r.bad_samples.count);
+  fmt::print("orbs: render_seconds {:.4f}\n", r.seconds);
+}
+
+int run(const Options& options) {
+  using namespace orbs;
+  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
+  auto scene = scene::load_scene(options.scene);
+  if (options.width > 0) scene.camera.width_px = options.width;
+  if (options.height > 0) scene.camera.height_px = options.height;
+  const auto world = tracer::make_world(scene);
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  ProgressLine line(options.as_json);
+  auto rendering = tracer::render(world, options.render, stop, [&](const tracer::Progress& p) { line.show(p); });
+  line.finish();
+  stamp(rendering, options, scene);
+  image::write_exr(rendering.picture, options.output);
+  print_summary(rendering, options.as_json);
+  if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
+  fmt::print(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
+             rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);
+  return kInterrupted;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_options(argc, argv));
+  } catch (const orbs::InputError& e) {
+    fmt::print(stderr, "orbs-tracer: {}\n", e.what());
+    return 2;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "orbs-tracer: internal error: {}\n", e.what());
+    return 3;
+  }
+}

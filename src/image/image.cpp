@@ -1,0 +1,45 @@
+#include "image/image.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::image {
+
+Image make_image(int width, int height, std::vector<std::string> channels) {
+  assert(width > 0 && height > 0 && !channels.empty());
+  Image image{width, height, std::move(channels), {}, {}};
+  image.pixels.assign(image.pixel_count() * image.channel_count(), 0.0F);
+  return image;
+}
+
+int channel_index(const Image& image, std::string_view name) {
+  const auto found = std::find(image.channels.begin(), image.channels.end(), name);
+  return found == image.channels.end() ? -1 : static_cast<int>(found - image.channels.begin());
+}
+
+Image select_rgb(const Image& image, std::string_view prefix) {
+  constexpr std::array kColours{"R", "G", "B"};
+  std::array<std::size_t, 3> source{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto name = fmt::format("{}{}", prefix, kColours[c]);
+    const int index = channel_index(image, name);
+    if (index < 0)
+      throw InputError(
+          fmt::format("the picture has no channel '{}'; it has {}", name, fmt::join(image.channels, ", ")));
+    source[c] = static_cast<std::size_t>(index);
+  }
+  Image rgb = make_image(image.width, image.height, {"R", "G", "B"});
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+    for (std::size_t c = 0; c < 3; ++c)
+      rgb.pixels[3 * pixel + c] = image.pixels[pixel * image.channel_count() + source[c]];
+  return rgb;
+}
+
+}  // namespace orbs::image

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orbs::image {
+
+/// Named float channels over one rectangle, rows from the top, channels interleaved: value(x, y, c) =
+/// pixels[(y * width + x) * channels + c]. Nothing is assumed about colour beyond the names: "R", "G", "B"
+/// are linear Rec.709, "variance.R" is the variance of the mean of "R", and "layer.R" belongs to a named
+/// layer.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+  std::vector<float> pixels;
+  std::map<std::string, std::string> attributes;  // text in the file's header: the passport
+
+  std::size_t channel_count() const { return channels.size(); }
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  const float& at(int x, int y, std::size_t c) const { return pixels[index(x, y, c)]; }
+  float& at(int x, int y, std::size_t c) { return pixels[index(x, y, c)]; }
+
+ private:
+  std::size_t index(int x, int y, std::size_t c) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+               channels.size() +
+           c;
+  }
+};
+
+/// Black image with these channels.
+Image make_image(int width, int height, std::vector<std::string> channels);
+
+/// Index of a channel, -1 when the image has none of that name.
+int channel_index(const Image& image, std::string_view name);
+
+/// The channels `prefix`R, `prefix`G, `prefix`B alone as an image with channels R, G, B ("" for the colour
+/// itself, "variance." for its variance). InputError when one is missing.
+Image select_rgb(const Image& image, std::string_view prefix);
+
+}  // namespace orbs::image

@@ -1,0 +1,246 @@
+#include "image/image_io.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "image/png_chunks.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <system_error>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::image {
+
+namespace {
+
+// Only these readers are asked. OpenImageIO would hand a file that its own reader refuses to each of its
+// others in turn, video and raw-photo libraries included: slow on broken input, and some of those libraries
+// write to stderr. TIFF is left out because version 2.4 returns a torn float TIFF as if it were whole.
+constexpr std::array kFormats{"exr", "hdr", "png", "jpg", "jpeg", "bmp", "tga", "pfm", "ppm", "pgm"};
+
+// A header can claim any size in a few bytes. 2^29 floats (2 GiB) hold an 8192 x 8192 picture with eight
+// channels.
+constexpr double kMostValues = 536870912.0;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
+  throw InputError(fmt::format("{}: {}", file.string(), problem));
+}
+
+// OpenImageIO keeps errors per object and per thread and prints those that nobody fetched to stderr at the
+// end of the program, so both are always fetched.
+std::string reason_of(const std::string& error_of_object) {
+  const std::string global = OIIO::geterror();
+  const std::string& text = error_of_object.empty() ? global : error_of_object;
+  const auto line = text.substr(0, text.find('\n'));
+  return line.empty() ? "torn, or the contents are of another format" : line;
+}
+
+std::string format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
+    refuse(file,
+           fmt::format("no picture format is known by this name; known are .{}", fmt::join(kFormats, " .")));
+  return extension;
+}
+
+void check_file(const std::filesystem::path& file) {
+  std::error_code failed;
+  const auto status = std::filesystem::status(file, failed);
+  if (status.type() == std::filesystem::file_type::not_found) refuse(file, "there is no such picture file");
+  if (failed) refuse(file, fmt::format("cannot be read: {}", failed.message()));
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a file, expected a picture");
+  if (std::filesystem::file_size(file, failed) == 0 && !failed) refuse(file, "is empty, expected a picture");
+}
+
+void check_size(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+  if (spec.deep) refuse(file, "holds deep pixels, expected a flat picture");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
+    refuse(file, fmt::format("the header says {} x {} px with {} channels, which is no picture", spec.width,
+                             spec.height, spec.nchannels));
+  const double values = static_cast<double>(spec.width) * spec.height * spec.nchannels;
+  if (values > kMostValues)
+    refuse(file, fmt::format("the header says {} x {} px with {} channels; at most {} values are read",
+                             spec.width, spec.height, spec.nchannels, static_cast<long long>(kMostValues)));
+  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+      spec.height != spec.full_height)
+    refuse(file,
+           fmt::format("the stored pixels ({} x {} at {}, {}) are not the whole picture ({} x {} at {}, {}); "
+                       "write it without a crop or overscan window",
+                       spec.width, spec.height, spec.x, spec.y, spec.full_width, spec.full_height,
+                       spec.full_x, spec.full_y));
+}
+
+// A torn JPEG is filled up with grey and reported as read. In entropy-coded data 0xff is always followed by
+// 0x00 or a restart marker, so the end marker after the last start of scan is there only in a whole file
+// (ITU-T T.81, B.1.1).
+void check_jpeg_end(const std::filesystem::path& file) {
+  const std::string bytes = read_file(file);
+  const auto scan = bytes.rfind("\xff\xda");
+  const auto end = bytes.rfind("\xff\xd9");
+  if (scan == std::string::npos || end == std::string::npos || end < scan)
+    refuse(file, "is no whole JPEG: the end marker is missing");
+}
+
+struct OpenPicture {
+  std::string bytes;  // empty when the reader itself looks into the file
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::ImageInput> input;  // declared last: reads from the two above until it is gone
+
+  const OIIO::ImageSpec& spec() const { return input->spec(); }
+};
+
+OpenPicture open_picture(const std::filesystem::path& file) {
+  check_file(file);
+  const std::string format = format_of(file);
+  OpenPicture picture;
+  picture.input = OIIO::ImageInput::create(format);
+  if (!picture.input) refuse(file, fmt::format("this build reads no .{} files: {}", format, reason_of("")));
+  if (format == "jpg" || format == "jpeg") check_jpeg_end(file);
+  if (format == "png") {
+    try {
+      picture.bytes = pixel_chunks(read_file(file));
+    } catch (const InputError& e) {
+      refuse(file, e.what());
+    }
+    picture.memory =
+        std::make_unique<OIIO::Filesystem::IOMemReader>(picture.bytes.data(), picture.bytes.size());
+    picture.input->set_ioproxy(picture.memory.get());
+  }
+  OIIO::ImageSpec hints;
+  hints["oiio:UnassociatedAlpha"] = 1;  // else colours with alpha come back multiplied by it, not as stored
+  OIIO::ImageSpec ignored;
+  if (!picture.input->open(file.string(), ignored, hints))
+    refuse(file, fmt::format("is no readable .{} picture: {}", format, reason_of(picture.input->geterror())));
+  check_size(picture.spec(), file);
+  return picture;
+}
+
+// What the library itself says about a file, as opposed to what stands in its header.
+bool is_invented(const std::string& name) {
+  return name.starts_with("oiio:") || name.starts_with("openexr:") || name == "compression";
+}
+
+std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) {
+  std::map<std::string, std::string> attributes;
+  for (const auto& attribute : spec.extra_attribs)
+    if (attribute.type() == OIIO::TypeString && !is_invented(attribute.name().string()))
+      attributes[attribute.name().string()] = attribute.get_string();
+  return attributes;
+}
+
+// The libraries below report some damage by exceptions of their own (and memory that a torn header asks for
+// by bad_alloc); for the caller all of it is a picture that cannot be read.
+template <typename F>
+auto guarded(const std::filesystem::path& file, F&& work) {
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& e) {
+    OIIO::geterror();
+    refuse(file, e.what());
+  }
+}
+
+void check_names(const Image& image, const std::filesystem::path& file) {
+  for (std::size_t i = 0; i < image.channel_count(); ++i)
+    if (image.channels[i].empty() || channel_index(image, image.channels[i]) != static_cast<int>(i))
+      refuse(file, fmt::format("channel {} cannot be named '{}': names must be there and differ", i,
+                               image.channels[i]));
+}
+
+// Beyond it a half is infinite; 65520 is halfway between the largest half and the next power of two and
+// rounds up.
+constexpr float kFirstBeyondHalf = 65520.0F;
+
+void check_range_of_half(const Image& image, const std::filesystem::path& file) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float value = image.pixels[i];
+    if (!std::isfinite(value) || std::fabs(value) < kFirstBeyondHalf) continue;
+    const std::size_t pixel = i / image.channel_count();
+    const auto width = static_cast<std::size_t>(image.width);
+    refuse(file, fmt::format("{} in channel {} at pixel ({}, {}) does not fit into half floats; write floats",
+                             value, image.channels[i % image.channel_count()], pixel % width, pixel / width));
+  }
+}
+
+void encode_and_write(const char* format,
+                      const OIIO::ImageSpec& spec,
+                      OIIO::TypeDesc type,
+                      const void* pixels,
+                      const std::filesystem::path& file) {
+  auto output = OIIO::ImageOutput::create(format);
+  if (!output) refuse(file, fmt::format("this build writes no {}: {}", format, reason_of("")));
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  // The name only has to be there: the bytes go to memory, and write_file puts them into place as a whole.
+  if (!output->set_ioproxy(&memory) || !output->open(fmt::format("memory.{}", format), spec) ||
+      !output->write_image(type, pixels) || !output->close())
+    refuse(file, fmt::format("cannot be encoded as {}: {}", format, reason_of(output->geterror())));
+  // The bytes as char: any object may be looked at as char, and write_file takes text.
+  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file) {
+  return guarded(file, [&] {
+    const OpenPicture picture = open_picture(file);
+    const OIIO::ImageSpec& spec = picture.spec();
+    Image image = make_image(spec.width, spec.height, spec.channelnames);
+    image.attributes = text_attributes(spec);
+    if (!picture.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
+      refuse(file, fmt::format("the pixels cannot be read: {}", reason_of(picture.input->geterror())));
+    return image;
+  });
+}
+
+void write_exr(const Image& image, const std::filesystem::path& file, Precision precision) {
+  check_names(image, file);
+  if (precision == Precision::Half) check_range_of_half(image, file);
+  guarded(file, [&] {
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_count()),
+                         precision == Precision::Half ? OIIO::TypeHalf : OIIO::TypeFloat);
+    spec.channelnames = image.channels;
+    for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
+    spec.attribute("compression", "zip");
+    encode_and_write("exr", spec, OIIO::TypeFloat, image.pixels.data(), file);
+  });
+}
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  const std::size_t kept = image.channel_count() >= 3 ? 3 : 1;
+  std::vector<unsigned char> values;
+  values.reserve(image.pixel_count() * kept);
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+    for (std::size_t c = 0; c < kept; ++c) {
+      const float value = image.pixels[pixel * image.channel_count() + c];
+      if (std::isnan(value)) refuse(file, "a PNG cannot show NaN; mark such pixels before writing");
+      values.push_back(static_cast<unsigned char>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F)));
+    }
+  guarded(file, [&] {
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(kept), OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    encode_and_write("png", spec, OIIO::TypeUInt8, values.data(), file);
+  });
+}
+
+bool is_ldr_file(const std::filesystem::path& file) {
+  return guarded(file, [&] {
+    const auto format = open_picture(file).spec().format;
+    return format == OIIO::TypeUInt8 || format == OIIO::TypeUInt16;
+  });
+}
+
+}  // namespace orbs::image

@@ -1,0 +1,110 @@
+#include "json/locate.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+namespace orbs::json {
+namespace {
+// Steps over one JSON token stream. The text is known to be valid, so no error handling.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+  std::size_t offset() {
+    skip_space();
+    return at_;
+  }
+  bool consume(char c) {
+    skip_space();
+    if (text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  char peek() {
+    skip_space();
+    return text_[at_];
+  }
+  std::string string() {
+    const std::size_t begin = offset();
+    for (++at_; text_[at_] != '"'; ++at_)
+      if (text_[at_] == '\\') ++at_;
+    ++at_;
+    return nlohmann::json::parse(text_.substr(begin, at_ - begin)).get<std::string>();
+  }
+  void value() {
+    switch (peek()) {
+      case '{':
+        consume('{');
+        if (consume('}')) return;
+        do {
+          string();
+          consume(':');
+          value();
+        } while (consume(','));
+        consume('}');
+        return;
+      case '[':
+        consume('[');
+        if (consume(']')) return;
+        do {
+          value();
+        } while (consume(','));
+        consume(']');
+        return;
+      case '"':
+        string();
+        return;
+      default:
+        at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
+    }
+  }
+  // Leaves the scanner at the child's value; false if there is no such child.
+  bool enter(const std::string& key) {
+    if (consume('{')) {
+      if (peek() == '}') return false;
+      do {
+        const std::string name = string();
+        consume(':');
+        if (name == key) return true;
+        value();
+      } while (consume(','));
+      return false;
+    }
+    if (consume('[')) {
+      if (peek() == ']') return false;
+      for (std::size_t i = 0;; ++i) {
+        if (std::to_string(i) == key) return true;
+        value();
+        if (!consume(',')) return false;
+      }
+    }
+    return false;
+  }
+
+ private:
+  void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size() - 1); }
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+}  // namespace
+TextPosition position_of_offset(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 == 0 on the first line
+  return {static_cast<int>(line) + 1, static_cast<int>(offset - line_begin) + 1};
+}
+TextPosition locate(std::string_view text, std::string_view pointer) {
+  Scanner scanner(text);
+  nlohmann::json::json_pointer p{std::string(pointer)};
+  std::vector<std::string> keys;
+  for (; !p.empty(); p = p.parent_pointer()) keys.push_back(p.back());
+  std::size_t found = scanner.offset();
+  for (auto key = keys.rbegin(); key != keys.rend() && scanner.enter(*key); ++key) found = scanner.offset();
+  return position_of_offset(text, found);
+}
+std::string excerpt(std::string_view text, TextPosition at) {
+  std::size_t begin = 0;
+  for (int line = 1; line < at.line; ++line) begin = text.find('\n', begin) + 1;
+  const std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
+  return std::string(line) + "\n" + std::string(static_cast<std::size_t>(at.column - 1), ' ') + "^";
+}
+}  // namespace orbs::json

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace orbs::metrics {
+
+/// Pixels x0 <= x < x1, y0 <= y < y1, y from the top.
+struct Rectangle {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// Pixels that no number counts: those in any rectangle and those whose byte is not 0. Empty: every pixel
+/// counts.
+struct Mask {
+  std::vector<Rectangle> rectangles;
+  std::vector<std::uint8_t> pixels;  // empty, or one byte for each pixel, row by row from the top
+};
+
+/// One byte for each pixel of a width x height picture: 1 counted, 0 left out. InputError when a rectangle is
+/// empty or reaches beyond the picture, when the bytes are not as many as the pixels, or when no pixel is
+/// left.
+std::vector<std::uint8_t> included_pixels(const Mask& mask, int width, int height);
+
+}  // namespace orbs::metrics

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "image/image.h"
+#include "metrics/picture_pair.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace orbs::metrics {
+
+struct MetricResult {
+  std::optional<double> value;  // nothing where the definition gives no number; +infinity is a number
+  image::Image map;             // one or three channels; NaN where the definition gives no value
+};
+
+/// The error map that a metric leaves behind.
+struct MapInfo {
+  std::string_view name;  // also the end of its file name
+  std::string_view definition;
+  bool is_signed;
+  /// Where the colour scale of its PNG ends: fixed, so that pictures of different renderers can be laid side
+  /// by side.
+  float scale_maximum;
+};
+
+/// One metric: what it is called, what exactly it computes, how. Everything that help texts, results and
+/// reports say about a metric comes from here.
+struct MetricInfo {
+  std::string_view name;
+  std::string_view unit;
+  bool lower_is_better;
+  std::string_view definition;
+  MapInfo map;
+  MetricResult (*compute)(const PicturePair&);
+};
+
+/// Mean of error(result sample, reference sample) over the three channels of the included pixels, and the
+/// same errors as a map of all pixels. The mean is summed in double by rows from the top, independent of
+/// threads.
+template <typename Error>
+MetricResult mean_error(const PicturePair& pair,
+                        const std::vector<float>& result,
+                        const std::vector<float>& reference,
+                        Error error) {
+  image::Image map = image::make_image(pair.width, pair.height, {"R", "G", "B"});
+  double sum = 0.0;
+  for (std::size_t pixel = 0; pixel < pair.pixel_count(); ++pixel) {
+    double sum_of_pixel = 0.0;
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+      const double e = error(static_cast<double>(result[i]), static_cast<double>(reference[i]));
+      map.pixels[i] = static_cast<float>(e);
+      sum_of_pixel += e;
+    }
+    if (pair.included[pixel] != 0) sum += sum_of_pixel;
+  }
+  return {sum / (3.0 * static_cast<double>(pair.included_count)), std::move(map)};
+}
+
+}  // namespace orbs::metrics

@@ -1,0 +1,231 @@
+#include "registry/cases.h"
+
+#include "base/files.h"
+#include "base/text.h"
+#include "json/object_reader.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::registry {
+
+namespace {
+
+using json::ObjectReader;
+
+constexpr int kMostSpp = 1 << 24;
+constexpr int kLargestPixel = 1 << 20;
+
+std::string picture_name(ObjectReader& in, std::set<std::string>& names) {
+  auto name = in.text("name");
+  if (name.empty() || name.front() == '.' || name.find_first_of("/\\,*? \t\n") != std::string::npos)
+    in.fail("name", fmt::format("'{}' is no name: use letters, digits, '-', '_' and '.'", name));
+  if (!names.insert(name).second)
+    in.fail("name", fmt::format("'{}' is the name of an earlier picture of this case", name));
+  return name;
+}
+
+std::string known_name(ObjectReader& in, const std::string& key, const std::set<std::string>& names) {
+  auto name = in.text(key);
+  if (!names.contains(name))
+    in.fail(key, fmt::format("no picture of this case is called '{}'{}; there are: {}", name,
+                             closest(name, names), fmt::join(names, ", ")));
+  return name;
+}
+
+CaseScene load_case_scene(ObjectReader in,
+                          const std::filesystem::path& folder,
+                          std::set<std::string>& names) {
+  CaseScene scene;
+  scene.name = picture_name(in, names);
+  scene.file = resolve_path(folder, in.text("file"));
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(scene.file, ignored))
+    in.fail("file", fmt::format("there is no file {}", scene.file.string()));
+  scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
+  in.finish();
+  return scene;
+}
+
+Difference load_difference(ObjectReader in,
+                           const std::set<std::string>& scenes,
+                           std::set<std::string>& names) {
+  Difference difference{picture_name(in, names), known_name(in, "of", scenes),
+                        known_name(in, "minus", scenes)};
+  if (difference.of == difference.minus)
+    in.fail("minus", "is the same scene as 'of': the difference would be black");
+  in.finish();
+  return difference;
+}
+
+Gate load_gate(ObjectReader in) {
+  Gate gate;
+  gate.metric = in.text("metric");
+  if (in.has("min")) gate.min = in.number("min");
+  if (in.has("max")) gate.max = in.number("max");
+  if (!gate.min && !gate.max) in.fail("", "a gate needs 'min' or 'max', or it lets everything pass");
+  if (gate.min && gate.max && *gate.min > *gate.max)
+    in.fail("max", fmt::format("must not be below 'min', which is {}", *gate.min));
+  in.finish();
+  return gate;
+}
+
+Rectangle checked_rectangle(const ObjectReader& in, const std::string& key, const std::vector<double>& n) {
+  Rectangle r{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    r.at(i) = static_cast<int>(n[i]);
+    if (r.at(i) != n[i]) in.fail(key, fmt::format("pixels are whole numbers, {} is none", n[i]));
+  }
+  if (r[0] >= r[2] || r[1] >= r[3])
+    in.fail(key,
+            fmt::format("[x0,y0,x1,y1] = [{}] holds no pixel: x1 and y1 are exclusive", fmt::join(r, ",")));
+  return r;
+}
+
+std::vector<Rectangle> load_rectangles(ObjectReader& in) {
+  std::vector<Rectangle> out;
+  for (const auto& row : in.number_rows("rectangles", 4, {0, kLargestPixel}))
+    out.push_back(checked_rectangle(in, "rectangles", row));
+  if (out.empty()) in.fail("rectangles", "must hold at least one [x0,y0,x1,y1]");
+  return out;
+}
+
+Mask load_mask(ObjectReader in, const std::set<std::string>& names) {
+  Mask mask{known_name(in, "scene", names), load_rectangles(in), in.text("reason")};
+  if (mask.reason.empty()) in.fail("reason", "must say why these pixels are left out");
+  in.finish();
+  return mask;
+}
+
+PixelCheck load_pixel_check(ObjectReader in, const std::set<std::string>& names) {
+  PixelCheck check;
+  check.picture = known_name(in, "scene", names);
+  check.region = checked_rectangle(in, "region", in.numbers("region", 4, {0, kLargestPixel}));
+  const auto expected = in.numbers("expected", 3);
+  std::copy(expected.begin(), expected.end(), check.expected.begin());
+  check.tolerance = in.number("tolerance", json::kNotNegative);
+  check.why = in.text("why");
+  in.finish();
+  return check;
+}
+
+// "ESDL", "EDSSL-T": eye, surface events, light, and whether one of them is a transmission.
+bool is_path_class(std::string_view name) {
+  if (name.ends_with("-T")) name.remove_suffix(2);
+  return name.size() >= 3 && name.front() == 'E' && name.back() == 'L' &&
+         name.substr(1, name.size() - 2).find_first_not_of("DSG") == std::string_view::npos;
+}
+
+PathShare load_path_share(ObjectReader in, const std::set<std::string>& scenes) {
+  PathShare share{known_name(in, "scene", scenes), in.text("class"), in.number("min_share", {0, 1})};
+  if (!is_path_class(share.path_class))
+    in.fail("class",
+            fmt::format("'{}' is no path class; expected for example ESDL or EDSSL-T", share.path_class));
+  in.finish();
+  return share;
+}
+
+std::string load_requirement(ObjectReader& in) {
+  auto text = in.text("requirement");
+  try {
+    parse_requirement(text);
+  } catch (const InputError& e) {
+    in.fail("requirement", e.what());
+  }
+  return text;
+}
+
+void load_scenes(ObjectReader& in, Case& one_case) {
+  std::set<std::string> names;
+  for (auto& entry : in.objects("scenes"))
+    one_case.scenes.push_back(load_case_scene(std::move(entry), one_case.file.parent_path(), names));
+  if (one_case.scenes.empty()) in.fail("scenes", "must hold at least one scene");
+  const auto scenes = names;
+  for (auto& entry : in.objects_or_none("differences"))
+    one_case.differences.push_back(load_difference(std::move(entry), scenes, names));
+  for (auto& entry : in.objects_or_none("masks"))
+    one_case.masks.push_back(load_mask(std::move(entry), names));
+  for (auto& entry : in.objects_or_none("pixel_checks"))
+    one_case.pixel_checks.push_back(load_pixel_check(std::move(entry), names));
+  for (auto& entry : in.objects_or_none("path_shares"))
+    one_case.path_shares.push_back(load_path_share(std::move(entry), scenes));
+}
+
+// One scene may serve several cases; it is rendered once, so it must be the same scene everywhere.
+void refuse_conflicts(const std::vector<Case>& cases) {
+  std::map<std::string, std::pair<const Case*, const CaseScene*>> scenes;
+  std::map<std::string, const Case*> differences;
+  for (const auto& one_case : cases) {
+    for (const auto& scene : one_case.scenes) {
+      const auto [first, is_new] = scenes.try_emplace(scene.name, &one_case, &scene);
+      const auto& [other_case, other] = first->second;
+      if (!is_new && (other->file != scene.file || other->spp != scene.spp))
+        throw InputError(
+            fmt::format("{}: scene '{}' is {} with {} spp, but {} with {} spp in {}; use another name",
+                        one_case.file.string(), scene.name, scene.file.string(), scene.spp,
+                        other->file.string(), other->spp, other_case->file.string()));
+    }
+    for (const auto& difference : one_case.differences)
+      if (!differences.try_emplace(difference.name, &one_case).second)
+        throw InputError(fmt::format("{}: difference '{}' is also one of {}; use another name",
+                                     one_case.file.string(), difference.name,
+                                     differences[difference.name]->file.string()));
+  }
+  for (const auto& [name, one_case] : differences)
+    if (scenes.contains(name))
+      throw InputError(fmt::format("{}: difference '{}' has the name of a scene in {}; use another name",
+                                   one_case->file.string(), name, scenes[name].first->file.string()));
+}
+
+}  // namespace
+
+Case load_case(const std::filesystem::path& file) {
+  const auto document = json::parse_file(file);
+  ObjectReader in(document);
+  in.one_of("format", {"orbs-case/1"});
+  Case one_case;
+  one_case.file = std::filesystem::absolute(file).lexically_normal();
+  one_case.name = one_case.file.parent_path().filename().string();
+  one_case.requirement = load_requirement(in);
+  one_case.title = in.text("title");
+  one_case.tests = in.text("tests");
+  one_case.typical_mistake = in.text("typical_mistake");
+  one_case.gate.min = 35;  // ORB.S section 2: PSNR above 35 if otherwise is not specified
+  if (in.has("gate")) one_case.gate = load_gate(in.object("gate"));
+  load_scenes(in, one_case);
+  in.finish();
+  return one_case;
+}
+
+std::vector<Case> load_cases(const Suite& suite) {
+  std::error_code failed;
+  std::vector<std::filesystem::path> folders;
+  for (const auto& entry : std::filesystem::directory_iterator(suite.cases, failed))
+    if (entry.is_directory()) folders.push_back(entry.path());
+  if (failed)
+    throw InputError(fmt::format("{}: the cases of suite '{}' cannot be read: {}", suite.cases.string(),
+                                 suite.name, failed.message()));
+  std::sort(folders.begin(), folders.end());
+  std::vector<Case> cases;
+  for (const auto& folder : folders) cases.push_back(load_case(folder / "case.json"));
+  if (cases.empty())
+    throw InputError(fmt::format("{}: suite '{}' has no case there", suite.cases.string(), suite.name));
+  std::stable_sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) {
+    return comes_before(parse_requirement(a.requirement), parse_requirement(b.requirement));
+  });
+  refuse_conflicts(cases);
+  return cases;
+}
+
+std::vector<std::string> picture_names(const Case& one_case) {
+  std::vector<std::string> names;
+  for (const auto& scene : one_case.scenes) names.push_back(scene.name);
+  for (const auto& difference : one_case.differences) names.push_back(difference.name);
+  return names;
+}
+
+}  // namespace orbs::registry

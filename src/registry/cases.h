@@ -1,0 +1,86 @@
+#pragma once
+
+#include "registry/configuration.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// case.json (format "orbs-case/1") as plain data: what a requirement needs tested, and what counts as right.
+namespace orbs::registry {
+
+struct CaseScene {
+  std::string name;  // unique in the suite
+  std::filesystem::path file;
+  int spp = 64;
+};
+
+/// A picture made by subtraction, judged like a scene: of - minus.
+struct Difference {
+  std::string name;
+  std::string of;
+  std::string minus;
+};
+
+/// Passed when the number of `metric` is not below `min` and not above `max`.
+struct Gate {
+  std::string metric = "psnr_srgb8";
+  std::optional<double> min;
+  std::optional<double> max;
+};
+
+/// x0, y0, x1, y1 in pixels; x1 and y1 exclusive, y from the top.
+using Rectangle = std::array<int, 4>;
+
+struct Mask {
+  std::string picture;  // a scene or a difference of the case
+  std::vector<Rectangle> rectangles;
+  std::string reason;
+};
+
+/// The mean linear value of a region of the renderer's picture, per channel.
+struct PixelCheck {
+  std::string picture;
+  Rectangle region{};
+  std::array<double, 3> expected{};
+  double tolerance = 0;
+  std::string why;
+};
+
+/// The least share of a light-path class in the mean radiance of the reference, or the case proves nothing
+/// about it.
+struct PathShare {
+  std::string scene;
+  std::string path_class;  // "ESDL"
+  double min_share = 0;
+};
+
+struct Case {
+  std::string name;  // its folder
+  std::filesystem::path file;
+  std::string requirement;  // "M2"
+  std::string title;
+  std::string tests;
+  std::string typical_mistake;
+  std::vector<CaseScene> scenes;
+  std::vector<Difference> differences;
+  Gate gate;
+  std::vector<Mask> masks;
+  std::vector<PixelCheck> pixel_checks;
+  std::vector<PathShare> path_shares;
+};
+
+/// Reads and checks one case.json. InputError with file, line and key.
+Case load_case(const std::filesystem::path& file);
+
+/// All cases of a suite in the order of the specification. Every folder below suite.cases must hold a
+/// case.json. InputError also when two cases give one scene name to different files or samples, or when there
+/// is no case at all.
+std::vector<Case> load_cases(const Suite& suite);
+
+/// Names of the pictures that a case judges: its scenes, then its differences.
+std::vector<std::string> picture_names(const Case& one_case);
+
+}  // namespace orbs::registry

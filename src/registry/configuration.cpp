@@ -1,0 +1,208 @@
+#include "registry/configuration.h"
+
+#include "base/files.h"
+#include "base/text.h"
+#include "json/object_reader.h"
+#include "registry/placeholders.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace orbs::registry {
+
+namespace {
+
+using json::ObjectReader;
+
+constexpr int kMostJobs = 1024;
+
+// `known`: what may stand in braces.
+std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
+  auto text = in.text(key);
+  if (const auto problem = placeholder_problem(text, known)) in.fail(key, *problem);
+  if (text.empty()) in.fail(key, "must not be empty");
+  return text;
+}
+
+std::vector<std::string> template_texts(ObjectReader& in,
+                                        const std::string& key,
+                                        const std::set<std::string>& known) {
+  auto texts = in.texts(key);
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (const auto problem = placeholder_problem(texts[i], known)) in.fail_at(key, i, *problem);
+  if (texts.empty()) in.fail(key, "must hold at least the program");
+  return texts;
+}
+
+// Names become folders of the output and words of lists, so they hold nothing that means something there.
+std::string plain_name(ObjectReader& in, const std::string& key) {
+  auto name = in.text(key);
+  const bool plain =
+      !name.empty() && name.front() != '.' && name.find_first_of("/\\,*? \t\n") == std::string::npos;
+  if (!plain) in.fail(key, fmt::format("'{}' is no name: use letters, digits, '-', '_' and '.'", name));
+  return name;
+}
+
+Defaults load_defaults(ObjectReader in) {
+  Defaults d;
+  d.suite = in.text_or("suite", d.suite);
+  d.cases = in.text_or("case", d.cases);
+  d.scenes = in.text_or("scene", d.scenes);
+  d.requirements = in.text_or("requirement", d.requirements);
+  d.renderers = in.text_or("renderer", d.renderers);
+  d.executable = in.text_or("exec", d.executable);
+  d.output = in.text_or("output", d.output);
+  d.jobs = in.integer_or("jobs", d.jobs, 1, kMostJobs);
+  d.threads = in.integer_or("threads", d.threads, 0, kMostJobs);
+  d.seed = in.integer_or("seed", d.seed, 0, std::numeric_limits<int>::max());
+  d.spp_scale = in.number_or("spp_scale", d.spp_scale, json::kPositive);
+  d.log = in.boolean_or("log", d.log);
+  d.dry_run = in.boolean_or("dry_run", d.dry_run);
+  in.finish();
+  return d;
+}
+
+Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
+  Suite suite;
+  suite.name = plain_name(in, "name");
+  suite.cases = resolve_path(root, in.text("cases"));
+  suite.references = resolve_path(root, in.text("references"));
+  in.finish();
+  return suite;
+}
+
+KnownLimit load_limit(ObjectReader in, const FeatureSet& declares) {
+  KnownLimit limit{in.texts("requirements"), in.text("reason")};
+  for (std::size_t i = 0; i < limit.requirements.size(); ++i) {
+    try {
+      if (has_feature(declares, parse_requirement(limit.requirements[i])))
+        in.fail_at("requirements", i,
+                   fmt::format("'declares' has {}; leave it out there, or here", limit.requirements[i]));
+    } catch (const InputError& e) {
+      if (std::string(e.what()).starts_with(in.file())) throw;
+      in.fail_at("requirements", i, e.what());
+    }
+  }
+  if (limit.reason.empty()) in.fail("reason", "must say why");
+  in.finish();
+  return limit;
+}
+
+FeatureSet load_features(ObjectReader& in, const std::string& key) {
+  const auto text = in.text(key);
+  try {
+    return parse_features(text);
+  } catch (const InputError& e) {
+    in.fail(key, e.what());
+  }
+}
+
+std::vector<std::string> load_environment(ObjectReader& in) {
+  if (!in.has("environment")) return {};
+  auto names = in.texts("environment");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].empty() || names[i].front() == '=' || names[i].find('\0') != std::string::npos)
+      in.fail_at("environment", i, "must be NAME or NAME=value");
+  return names;
+}
+
+std::vector<std::string> load_command(ObjectReader& in) {
+  auto command = template_texts(in, "command", command_placeholders());
+  for (const char* needed : {"scene", "output"})
+    if (std::none_of(command.begin(), command.end(),
+                     [&](const auto& word) { return uses_placeholder(word, needed); }))
+      in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
+  return command;
+}
+
+Renderer load_renderer(ObjectReader in) {
+  Renderer renderer;
+  renderer.name = plain_name(in, "name");
+  const std::set<std::string> places{"root", "build"};
+  renderer.executable = template_text(in, "executable", places);
+  if (in.has("version_command"))
+    renderer.version_command = template_texts(in, "version_command", executable_placeholders());
+  const auto format = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray"});
+  renderer.scene_format = format == "povray" ? SceneFormat::Povray : SceneFormat::OrbsScene;
+  renderer.declares = load_features(in, "declares");
+  for (auto& limit : in.objects_or_none("known_limits"))
+    renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));
+  renderer.command = load_command(in);
+  renderer.time_limit_seconds =
+      in.number_or("time_limit_seconds", renderer.time_limit_seconds, json::kPositive);
+  renderer.spp_scale = in.number_or("spp_scale", renderer.spp_scale, json::kPositive);
+  renderer.render_seconds_prefix = in.text_or("render_seconds_prefix", "");
+  renderer.environment = load_environment(in);
+  in.finish();
+  return renderer;
+}
+
+// The reader of an entry is used up by loading it, so names given twice are looked for beforehand.
+void refuse_doubles(std::vector<ObjectReader> entries) {
+  std::set<std::string> names;
+  for (auto& entry : entries)
+    if (const auto name = entry.text("name"); !names.insert(name).second)
+      entry.fail("name", fmt::format("'{}' is the name of an earlier entry", name));
+}
+
+}  // namespace
+
+Configuration load_configuration(const std::filesystem::path& file) {
+  const auto document = json::parse_file(file);
+  ObjectReader in(document);
+  in.one_of("format", {"orbs-configuration/1"});
+  Configuration configuration;
+  configuration.file = std::filesystem::absolute(file).lexically_normal();
+  configuration.root = configuration.file.parent_path();
+  if (in.has("defaults")) configuration.defaults = load_defaults(in.object("defaults"));
+  refuse_doubles(in.objects("suites"));
+  for (auto& entry : in.objects("suites"))
+    configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));
+  refuse_doubles(in.objects("renderers"));
+  for (auto& entry : in.objects("renderers"))
+    configuration.renderers.push_back(load_renderer(std::move(entry)));
+  in.finish();
+  return configuration;
+}
+
+const Suite& find_suite(const Configuration& configuration, const std::string& name) {
+  std::set<std::string> names;
+  for (const auto& suite : configuration.suites) {
+    if (suite.name == name) return suite;
+    names.insert(suite.name);
+  }
+  throw InputError(
+      fmt::format("{}: has no suite '{}'{}", configuration.file.string(), name, closest(name, names)));
+}
+
+std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement) {
+  for (const auto& limit : renderer.known_limits)
+    if (std::find(limit.requirements.begin(), limit.requirements.end(), requirement) !=
+        limit.requirements.end())
+      return limit.reason;
+  return std::nullopt;
+}
+
+std::string scene_format_name(SceneFormat format) {
+  switch (format) {
+    case SceneFormat::OrbsScene:
+      return "orbs-scene";
+    case SceneFormat::Povray:
+      return "povray";
+  }
+  return {};
+}
+
+std::optional<std::filesystem::path> nearest_configuration(std::filesystem::path from) {
+  for (;;) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(from / "configuration.json", ignored))
+      return from / "configuration.json";
+    if (!from.has_relative_path()) return std::nullopt;
+    from = from.parent_path();
+  }
+}
+
+}  // namespace orbs::registry

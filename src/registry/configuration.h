@@ -1,0 +1,84 @@
+#pragma once
+
+#include "registry/features.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// configuration.json (format "orbs-configuration/1") as plain data: the only file a user edits to add a
+/// renderer.
+namespace orbs::registry {
+
+/// What each command-line flag is when it is not given. Lists are comma-separated patterns, "*" for all.
+struct Defaults {
+  std::string suite = "orbs";
+  std::string cases = "*";
+  std::string scenes = "*";
+  std::string requirements = "*";
+  std::string renderers = "*";
+  std::string executable;  // of the one renderer that is chosen; "" for its own
+  std::string output;      // folder of the run; "" for outputs-YYMMDD-HHMMSS in the current folder
+  int jobs = 1;            // renders at a time
+  int threads = 0;         // of one render; 0: the machine's cores divided by jobs
+  int seed = 1;
+  double spp_scale = 1;
+  bool log = true;  // keep log.txt of renders that passed, too
+  bool dry_run = false;
+};
+
+struct Suite {
+  std::string name;
+  std::filesystem::path cases;       // absolute
+  std::filesystem::path references;  // absolute
+};
+
+enum class SceneFormat { OrbsScene, Povray };
+
+/// Requirements that a renderer cannot meet, and why; the reason stands in the report.
+struct KnownLimit {
+  std::vector<std::string> requirements;
+  std::string reason;
+};
+
+struct Renderer {
+  std::string name;
+  std::string executable;  // a path with placeholders, or a program on PATH
+  std::vector<std::string> version_command;
+  SceneFormat scene_format = SceneFormat::OrbsScene;
+  FeatureSet declares;
+  std::vector<KnownLimit> known_limits;
+  std::vector<std::string> command;
+  double time_limit_seconds = 600;
+  double spp_scale = 1;               // samples of this renderer for one sample of the case
+  std::string render_seconds_prefix;  // what its output says before its own render time; "" when it says none
+  std::vector<std::string> environment;  // names passed on from ours, or NAME=value
+};
+
+struct Configuration {
+  std::filesystem::path file;
+  std::filesystem::path root;  // the folder of the file; what {root} stands for
+  Defaults defaults;
+  std::vector<Suite> suites;
+  std::vector<Renderer> renderers;
+};
+
+/// Reads and checks the file. InputError with file, line and key: unknown keys, wrong types, names given
+/// twice, unknown placeholders, a command without {scene} or {output}.
+Configuration load_configuration(const std::filesystem::path& file);
+
+/// The suite of that name; InputError naming the nearest one.
+const Suite& find_suite(const Configuration& configuration, const std::string& name);
+
+/// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
+std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
+
+std::string scene_format_name(SceneFormat format);
+
+/// The nearest configuration.json: in `from` or the folders above it; nothing when there is none up to the
+/// root.
+std::optional<std::filesystem::path> nearest_configuration(std::filesystem::path from);
+
+}  // namespace orbs::registry

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace orbs::registry {
+
+/// Requirement numbers by group letter: {'M': {1, 2, 3}} are M1 to M3. A group with no numbers is one of
+/// which nothing is fulfilled, which differs from a group that is not mentioned.
+using FeatureSet = std::map<char, std::set<int>>;
+
+/// Highest requirement number that the notation takes; keeps a typo like L70000000 from filling the memory.
+constexpr int kHighestLevel = 99;
+
+/// ORB.S section 1: "G1/M3/L7-(2,3)" leaves 2 and 3 out of L1 to L7, "L7+(11-13,15-18)" adds to them. "M0" is
+/// a group of which nothing is fulfilled. InputError saying what is wrong, without a place.
+FeatureSet parse_features(std::string_view text);
+
+/// The shortest text that parse_features reads back to the same set; G, M, L, A first, other groups after
+/// them. Between texts of equal length the one with the higher level, which says more: L3-(2) rather than
+/// L1+(3).
+std::string format_features(const FeatureSet& features);
+
+/// A requirement as cases name it: "M7".
+struct RequirementCode {
+  char group = 'G';
+  int level = 1;
+  friend bool operator==(const RequirementCode&, const RequirementCode&) = default;
+};
+
+/// "M7" in its parts; InputError when it is none.
+RequirementCode parse_requirement(std::string_view text);
+std::string format_requirement(RequirementCode code);
+
+/// Order of the specification: groups G, M, L, A, then the others by letter; numbers within a group.
+bool comes_before(RequirementCode a, RequirementCode b);
+
+bool has_feature(const FeatureSet& features, RequirementCode code);
+
+/// The set as codes ("G1", "G2", ...), the form that lowering asks for.
+std::set<std::string> feature_codes(const FeatureSet& features);
+
+}  // namespace orbs::registry

@@ -1,0 +1,95 @@
+#include "registry/placeholders.h"
+
+#include "base/text.h"
+
+#include <cassert>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::registry {
+
+namespace {
+
+// A text as its parts: plain text, or the word between braces.
+struct Part {
+  std::string text;
+  bool is_name = false;
+};
+
+struct Parts {
+  std::vector<Part> parts;
+  std::string problem;
+};
+
+Parts parts_of(std::string_view text) {
+  Parts out;
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool doubled = i + 1 < text.size() && text[i + 1] == text[i];
+    if (text[i] != '{' && text[i] != '}') {
+      plain += text[i];
+    } else if (doubled) {
+      plain += text[i++];
+    } else if (const auto close = text.find('}', i); text[i] == '{' && close != std::string_view::npos) {
+      out.parts.push_back({plain});
+      out.parts.push_back({std::string(text.substr(i + 1, close - i - 1)), true});
+      plain.clear();
+      i = close;
+    } else {
+      out.problem =
+          fmt::format("'{}' has no partner; write {}{} for the character itself", text[i], text[i], text[i]);
+      return out;
+    }
+  }
+  out.parts.push_back({plain});
+  return out;
+}
+
+}  // namespace
+
+const std::set<std::string>& command_placeholders() {
+  static const std::set<std::string> kNames{"executable",  "scene",   "output", "folder", "spp",
+                                            "seed",        "threads", "width",  "height", "aa_grid",
+                                            "trace_depth", "root",    "build"};
+  return kNames;
+}
+
+const std::set<std::string>& executable_placeholders() {
+  static const std::set<std::string> kNames{"executable", "root", "build"};
+  return kNames;
+}
+
+std::optional<std::string> placeholder_problem(std::string_view text, const std::set<std::string>& known) {
+  const auto parts = parts_of(text);
+  if (!parts.problem.empty()) return parts.problem;
+  for (const auto& part : parts.parts)
+    if (part.is_name && !known.contains(part.text))
+      return fmt::format("unknown placeholder {{{}}}{}; known are: {}", part.text, closest(part.text, known),
+                         fmt::join(known, ", "));
+  return std::nullopt;
+}
+
+bool uses_placeholder(std::string_view text, const std::string& name) {
+  for (const auto& part : parts_of(text).parts)
+    if (part.is_name && part.text == name) return true;
+  return false;
+}
+
+std::string fill_placeholders(std::string_view text, const Placeholders& values) {
+  std::string out;
+  for (const auto& part : parts_of(text).parts) {
+    assert(!part.is_name || values.contains(part.text));
+    out += part.is_name ? values.at(part.text) : part.text;
+  }
+  return out;
+}
+
+std::vector<std::string> fill_placeholders(const std::vector<std::string>& texts,
+                                           const Placeholders& values) {
+  std::vector<std::string> out;
+  for (const auto& text : texts) out.push_back(fill_placeholders(text, values));
+  return out;
+}
+
+}  // namespace orbs::registry

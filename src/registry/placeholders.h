@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orbs::registry {
+
+/// What {name} stands for in a command.
+using Placeholders = std::map<std::string, std::string>;
+
+/// The words that may stand in braces in `command` and, of these, the ones for `executable` and
+/// `version_command`.
+const std::set<std::string>& command_placeholders();
+const std::set<std::string>& executable_placeholders();
+
+/// The complaint about the first thing in braces that is not among `known`, or about a brace without its
+/// partner; nothing when all is well. "{{" and "}}" stand for the braces themselves.
+std::optional<std::string> placeholder_problem(std::string_view text, const std::set<std::string>& known);
+
+/// True when the text uses {name}.
+bool uses_placeholder(std::string_view text, const std::string& name);
+
+/// Every {name} replaced by its value, in one pass: what a value holds is not looked at again. The text must
+/// have no placeholder_problem for the names in `values`.
+std::string fill_placeholders(std::string_view text, const Placeholders& values);
+std::vector<std::string> fill_placeholders(const std::vector<std::string>& texts, const Placeholders& values);
+
+}  // namespace orbs::registry

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "results/verdict.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a run knows, as plain data. Paths are relative to the run's folder where they lie in it.
+namespace orbs::results {
+
+/// A number with what it means, for whoever meets it outside this program.
+struct Measure {
+  std::string name;  // "psnr_srgb8"
+  double value = 0;  // infinite for equal pictures under a ratio in dB
+  std::string unit;
+  std::string definition;
+};
+
+/// One condition that a picture had to meet.
+struct Check {
+  std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
+  bool passed = false;
+  std::string sentence;
+};
+
+/// One render: what was started, what it cost, how it ended.
+struct JobRecord {
+  std::string id;  // the same for the same suite, scene, renderer, samples and seed
+  std::string suite;
+  std::string scene;
+  std::string renderer;
+  std::string renderer_version;
+  std::vector<std::string> argv;
+  std::string folder;
+  int spp = 0;
+  int seed = 0;
+  int threads = 0;
+  std::string started;  // local time, ISO 8601
+  double wall_seconds = 0;
+  double cpu_seconds = 0;                // user and system
+  std::optional<double> render_seconds;  // as the renderer says itself
+  std::size_t peak_rss_bytes = 0;
+  int exit_code = 0;
+  std::string signal;                  // "SIGSEGV", "" for none
+  bool rendered = false;               // there is a usable picture
+  Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable picture", nothing about it being right
+  std::string sentence;
+  std::string image;
+  std::string log;
+};
+
+/// One picture of one renderer, judged for one case.
+struct PictureRecord {
+  std::string requirement;
+  std::string case_name;
+  std::string picture;  // a scene, or a difference of two
+  std::string renderer;
+  std::vector<std::string> jobs;  // ids of the renders it is made from
+  bool declared = false;          // the renderer claims the requirement
+  Verdict verdict = Verdict::Skipped;
+  std::string sentence;
+  std::vector<Measure> measures;
+  std::vector<Check> checks;
+  std::string reference;                                  // absolute
+  std::map<std::string, std::string> reference_passport;  // "program", "spp", ...
+  std::string image;
+  std::vector<std::string> maps;
+};
+
+/// A cell of the table: the worst picture of a requirement.
+struct Cell {
+  bool declared = false;
+  Verdict verdict = Verdict::Skipped;
+  std::optional<double> lowest_psnr_db;  // infinite when all pictures equal their references
+  std::string sentence;                  // of the worst picture
+};
+
+struct RequirementRecord {
+  std::string code;  // "M2"
+  std::string title;
+  std::map<std::string, Cell> cells;  // by renderer
+};
+
+struct RendererRecord {
+  std::string name;
+  std::string version;
+  std::string executable;
+  std::string declared;               // ORB.S notation
+  std::string measured;               // "" when nothing was judged
+  std::map<std::string, int> counts;  // verdict name -> requirements
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+};
+
+struct LeftOut {
+  std::string renderer;
+  std::string reason;
+};
+
+struct Host {
+  std::string name;
+  std::string cpu;
+  int cores = 0;
+  std::string system;
+};
+
+struct RunRecord {
+  std::string suite;
+  std::string folder;  // absolute
+  std::string started;
+  double wall_seconds = 0;
+  std::string orbs_version;
+  std::vector<std::string> command_line;
+  Host host;
+  bool interrupted = false;
+  std::vector<RendererRecord> renderers;
+  std::vector<LeftOut> left_out;
+  std::vector<RequirementRecord> requirements;
+  std::vector<PictureRecord> pictures;
+  std::vector<JobRecord> jobs;
+};
+
+/// 0 when nothing that counts failed, else 1: a failure counts when the renderer declares the requirement.
+int exit_status(const RunRecord& run);
+
+}  // namespace orbs::results

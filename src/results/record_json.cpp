@@ -1,0 +1,132 @@
+#include "results/record_json.h"
+
+#include "json/writer.h"
+
+#include <cmath>
+
+namespace orbs::results {
+
+namespace {
+
+using json::Writer;
+
+void write_optional(Writer& out, std::string_view key, const std::optional<double>& value) {
+  out.key(key);
+  value ? out.value(*value) : out.null();
+}
+
+void write_texts(Writer& out, std::string_view key, const std::map<std::string, std::string>& texts) {
+  out.key(key).begin_object();
+  for (const auto& [name, text] : texts) out.member(name, text);
+  out.end_object();
+}
+
+void write_job(Writer& out, const JobRecord& job) {
+  out.member("id", job.id).member("suite", job.suite).member("scene", job.scene);
+  out.member("renderer", job.renderer).member("renderer_version", job.renderer_version);
+  out.member("argv", job.argv).member("folder", job.folder);
+  out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
+  out.member("started", job.started);
+  out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
+  write_optional(out, "render_seconds", job.render_seconds);
+  out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
+  out.member("exit_code", job.exit_code).member("signal", job.signal);
+  out.member("rendered", job.rendered);
+  // A usable picture is no verdict about it: that stands with the pictures.
+  out.member("outcome", job.rendered ? std::string_view("rendered") : verdict_name(job.verdict));
+  out.member("sentence", job.sentence).member("image", job.image).member("log", job.log);
+}
+
+void write_measure(Writer& out, const Measure& measure) {
+  out.begin_object().member("name", measure.name).member("value", measure.value);
+  if (std::isinf(measure.value)) out.member("infinite", true);
+  out.member("unit", measure.unit).member("definition", measure.definition).end_object();
+}
+
+void write_picture(Writer& out, const PictureRecord& picture) {
+  out.begin_object().member("requirement", picture.requirement).member("case", picture.case_name);
+  out.member("picture", picture.picture)
+      .member("renderer", picture.renderer)
+      .member("declared", picture.declared);
+  out.member("verdict", verdict_name(picture.verdict)).member("sentence", picture.sentence);
+  out.key("measures").begin_array();
+  for (const auto& measure : picture.measures) write_measure(out, measure);
+  out.end_array().key("checks").begin_array();
+  for (const auto& check : picture.checks)
+    out.begin_object()
+        .member("what", check.what)
+        .member("passed", check.passed)
+        .member("sentence", check.sentence)
+        .end_object();
+  out.end_array().member("jobs", picture.jobs).member("image", picture.image).member("maps", picture.maps);
+  out.member("reference", picture.reference);
+  write_texts(out, "reference_passport", picture.reference_passport);
+  out.end_object();
+}
+
+void write_requirement(Writer& out, const RequirementRecord& requirement) {
+  out.begin_object().member("code", requirement.code).member("title", requirement.title);
+  out.key("renderers").begin_object();
+  for (const auto& [renderer, cell] : requirement.cells) {
+    out.key(renderer)
+        .begin_object()
+        .member("declared", cell.declared)
+        .member("verdict", verdict_name(cell.verdict));
+    write_optional(out, "lowest_psnr_db", cell.lowest_psnr_db);
+    if (cell.lowest_psnr_db && std::isinf(*cell.lowest_psnr_db)) out.member("infinite", true);
+    out.member("sentence", cell.sentence).end_object();
+  }
+  out.end_object().end_object();
+}
+
+void write_renderer(Writer& out, const RendererRecord& renderer) {
+  out.begin_object().member("name", renderer.name).member("version", renderer.version);
+  out.member("executable", renderer.executable);
+  out.member("declared", renderer.declared).member("measured", renderer.measured);
+  out.key("requirements_by_verdict").begin_object();
+  for (const auto& [verdict, count] : renderer.counts) out.member(verdict, count);
+  out.end_object();
+  out.member("wall_seconds", renderer.wall_seconds).member("cpu_seconds", renderer.cpu_seconds).end_object();
+}
+
+template <typename Items, typename Write>
+void write_array(Writer& out, std::string_view key, const Items& items, Write&& write) {
+  out.key(key).begin_array();
+  for (const auto& item : items) write(out, item);
+  out.end_array();
+}
+
+}  // namespace
+
+std::string job_json(const JobRecord& job) {
+  Writer out;
+  out.begin_object().member("format", "orbs-job/1");
+  write_job(out, job);
+  return out.end_object().text();
+}
+
+std::string run_json(const RunRecord& run) {
+  Writer out;
+  out.begin_object().member("format", "orbs-results/1").member("suite", run.suite);
+  out.member("orbs_version", run.orbs_version).member("command_line", run.command_line);
+  out.member("started", run.started)
+      .member("wall_seconds", run.wall_seconds)
+      .member("interrupted", run.interrupted);
+  out.member("exit_status", exit_status(run));
+  out.key("host").begin_object().member("name", run.host.name).member("cpu", run.host.cpu);
+  out.member("cores", run.host.cores).member("system", run.host.system).end_object();
+  write_array(out, "renderers", run.renderers, write_renderer);
+  write_array(out, "left_out", run.left_out, [](Writer& w, const LeftOut& left) {
+    w.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();
+  });
+  write_array(out, "requirements", run.requirements, write_requirement);
+  write_array(out, "pictures", run.pictures, write_picture);
+  write_array(out, "jobs", run.jobs, [](Writer& w, const JobRecord& job) {
+    w.begin_object();
+    write_job(w, job);
+    w.end_object();
+  });
+  return out.end_object().text();
+}
+
+}  // namespace orbs::results

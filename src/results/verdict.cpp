@@ -1,0 +1,59 @@
+#include "results/verdict.h"
+
+#include <algorithm>
+
+namespace orbs::results {
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return "pass";
+    case Verdict::Unsupported:
+      return "unsupported";
+    case Verdict::Skipped:
+      return "skipped";
+    case Verdict::Inconclusive:
+      return "inconclusive";
+    case Verdict::MissingReference:
+      return "missing reference";
+    case Verdict::Fail:
+      return "fail";
+    case Verdict::InvalidPixels:
+      return "invalid pixels";
+    case Verdict::WrongSize:
+      return "wrong size";
+    case Verdict::Stale:
+      return "stale";
+    case Verdict::NoOutput:
+      return "no output";
+    case Verdict::Timeout:
+      return "timeout";
+    case Verdict::Crash:
+      return "crash";
+  }
+  return {};
+}
+
+Verdict worse(Verdict a, Verdict b) { return std::max(a, b); }
+
+bool counts_as_failure(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+    case Verdict::Unsupported:
+      return false;
+    case Verdict::Skipped:
+    case Verdict::Inconclusive:
+    case Verdict::MissingReference:
+    case Verdict::Fail:
+    case Verdict::InvalidPixels:
+    case Verdict::WrongSize:
+    case Verdict::Stale:
+    case Verdict::NoOutput:
+    case Verdict::Timeout:
+    case Verdict::Crash:
+      return true;
+  }
+  return true;
+}
+
+}  // namespace orbs::results

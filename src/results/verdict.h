@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace orbs::results {
+
+/// What is said about one picture of one renderer, from best to worst: the worst of several speaks for all of
+/// them.
+enum class Verdict {
+  Pass,
+  Unsupported,   // the renderer does not declare it, or the scene cannot be prepared for it
+  Skipped,       // the run ended before its turn
+  Inconclusive,  // the gate cannot tell: too much noise, or a reference that does not show what the case is
+                 // about
+  MissingReference,  // nothing to compare with, which is never a pass
+  Fail,              // a picture, but not the right one
+  InvalidPixels,     // NaN or infinite
+  WrongSize,         // another width, height or set of channels
+  Stale,             // the picture was there before the renderer started
+  NoOutput,          // the renderer ended well but left no readable picture
+  Timeout,
+  Crash,  // could not start, was killed by a signal, or ended with an exit code
+};
+
+inline constexpr std::array kVerdicts{Verdict::Pass,          Verdict::Unsupported,      Verdict::Skipped,
+                                      Verdict::Inconclusive,  Verdict::MissingReference, Verdict::Fail,
+                                      Verdict::InvalidPixels, Verdict::WrongSize,        Verdict::Stale,
+                                      Verdict::NoOutput,      Verdict::Timeout,          Verdict::Crash};
+
+/// "pass", "no output", ...
+std::string_view verdict_name(Verdict verdict);
+
+Verdict worse(Verdict a, Verdict b);
+
+/// True for all that makes a run end with status 1: everything but a pass and what was never promised.
+bool counts_as_failure(Verdict verdict);
+
+}  // namespace orbs::results

@@ -1,0 +1,43 @@
+#include "scene/ies.h"
+#include "scene/load_parts.h"
+
+#include "base/files.h"
+
+namespace orbs::scene {
+
+namespace {
+
+LightShape load_shape(json::ObjectReader& in) {
+  const std::string type = in.one_of("type", {"rect", "disk", "sphere"});
+  if (type == "rect")
+    return RectShape{in.number("half_width", json::kPositive), in.number("half_length", json::kPositive)};
+  if (type == "disk") return DiskShape{in.number("radius", json::kPositive)};
+  return SphereShape{in.number("radius", json::kPositive)};
+}
+
+IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) {
+  IesUse use;
+  use.file = existing_file(in, "file", folder);
+  use.profile = std::make_shared<const IesProfile>(
+      with_note("loading the profile that " + in.place("file") + " names",
+                [&] { return parse_ies(use.file.string(), read_file(use.file)); }));
+  use.matrix = load_matrix(in, "matrix");
+  use.point_area = in.boolean_or("point_area", false);
+  in.finish();
+  return use;
+}
+
+}  // namespace
+
+Light load_light(json::ObjectReader in, const std::filesystem::path& folder) {
+  Light light;
+  light.name = in.text_or("name", "");
+  light.shape = load_shape(in);
+  light.radiance = in.vec3("radiance", json::kNotNegative);
+  light.matrix = load_matrix(in, "matrix");
+  if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folder);
+  in.finish();
+  return light;
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,221 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "scene/mesh_files.h"
+
+#include <bit>
+#include <cstring>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary PLY is read and written without swapping bytes");
+
+struct Property {
+  std::string name;
+  std::string type;
+  std::string count_type;  // of lists, else empty
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+std::size_t bytes_of(const std::string& type) {
+  static const std::map<std::string, std::size_t> sizes{
+      {"char", 1},  {"uchar", 1},  {"int8", 1},  {"uint8", 1}, {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
+      {"int", 4},   {"uint", 4},   {"int32", 4}, {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  const auto found = sizes.find(type);
+  return found == sizes.end() ? 0 : found->second;
+}
+
+template <typename T>
+double as_number(const char* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return static_cast<double>(value);
+}
+
+double number_from_bytes(const char* bytes, const std::string& type) {
+  if (type == "char" || type == "int8") return as_number<std::int8_t>(bytes);
+  if (type == "uchar" || type == "uint8") return as_number<std::uint8_t>(bytes);
+  if (type == "short" || type == "int16") return as_number<std::int16_t>(bytes);
+  if (type == "ushort" || type == "uint16") return as_number<std::uint16_t>(bytes);
+  if (type == "int" || type == "int32") return as_number<std::int32_t>(bytes);
+  if (type == "uint" || type == "uint32") return as_number<std::uint32_t>(bytes);
+  if (type == "double" || type == "float64") return as_number<double>(bytes);
+  return as_number<float>(bytes);
+}
+
+class PlyReader {
+ public:
+  explicit PlyReader(const std::filesystem::path& file) : name_(file.string()), text_(read_file(file)) {}
+
+  MeshFile read() {
+    read_header();
+    for (const auto& element : elements_) {
+      if (element.name == "vertex") read_vertices(element);
+      else if (element.name == "face") read_faces(element);
+      else for (std::size_t i = 0; i < element.count; ++i) read_row(element);
+    }
+    if (out_.mesh.triangles.empty()) fail("there is no face in the file");
+    out_.names_are_slots = true;
+    return std::move(out_);
+  }
+
+ private:
+  using Row = std::map<std::string, std::vector<double>>;
+
+  std::string_view header_line() {
+    const auto end = text_.find('\n', at_);
+    if (end == std::string::npos) fail("the header has no end_header");
+    const auto line = trim(std::string_view(text_).substr(at_, end - at_));
+    at_ = end + 1;
+    return line;
+  }
+
+  void read_header() {
+    if (header_line() != "ply") fail("the file does not start with 'ply'");
+    for (auto line = header_line(); line != "end_header"; line = header_line()) read_header_words(split(line, ' '));
+    if (!has_format_) fail("the header names no format");
+  }
+
+  void read_header_words(const std::vector<std::string>& words) {
+    if (words[0] == "format" && words.size() == 3) {
+      binary_ = words[1] == "binary_little_endian";
+      if (!binary_ && words[1] != "ascii") fail(fmt::format("format {} is not supported: use ascii or binary_little_endian", words[1]));
+      has_format_ = true;
+    } else if (words[0] == "element" && words.size() == 3) {
+      const auto count = to_integer(words[2]);
+      // A row takes at least a byte, so a larger count than the file has bytes is a lie that must not allocate.
+      if (!count || *count < 0 || static_cast<std::size_t>(*count) > text_.size()) fail(fmt::format("element count '{}' is impossible", words[2]));
+      elements_.push_back({words[1], static_cast<std::size_t>(*count), {}});
+    } else if (words[0] == "property" && !elements_.empty() && (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
+      const bool list = words.size() == 5;
+      for (std::size_t i = list ? 2 : 1; i + 1 < words.size(); ++i)
+        if (bytes_of(words[i]) == 0) fail(fmt::format("property type '{}' is unknown", words[i]));
+      elements_.back().properties.push_back({words.back(), words[words.size() - 2], list ? words[2] : ""});
+    } else if (words[0] != "comment" && words[0] != "obj_info") {
+      fail(fmt::format("header line that starts with '{}' is not understood", words[0]));
+    }
+  }
+
+  double next_number(const std::string& type) {
+    if (binary_) {
+      const std::size_t size = bytes_of(type);
+      if (at_ + size > text_.size()) fail("the file ends within its data");
+      const double value = number_from_bytes(text_.data() + at_, type);
+      at_ += size;
+      return value;
+    }
+    at_ = text_.find_first_not_of(" \t\r\n", at_);
+    if (at_ == std::string::npos) fail("the file ends within its data");
+    const auto end = std::min(text_.find_first_of(" \t\r\n", at_), text_.size());
+    const auto value = to_number(std::string_view(text_).substr(at_, end - at_));
+    if (!value) fail(fmt::format("'{}' is not a number", text_.substr(at_, end - at_)));
+    at_ = end;
+    return *value;
+  }
+
+  const Row& read_row(const Element& element) {
+    for (const auto& property : element.properties) {
+      double count = property.count_type.empty() ? 1 : next_number(property.count_type);
+      auto& values = row_[property.name];
+      values.clear();
+      for (; count > 0; --count) values.push_back(next_number(property.type));
+    }
+    return row_;
+  }
+
+  float value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
+    for (const char* name : names)
+      if (const auto found = row.find(name); found != row.end() && !found->second.empty())
+        return static_cast<float>(found->second.front());
+    if (is_required) fail(fmt::format("vertices lack the property '{}': nothing is computed in its place", *names.begin()));
+    return 0;
+  }
+
+  void read_vertices(const Element& element) {
+    Mesh& mesh = out_.mesh;
+    row_.clear();
+    for (std::size_t i = 0; i < element.count; ++i) {
+      const Row& row = read_row(element);
+      mesh.positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
+      mesh.normals.push_back({value(row, {"nx"}, true), value(row, {"ny"}, true), value(row, {"nz"}, true)});
+      mesh.tangents.push_back({value(row, {"tx"}, false), value(row, {"ty"}, false), value(row, {"tz"}, false)});
+      mesh.uvs.push_back({value(row, {"u", "s"}, false), value(row, {"v", "t"}, false)});
+    }
+  }
+
+  void read_faces(const Element& element) {
+    row_.clear();
+    for (std::size_t i = 0; i < element.count; ++i) {
+      const Row& row = read_row(element);
+      auto found = row.find("vertex_indices");
+      if (found == row.end()) found = row.find("vertex_index");
+      if (found == row.end()) fail("faces lack the list 'vertex_indices'");
+      const auto material = row.find("material");
+      add_face(found->second, material == row.end() ? -1 : static_cast<int>(material->second.front()));
+    }
+  }
+
+  void add_face(const std::vector<double>& corners, int material) {
+    for (const double corner : corners)
+      if (!(corner >= 0 && corner < 4294967296.0)) fail(fmt::format("vertex index {} is out of range", corner));
+    if (corners.size() < 3) fail("a face needs at least three corners");
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      out_.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[i - 1]),
+                                     static_cast<std::uint32_t>(corners[i])});
+      out_.mesh.triangle_materials.push_back(material);
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& problem) const { throw InputError(fmt::format("{}: {}", name_, problem)); }
+
+  std::string name_;
+  std::string text_;
+  std::size_t at_ = 0;
+  bool binary_ = false;
+  bool has_format_ = false;
+  std::vector<Element> elements_;
+  Row row_;
+  MeshFile out_;
+};
+
+template <typename T>
+void append(std::string& out, T value) {
+  const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  out.append(bytes.data(), bytes.size());
+}
+
+}  // namespace
+
+MeshFile read_ply(const std::filesystem::path& file) { return PlyReader(file).read(); }
+
+void write_ply(const Mesh& mesh, const std::filesystem::path& file) {
+  std::string out = "ply\nformat binary_little_endian 1.0\n";
+  out += fmt::format("element vertex {}\n", mesh.positions.size());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "tx", "ty", "tz", "u", "v"}) out += fmt::format("property float {}\n", name);
+  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nproperty int material\nend_header\n",
+                     mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    for (const auto& v : {mesh.positions[i], mesh.normals[i], mesh.tangents[i]})
+      for (const float x : {v.x, v.y, v.z}) append(out, x);
+    append(out, mesh.uvs[i].x);
+    append(out, mesh.uvs[i].y);
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    append(out, std::uint8_t{3});
+    for (const std::uint32_t corner : mesh.triangles[i]) append(out, corner);
+    append(out, std::int32_t{mesh.triangle_materials[i]});
+  }
+  write_file(file, out);
+}
+
+}  // namespace orbs::scene

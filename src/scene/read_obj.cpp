@@ -1,0 +1,127 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "scene/mesh_files.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& file) : name_(file.string()) {}
+
+  MeshFile read(const std::string& text) {
+    for (const auto& line : split(text, '\n')) {
+      ++line_;
+      read_line(std::string_view(line).substr(0, line.find('#')));
+    }
+    if (out_.mesh.triangles.empty()) fail("there is no face in the file");
+    return std::move(out_);
+  }
+
+ private:
+  using Corner = std::array<int, 3>;  // position, uv, normal; -1 where absent
+
+  void read_line(std::string_view line) {
+    std::vector<std::string> words;
+    for (auto& word : split(line, ' '))
+      if (!trim(word).empty()) words.emplace_back(trim(word));
+    if (words.empty()) return;
+    const std::string kind = words.front();
+    words.erase(words.begin());
+    if (kind == "v") positions_.push_back(vec3(words));
+    if (kind == "vn") normals_.push_back(vec3(words));
+    if (kind == "vt") uvs_.push_back(vec2(words));
+    if (kind == "usemtl") use_material(words);
+    if (kind == "f") add_face(words);
+  }
+
+  float number(const std::string& word) const {
+    const auto value = to_number(word);
+    if (!value) fail(fmt::format("'{}' is not a number", word));
+    return static_cast<float>(*value);
+  }
+
+  Vec3f vec3(const std::vector<std::string>& words) const {
+    if (words.size() < 3) fail("expected three numbers");
+    return {number(words[0]), number(words[1]), number(words[2])};
+  }
+
+  Vec2f vec2(const std::vector<std::string>& words) const {
+    if (words.size() < 2) fail("expected two numbers");
+    return {number(words[0]), number(words[1])};
+  }
+
+  void use_material(const std::vector<std::string>& words) {
+    if (words.empty()) fail("usemtl needs a name");
+    auto& names = out_.material_names;
+    const auto found = std::find(names.begin(), names.end(), words.front());
+    material_ = static_cast<int>(found - names.begin());
+    if (found == names.end()) names.push_back(words.front());
+  }
+
+  // OBJ counts from 1, and backwards from the last element when negative.
+  int index(const std::string& word, std::size_t count, const char* what) const {
+    const auto given = to_integer(word);
+    if (!given) fail(fmt::format("'{}' is not an index", word));
+    const long long at = *given < 0 ? static_cast<long long>(count) + *given : *given - 1;
+    if (at < 0 || at >= static_cast<long long>(count))
+      fail(fmt::format("{} index {} is out of range: there are {} so far", what, *given, count));
+    return static_cast<int>(at);
+  }
+
+  Corner corner(const std::string& word) const {
+    const auto parts = split(word, '/');
+    if (parts.size() < 3 || parts[2].empty()) fail("each corner needs a normal (v//vn or v/vt/vn): normals are never computed");
+    Corner result{index(parts[0], positions_.size(), "position"), -1, index(parts[2], normals_.size(), "normal")};
+    if (!parts[1].empty()) result[1] = index(parts[1], uvs_.size(), "texture coordinate");
+    return result;
+  }
+
+  std::uint32_t vertex(const Corner& c) {
+    Mesh& mesh = out_.mesh;
+    const auto [entry, is_new] = vertices_.emplace(c, static_cast<std::uint32_t>(mesh.positions.size()));
+    if (is_new) {
+      mesh.positions.push_back(positions_[static_cast<std::size_t>(c[0])]);
+      mesh.uvs.push_back(c[1] < 0 ? Vec2f{} : uvs_[static_cast<std::size_t>(c[1])]);
+      mesh.normals.push_back(normals_[static_cast<std::size_t>(c[2])]);
+      mesh.tangents.push_back({});
+    }
+    return entry->second;
+  }
+
+  void add_face(const std::vector<std::string>& words) {
+    if (words.size() < 3) fail("a face needs at least three corners");
+    std::vector<std::uint32_t> corners;
+    for (const auto& word : words) corners.push_back(vertex(corner(word)));
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      out_.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+      out_.mesh.triangle_materials.push_back(material_);
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(fmt::format("{}:{}: {}", name_, line_, problem));
+  }
+
+  std::string name_;
+  int line_ = 0;
+  int material_ = -1;
+  std::vector<Vec3f> positions_;
+  std::vector<Vec3f> normals_;
+  std::vector<Vec2f> uvs_;
+  std::map<Corner, std::uint32_t> vertices_;
+  MeshFile out_;
+};
+
+}  // namespace
+
+MeshFile read_obj(const std::filesystem::path& file) { return ObjReader(file).read(read_file(file)); }
+
+}  // namespace orbs::scene

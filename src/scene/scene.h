@@ -1,0 +1,171 @@
+#pragma once
+
+#include "base/matrix.h"
+#include "base/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// A scene is plain data: what is to be rendered, with no renderer in it. Metres, y up, right-handed; explicit colours
+/// are linear Rec.709; emission is the radiance seen on the screen (ORB.S, REQ_M2 and REQ_L1). Things refer to each
+/// other by index into the vectors of Scene.
+namespace orbs::scene {
+
+using Rgb = Vec3d;
+
+/// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL matrix only.
+struct Camera {
+  Vec3d position_m;
+  Vec3d look_at_m;
+  Vec3d up{0, 1, 0};
+  double fov_y_deg = 90;
+  int width_px = 1024;
+  int height_px = 1024;
+  double near_m = 0.1;
+  double far_m = 100;
+  std::optional<double> focus_distance_m;  // ORB.S "camera distance"; a pinhole has no use for it
+};
+
+enum class Wrap { Repeat, Clamp };
+
+/// LDR files (PNG, JPEG, BMP) hold sRGB values and are decoded to linear per texel, before bilinear filtering; float files
+/// are linear. The bottom row of the picture has v = 0; texel centres lie at +0.5.
+struct Texture {
+  std::string name;
+  std::filesystem::path file;  // absolute
+  Wrap wrap_u = Wrap::Repeat;
+  Wrap wrap_v = Wrap::Repeat;
+};
+
+/// A texture as a material uses it: u' = m00 u + m01 v + m03, v' = m10 u + m11 v + m13 (ORB.S REQ_M5).
+struct TextureUse {
+  int texture = 0;
+  Mat4 matrix;
+};
+
+struct Lambert {
+  Rgb reflectance;
+  std::optional<TextureUse> texture;  // multiplies reflectance
+};
+/// ORB.S eq. 5 with sigma = roughness * pi / 2 radians.
+struct OrenNayar {
+  Rgb reflectance;
+  double roughness = 0;  // [0, 1]
+  std::optional<TextureUse> texture;
+};
+struct Mirror {
+  Rgb reflectance;
+};
+/// Smooth dielectric of ORB.S REQ_M8; `ior` is inside over outside, and the vertex normals point outside.
+struct Glass {
+  Rgb colour;
+  double ior = 1.5;
+};
+/// colour * D G / (4 cos cos), height-correlated Smith-GGX, no Fresnel factor.
+struct Ggx {
+  Rgb colour;
+  double alpha = 0.1;
+};
+/// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable in transmission.
+struct RoughGlass {
+  Rgb colour;
+  double ior = 1.5;
+  double alpha = 0.1;
+};
+/// Emits `radiance` (times the texture) from both sides and reflects nothing.
+struct Emission {
+  Rgb radiance;
+  std::optional<TextureUse> texture;
+};
+
+using MaterialModel = std::variant<Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission>;
+
+struct Material {
+  std::string name;
+  MaterialModel model;
+};
+
+/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one length.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<Vec3f> tangents;  // zero where not available
+  std::vector<Vec2f> uvs;       // zero where not available
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<int> triangle_materials;  // one per triangle
+};
+
+/// One appearance of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the material `first`
+/// by `second`; the list is looked up once per triangle, so it does not chain (ORB.S REQ_G5).
+struct Instance {
+  std::string name;
+  int mesh = 0;
+  Mat4 matrix;
+  std::vector<std::pair<int, int>> remap;
+};
+
+/// In the local XZ plane, emitting towards local -Y only; the back is black, opaque and visible.
+struct RectShape {
+  double half_width_m = 1;   // along local X
+  double half_length_m = 1;  // along local Z
+};
+struct DiskShape {
+  double radius_m = 1;
+};
+struct SphereShape {
+  double radius_m = 1;
+};
+using LightShape = std::variant<RectShape, DiskShape, SphereShape>;
+
+/// Intensity distribution of a luminaire, LM-63 type C: candela over (vertical, horizontal) angle with symmetry unfolded.
+struct IesProfile {
+  std::vector<double> vertical_deg;    // ascending within [0, 180]; 0 = nadir = local -Y of the light
+  std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
+  std::vector<double> candela;         // [horizontal][vertical]
+  double max_candela = 0;
+};
+
+/// The light's radiance is multiplied by candela / max candela.
+struct IesUse {
+  std::filesystem::path file;  // absolute
+  std::shared_ptr<const IesProfile> profile;
+  Mat4 matrix;  // turns the profile within the light's local frame
+  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point on the light.
+  bool point_area = false;
+};
+
+struct Light {
+  std::string name;
+  LightShape shape;
+  Rgb radiance;
+  Mat4 matrix;  // moves, turns and scales the shape; radiance stays
+  std::optional<IesUse> ies;
+};
+
+struct Scene {
+  std::string name;
+  Camera camera;
+  Rgb environment;  // constant radiance of everything that no surface covers
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;
+  int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
+};
+
+/// The material that an instance shows where its mesh has `material`.
+int remapped(const Instance& instance, int material);
+
+/// The texture of a material, if its model has one.
+const std::optional<TextureUse>& texture_of(const MaterialModel& model);
+
+}  // namespace orbs::scene

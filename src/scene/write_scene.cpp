@@ -1,0 +1,126 @@
+#include "scene/write_scene.h"
+
+#include "base/files.h"
+#include "json/writer.h"
+#include "scene/mesh_files.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+using json::Writer;
+
+void write_camera(Writer& out, const Camera& camera) {
+  out.key("camera").begin_object();
+  out.member("position", camera.position_m).member("look_at", camera.look_at_m).member("up", camera.up);
+  out.member("fov_y", camera.fov_y_deg).member("width", camera.width_px).member("height", camera.height_px);
+  out.member("near", camera.near_m).member("far", camera.far_m);
+  if (camera.focus_distance_m) out.member("focus_distance", *camera.focus_distance_m);
+  out.end_object();
+}
+
+void write_texture_use(Writer& out, const Scene& scene, const std::optional<TextureUse>& use) {
+  if (!use) return;
+  out.key("texture").begin_object();
+  out.member("name", scene.textures[static_cast<std::size_t>(use->texture)].name);
+  out.key("matrix").numbers(use->matrix.m).end_object();
+}
+
+void write_model(Writer& out, const Lambert& m) { out.member("type", "lambert").member("reflectance", m.reflectance); }
+void write_model(Writer& out, const OrenNayar& m) {
+  out.member("type", "oren_nayar").member("reflectance", m.reflectance).member("roughness", m.roughness);
+}
+void write_model(Writer& out, const Mirror& m) { out.member("type", "mirror").member("reflectance", m.reflectance); }
+void write_model(Writer& out, const Glass& m) { out.member("type", "glass").member("colour", m.colour).member("ior", m.ior); }
+void write_model(Writer& out, const Ggx& m) { out.member("type", "ggx").member("colour", m.colour).member("alpha", m.alpha); }
+void write_model(Writer& out, const RoughGlass& m) {
+  out.member("type", "rough_glass").member("colour", m.colour).member("ior", m.ior).member("alpha", m.alpha);
+}
+void write_model(Writer& out, const Emission& m) { out.member("type", "emission").member("radiance", m.radiance); }
+
+void write_materials(Writer& out, const Scene& scene) {
+  out.key("textures").begin_array();
+  for (const auto& texture : scene.textures) {
+    const auto word = [](Wrap wrap) { return wrap == Wrap::Clamp ? "clamp" : "repeat"; };
+    out.begin_object().member("name", texture.name).member("file", texture.file.string());
+    out.member("wrap_u", word(texture.wrap_u)).member("wrap_v", word(texture.wrap_v)).end_object();
+  }
+  out.end_array().key("materials").begin_array();
+  for (const auto& material : scene.materials) {
+    out.begin_object().member("name", material.name);
+    std::visit([&](const auto& model) { write_model(out, model); }, material.model);
+    write_texture_use(out, scene, texture_of(material.model));
+    out.end_object();
+  }
+  out.end_array();
+}
+
+// The PLY's face property counts through the materials that the mesh uses, listed in the JSON by name.
+void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::filesystem::path& ply) {
+  Mesh copy = mesh;
+  std::vector<int> used;
+  for (int& material : copy.triangle_materials) {
+    const auto found = std::find(used.begin(), used.end(), material);
+    const auto slot = static_cast<int>(found - used.begin());
+    if (found == used.end()) used.push_back(material);
+    material = slot;
+  }
+  write_ply(copy, ply);
+  std::vector<std::string> names;
+  for (const int material : used) names.push_back(scene.materials[static_cast<std::size_t>(material)].name);
+  out.begin_object().member("name", mesh.name).member("file", ply.filename().string()).member("materials", names).end_object();
+}
+
+void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
+  out.begin_object().member("name", instance.name);
+  out.member("mesh", scene.meshes[static_cast<std::size_t>(instance.mesh)].name);
+  out.key("matrix").numbers(instance.matrix.m);
+  std::vector<std::string> remap;
+  for (const auto& [from, to] : instance.remap)
+    for (const int material : {from, to}) remap.push_back(scene.materials[static_cast<std::size_t>(material)].name);
+  if (!remap.empty()) out.member("remap", remap);
+  out.end_object();
+}
+
+void write_shape(Writer& out, const RectShape& s) {
+  out.member("type", "rect").member("half_width", s.half_width_m).member("half_length", s.half_length_m);
+}
+void write_shape(Writer& out, const DiskShape& s) { out.member("type", "disk").member("radius", s.radius_m); }
+void write_shape(Writer& out, const SphereShape& s) { out.member("type", "sphere").member("radius", s.radius_m); }
+
+void write_light(Writer& out, const Light& light) {
+  out.begin_object().member("name", light.name);
+  std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
+  out.member("radiance", light.radiance).key("matrix").numbers(light.matrix.m);
+  if (light.ies) {
+    out.key("ies").begin_object().member("file", light.ies->file.string()).member("point_area", light.ies->point_area);
+    out.key("matrix").numbers(light.ies->matrix.m).end_object();
+  }
+  out.end_object();
+}
+
+}  // namespace
+
+void write_scene(const Scene& scene, const std::filesystem::path& file) {
+  Writer out;
+  out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
+  write_camera(out, scene.camera);
+  out.member("environment", scene.environment);
+  write_materials(out, scene);
+  out.key("meshes").begin_array();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    write_mesh(out, scene, scene.meshes[i],
+               file.parent_path() / fmt::format("{}.{}.ply", file.stem().string(), i));
+  out.end_array().key("instances").begin_array();
+  for (const auto& instance : scene.instances) write_instance(out, scene, instance);
+  out.end_array().key("lights").begin_array();
+  for (const auto& light : scene.lights) write_light(out, light);
+  out.end_array().key("integrator").begin_object().member("trace_depth", scene.trace_depth).end_object().end_object();
+  write_file(file, out.text());
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,43 @@
+#include "tracer/trace_wave.h"
+
+namespace orbs::tracer {
+
+std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v) {
+  const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
+  const float chance = world.emitters.chance(chosen);
+  std::optional<EmitterPoint> point;
+  Vec3f radiance;
+  if (chosen < world.emitters.light_count()) {
+    const AreaLight& light = world.lights[chosen];
+    point = sample_towards(light.shape, from, u, v);
+    if (point) radiance = radiance_towards(light, point->position, from);
+  } else {
+    const TriangleEmitter& triangle = world.emitters.triangle(chosen);
+    Vec2f uv;
+    point = sample_towards(triangle, from, {u, v}, uv);
+    if (point) radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
+  }
+  if (!point || radiance == Vec3f{} || !(point->pdf > 0)) return std::nullopt;
+  // The shadow ray ends short of the light's own surface by the bound of both points' rounding.
+  return DirectLight{radiance, point->position + point->normal * (2 * point->position_error), point->pdf * chance};
+}
+
+MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit) {
+  const AreaLight& light = world.lights[part.light];
+  const Vec3f position = ray.origin + ray.direction * hit.distance;
+  const Vec3f radiance = radiance_towards(light, position, ray.origin);
+  if (radiance == Vec3f{}) return {};
+  return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, ray.origin, position)};
+}
+
+MetEmission met_emissive_surface(const World& world,
+                                 const SurfacePoint& point,
+                                 const SurfaceMaterial& material,
+                                 const Ray& ray) {
+  const Vec3f d = point.position - ray.origin;
+  const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
+  return {emitted_radiance(world, material, apply(material.uv, point.uv)),
+          cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "tracer/scatter/ggx.h"
+#include "tracer/scatter/glass.h"
+#include "tracer/scatter/lambert.h"
+#include "tracer/scatter/mirror.h"
+#include "tracer/scatter/oren_nayar.h"
+#include "tracer/scatter/rough_glass.h"
+
+#include <variant>
+
+namespace orbs::tracer {
+
+/// What a surface does at one point: the material with its texture looked up and its side decided. Each alternative has
+///   kIsDelta, kEvent          whether it is a delta function, and its letter in the notation of light paths
+///   evaluate(bsdf, wo, wi) -> BsdfValue        f |cos wi| and pdf of wi, in the local frame with wo.z > 0
+///   sample(bsdf, wo, u)    -> BsdfSample       or nothing when the chosen facet reflects into the surface
+template <typename Value>
+using Bsdf = std::variant<LambertBsdf<Value>,
+                          OrenNayarBsdf<Value>,
+                          MirrorBsdf<Value>,
+                          GlassBsdf<Value>,
+                          GgxBsdf<Value>,
+                          RoughGlassBsdf<Value>>;
+
+template <typename Value>
+bool is_delta(const Bsdf<Value>& bsdf) {
+  return std::visit([](const auto& b) { return b.kIsDelta; }, bsdf);
+}
+
+template <typename Value>
+Event event_of(const Bsdf<Value>& bsdf) {
+  return std::visit([](const auto& b) { return b.kEvent; }, bsdf);
+}
+
+template <typename Value>
+BsdfValue<Value> evaluate(const Bsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
+  return std::visit([&](const auto& b) { return evaluate(b, wo, wi); }, bsdf);
+}
+
+template <typename Value>
+std::optional<BsdfSample<Value>> sample(const Bsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+  return std::visit([&](const auto& b) { return sample(b, wo, u); }, bsdf);
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "tracer/fresnel.h"
+#include "tracer/microfacet.h"
+#include "tracer/scatter/bsdf_sample.h"
+
+#include <array>
+#include <optional>
+
+namespace orbs::tracer {
+
+/// Rough dielectric of Walter et al. 2007 (eq. 20 and 21) with GGX. Reflection uses height-correlated masking; in transmission the
+/// two directions see the facets from opposite sides, where the separable product G1 G1 (Walter eq. 23) is the usual model.
+/// `eta` = index beyond the surface over the index on the viewer's side.
+template <typename Value>
+struct RoughGlassBsdf {
+  static constexpr bool kIsDelta = false;
+  static constexpr Event kEvent = Event::Glossy;
+  Value colour{};
+  float eta = 1;
+  float alpha = 0.1F;
+};
+
+template <typename Value>
+BsdfValue<Value> evaluate(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
+  if (wi.z == 0) return {};
+  const bool reflects = wi.z > 0;
+  const Vec3f half = reflects ? wo + wi : wo + wi * bsdf.eta;
+  if (dot(half, half) == 0) return {};  // eta = 1 straight through
+  const Vec3f m = normalised(half) * (half.z < 0 ? -1.0F : 1.0F);
+  const float cos_o = dot(wo, m);
+  const float cos_i = dot(wi, m);
+  if (cos_o <= 0 || (cos_i > 0) != reflects) return {};  // the facet faces away from one of the two
+  const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
+  const float d = ggx_d(m, bsdf.alpha);
+  const float visible = ggx_g1(wo, bsdf.alpha) * cos_o * d / wo.z;
+  if (reflects) {
+    const float f_cos = fresnel * d * ggx_g2(wo, wi, bsdf.alpha) / (4 * wo.z);
+    return {bsdf.colour * f_cos, fresnel * visible / (4 * cos_o)};
+  }
+  // Solid angle of wi per solid angle of m: Walter eq. 17 with both indices over the viewer's side's.
+  const float root = cos_i + cos_o / bsdf.eta;
+  const float jacobian = -cos_i / (root * root);
+  const float pdf = (1 - fresnel) * visible * jacobian;
+  return {bsdf.colour * (pdf * ggx_g1(wi, bsdf.alpha) / (bsdf.eta * bsdf.eta)), pdf};
+}
+
+template <typename Value>
+std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+  const Vec3f m = sample_ggx_visible(wo, bsdf.alpha, u[0], u[1]);
+  const float cos_o = dot(wo, m);
+  if (cos_o <= 0) return std::nullopt;
+  const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
+  const float visible = ggx_visible_d(wo, m, bsdf.alpha);
+  BsdfSample<Value> out;
+  if (u[2] < fresnel) {
+    out.wi = m * (2 * cos_o) - wo;
+    if (out.wi.z <= 0) return std::nullopt;
+    out.weight = bsdf.colour * (ggx_g2(wo, out.wi, bsdf.alpha) / ggx_g1(wo, bsdf.alpha));
+    out.pdf = fresnel * visible / (4 * cos_o);
+    return out;
+  }
+  const auto wi = refracted(wo, m, bsdf.eta);
+  if (!wi || wi->z >= 0) return std::nullopt;
+  const float cos_i = dot(*wi, m);
+  const float root = cos_i + cos_o / bsdf.eta;
+  out.wi = *wi;
+  out.is_transmitted = true;
+  out.radiance_scale = 1 / (bsdf.eta * bsdf.eta);
+  out.weight = bsdf.colour * (ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
+  out.pdf = (1 - fresnel) * visible * -cos_i / (root * root);
+  return out;
+}
+
+}  // namespace orbs::tracer

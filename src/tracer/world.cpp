@@ -1,0 +1,279 @@
+#include "tracer/world.h"
+
+#include "image/colour.h"
+#include "tracer/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbs::tracer {
+
+namespace {
+
+PinholeCamera prepare_camera(const scene::Camera& camera) {
+  // gluLookAt: side = forward x up, true up = side x forward; glFrustum: half height of the image plane at distance 1.
+  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
+  const Vec3d side = normalised(cross(forward, camera.up));
+  const Vec3d up = cross(side, forward);
+  const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
+  const double half_width = half_height * camera.width_px / camera.height_px;
+  return {cast<float>(camera.position_m), cast<float>(forward), cast<float>(side * half_width), cast<float>(up * half_height),
+          camera.width_px, camera.height_px};
+}
+
+SurfaceMaterial prepare_model(const scene::Lambert& m) { return {.model = Model::Lambert, .colour = cast<float>(m.reflectance)}; }
+SurfaceMaterial prepare_model(const scene::OrenNayar& m) {
+  return {.model = Model::OrenNayar, .colour = cast<float>(m.reflectance), .roughness = static_cast<float>(m.roughness)};
+}
+SurfaceMaterial prepare_model(const scene::Mirror& m) { return {.model = Model::Mirror, .colour = cast<float>(m.reflectance)}; }
+SurfaceMaterial prepare_model(const scene::Glass& m) {
+  return {.model = Model::Glass, .colour = cast<float>(m.colour), .ior = static_cast<float>(m.ior)};
+}
+SurfaceMaterial prepare_model(const scene::Ggx& m) {
+  return {.model = Model::Ggx, .colour = cast<float>(m.colour), .alpha = static_cast<float>(m.alpha)};
+}
+SurfaceMaterial prepare_model(const scene::RoughGlass& m) {
+  return {.model = Model::RoughGlass, .colour = cast<float>(m.colour), .alpha = static_cast<float>(m.alpha),
+          .ior = static_cast<float>(m.ior)};
+}
+SurfaceMaterial prepare_model(const scene::Emission& m) { return {.model = Model::Emission, .colour = cast<float>(m.radiance)}; }
+
+SurfaceMaterial prepare_material(const scene::Material& material) {
+  SurfaceMaterial out = std::visit([](const auto& m) { return prepare_model(m); }, material.model);
+  if (const auto& use = scene::texture_of(material.model)) {
+    out.texture = use->texture;
+    out.uv = uv_map(use->matrix);
+  }
+  return out;
+}
+
+TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
+  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials};
+  if (matrix == Mat4{}) {
+    for (Vec3f& n : out.normals) n = normalised(n);
+    return out;
+  }
+  const Mat4 back = inverse(matrix).value();  // the loader refuses singular matrices
+  for (Vec3f& p : out.positions) p = cast<float>(transform_point(matrix, cast<double>(p)));
+  for (Vec3f& n : out.normals) n = cast<float>(normalised(transform_normal(back, cast<double>(n))));
+  return out;
+}
+
+Affine affine(const Mat4& m) {
+  Affine out;
+  for (std::size_t c = 0; c < 3; ++c) out.axes[c] = cast<float>(Vec3d{m(0, c), m(1, c), m(2, c)});
+  out.offset = cast<float>(Vec3d{m(0, 3), m(1, 3), m(2, 3)});
+  return out;
+}
+
+// Columns of the inverse transpose.
+Affine normal_map(const Mat4& matrix) {
+  const Mat4 back = inverse(matrix).value();
+  Affine out;
+  for (std::size_t c = 0; c < 3; ++c) out.axes[c] = cast<float>(Vec3d{back(c, 0), back(c, 1), back(c, 2)});
+  return out;
+}
+
+void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World& world) {
+  std::vector<int> uses(scene.meshes.size(), 0);
+  std::size_t copied = 0;
+  for (const auto& instance : scene.instances) {
+    ++uses[static_cast<std::size_t>(instance.mesh)];
+    copied += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
+  }
+  std::vector<std::size_t> shared(scene.meshes.size(), kNothing);
+  for (const auto& instance : scene.instances) {
+    const auto index = static_cast<std::size_t>(instance.mesh);
+    Part part;
+    for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) part.material_of.push_back(scene::remapped(instance, m));
+    if (copied <= settings.most_copied_triangles || uses[index] == 1) {
+      part.mesh = world.meshes.size();
+      world.meshes.push_back(copy_mesh(scene.meshes[index], instance.matrix));
+    } else {
+      if (shared[index] == kNothing) {
+        shared[index] = world.meshes.size();
+        world.meshes.push_back(copy_mesh(scene.meshes[index], Mat4{}));
+      }
+      part.kind = PartKind::InstancedMesh;
+      part.mesh = shared[index];
+      part.to_world = affine(instance.matrix);
+      part.normal_to_world = normal_map(instance.matrix);
+    }
+    world.parts.push_back(std::move(part));
+  }
+}
+
+Vec3f direction_of(const Mat4& m, Vec3d v) { return cast<float>(transform_direction(m, v)); }
+
+EmitterShape prepare_shape(const scene::RectShape& s, const Mat4& m, Vec3f normal) {
+  RectEmitter out{.centre = cast<float>(transform_point(m, {})), .a = direction_of(m, {s.half_width_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.half_length_m}), .normal = normal};
+  out.area = 4 * length(cross(out.a, out.b));
+  out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5F * length(out.a) * length(out.b);
+  return out;
+}
+
+EmitterShape prepare_shape(const scene::DiskShape& s, const Mat4& m, Vec3f normal) {
+  DiskEmitter out{.centre = cast<float>(transform_point(m, {})), .a = direction_of(m, {s.radius_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.radius_m}), .normal = normal};
+  out.area = kPi * length(cross(out.a, out.b));
+  return out;
+}
+
+EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
+  const Mat4 map = m * scaling({s.radius_m, s.radius_m, s.radius_m});
+  const Mat4 back = inverse(map).value();
+  SphereEmitter out{.centre = cast<float>(transform_point(m, {})), .axes = affine(map).axes};
+  for (std::size_t r = 0; r < 3; ++r) out.inverse[r] = cast<float>(Vec3d{back(r, 0), back(r, 1), back(r, 2)});
+  out.determinant = static_cast<float>(std::abs(determinant3(map)));
+  out.area = 4 * kPi * std::pow(out.determinant, 2.0F / 3.0F);
+  return out;
+}
+
+AreaLight prepare_light(const scene::Light& light) {
+  const Mat4 back = inverse(light.matrix).value();
+  const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
+  AreaLight out{.shape = std::visit([&](const auto& s) { return prepare_shape(s, light.matrix, normal); }, light.shape),
+                .radiance = cast<float>(light.radiance), .ies = light.ies, .ies_axes = {},
+                .centre = cast<float>(transform_point(light.matrix, {}))};
+  const Mat4 turned = light.ies ? light.matrix * light.ies->matrix : light.matrix;
+  const std::array axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) out.ies_axes[i] = cast<float>(normalised(transform_direction(turned, axes[i])));
+  return out;
+}
+
+float mean_share(const scene::IesProfile& profile) {
+  double sum = 0;
+  for (const double value : profile.candela) sum += value;
+  return static_cast<float>(sum / static_cast<double>(profile.candela.size()) / profile.max_candela);
+}
+
+float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, rgb.y, rgb.z)); }
+
+// Steers only how often a light is chosen, never what it gives.
+float power_of(const AreaLight& light) {
+  const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
+  return area * luminance(light.radiance) *
+         (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+}
+
+Vec3f mean_emission(const World& world, const SurfaceMaterial& material) {
+  return material.texture < 0 ? material.colour
+                              : material.colour * world.textures[static_cast<std::size_t>(material.texture)].average;
+}
+
+void add_emissive_triangles(const World& world, const Part& part, std::vector<float>& powers, std::vector<TriangleEmitter>& out) {
+  const TriangleMesh& mesh = world.meshes[part.mesh];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const int material = part.material_of[static_cast<std::size_t>(mesh.materials[i])];
+    const SurfaceMaterial& m = world.materials[static_cast<std::size_t>(material)];
+    if (m.model != Model::Emission) continue;
+    std::array<Vec3f, 3> p;
+    std::array<Vec2f, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3f local = mesh.positions[mesh.triangles[i][k]];
+      p[k] = part.kind == PartKind::InstancedMesh ? apply_to_point(part.to_world, local) : local;
+      uv[k] = apply(m.uv, mesh.uvs[mesh.triangles[i][k]]);
+    }
+    const Vec3f normal = cross(p[1] - p[0], p[2] - p[0]);
+    const float area = 0.5F * length(normal);
+    const Vec3f mean = mean_emission(world, m);
+    const float power = area * luminance(mean);
+    if (!(power > 0)) continue;  // a sliver, or black: rays that hit it by chance still see its emission
+    powers.push_back(power);
+    out.push_back({p[0], p[1] - p[0], p[2] - p[0], normalised(normal), area, uv, material});
+  }
+}
+
+void build_emitters(World& world) {
+  std::vector<float> powers;
+  std::vector<TriangleEmitter> triangles;
+  for (const AreaLight& light : world.lights) powers.push_back(power_of(light));
+  for (const Part& part : world.parts)
+    if (part.kind != PartKind::Light) add_emissive_triangles(world, part, powers, triangles);
+  double total = 0;
+  for (const float power : powers) total += power;
+  for (SurfaceMaterial& m : world.materials) {
+    const Vec3f mean = mean_emission(world, m);
+    if (m.model == Model::Emission && total > 0)
+      m.emitter_pdf_per_area = static_cast<float>(luminance(mean) / total);
+  }
+  world.emitters.build(powers, std::move(triangles), world.lights.size());
+}
+
+}  // namespace
+
+World make_world(const scene::Scene& scene, const WorldSettings& settings) {
+  World world;
+  world.camera = prepare_camera(scene.camera);
+  world.environment = cast<float>(scene.environment);
+  world.trace_depth = scene.trace_depth;
+  for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
+  for (const auto& material : scene.materials) world.materials.push_back(prepare_material(material));
+  add_meshes(scene, settings, world);
+  for (const auto& light : scene.lights) {
+    Part part;
+    part.kind = PartKind::Light;
+    part.light = world.lights.size();
+    world.lights.push_back(prepare_light(light));
+    world.parts.push_back(part);
+  }
+  build_emitters(world);
+  world.accel = std::make_unique<Accel>(world);
+  return world;
+}
+
+Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv) {
+  if (material.texture < 0) return material.colour;
+  return material.colour * lookup(world.textures[static_cast<std::size_t>(material.texture)], uv);
+}
+
+SurfacePoint surface_point(const World& world, const Hit& hit) {
+  const Part& part = world.parts[hit.part];
+  const TriangleMesh& mesh = world.meshes[part.mesh];
+  const auto& corners = mesh.triangles[hit.primitive];
+  const float b1 = hit.barycentric.x;
+  const float b2 = hit.barycentric.y;
+  const float b0 = 1 - b1 - b2;
+  Vec3f p0 = mesh.positions[corners[0]];
+  Vec3f p1 = mesh.positions[corners[1]];
+  Vec3f p2 = mesh.positions[corners[2]];
+  Vec3f normal = mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
+  if (part.kind == PartKind::InstancedMesh) {
+    p0 = apply_to_point(part.to_world, p0);
+    p1 = apply_to_point(part.to_world, p1);
+    p2 = apply_to_point(part.to_world, p2);
+    normal = apply_to_direction(part.normal_to_world, normal);
+  }
+  SurfacePoint out;
+  out.position = p0 + (p1 - p0) * b1 + (p2 - p0) * b2;
+  out.geometric_normal = normalised(cross(p1 - p0, p2 - p0));
+  // Opposite vertex normals can cancel in between; the face then speaks for them.
+  out.shading_normal = dot(normal, normal) > 0 ? normalised(normal) : out.geometric_normal;
+  const Vec2f t0 = mesh.uvs[corners[0]];
+  const Vec2f t1 = mesh.uvs[corners[1]];
+  const Vec2f t2 = mesh.uvs[corners[2]];
+  out.uv = {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
+  out.material = part.material_of[static_cast<std::size_t>(mesh.materials[hit.primitive])];
+  // Rounding off the plane, in half units in the last place of the corners' size: about 6 for the sum above, 6 for the differences
+  // corner - origin in the next ray's own test, and 4 for an instance's transform. (Error analysis as in Physically Based
+  // Rendering, 4th ed., 6.8.5; errors along the plane do no harm.)
+  const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  out.position_error = 16 * 0x1p-24F * std::max({size(p0), size(p1), size(p2)});
+  return out;
+}
+
+Vec3f offset_origin(const SurfacePoint& point, Vec3f direction) {
+  const Vec3f n = point.geometric_normal;
+  // The bound holds for each coordinate; along n it adds up to the 1-norm of n.
+  const float offset = point.position_error * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  return point.position + n * (dot(n, direction) < 0 ? -offset : offset);
+}
+
+Ray camera_ray(const PinholeCamera& camera, float x, float y) {
+  const float sx = 2 * x / static_cast<float>(camera.width) - 1;
+  const float sy = 1 - 2 * y / static_cast<float>(camera.height);
+  return {camera.position, normalised(camera.forward + camera.right * sx + camera.up * sy)};
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "tracer/accel.h"
+#include "tracer/emitter.h"
+#include "tracer/scatter/bsdf.h"
+#include "tracer/texture.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// The scene as the path loop reads it: single precision, world space, names and defaults resolved.
+namespace orbs::tracer {
+
+/// 3x4 affine map in float.
+struct Affine {
+  std::array<Vec3f, 3> axes{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};  // images of x, y, z
+  Vec3f offset;
+};
+
+inline Vec3f apply_to_direction(const Affine& map, Vec3f v) {
+  return map.axes[0] * v.x + map.axes[1] * v.y + map.axes[2] * v.z;
+}
+inline Vec3f apply_to_point(const Affine& map, Vec3f p) { return apply_to_direction(map, p) + map.offset; }
+
+struct TriangleMesh {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<Vec2f> uvs;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<int> materials;  // per triangle
+};
+
+enum class PartKind { WorldMesh, InstancedMesh, Light };
+
+/// One thing that rays can hit: a mesh whose vertices are in world space, an instance of a mesh in its own space, or a light.
+struct Part {
+  PartKind kind = PartKind::WorldMesh;
+  std::size_t mesh = 0;   // of meshes
+  std::size_t light = 0;  // of lights
+  Affine to_world;        // InstancedMesh only
+  Affine normal_to_world;
+  std::vector<int> material_of;  // material of the mesh -> material shown (remap list applied)
+};
+
+enum class Model { Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission };
+
+struct SurfaceMaterial {
+  Model model = Model::Lambert;
+  Vec3f colour{};  // reflectance, tint or radiance
+  float roughness = 0;
+  float alpha = 0;
+  float ior = 1;
+  int texture = -1;
+  UvMap uv{};
+  float emitter_pdf_per_area = 0;  // Emission: chance per m^2 that light sampling picks a point, selection included
+};
+
+struct PinholeCamera {
+  Vec3f position;
+  Vec3f forward;  // to the centre of the image plane at distance 1
+  Vec3f right;    // half the image plane's width
+  Vec3f up;       // half its height
+  int width = 0;
+  int height = 0;
+};
+
+struct World {
+  PinholeCamera camera;
+  Vec3f environment;
+  int trace_depth = 1;
+  std::vector<TexelGrid> textures;
+  std::vector<SurfaceMaterial> materials;
+  std::vector<TriangleMesh> meshes;
+  std::vector<Part> parts;
+  std::vector<AreaLight> lights;
+  EmitterTable emitters;
+  std::unique_ptr<Accel> accel;
+};
+
+struct WorldSettings {
+  /// Above this many triangles in world space, meshes with several instances are instanced instead of copied. Copies trace
+  /// faster; two million triangles take about 0.4 GB.
+  std::size_t most_copied_triangles = 500'000;
+};
+
+/// InputError when a texture cannot be read.
+World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
+
+/// A point on a surface. All vectors are in world space.
+struct SurfacePoint {
+  Vec3f position;
+  float position_error = 0;  // bound of the distance between `position` and the plane that Embree met, in metres
+  Vec3f geometric_normal;    // unit, either side
+  Vec3f shading_normal;      // interpolated as given, unit, not turned to the viewer
+  Vec2f uv;
+  int material = 0;
+};
+
+SurfacePoint surface_point(const World& world, const Hit& hit);
+
+/// Radiance that an emissive material sends out at these coordinates.
+Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
+
+/// `origin` moved off the surface to the side of `direction`, beyond the error of the hit point.
+Vec3f offset_origin(const SurfacePoint& point, Vec3f direction);
+
+/// Unit direction and origin through film position (x, y) in pixels from the upper left corner.
+Ray camera_ray(const PinholeCamera& camera, float x, float y);
+
+}  // namespace orbs::tracer

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Every case, scene and configuration file against data/schema, which editors complete and check with.
+
+    check_schemas.py <repository>
+
+The schemas are also shown to refuse: each example in WRONG is a right file with one mistake.
+"""
+import copy
+import json
+import pathlib
+import sys
+
+try:
+    import jsonschema
+except ImportError:
+    sys.exit("python3-jsonschema is missing: ./bootstrap test installs it.")
+
+SCENE = {
+    "format": "orbs-scene/1",
+    "name": "all kinds",
+    "camera": {"position": [0, 0, 1], "look_at": [0, 0, 0], "fov_y": 45, "width": 8, "height": 8},
+    "textures": [{"name": "t", "file": "t.png", "wrap_u": "clamp"}],
+    "materials": [
+        {"name": "a", "type": "lambert", "reflectance": [0.5, 0.5, 0.5], "texture": {"name": "t", "matrix": [{"scale": 2}]}},
+        {"name": "b", "type": "rough_glass", "ior": 1.5, "alpha": 0.1},
+    ],
+    "meshes": [
+        {"name": "m", "generator": "sphere", "radius": 1, "segments": 8, "material": "a"},
+        {"name": "p", "parts": [{"generator": "plane", "half_size": 1, "material": "a", "matrix": [{"rotate_x": 90}]}]},
+        {"name": "f", "file": "f.ply", "materials": ["a", "b"]},
+        {"name": "i", "positions": [], "normals": [], "triangles": [], "triangle_materials": [{"material": "a", "count": 1}]},
+    ],
+    "instances": [{"mesh": "m", "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "remap": ["a", "b"]}],
+    "lights": [{"type": "disk", "radius": 1, "radiance": [1, 1, 1], "ies": {"file": "l.ies", "point_area": True}}],
+    "integrator": {"trace_depth": 5},
+}
+CASE = {
+    "format": "orbs-case/1",
+    "requirement": "M2",
+    "title": "t",
+    "tests": "t",
+    "typical_mistake": "t",
+    "scenes": [{"name": "1", "file": "1.json", "spp": 8}],
+    "gate": {"metric": "psnr_srgb8", "min": 35},
+    "masks": [{"scene": "1", "rectangles": [[0, 0, 4, 4]], "reason": "edges"}],
+    "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.01}],
+}
+CONFIGURATION = {
+    "format": "orbs-configuration/1",
+    "defaults": {"suite": "orbs", "jobs": 1},
+    "suites": [{"name": "orbs", "cases": "data/cases/orbs", "references": "data/references/orbs"}],
+    "renderers": [{"name": "r", "executable": "r", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]}],
+}
+# Path to a member, and the wrong value that it is given there; the word None takes the member away.
+WRONG = [
+    (SCENE, ["colour"], 1),
+    (SCENE, ["camera", "position"], None),
+    (SCENE, ["camera", "fov_y"], 180),
+    (SCENE, ["camera", "width"], 8.5),
+    (SCENE, ["textures", 0, "wrap_v"], "mirror"),
+    (SCENE, ["materials", 0, "type"], "lambertian"),
+    (SCENE, ["materials", 0, "ior"], 1.5),
+    (SCENE, ["materials", 0, "reflectance", 0], 1.5),
+    (SCENE, ["materials", 0, "texture", "matrix", 0], {"scale": 2, "rotate_x": 1}),
+    (SCENE, ["materials", 1, "alpha"], 0),
+    (SCENE, ["meshes", 0, "half_size"], 1),
+    (SCENE, ["meshes", 0, "material"], None),
+    (SCENE, ["meshes", 0, "matrix"], [{"scale": 2}]),
+    (SCENE, ["meshes", 1, "parts", 0, "half_size"], "1"),
+    (SCENE, ["meshes", 2, "file"], "f.stl"),
+    (SCENE, ["instances", 0, "matrix", 15], None),
+    (SCENE, ["lights", 0, "half_width"], 1),
+    (SCENE, ["lights", 0, "radiance", 0], -1),
+    (SCENE, ["integrator", "trace_depth"], 0),
+    (CASE, ["scenes"], []),
+    (CASE, ["gate", "min"], None),
+    (CASE, ["requirement"], "M"),
+    (CASE, ["masks", 0, "reason"], None),
+    (CASE, ["path_shares", 0, "class"], "LDE"),
+    (CONFIGURATION, ["renderers", 0, "comand"], []),
+    (CONFIGURATION, ["renderers", 0, "name"], "a b"),
+    (CONFIGURATION, ["renderers", 0, "command"], "r scene"),
+]
+
+
+def changed(document, path, value):
+    document = copy.deepcopy(document)
+    at = document
+    for step in path[:-1]:
+        at = at[step]
+    if value is None:
+        del at[path[-1]]
+    else:
+        at[path[-1]] = value
+    return document
+
+
+def main(root):
+    checkers = {}
+    for kind in ("scene", "case", "configuration"):
+        schema = json.loads((root / f"data/schema/orbs-{kind}-1.schema.json").read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        checkers[f"orbs-{kind}/1"] = jsonschema.Draft202012Validator(schema)
+
+    def complaints(document):
+        return [f"{error.json_path}: {error.message[:300]}" for error in checkers[document["format"]].iter_errors(document)]
+
+    problems = []
+    for right in (SCENE, CASE, CONFIGURATION):
+        problems += [f"example of {right['format']} is refused: {c}" for c in complaints(right)]
+    for right, path, value in WRONG:
+        if not complaints(changed(right, path, value)):
+            problems.append(f"the schema of {right['format']} accepts {value!r} at {path}")
+    files = [root / "configuration.json", *sorted((root / "data/cases").rglob("*.json"))]
+    for file in files:
+        document = json.loads(file.read_text())
+        expected = "case" if file.name == "case.json" else "configuration" if file == files[0] else "scene"
+        if document.get("format") != f"orbs-{expected}/1":
+            problems.append(f"{file.relative_to(root)}: format is {document.get('format')!r}, not orbs-{expected}/1")
+        else:
+            problems += [f"{file.relative_to(root)}: {c}" for c in complaints(document)]
+    print("\n".join(problems))
+    print(f"{len(files)} files, {len(WRONG)} wrong examples, {len(problems)} problems")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Is every C++ file formatted as .clang-format says?   clang_format.sh <repository>
+# Version 14 only: other versions break the same lines differently.
+set -eu
+cd "$1"
+tool=$(command -v clang-format-14 || command -v clang-format) || {
+  echo "clang-format is missing: ./bootstrap test installs it (Debian package clang-format)." >&2
+  exit 1
+}
+case $("$tool" --version) in
+  *"version 14."*) ;;
+  *) echo "$tool is not version 14, the one that this code is formatted with." >&2; exit 1 ;;
+esac
+find src tests \( -name "*.cpp" -o -name "*.h" -o -name "*.inc" \) -exec "$tool" --dry-run -Werror {} + || {
+  echo "To format them: clang-format -i <files>" >&2
+  exit 1
+}

@@ -1,0 +1,12 @@
+#include "structure/source_files.h"
+
+#include <gtest/gtest.h>
+
+TEST(SourceFiles, BuildsAndHiddenFoldersAreNotSearched) {
+  const orbs::structure::ScratchFolder scratch("source-files");
+  for (const char* file : {"src/a.h", "build/release/b.h", ".git/c.h", "outputs-1/d.h", "src/picture.png"})
+    scratch.write(file, "x\n");
+  const auto files = orbs::structure::files_below(scratch.path(), {".h"});
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files.front(), scratch.path() / "src/a.h");
+}
