@@ -102,16 +102,17 @@ def build(scene, folder, scale_option):
     lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
     scale = chosen_scale(scale_option, descriptions, meshes, instances, lights)
     print(f"orbs: scale {scale:.9g}")
+    scales_radiance = may_start_in_glass(scene["camera"], descriptions, meshes, instances, lights)
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
-    materials = {name: make_material(m, textures) for name, m in descriptions.items()}
+    around = cycles_materials.Surroundings(textures, scales_radiance)
+    materials = {name: make_material(m, around) for name, m in descriptions.items()}
     add_camera(scene["camera"], scale)
     add_environment(scene.get("environment", [0, 0, 0]))
     add_instances(meshes, instances, materials, scale)
     for index, light in enumerate(lights):
         add_light(light, f"light {index}", folder, scale)
-    # A camera path through glass carries the factor 1 / ior^2 for a while; roulette on it would only add noise.
-    has_glass = any(m["type"] in ("glass", "rough_glass") for m in descriptions.values())
-    bpy.context.scene.cycles.min_light_bounces = 1024 if has_glass else 0
+    # Roulette would act on the factor 1 / ior^2 that a camera path carries within glass, and only add noise.
+    bpy.context.scene.cycles.min_light_bounces = 1024 if scales_radiance else 0
 
 
 def checked_material(material):
@@ -136,10 +137,10 @@ def load_texture(texture):
     return cycles_materials.load_texture(texture["file"]), wraps
 
 
-def make_material(description, textures):
+def make_material(description, around):
     if "texture" in description:
-        named(textures, description["texture"]["name"], f"material '{description['name']}'")
-    return cycles_materials.make_material(description, textures)
+        named(around.textures, description["texture"]["name"], f"material '{description['name']}'")
+    return cycles_materials.make_material(description, around)
 
 
 def read_mesh(mesh, folder):
@@ -202,6 +203,22 @@ def chosen_scale(option, descriptions, meshes, instances, lights):
     if largest == 0:
         return 1.0
     return min(1.0, max(SMALLEST_SCALE, math.sqrt(LARGEST_DOUBLED_EMITTER_AREA / (2 * largest))))
+
+
+def may_start_in_glass(camera, descriptions, meshes, instances, lights):
+    """Whether the camera or an emitter may lie within glass. Only then do the factors ior^2 and 1 / ior^2 along a path not
+    cancel. Errs on the side of yes: by bounding boxes, and always for glass that is an open sheet."""
+    boxes, glass = [(camera["position"], camera["position"])], []
+    boxes += [cycles_meshes.bounds(shape, matrix) for _, shape, matrix in lights]
+    for _, mesh, matrix, slots in instances:
+        types = {descriptions[slots[slot]]["type"] for slot in set(meshes[mesh][0].materials)}
+        if "emission" in types:
+            boxes.append(cycles_meshes.bounds(meshes[mesh][0], matrix))
+        if types & {"glass", "rough_glass"}:
+            if not cycles_meshes.is_closed(meshes[mesh][0]):
+                return True
+            glass.append(cycles_meshes.bounds(meshes[mesh][0], matrix))
+    return any(all(a[0][k] <= b[1][k] and b[0][k] <= a[1][k] for k in range(3)) for a in boxes for b in glass)
 
 
 def world_matrix(numbers, scale):
@@ -267,7 +284,7 @@ def load_ies(use, light_matrix, folder, scale):
         except cycles_ies.IesError as error:
             raise SceneError(f"{path}: not a usable LM-63 file: {error}") from None
     frame = world_matrix(light_matrix, scale) @ world_matrix(use.get("matrix", IDENTITY), 1.0)
-    rows = frame.to_3x3().inverted().normalized()
+    rows = frame.to_3x3().normalized().transposed()  # unit axes of the profile; their lengths do not turn directions
     centre = tuple(frame.to_translation()) if use.get("point_area", False) else None
     return grid, [tuple(row) for row in rows], centre
 

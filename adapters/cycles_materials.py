@@ -10,6 +10,7 @@ What Cycles computes was read in the kernel sources that Blender ships (addons/c
 
 import math
 from array import array
+from dataclasses import dataclass
 
 import bpy
 
@@ -148,54 +149,82 @@ def glossy(shader, colour, alpha):
                        distribution=distribution).outputs["BSDF"]  # fmt: skip
 
 
-def dielectric(shader, colour, ior, alpha):
-    """Fresnel mix of reflection and refraction. Radiance that enters is scaled by ior^2 and by 1 / ior^2 when it leaves;
-    a camera path meets these the other way round: front (outside) hit 1 / ior^2, back (inside) hit ior^2."""
+def dielectric(shader, m, alpha, scales_radiance):
+    """Glass of the description `m`. Cycles keeps radiance as it is at a refraction. With `scales_radiance` the factor
+    ior^2 on entry and 1 / ior^2 on exit is put in; a camera path meets it the other way round: 1 / ior^2 at a front
+    (outside) hit, ior^2 at a back hit. Without it the Glass BSDF is the same thing with less noise."""
+    colour, ior, distribution = m["colour"], m["ior"], "GGX" if alpha > 0 else "SHARP"
+    common = {"Roughness": math.sqrt(alpha), "IOR": ior}
+    if not scales_radiance:
+        node = shader.node("ShaderNodeBsdfGlass", {"Color": colour, **common}, distribution=distribution)
+        return node.outputs["BSDF"]
     inside = shader.node("ShaderNodeNewGeometry").outputs["Backfacing"]
     scale = shader.math("MULTIPLY_ADD", inside, ior**2 - ior**-2, ior**-2)
-    refraction = shader.node(
-        "ShaderNodeBsdfRefraction",
-        {"Color": shader.scaled(colour, scale), "Roughness": math.sqrt(alpha), "IOR": ior},
-        distribution="GGX" if alpha > 0 else "SHARP",
-    ).outputs["BSDF"]
+    inputs = {"Color": shader.scaled(colour, scale), **common}
+    refraction = shader.node("ShaderNodeBsdfRefraction", inputs, distribution=distribution).outputs["BSDF"]
     fresnel = shader.node("ShaderNodeFresnel", {"IOR": ior}).outputs["Fac"]
-    return shader.node("ShaderNodeMixShader", {0: fresnel, 1: refraction, 2: glossy(shader, colour, alpha)}).outputs["Shader"]
+    mix = shader.node("ShaderNodeMixShader", {0: fresnel, 1: refraction, 2: glossy(shader, colour, alpha)})
+    return mix.outputs["Shader"]
 
 
 def emission(shader, radiance, strength=1.0):
     return shader.node("ShaderNodeEmission", {"Color": radiance, "Strength": strength}).outputs["Emission"]
 
 
-# One entry per material type: (required keys, keys that may be absent, function from shader, values and textures).
-def _lambert(shader, m, textures):
-    return diffuse(shader, coloured(shader, m["reflectance"], m.get("texture"), textures))
+@dataclass
+class Surroundings:
+    """What the materials of a scene share: images by texture name with their wraps, and whether glass scales radiance."""
+
+    textures: dict
+    scales_radiance: bool
 
 
-def _oren_nayar(shader, m, textures):
+def _lambert(shader, m, around):
+    return diffuse(shader, coloured(shader, m["reflectance"], m.get("texture"), around.textures))
+
+
+def _oren_nayar(shader, m, around):
     roughness, factor = oren_nayar_mapping(m["roughness"])
     colour = [factor * channel for channel in m["reflectance"]]
-    return diffuse(shader, coloured(shader, colour, m.get("texture"), textures), roughness)
+    return diffuse(shader, coloured(shader, colour, m.get("texture"), around.textures), roughness)
 
 
-def _emission(shader, m, textures):
-    return emission(shader, coloured(shader, m["radiance"], m.get("texture"), textures))
+def _mirror(shader, m, _):
+    return glossy(shader, m["reflectance"], 0.0)
 
 
+def _glass(shader, m, around):
+    return dielectric(shader, m, 0.0, around.scales_radiance)
+
+
+def _ggx(shader, m, _):
+    return glossy(shader, m["colour"], m["alpha"])
+
+
+def _rough_glass(shader, m, around):
+    return dielectric(shader, m, m["alpha"], around.scales_radiance)
+
+
+def _emission(shader, m, around):
+    return emission(shader, coloured(shader, m["radiance"], m.get("texture"), around.textures))
+
+
+# Material type: (required keys, keys that may be absent, what builds the surface).
 MATERIAL_TYPES = {
     "lambert": ({"reflectance"}, {"texture"}, _lambert),
     "oren_nayar": ({"reflectance", "roughness"}, {"texture"}, _oren_nayar),
-    "mirror": ({"reflectance"}, set(), lambda s, m, _: glossy(s, m["reflectance"], 0.0)),
-    "glass": ({"colour", "ior"}, set(), lambda s, m, _: dielectric(s, m["colour"], m["ior"], 0.0)),
-    "ggx": ({"colour", "alpha"}, set(), lambda s, m, _: glossy(s, m["colour"], m["alpha"])),
-    "rough_glass": ({"colour", "ior", "alpha"}, set(), lambda s, m, _: dielectric(s, m["colour"], m["ior"], m["alpha"])),
+    "mirror": ({"reflectance"}, set(), _mirror),
+    "glass": ({"colour", "ior"}, set(), _glass),
+    "ggx": ({"colour", "alpha"}, set(), _ggx),
+    "rough_glass": ({"colour", "ior", "alpha"}, set(), _rough_glass),
     "emission": ({"radiance"}, {"texture"}, _emission),
 }
 
 
-def make_material(description, textures):
+def make_material(description, around):
     shader = Shader(description["name"])
     build = MATERIAL_TYPES[description["type"]][2]
-    return shader.finish(build(shader, description, textures))
+    return shader.finish(build(shader, description, around))
 
 
 # --- lights ---------------------------------------------------------------------------------------------------------

@@ -193,10 +193,35 @@ def normalised(v):
     return [x / length for x in v]
 
 
-def triangle_area(a, b, c):
+def cross_product(a, b, c):
+    """(b - a) x (c - a)"""
     u, v = [q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]
-    cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    return 0.5 * math.sqrt(sum(x * x for x in cross))
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def triangle_area(a, b, c):
+    return 0.5 * math.hypot(*cross_product(a, b, c))
+
+
+def transformed(matrix, x, y, z):
+    return [matrix[4 * r] * x + matrix[4 * r + 1] * y + matrix[4 * r + 2] * z + matrix[4 * r + 3] for r in range(3)]
+
+
+def bounds(triangles, matrix):
+    """(lowest, highest) corner of the box around the transformed vertices."""
+    p = triangles.positions
+    points = [transformed(matrix, *point) for point in zip(p[0::3], p[1::3], p[2::3])]
+    return [min(column) for column in zip(*points)], [max(column) for column in zip(*points)]
+
+
+def is_closed(triangles):
+    """A closed surface has no vector area; a sheet, like a water surface, has one."""
+    p, vector, total = triangles.positions, [0.0, 0.0, 0.0], 0.0
+    for corner in triangles.corners:
+        cross = cross_product(*(p[3 * i : 3 * i + 3] for i in corner))
+        vector = [s + x for s, x in zip(vector, cross)]
+        total += math.hypot(*cross)
+    return math.hypot(*vector) <= 1e-4 * total
 
 
 def largest_triangle_area(triangles, matrix, slots=None):
@@ -204,6 +229,5 @@ def largest_triangle_area(triangles, matrix, slots=None):
     p, largest = triangles.positions, 0.0
     for corner, slot in zip(triangles.corners, triangles.materials):
         if slots is None or slot in slots:
-            largest = max(largest, triangle_area(*([
-                sum(matrix[4 * r + k] * p[3 * i + k] for k in range(3)) for r in range(3)] for i in corner)))  # fmt: skip
+            largest = max(largest, triangle_area(*(transformed(matrix, *p[3 * i : 3 * i + 3]) for i in corner)))
     return largest

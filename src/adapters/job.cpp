@@ -1,5 +1,7 @@
 #include "adapters/job.h"
 
+#include "adapters/povray/povray.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,12 +9,6 @@ namespace orbs::adapters {
 
 int scaled_spp(int spp, double renderer_scale, double run_scale) {
   return static_cast<int>(std::max(1L, std::lround(spp * renderer_scale * run_scale)));
-}
-
-int aa_grid(int spp) {
-  int side = 1;
-  while (side * side < spp) ++side;
-  return side;
 }
 
 Job make_job(const registry::Renderer& renderer,
@@ -26,20 +22,20 @@ Job make_job(const registry::Renderer& renderer,
   job.image = folder / "result.exr";
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
-  job.argv =
-      registry::fill_placeholders(renderer.command, {{"executable", settings.executable.string()},
-                                                     {"scene", job.scene_file.string()},
-                                                     {"output", job.image.string()},
-                                                     {"folder", folder.string()},
-                                                     {"spp", std::to_string(settings.spp)},
-                                                     {"seed", std::to_string(settings.seed)},
-                                                     {"threads", std::to_string(settings.threads)},
-                                                     {"width", std::to_string(job.width_px)},
-                                                     {"height", std::to_string(job.height_px)},
-                                                     {"aa_grid", std::to_string(aa_grid(settings.spp))},
-                                                     {"trace_depth", std::to_string(scene.trace_depth)},
-                                                     {"root", settings.root.string()},
-                                                     {"build", settings.build.string()}});
+  job.argv = registry::fill_placeholders(renderer.command,
+                                         {{"executable", settings.executable.string()},
+                                          {"scene", job.scene_file.string()},
+                                          {"output", job.image.string()},
+                                          {"folder", folder.string()},
+                                          {"spp", std::to_string(settings.spp)},
+                                          {"seed", std::to_string(settings.seed)},
+                                          {"threads", std::to_string(settings.threads)},
+                                          {"width", std::to_string(job.width_px)},
+                                          {"height", std::to_string(job.height_px)},
+                                          {"aa_grid", std::to_string(povray_aa_grid(settings.spp))},
+                                          {"trace_depth", std::to_string(scene.trace_depth)},
+                                          {"root", settings.root.string()},
+                                          {"build", settings.build.string()}});
   return job;
 }
 

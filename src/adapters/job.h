@@ -32,11 +32,9 @@ struct JobSettings {
 /// Samples that a renderer gets for a case's `spp`, rounded, at least 1.
 int scaled_spp(int spp, double renderer_scale, double run_scale);
 
-/// The side of a square grid of at least `spp` samples: what {aa_grid} stands for.
-int aa_grid(int spp);
-
-/// The job in `folder` (absolute): pure, touches no file. argv[0] is settings.executable where the command
-/// starts with {executable}.
+/// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
+/// folder that they are started in. {aa_grid} is povray_aa_grid of the samples. Pure, touches no file.
+/// argv[0] is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
              const JobSettings& settings,

@@ -46,13 +46,13 @@ std::array<double, 3> linear_rgb(LightnessChromaHue colour) {
 // The numbers of both scales were chosen so that every colour lies inside sRGB: nothing is cut, lightness
 // stays linear.
 LightnessChromaHue sequential(double t) {
-  return {0.10 + 0.88 * t, 0.045 + 0.52 * t * (1.0 - t), 290.0 + 175.0 * t};
+  return {0.15 + 0.83 * t, 0.045 + 0.52 * t * (1.0 - t), 290.0 + 175.0 * t};
 }
 
 LightnessChromaHue diverging(double t) {
   constexpr double kOrange_deg = 50.0;
   constexpr double kBlue_deg = 255.0;
-  return {0.12 + 0.63 * std::fabs(t), 0.135 * std::fabs(t), t < 0.0 ? kBlue_deg : kOrange_deg};
+  return {0.12 + 0.63 * std::fabs(t), 0.13 * std::fabs(t), t < 0.0 ? kBlue_deg : kOrange_deg};
 }
 
 float signed_largest(const float* values, std::size_t count) {

@@ -213,6 +213,8 @@ void write_exr(const Image& image, const std::filesystem::path& file, Precision 
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_count()),
                          precision == Precision::Half ? OIIO::TypeHalf : OIIO::TypeFloat);
     spec.channelnames = image.channels;
+    // Without a DateTime the library writes the time of writing, and equal pictures would be unequal files.
+    spec.attribute("DateTime", "");
     for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
     spec.attribute("compression", "zip");
     encode_and_write("exr", spec, OIIO::TypeFloat, image.pixels.data(), file);

@@ -8,18 +8,24 @@ namespace orbs::image {
 
 enum class Precision { Half, Float };
 
-/// Any format that OpenImageIO reads, channel names and text attributes kept, values as stored (no colour
-/// conversion: an 8-bit 255 is 1.0). InputError with the reason when the file is missing, torn or no image.
+/// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several pictures in it the
+/// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an
+/// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
+/// the file is missing, torn, too large to be meant, cropped, or no picture; nothing is printed.
 Image read_image(const std::filesystem::path& file);
 
-/// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place.
+/// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place. Equal pictures
+/// give equal files. InputError when two channels share a name, a finite value is beyond the largest half, or
+/// the disk refuses.
 void write_exr(const Image& image, const std::filesystem::path& file, Precision precision = Precision::Float);
 
-/// 8-bit PNG of the first three channels (or the first, as grey), taken as values in [0, 1] that are ready to
-/// show.
+/// 8-bit PNG of the first three channels (or the first, as grey) of a picture that is ready to show: nearest
+/// of 256 steps, what lies outside [0, 1] at its end. Written like an EXR. InputError for NaN, which no PNG
+/// can show.
 void write_png(const Image& image, const std::filesystem::path& file);
 
-/// True for file formats whose numbers are display-encoded (sRGB): 8- and 16-bit integer pixels.
+/// True for a file whose numbers are display-encoded (sRGB): 8- and 16-bit integer pixels. InputError as
+/// read_image.
 bool is_ldr_file(const std::filesystem::path& file);
 
 }  // namespace orbs::image

@@ -126,6 +126,10 @@ Renderer load_renderer(ObjectReader in) {
     renderer.version_command = template_texts(in, "version_command", executable_placeholders());
   const auto format = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray"});
   renderer.scene_format = format == "povray" ? SceneFormat::Povray : SceneFormat::OrbsScene;
+  if (in.has("scene_settings")) {
+    auto settings = in.object("scene_settings");
+    for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
+  }
   renderer.declares = load_features(in, "declares");
   for (auto& limit : in.objects_or_none("known_limits"))
     renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));

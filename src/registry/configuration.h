@@ -48,6 +48,8 @@ struct Renderer {
   std::string executable;  // a path with placeholders, or a program on PATH
   std::vector<std::string> version_command;
   SceneFormat scene_format = SceneFormat::OrbsScene;
+  std::map<std::string, double>
+      scene_settings;  // numbers for the exporter of the format; which, it says itself
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;

@@ -98,10 +98,11 @@ void write_array(Writer& out, std::string_view key, const Items& items, Write&& 
 
 }  // namespace
 
-std::string job_json(const JobRecord& job) {
+std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures) {
   Writer out;
   out.begin_object().member("format", "orbs-job/1");
   write_job(out, job);
+  write_array(out, "pictures", pictures, write_picture);
   return out.end_object().text();
 }
 

@@ -6,8 +6,10 @@ namespace orbs::tracer {
 
 namespace {
 
+// Shifts and masks alone, so that the compiler handles the four dimensions of a point in one vector register.
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
-  x = __builtin_bswap32(x);
+  x = (x << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffU) << 8) | ((x >> 8) & 0x00ff00ffU);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0fU);
   x = ((x & 0x33333333U) << 2) | ((x >> 2) & 0x33333333U);
   return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
@@ -75,6 +77,8 @@ Table make_table() {
   return table;
 }
 
+const Table kTable = make_table();
+
 }  // namespace
 
 SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t replicate) {
@@ -82,16 +86,13 @@ SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t 
 }
 
 std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t bounce, Purpose purpose) {
-  static const Table table = make_table();
   const std::uint32_t seed = hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(purpose) + 1U));
   const std::uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed));
-  const auto& point = table[shuffled & (kBlock - 1)];
+  std::array<std::uint32_t, 4> bits = kTable[shuffled & (kBlock - 1)];
+  for (std::uint32_t d = 0; d < 4; ++d) bits[d] = reverse_bits(scramble_reversed(bits[d], hash(seed + d + 1U)));
   std::array<float, 4> out{};
-  for (std::uint32_t d = 0; d < 4; ++d) {
-    const std::uint32_t bits = reverse_bits(scramble_reversed(point[d], hash(seed + d + 1U)));
-    // 24 bits: more would round to 1.0f at the top.
-    out[d] = static_cast<float>(bits >> 8) * 0x1p-24F;
-  }
+  // 24 bits: more would round to 1.0f at the top.
+  for (std::uint32_t d = 0; d < 4; ++d) out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
   return out;
 }
 

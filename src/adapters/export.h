@@ -1,0 +1,26 @@
+#pragma once
+
+#include "registry/configuration.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace orbs::adapters {
+
+/// InputError when `scene_settings` of the renderer holds a name that the exporter of its format does not
+/// know, or a value that makes no sense there.
+void check_scene_settings(const registry::Renderer& renderer);
+
+/// The scene in the form that the renderer can read: lowered to what it declares and checked against the
+/// limits of the format. Or the reason why there is none.
+std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
+                                                      const scene::Scene& scene);
+
+/// Writes a prepared scene in the renderer's format, everything into the folder of `file`.
+void export_scene(const registry::Renderer& renderer,
+                  const scene::Scene& prepared,
+                  const std::filesystem::path& file);
+
+}  // namespace orbs::adapters

@@ -1,0 +1,91 @@
+#include "report/files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::report {
+
+namespace {
+
+using results::JobRecord;
+using results::PictureRecord;
+using results::RunRecord;
+
+// RFC 4180, section 2.
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out += '"';
+}
+
+std::vector<std::string> metric_names(const RunRecord& run) {
+  std::vector<std::string> names;
+  for (const auto& picture : run.pictures)
+    for (const auto& measure : picture.measures)
+      if (std::find(names.begin(), names.end(), measure.name) == names.end()) names.push_back(measure.name);
+  return names;
+}
+
+std::string measure_text(const PictureRecord& picture, const std::string& name) {
+  for (const auto& measure : picture.measures)
+    if (measure.name == name) return std::isinf(measure.value) ? "inf" : fmt::format("{}", measure.value);
+  return "";
+}
+
+// Of a picture made from two renders, the sum of both costs.
+struct Cost {
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+  double render_seconds = 0;
+  std::size_t peak_rss_bytes = 0;
+  bool is_known = false;
+  bool has_render_seconds = true;
+};
+
+Cost cost_of(const RunRecord& run, const PictureRecord& picture) {
+  Cost cost;
+  for (const auto& id : picture.jobs)
+    for (const auto& job : run.jobs) {
+      if (job.id != id || job.started.empty()) continue;
+      cost.is_known = true;
+      cost.wall_seconds += job.wall_seconds;
+      cost.cpu_seconds += job.cpu_seconds;
+      cost.has_render_seconds = cost.has_render_seconds && job.render_seconds.has_value();
+      cost.render_seconds += job.render_seconds.value_or(0);
+      cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, job.peak_rss_bytes);
+    }
+  return cost;
+}
+
+std::string cost_fields(const Cost& cost) {
+  if (!cost.is_known) return ",,,";
+  return fmt::format("{:.3f},{:.3f},{},{}", cost.wall_seconds, cost.cpu_seconds,
+                     cost.has_render_seconds ? fmt::format("{:.3f}", cost.render_seconds) : "",
+                     cost.peak_rss_bytes);
+}
+
+}  // namespace
+
+std::string results_csv(const RunRecord& run) {
+  const auto metrics = metric_names(run);
+  std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence";
+  for (const auto& metric : metrics) text += fmt::format(",{}", metric);
+  text += ",wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image\r\n";
+  for (const auto& picture : run.pictures) {
+    text += fmt::format("{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
+                        csv_field(picture.case_name), csv_field(picture.picture), csv_field(picture.renderer),
+                        picture.declared, verdict_name(picture.verdict), csv_field(picture.sentence));
+    for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(picture, metric));
+    text += fmt::format(",{},{}\r\n", cost_fields(cost_of(run, picture)), csv_field(picture.image));
+  }
+  return text;
+}
+
+}  // namespace orbs::report

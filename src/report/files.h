@@ -1,0 +1,25 @@
+#pragma once
+
+#include "results/record.h"
+
+#include <filesystem>
+#include <string>
+
+namespace orbs::report {
+
+/// Long form, one row per picture and renderer, RFC 4180: text in quotes where it must be.
+std::string results_csv(const results::RunRecord& run);
+
+/// JUnit XML: a test suite per renderer, a test case per requirement. What the renderer does not declare or
+/// cannot be given counts as skipped; crashes, timeouts and missing pictures as errors, wrong pictures as
+/// failures.
+std::string junit_xml(const results::RunRecord& run);
+
+/// `text` for an XML 1.0 attribute or element: the five special characters escaped, control characters that
+/// XML cannot hold and bytes that are not UTF-8 replaced by U+FFFD.
+std::string xml_text(std::string_view text);
+
+/// Writes results.json, results.csv and junit.xml into `folder`.
+void write_reports(const results::RunRecord& run, const std::filesystem::path& folder);
+
+}  // namespace orbs::report

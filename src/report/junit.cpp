@@ -1,0 +1,164 @@
+#include "report/files.h"
+#include "report/table.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::report {
+
+namespace {
+
+using results::Cell;
+using results::RequirementRecord;
+using results::RunRecord;
+using results::Verdict;
+
+enum class Element { None, Failure, Error, Skipped };
+
+Element element_of(const Cell& cell) {
+  switch (cell.verdict) {
+    case Verdict::Pass:
+      return Element::None;
+    case Verdict::Unsupported:
+    case Verdict::Skipped:
+      return Element::Skipped;
+    case Verdict::Inconclusive:
+    case Verdict::MissingReference:
+    case Verdict::Fail:
+    case Verdict::InvalidPixels:
+    case Verdict::WrongSize:
+      return Element::Failure;
+    case Verdict::Stale:
+    case Verdict::NoOutput:
+    case Verdict::Timeout:
+    case Verdict::Crash:
+      return Element::Error;
+  }
+  return Element::Error;
+}
+
+std::string verdict_element(const Cell& cell) {
+  const auto message = xml_text(fmt::format("{}: {}", verdict_name(cell.verdict), cell.sentence));
+  switch (element_of(cell)) {
+    case Element::None:
+      return "";
+    case Element::Failure:
+      return fmt::format("      <failure message=\"{}\"/>\n", message);
+    case Element::Error:
+      return fmt::format("      <error message=\"{}\"/>\n", message);
+    case Element::Skipped:
+      return fmt::format("      <skipped message=\"{}\"/>\n", message);
+  }
+  return "";
+}
+
+double seconds_of(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
+  double seconds = 0;
+  for (const auto& job : run.jobs)
+    for (const auto& picture : run.pictures)
+      if (picture.requirement == requirement && picture.renderer == renderer &&
+          picture.jobs == std::vector{job.id})
+        seconds += job.wall_seconds;
+  return seconds;
+}
+
+std::string details(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
+  std::string text;
+  for (const auto& picture : run.pictures)
+    if (picture.requirement == requirement && picture.renderer == renderer)
+      text += fmt::format("{}: {}: {}\n", picture.picture, verdict_name(picture.verdict), picture.sentence);
+  return text;
+}
+
+std::string test_case(const RunRecord& run,
+                      const RequirementRecord& requirement,
+                      const std::string& renderer,
+                      const Cell& cell) {
+  auto text = fmt::format(
+      "    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n", xml_text(run.suite + "." + renderer),
+      xml_text(requirement.code + " " + requirement.title), seconds_of(run, requirement.code, renderer));
+  text +=
+      fmt::format("      <properties><property name=\"lowest_psnr_srgb8_db\" value=\"{}\"/></properties>\n",
+                  decibels(cell.lowest_psnr_db));
+  text += verdict_element(cell);
+  text += fmt::format("      <system-out>{}</system-out>\n    </testcase>\n",
+                      xml_text(details(run, requirement.code, renderer)));
+  return text;
+}
+
+std::string test_suite(const RunRecord& run, const results::RendererRecord& renderer) {
+  std::map<Element, int> counts;
+  int tests = 0;
+  std::string cases;
+  for (const auto& requirement : run.requirements) {
+    const auto cell = requirement.cells.find(renderer.name);
+    if (cell == requirement.cells.end()) continue;
+    ++tests;
+    ++counts[element_of(cell->second)];
+    cases += test_case(run, requirement, renderer.name, cell->second);
+  }
+  return fmt::format(
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\" "
+      "timestamp=\"{}\">\n"
+      "{}  </testsuite>\n",
+      xml_text(run.suite + "." + renderer.name), tests, counts[Element::Failure], counts[Element::Error],
+      counts[Element::Skipped], renderer.wall_seconds, xml_text(run.started), cases);
+}
+
+// Length of the UTF-8 sequence that starts `text`, 0 when there is none (RFC 3629).
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0U) != 0x80U) return 0;
+  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool beyond = (first == 0xed && byte(1) > 0x9f) || (first == 0xf4 && byte(1) > 0x8f);
+  return overlong || beyond ? 0 : length;
+}
+
+}  // namespace
+
+std::string xml_text(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto length = utf8_length(text);
+    const char c = text.front();
+    const bool is_control =
+        length == 1 && static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' && c != '\r';
+    if (length == 0 || is_control) {
+      out += "\uFFFD";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (c == '\'') {
+      out += "&apos;";
+    } else {
+      out += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return out;
+}
+
+std::string junit_xml(const RunRecord& run) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  text += fmt::format("<testsuites name=\"orbs\" time=\"{:.3f}\">\n", run.wall_seconds);
+  for (const auto& renderer : run.renderers) text += test_suite(run, renderer);
+  return text + "</testsuites>\n";
+}
+
+}  // namespace orbs::report

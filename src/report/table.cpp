@@ -1,0 +1,181 @@
+#include "report/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+namespace orbs::report {
+
+namespace {
+
+using results::Cell;
+using results::RunRecord;
+using results::Verdict;
+
+std::string_view ansi_colour(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return "\x1b[32m";
+    case Verdict::Unsupported:
+    case Verdict::Skipped:
+      return "\x1b[2m";
+    case Verdict::Inconclusive:
+      return "\x1b[33m";
+    case Verdict::MissingReference:
+    case Verdict::Fail:
+    case Verdict::InvalidPixels:
+    case Verdict::WrongSize:
+    case Verdict::Stale:
+    case Verdict::NoOutput:
+    case Verdict::Timeout:
+    case Verdict::Crash:
+      return "\x1b[31m";
+  }
+  return "";
+}
+
+std::string painted(std::string text, Verdict verdict, const TableStyle& style) {
+  return style.colour ? fmt::format("{}{}\x1b[0m", ansi_colour(verdict), text) : std::move(text);
+}
+
+std::string cell_text(const Cell& cell, const TableStyle& style) {
+  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db),
+                     painted(std::string(verdict_name(cell.verdict)), cell.verdict, style));
+}
+
+using Row = std::vector<std::string>;
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i == widths.size()) widths.push_back(0);
+      widths[i] = std::max(widths[i], display_width(row[i]));
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) line += "  ";
+      line += i + 1 == row.size() ? row[i] : padded(row[i], widths[i]);
+    }
+    text += line;
+    text += '\n';
+  }
+  return text;
+}
+
+std::string requirement_table(const RunRecord& run, const TableStyle& style) {
+  std::vector<Row> rows{{"", "requirement"}};
+  for (const auto& renderer : run.renderers) rows[0].push_back(fmt::format("    dB {}", renderer.name));
+  for (const auto& requirement : run.requirements) {
+    auto& row = rows.emplace_back(Row{requirement.code, requirement.title});
+    for (const auto& renderer : run.renderers) {
+      const auto cell = requirement.cells.find(renderer.name);
+      row.push_back(cell == requirement.cells.end() ? "" : cell_text(cell->second, style));
+    }
+  }
+  return aligned(rows);
+}
+
+std::string counts_text(const results::RendererRecord& renderer) {
+  std::vector<std::string> parts;
+  for (const auto verdict : results::kVerdicts)
+    if (const auto count = renderer.counts.find(std::string(verdict_name(verdict)));
+        count != renderer.counts.end())
+      parts.push_back(fmt::format("{} {}", count->second, count->first));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string renderer_lines(const RunRecord& run) {
+  std::vector<Row> rows;
+  for (const auto& renderer : run.renderers) {
+    rows.push_back({renderer.name, fmt::format("declared {} \u00b7 measured {}", renderer.declared,
+                                               renderer.measured.empty() ? "nothing" : renderer.measured)});
+    rows.push_back(
+        {"", fmt::format("{} \u00b7 {:.1f} s of rendering, {:.1f} s of CPU{}", counts_text(renderer),
+                         renderer.wall_seconds, renderer.cpu_seconds,
+                         renderer.version.empty() ? "" : fmt::format(" \u00b7 {}", renderer.version))});
+  }
+  return aligned(rows);
+}
+
+// One line per picture that is neither a pass nor unsupported; of what is unsupported, one per renderer and
+// reason.
+std::string remarks(const RunRecord& run, const TableStyle& style) {
+  std::vector<Row> rows;
+  std::vector<std::pair<Row, std::string>> unsupported;
+  for (const auto& picture : run.pictures) {
+    if (picture.verdict == Verdict::Pass) continue;
+    const auto verdict = painted(std::string(verdict_name(picture.verdict)), picture.verdict, style);
+    if (picture.verdict != Verdict::Unsupported) {
+      rows.push_back({verdict, picture.renderer, picture.requirement, picture.picture, picture.sentence});
+      continue;
+    }
+    const auto same = std::find_if(unsupported.begin(), unsupported.end(), [&](const auto& entry) {
+      return entry.second == picture.renderer + "\n" + picture.requirement + "\n" + picture.sentence;
+    });
+    if (same != unsupported.end()) {
+      same->first[3] += ", " + picture.picture;
+    } else {
+      unsupported.push_back(
+          {{verdict, picture.renderer, picture.requirement, picture.picture, picture.sentence},
+           picture.renderer + "\n" + picture.requirement + "\n" + picture.sentence});
+    }
+  }
+  for (auto& [row, key] : unsupported) rows.push_back(std::move(row));
+  return aligned(rows);
+}
+
+}  // namespace
+
+TableStyle style_for(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool wanted = no_colour == nullptr || *no_colour == '\0';
+  const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return {wanted && able};
+}
+
+std::size_t display_width(std::string_view text) {
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\x1b') {
+      i = std::min(text.find('m', i), text.size());
+    } else if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) {  // not a continuation byte
+      ++width;
+    }
+  }
+  return width;
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string out(text);
+  out.append(width - std::min(width, display_width(text)), ' ');
+  return out;
+}
+
+std::string decibels(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isinf(*value) ? "inf" : fmt::format("{:.2f}", *value);
+}
+
+std::string summary_text(const RunRecord& run, const TableStyle& style) {
+  std::string text = requirement_table(run, style);
+  text += '\n';
+  text += renderer_lines(run);
+  for (const auto& left : run.left_out)
+    text += fmt::format("{} was left out: {}\n", left.renderer, left.reason);
+  if (const auto lines = remarks(run, style); !lines.empty()) text += fmt::format("\n{}", lines);
+  if (run.interrupted) text += "\nThe run was interrupted; what was finished stands above.\n";
+  return text;
+}
+
+}  // namespace orbs::report

@@ -1,0 +1,147 @@
+#include "runner/execute.h"
+
+#include "adapters/export.h"
+#include "adapters/process.h"
+#include "adapters/programs.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "registry/placeholders.h"
+#include "runner/outcome.h"
+
+#include <array>
+#include <ctime>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+namespace {
+
+using results::JobRecord;
+using results::Verdict;
+
+adapters::ProcessRequest process_request(const registry::Renderer& renderer,
+                                         const adapters::Job& job,
+                                         const std::atomic<bool>* stop) {
+  adapters::ProcessRequest request;
+  request.argv = job.argv;
+  request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
+  request.folder = job.folder;
+  request.environment = adapters::child_environment(renderer.environment);
+  request.log = job.folder / "log.txt";
+  request.time_limit_seconds = renderer.time_limit_seconds;
+  request.stop = stop;
+  return request;
+}
+
+void note_process(const adapters::ProcessResult& process,
+                  const registry::Renderer& renderer,
+                  JobRecord& record) {
+  record.wall_seconds = process.wall_seconds;
+  record.cpu_seconds = process.user_seconds + process.system_seconds;
+  record.peak_rss_bytes = process.peak_rss_bytes;
+  record.exit_code = process.exit_code;
+  if (process.signal != 0) record.signal = adapters::signal_name(process.signal);
+  if (!renderer.render_seconds_prefix.empty())
+    record.render_seconds = seconds_in(process.output, renderer.render_seconds_prefix);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+}
+
+}  // namespace
+
+std::string local_time_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &local);
+  return text.data();
+}
+
+std::optional<double> seconds_in(const std::string& output, const std::string& prefix) {
+  std::optional<double> seconds;
+  for (const auto& line : split(output, '\n'))
+    if (line.starts_with(prefix)) {
+      const auto rest = trim(std::string_view(line).substr(prefix.size()));
+      seconds = to_number(rest.substr(0, rest.find_first_of(" s\t\r")));
+    }
+  return seconds;
+}
+
+JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
+  JobRecord record;
+  record.id = job.id;
+  record.suite = plan.suite.name;
+  record.scene = plan.scenes[job.scene].name;
+  record.renderer = plan.renderers[job.renderer].entry.name;
+  record.spp = job.spp;
+  record.seed = plan.settings.seed;
+  record.threads = plan.threads;
+  record.folder = job.folder.string();
+  record.sentence = "the run ended before its turn";
+  return record;
+}
+
+Execution execute(const Plan& plan,
+                  const PlannedJob& planned,
+                  const std::string& version,
+                  const std::filesystem::path& run_folder,
+                  const std::atomic<bool>* stop) {
+  const auto& renderer = plan.renderers[planned.renderer].entry;
+  Execution execution{skipped_record(plan, planned), {}};
+  auto& record = execution.record;
+  record.renderer_version = version;
+  const auto prepared = adapters::prepare_scene(renderer, *plan.scenes[planned.scene].scene);
+  if (const auto* reason = std::get_if<std::string>(&prepared)) {
+    record.verdict = Verdict::Unsupported;
+    record.sentence = *reason;
+    return execution;
+  }
+  const auto job = job_in(plan, planned, run_folder);
+  make_folder(job.folder);
+  adapters::export_scene(renderer, std::get<scene::Scene>(prepared), job.scene_file);
+  record.argv = job.argv;
+  record.started = local_time_now();
+  const auto process = adapters::run_process(process_request(renderer, job, stop));
+  note_process(process, renderer, record);
+  auto outcome = classify(process, job, renderer.time_limit_seconds);
+  record.verdict = outcome.verdict;
+  record.sentence = outcome.sentence;
+  record.rendered = outcome.verdict == Verdict::Pass;
+  if (record.rendered) record.image = (planned.folder / job.image.filename()).string();
+  const bool keep_log = plan.settings.log || !record.rendered;
+  if (keep_log) record.log = (planned.folder / "log.txt").string();
+  std::error_code ignored;
+  if (!keep_log) std::filesystem::remove(job.folder / "log.txt", ignored);
+  execution.picture = std::move(outcome.picture);
+  return execution;
+}
+
+std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
+  constexpr double kLimit_seconds = 30;
+  if (renderer.entry.version_command.empty()) return "";
+  adapters::ProcessRequest request;
+  request.argv = registry::fill_placeholders(renderer.entry.version_command,
+                                             {{"executable", renderer.executable.string()},
+                                              {"root", plan.root.string()},
+                                              {"build", plan.build.string()}});
+  const auto program = adapters::find_program(request.argv[0]);
+  if (!program) return fmt::format("unknown: there is no program '{}'", request.argv[0]);
+  request.argv[0] = program->string();
+  request.environment = adapters::child_environment(renderer.entry.environment);
+  request.time_limit_seconds = kLimit_seconds;
+  const auto process = adapters::run_process(request);
+  if (process.timed_out)
+    return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
+  for (const auto& line : split(process.output, '\n'))
+    if (const auto text = trim(line); !text.empty()) return std::string(text);
+  return "unknown: its version command prints nothing";
+}
+
+}  // namespace orbs::runner

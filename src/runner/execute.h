@@ -1,0 +1,40 @@
+#pragma once
+
+#include "image/image.h"
+#include "results/record.h"
+#include "runner/plan.h"
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace orbs::runner {
+
+struct Execution {
+  results::JobRecord record;
+  std::optional<image::Image> picture;
+};
+
+/// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's folder, which it
+/// makes.
+Execution execute(const Plan& plan,
+                  const PlannedJob& job,
+                  const std::string& renderer_version,
+                  const std::filesystem::path& run_folder,
+                  const std::atomic<bool>* stop);
+
+/// The record of a job that is not run any more.
+results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
+
+/// First line that is not empty of what the version command prints; "unknown" with the reason when it fails,
+/// "" when the renderer has no such command.
+std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan);
+
+/// The number behind the last line that starts with `prefix`; nothing when there is none.
+std::optional<double> seconds_in(const std::string& output, const std::string& prefix);
+
+/// "2026-11-21T14:03:00", local time.
+std::string local_time_now();
+
+}  // namespace orbs::runner

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "image/image.h"
+#include "metrics/compare.h"
+#include "metrics/mask.h"
+#include "registry/cases.h"
+#include "results/record.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbs::runner {
+
+/// of - minus in R, G, B and, where both have it, the sum of their variances (they are independent). Same
+/// size and channels are the caller's promise. Attributes are those of `of`.
+image::Image difference_of(const image::Image& of, const image::Image& minus);
+
+/// The reference of a picture of the case: its file, or the difference of two.
+struct Reference {
+  std::filesystem::path file;           // of the scene, or of the difference's `of`
+  std::optional<image::Image> picture;  // nothing when it is missing
+  std::string problem;                  // why it is missing
+};
+Reference load_reference(const registry::Case& one_case,
+                         const std::string& picture,
+                         const std::filesystem::path& references);
+
+/// The passport in a picture's attributes "orbs.<key>", without the prefix.
+std::map<std::string, std::string> passport_of(const image::Image& picture);
+
+/// All masks of one picture of the case.
+metrics::Mask mask_of(const registry::Case& one_case, const std::string& picture);
+
+/// Compares and fills verdict, sentence, measures, checks and passport of `record`, whose names are already
+/// there. Returns the comparison, for its maps; nothing when there was nothing to compare.
+std::optional<metrics::Comparison> judge(const registry::Case& one_case,
+                                         const image::Image& result,
+                                         const Reference& reference,
+                                         int threads,
+                                         results::PictureRecord& record);
+
+/// Writes result.png and the error maps as error-<name>.exr and .png (with a colour scale) into `folder`;
+/// returns the names of the maps.
+std::vector<std::string> write_maps(const image::Image& result,
+                                    const metrics::Comparison& comparison,
+                                    const std::filesystem::path& folder);
+
+}  // namespace orbs::runner

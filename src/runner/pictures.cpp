@@ -1,0 +1,91 @@
+#include "base/error.h"
+#include "image/colour.h"
+#include "image/false_colour.h"
+#include "image/image_io.h"
+#include "runner/judge.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+image::Image difference_of(const image::Image& of, const image::Image& minus) {
+  const auto layer = [](const image::Image& picture, const std::string& prefix) {
+    return image::select_rgb(picture, prefix);
+  };
+  const bool has_variance =
+      image::channel_index(of, "variance.R") >= 0 && image::channel_index(minus, "variance.R") >= 0;
+  std::vector<std::string> channels{"R", "G", "B"};
+  if (has_variance) channels.insert(channels.end(), {"variance.R", "variance.G", "variance.B"});
+  auto out = image::make_image(of.width, of.height, channels);
+  out.attributes = of.attributes;
+  const auto put = [&](const image::Image& a, const image::Image& b, float sign, std::size_t first) {
+    for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
+      for (std::size_t c = 0; c < 3; ++c)
+        out.pixels[pixel * channels.size() + first + c] =
+            a.pixels[3 * pixel + c] + sign * b.pixels[3 * pixel + c];
+  };
+  put(layer(of, ""), layer(minus, ""), -1, 0);
+  if (has_variance) put(layer(of, "variance."), layer(minus, "variance."), 1, 3);
+  return out;
+}
+
+namespace {
+
+// The picture, or why there is none.
+std::string read_reference(const std::filesystem::path& file, std::optional<image::Image>& picture) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    return fmt::format("there is no reference {}; 'orbs reference' renders it", file.string());
+  try {
+    picture = image::read_image(file);
+    image::select_rgb(*picture, "");
+    return "";
+  } catch (const InputError& e) {
+    picture.reset();
+    return fmt::format("the reference cannot be used: {}", e.what());
+  }
+}
+
+}  // namespace
+
+Reference load_reference(const registry::Case& one_case,
+                         const std::string& picture,
+                         const std::filesystem::path& references) {
+  Reference reference;
+  const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
+                                       [&](const auto& d) { return d.name == picture; });
+  const bool is_difference = difference != one_case.differences.end();
+  reference.file = references / ((is_difference ? difference->of : picture) + ".exr");
+  reference.problem = read_reference(reference.file, reference.picture);
+  if (!is_difference || !reference.picture) return reference;
+  std::optional<image::Image> minus;
+  reference.problem = read_reference(references / (difference->minus + ".exr"), minus);
+  if (minus && (minus->width != reference.picture->width || minus->height != reference.picture->height))
+    reference.problem =
+        fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);
+  if (reference.problem.empty()) {
+    reference.picture = difference_of(*reference.picture, *minus);
+  } else {
+    reference.picture.reset();
+  }
+  return reference;
+}
+
+std::vector<std::string> write_maps(const image::Image& result,
+                                    const metrics::Comparison& comparison,
+                                    const std::filesystem::path& folder) {
+  image::write_png(image::display_picture(result), folder / "result.png");
+  std::vector<std::string> names;
+  for (const auto& map : comparison.maps) {
+    const auto stem = fmt::format("error-{}", map.info.name);
+    const auto scale = map.info.is_signed ? image::ColourScale::Diverging : image::ColourScale::Sequential;
+    image::write_exr(map.image, folder / (stem + ".exr"));
+    image::write_png(image::false_colour(map.image, scale, map.info.scale_maximum), folder / (stem + ".png"));
+    names.push_back(stem);
+  }
+  return names;
+}
+
+}  // namespace orbs::runner

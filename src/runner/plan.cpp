@@ -1,0 +1,170 @@
+#include "runner/plan.h"
+
+#include "adapters/export.h"
+#include "adapters/programs.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "metrics/table.h"
+#include "runner/choose.h"
+#include "runner/judge.h"
+#include "scene/load_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::runner {
+
+namespace {
+
+void load_scenes(Plan& plan) {
+  std::map<std::string, std::shared_ptr<const scene::Scene>> by_file;
+  for (const auto& one_case : plan.cases)
+    for (const auto& wanted : one_case.scenes) {
+      const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
+                                     [&](const auto& scene) { return scene.name == wanted.name; });
+      if (known) continue;
+      auto& scene = by_file[wanted.file.string()];
+      if (!scene)
+        scene = with_note(fmt::format("reading scene '{}' of {}", wanted.name, one_case.file.string()), [&] {
+          return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file));
+        });
+      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, scene});
+    }
+}
+
+void check_regions(const Plan& plan, const registry::Case& one_case) {
+  const auto scene_of = [&](const std::string& picture) {
+    auto name = picture;
+    for (const auto& difference : one_case.differences)
+      if (difference.name == picture) name = difference.of;
+    return std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                        [&](const auto& scene) { return scene.name == name; });
+  };
+  const auto check = [&](const std::string& picture, const registry::Rectangle& region) {
+    const auto& camera = scene_of(picture)->scene->camera;
+    if (region[2] > camera.width_px || region[3] > camera.height_px)
+      throw InputError(fmt::format("{}: the rectangle [{}] of '{}' reaches beyond its {} x {} pixels",
+                                   one_case.file.string(), fmt::join(region, ","), picture, camera.width_px,
+                                   camera.height_px));
+  };
+  for (const auto& mask : one_case.masks) {
+    for (const auto& rectangle : mask.rectangles) check(mask.picture, rectangle);
+    const auto& camera = scene_of(mask.picture)->scene->camera;
+    with_note(fmt::format("reading the masks of '{}' in {}", mask.picture, one_case.file.string()), [&] {
+      metrics::included_pixels(mask_of(one_case, mask.picture), camera.width_px, camera.height_px);
+    });
+  }
+  for (const auto& pixels : one_case.pixel_checks) check(pixels.picture, pixels.region);
+}
+
+// Everything that makes the picture what it is, but not the folder and the time: the same id in every run.
+std::string job_id(const Plan& plan, const PlannedScene& scene, const ChosenRenderer& renderer, int spp) {
+  return hash_text(content_hash(fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name,
+                                            renderer.entry.name, spp, plan.settings.seed)));
+}
+
+std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t renderer) {
+  const auto found = std::find_if(plan.jobs.begin(), plan.jobs.end(), [&](const PlannedJob& job) {
+    return job.renderer == renderer && plan.scenes[job.scene].name == scene_name;
+  });
+  if (found != plan.jobs.end()) return static_cast<std::size_t>(found - plan.jobs.begin());
+  PlannedJob job;
+  job.renderer = renderer;
+  while (plan.scenes[job.scene].name != scene_name) ++job.scene;
+  const auto& scene = plan.scenes[job.scene];
+  const auto& chosen = plan.renderers[renderer];
+  job.spp = adapters::scaled_spp(scene.spp, chosen.entry.spp_scale, plan.settings.spp_scale);
+  job.id = job_id(plan, scene, chosen, job.spp);
+  job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
+  plan.jobs.push_back(job);
+  return plan.jobs.size() - 1;
+}
+
+void plan_pictures(Plan& plan) {
+  for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
+    for (std::size_t c = 0; c < plan.cases.size(); ++c) {
+      const auto& one_case = plan.cases[c];
+      const bool declared = registry::has_feature(plan.renderers[renderer].entry.declares,
+                                                  registry::parse_requirement(one_case.requirement));
+      const auto add = [&](const std::string& picture, const std::vector<std::string>& scenes) {
+        PlannedPicture planned{c, renderer, picture, {}, declared};
+        if (declared)
+          for (const auto& scene : scenes) planned.jobs.push_back(job_for(plan, scene, renderer));
+        plan.pictures.push_back(std::move(planned));
+      };
+      for (const auto& scene : one_case.scenes) add(scene.name, {scene.name});
+      for (const auto& difference : one_case.differences)
+        add(difference.name, {difference.of, difference.minus});
+    }
+}
+
+int threads_per_job(const registry::Defaults& settings) {
+  if (settings.threads > 0) return settings.threads;
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::max(1, cores / settings.jobs);
+}
+
+}  // namespace
+
+Plan make_plan(const registry::Configuration& configuration,
+               const registry::Defaults& settings,
+               const std::filesystem::path& program_folder) {
+  Plan plan;
+  plan.settings = settings;
+  plan.root = configuration.root;
+  plan.build = program_folder;
+  plan.suite = registry::find_suite(configuration, settings.suite);
+  plan.threads = threads_per_job(settings);
+  choose_renderers(configuration, plan);
+  plan.cases = choose_cases(registry::load_cases(plan.suite), settings);
+  load_scenes(plan);
+  for (const auto& one_case : plan.cases) {
+    with_note(fmt::format("reading the gate of {}", one_case.file.string()),
+              [&] { metrics::find_metric(one_case.gate.metric); });
+    check_regions(plan, one_case);
+  }
+  plan_pictures(plan);
+  for (const auto& renderer : plan.renderers) {
+    const auto& program = renderer.entry.command.front();
+    if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
+      throw InputError(
+          fmt::format("renderer '{}': its command starts '{}', which is not there; begin with {{executable}}",
+                      renderer.entry.name, program));
+  }
+  return plan;
+}
+
+adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job) {
+  return {job.spp,   plan.settings.seed, plan.threads,
+          plan.root, plan.build,         plan.renderers[job.renderer].executable};
+}
+
+adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder) {
+  return adapters::make_job(plan.renderers[job.renderer].entry, *plan.scenes[job.scene].scene,
+                            job_settings(plan, job), run_folder / job.folder);
+}
+
+std::string plan_text(const Plan& plan) {
+  std::string text = fmt::format("{} renders for {} pictures, {} at a time with {} threads each\n",
+                                 plan.jobs.size(), plan.pictures.size(), plan.settings.jobs, plan.threads);
+  for (const auto& job : plan.jobs) {
+    const auto& scene = plan.scenes[job.scene];
+    const auto& renderer = plan.renderers[job.renderer];
+    text += fmt::format("{}  {}  {}\n", job.id, renderer.entry.name, scene.name);
+    const auto prepared = adapters::prepare_scene(renderer.entry, *scene.scene);
+    if (const auto* reason = std::get_if<std::string>(&prepared)) {
+      text += fmt::format("    unsupported: {}\n", *reason);
+    } else {
+      text += fmt::format("    {}\n", fmt::join(job_in(plan, job, "OUTPUT").argv, " "));
+    }
+  }
+  for (const auto& left : plan.left_out)
+    text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);
+  return text;
+}
+
+}  // namespace orbs::runner

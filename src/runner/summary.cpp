@@ -1,0 +1,100 @@
+#include "runner/summary.h"
+
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+namespace orbs::runner {
+
+namespace {
+
+using results::Cell;
+using results::PictureRecord;
+using results::Verdict;
+
+void add_to_cell(const PictureRecord& picture, bool is_first, Cell& cell) {
+  cell.declared = picture.declared;
+  if (is_first || results::worse(cell.verdict, picture.verdict) != cell.verdict) {
+    cell.verdict = picture.verdict;
+    cell.sentence = picture.sentence;
+  }
+  for (const auto& measure : picture.measures)
+    if (measure.name == "psnr_srgb8")
+      cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(measure.value), measure.value);
+}
+
+void fill_requirements(const Plan& plan, results::RunRecord& record) {
+  for (const auto& one_case : plan.cases) {
+    const auto known = std::any_of(record.requirements.begin(), record.requirements.end(),
+                                   [&](const auto& r) { return r.code == one_case.requirement; });
+    if (!known) record.requirements.push_back({one_case.requirement, one_case.title, {}});
+  }
+  for (auto& requirement : record.requirements)
+    for (const auto& picture : record.pictures) {
+      if (picture.requirement != requirement.code) continue;
+      const bool is_first = !requirement.cells.contains(picture.renderer);
+      add_to_cell(picture, is_first, requirement.cells[picture.renderer]);
+    }
+}
+
+results::RendererRecord renderer_record(const ChosenRenderer& chosen,
+                                        const std::string& version,
+                                        const results::RunRecord& run) {
+  results::RendererRecord record;
+  record.name = chosen.entry.name;
+  record.version = version;
+  record.executable = chosen.executable.string();
+  record.declared = registry::format_features(chosen.entry.declares);
+  record.measured = measured_features(run.requirements, record.name);
+  for (const auto& requirement : run.requirements)
+    if (const auto cell = requirement.cells.find(record.name); cell != requirement.cells.end())
+      ++record.counts[std::string(results::verdict_name(cell->second.verdict))];
+  for (const auto& job : run.jobs) {
+    if (job.renderer != record.name) continue;
+    record.wall_seconds += job.wall_seconds;
+    record.cpu_seconds += job.cpu_seconds;
+  }
+  return record;
+}
+
+}  // namespace
+
+std::string measured_features(const std::vector<results::RequirementRecord>& requirements,
+                              const std::string& renderer) {
+  registry::FeatureSet measured;
+  for (const auto& requirement : requirements) {
+    const auto code = registry::parse_requirement(requirement.code);
+    auto& levels = measured[code.group];
+    const auto cell = requirement.cells.find(renderer);
+    if (cell != requirement.cells.end() && cell->second.verdict == Verdict::Pass) levels.insert(code.level);
+  }
+  return registry::format_features(measured);
+}
+
+void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record) {
+  fill_requirements(plan, record);
+  for (std::size_t i = 0; i < plan.renderers.size(); ++i)
+    record.renderers.push_back(renderer_record(plan.renderers[i], versions[i], record));
+}
+
+results::Host this_host() {
+  results::Host host;
+  utsname names{};
+  if (::uname(&names) == 0) {
+    host.name = names.nodename;
+    host.system = fmt::format("{} {} {}", names.sysname, names.release, names.machine);
+  }
+  host.cores = static_cast<int>(std::thread::hardware_concurrency());
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; host.cpu.empty() && std::getline(cpus, line);)
+    if (line.starts_with("model name")) host.cpu = trim(line.substr(line.find(':') + 1));
+  return host;
+}
+
+}  // namespace orbs::runner

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "results/record.h"
+#include "runner/plan.h"
+
+#include <string>
+#include <vector>
+
+namespace orbs::runner {
+
+/// Fills requirements and renderers of the record from its pictures and jobs.
+void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record);
+
+/// What a renderer fulfils by the table: the requirements whose cell is a pass, in ORB.S notation. Groups
+/// that the run did not test are not mentioned.
+std::string measured_features(const std::vector<results::RequirementRecord>& requirements,
+                              const std::string& renderer);
+
+/// Name, processor, cores and operating system of this machine.
+results::Host this_host();
+
+}  // namespace orbs::runner

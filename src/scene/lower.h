@@ -1,0 +1,38 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace orbs::scene {
+
+/// Requirement codes ("G3", "M5") that a renderer fulfils.
+using Capabilities = std::set<std::string>;
+
+/// A requirement that a scene calls for, and the thing in it that does.
+struct CalledFeature {
+  std::string requirement;
+  std::string what;  // "material 'a' is rough glass"
+};
+
+/// What a renderer must fulfil to draw the scene as it is, each requirement once, ordered by code. Materials
+/// that no instance shows call for nothing. Glossy reflection calls for A2 and rough glass for A4: no M level
+/// defines them, these levels test them.
+std::vector<CalledFeature> features_called_for(const Scene& scene);
+
+/// ORB.S section 1, note: where a renderer lacks a level, the exporter prepares the data as that level
+/// prescribes, or says why it cannot. Either the scene in a form that calls for nothing beyond
+/// `capabilities`, or the reason, one sentence.
+///   without G3  one mesh in world space, several materials; meshes that are not instanced are left out
+///   without G4  instances; remap lists are resolved into further meshes
+///   without G5  as above, and each mesh has exactly one material
+///   without M5  texture matrices are applied to the texture coordinates
+///   without M7  Oren-Nayar of roughness 0, which is Lambert's law, becomes it
+///   without L3  lights that are only moved and scaled get the scale in their sizes
+/// What is drawn stays the same, up to the rounding of coordinates to float.
+std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities);
+
+}  // namespace orbs::scene

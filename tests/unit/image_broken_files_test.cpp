@@ -1,0 +1,183 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "image/image_io.h"
+#include "image/png_chunks.h"
+#include "structure/source_files.h"
+#include "unit/image_png_bytes.h"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs::image;
+using orbs::InputError;
+using orbs::image_test::png_bytes;
+using orbs::structure::ScratchFolder;
+
+// What reading these bytes under this name says: the error, or "read"; plus whatever landed on stderr.
+std::string outcome_of(const ScratchFolder& folder, const std::string& name, const std::string& bytes) {
+  const auto file = folder.path() / name;
+  orbs::write_file(file, bytes);
+  testing::internal::CaptureStderr();
+  std::string outcome = "read";
+  try {
+    read_image(file);
+  } catch (const InputError& e) {
+    outcome = e.what();
+  }
+  const std::string printed = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(outcome == "read" || outcome.starts_with(file.string() + ": ")) << outcome;
+  return outcome + (printed.empty() ? "" : "; printed: " + printed);
+}
+
+bool is_quiet_error(const std::string& outcome) {
+  return outcome != "read" && outcome.find("; printed: ") == std::string::npos;
+}
+
+std::string exr_bytes(const ScratchFolder& folder, int width, int height) {
+  Image picture = make_image(width, height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] = static_cast<float>(i * i % 101) * 0.37F;
+  write_exr(picture, folder.path() / "whole.exr");
+  return orbs::read_file(folder.path() / "whole.exr");
+}
+
+// An EXR box2i attribute is its name, its type's name, the size 16 and xMin, yMin, xMax, yMax in
+// little-endian.
+std::string with_box(std::string exr, const std::string& name, std::vector<std::int32_t> box) {
+  const std::string key = name + '\0' + "box2i" + '\0';
+  const auto at = exr.find(key);
+  EXPECT_NE(at, std::string::npos);
+  std::memcpy(&exr[at + key.size() + 4], box.data(), 16);
+  return exr;
+}
+
+std::string with_size(const std::string& exr, std::int32_t width, std::int32_t height) {
+  const std::vector<std::int32_t> box{0, 0, width - 1, height - 1};
+  return with_box(with_box(exr, "dataWindow", box), "displayWindow", box);
+}
+
+}  // namespace
+
+TEST(ImageBrokenFiles, AnEmptyFileIsNoPicture) {
+  const ScratchFolder folder("broken-empty");
+  for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"})
+    EXPECT_EQ(outcome_of(folder, name, ""),
+              (folder.path() / name).string() + ": is empty, expected a picture");
+}
+
+TEST(ImageBrokenFiles, TextIsNoPictureUnderAnyName) {
+  const ScratchFolder folder("broken-text");
+  const std::string text = "Rendering failed: out of memory\n" + std::string(2000, 'x');
+  for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"}) {
+    const auto outcome = outcome_of(folder, name, text);
+    EXPECT_TRUE(is_quiet_error(outcome)) << name << ": " << outcome;
+  }
+}
+
+TEST(ImageBrokenFiles, APictureUnderAnotherFormatsNameIsRefused) {
+  const ScratchFolder folder("broken-name");
+  const std::string png = png_bytes(1, 1, 8, 0, std::string("\0\x40", 2));
+  const auto outcome = outcome_of(folder, "a.exr", png);
+  EXPECT_TRUE(is_quiet_error(outcome)) << outcome;
+  EXPECT_NE(outcome.find("is no readable .exr picture"), std::string::npos) << outcome;
+}
+
+TEST(ImageBrokenFiles, AnExrTornAnywhereIsRefused) {
+  const ScratchFolder folder("broken-torn");
+  const std::string whole = exr_bytes(folder, 24, 40);
+  ASSERT_EQ(outcome_of(folder, "whole.exr", whole), "read");
+  for (std::size_t length = 1; length < whole.size(); length += 61) {
+    const auto outcome = outcome_of(folder, "a.exr", whole.substr(0, length));
+    EXPECT_TRUE(is_quiet_error(outcome))
+        << "first " << length << " of " << whole.size() << " bytes: " << outcome;
+  }
+}
+
+TEST(ImageBrokenFiles, AnExrWithFlippedBytesIsReadOrRefusedButNeverCrashes) {
+  const ScratchFolder folder("broken-flipped");
+  const std::string whole = exr_bytes(folder, 24, 40);
+  for (std::size_t at = 0; at < whole.size(); at += 13) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(~flipped[at]);
+    const auto outcome = outcome_of(folder, "a.exr", flipped);
+    EXPECT_TRUE(outcome == "read" || is_quiet_error(outcome)) << "byte " << at << ": " << outcome;
+  }
+}
+
+TEST(ImageBrokenFiles, AHeaderThatClaimsAnImpossibleSizeIsRefusedBeforeMemoryIsAskedFor) {
+  const ScratchFolder folder("broken-huge");
+  EXPECT_EQ(outcome_of(folder, "a.pfm", "PF\n40000 40000\n-1.0\n0123456789ab"),
+            (folder.path() / "a.pfm").string() +
+                ": the header says 40000 x 40000 px with 3 channels; at most 536870912 values are read");
+  const std::string whole = exr_bytes(folder, 4, 4);
+  for (const auto& [width, height] :
+       {std::pair{0, 0}, std::pair{-5, -5}, std::pair{2000000000, 2000000000}, std::pair{200000000, 4}}) {
+    const auto outcome = outcome_of(folder, "a.exr", with_size(whole, width, height));
+    EXPECT_TRUE(is_quiet_error(outcome)) << width << " x " << height << ": " << outcome;
+  }
+}
+
+TEST(ImageBrokenFiles, ACroppedExrIsRefusedBecauseItsPixelsWouldBeShifted) {
+  const ScratchFolder folder("broken-cropped");
+  const auto outcome =
+      outcome_of(folder, "a.exr", with_box(exr_bytes(folder, 4, 4), "displayWindow", {-1, 0, 6, 3}));
+  EXPECT_NE(outcome.find("the stored pixels (4 x 4 at 0, 0) are not the whole picture (8 x 4 at -1, 0)"),
+            std::string::npos)
+      << outcome;
+}
+
+TEST(ImageBrokenFiles, APngTornAnywhereOrWithAFlippedByteIsRefusedQuietly) {
+  const ScratchFolder folder("broken-png");
+  Image picture = make_image(9, 7, {"R", "G", "B"});
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] = static_cast<float>(i % 17) / 17.0F;
+  write_png(picture, folder.path() / "whole.png");
+  const std::string whole = orbs::read_file(folder.path() / "whole.png");
+  for (std::size_t at = 0; at < whole.size(); at += 3) {
+    const auto torn = outcome_of(folder, "a.png", whole.substr(0, at));
+    EXPECT_TRUE(is_quiet_error(torn)) << "first " << at << " bytes: " << torn;
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(~flipped[at]);
+    const auto outcome = outcome_of(folder, "a.png", flipped);
+    EXPECT_TRUE(is_quiet_error(outcome)) << "byte " << at << ": " << outcome;
+  }
+}
+
+TEST(ImageBrokenFiles, APngWithAnImpossibleHeaderIsRefusedQuietly) {
+  const ScratchFolder folder("broken-png-header");
+  const std::string row("\0\x40", 2);
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(2000000000, 2000000000, 8, 0, row)),
+            (folder.path() / "a.png").string() + ": the PNG header says 2000000000 x 2000000000 px");
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(0, 1, 8, 0, row)),
+            (folder.path() / "a.png").string() + ": the PNG header says 0 x 1 px");
+  EXPECT_EQ(
+      outcome_of(folder, "a.png", png_bytes(1, 1, 7, 0, row)),
+      (folder.path() / "a.png").string() + ": the PNG header holds a pixel format that PNG does not have");
+}
+
+TEST(ImageBrokenFiles, APngWithoutPixelsIsRefused) {
+  const std::string whole = png_bytes(1, 1, 8, 0, std::string("\0\x40", 2));
+  const auto pixels = whole.find("IDAT") - 4;
+  const auto end = whole.find("IEND") - 4;
+  try {
+    pixel_chunks(whole.substr(0, pixels) + whole.substr(end));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "the PNG has no pixels");
+  }
+}
+
+TEST(ImageBrokenFiles, AJpegWithoutItsEndIsRefused) {
+  const ScratchFolder folder("broken-jpeg");
+  // Start of image, start of scan and entropy-coded data, then nothing: as much as the check looks at.
+  const auto outcome =
+      outcome_of(folder, "a.jpg", std::string("\xff\xd8\xff\xda\x00\x08\x12\x34\xff\x00\x56", 11));
+  EXPECT_EQ(outcome, (folder.path() / "a.jpg").string() + ": is no whole JPEG: the end marker is missing");
+}
