@@ -293,11 +293,20 @@ def add_object(name, data, matrix=None):
     item = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(item)
     if matrix is not None:
-        item.matrix_world = matrix
+        # An object's own transform is location, rotation and scale, which cannot hold a shear; the matrix between a
+        # parent and its child is taken as it is.
+        item.parent = world_frame()
+        item.matrix_parent_inverse = matrix
     # Cycles moves the start of grazing shadow rays off smooth surfaces by default (0.1), which changes the shadows.
     item.cycles.shadow_terminator_geometry_offset = 0.0
     item.cycles.shadow_terminator_offset = 0.0
     return item
+
+
+def world_frame():
+    """The empty at the origin that every placed object hangs on."""
+    name = "orbs world frame"
+    return bpy.data.objects.get(name) or add_object(name, None)
 
 
 # --- the renderer -------------------------------------------------------------------------------------------------------
@@ -339,12 +348,15 @@ def render(output):
     scene.render.film_transparent = False
     scene.render.use_compositing = scene.render.use_sequencer = False
     scene.render.dither_intensity = 0.0
-    scene.render.use_file_extension = False
-    temporary = f"{output}.{os.getpid()}.part"
-    scene.render.filepath = temporary
+    for name in dir(scene.render):
+        if name.startswith("use_stamp"):
+            setattr(scene.render, name, False)  # no dates and durations in the file: same picture, same bytes
     start = time.perf_counter()
-    bpy.ops.render.render(write_still=True)
+    bpy.ops.render.render()
     print(f"orbs: render_seconds {time.perf_counter() - start:.6f}", flush=True)
+    # save_render and not write_still, which takes a # in a path for the frame number.
+    temporary = f"{output}.{os.getpid()}.part"
+    bpy.data.images["Render Result"].save_render(temporary, scene=scene)
     if not os.path.exists(temporary):
         raise SceneError("Blender wrote no picture")
     os.replace(temporary, output)

@@ -17,8 +17,8 @@ Job make_job(const registry::Renderer& renderer,
              const std::filesystem::path& folder) {
   Job job;
   job.folder = folder;
-  job.scene_file = folder / "scene" /
-                   (renderer.scene_format == registry::SceneFormat::Povray ? "scene.pov" : "scene.json");
+  const bool is_povray = renderer.scene_format == registry::SceneFormat::Povray;
+  job.scene_file = folder / (is_povray ? "scene.pov" : "scene.json");
   job.image = folder / "result.exr";
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;

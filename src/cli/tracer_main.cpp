@@ -103,8 +103,9 @@ void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
     fmt::print(stderr, "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
                r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
   if (as_json)
-    fmt::print("{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
-               r.samples_per_pixel, r.seconds, r.cpu_seconds, r.bad_samples.count);
+    fmt::print("{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
+               "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
+               r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
   fmt::print("orbs: render_seconds {:.4f}\n", r.seconds);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 struct Glyph {
   char character;
-  std::array<std::uint8_t, kGlyphHeight_px> rows;  // five dots a row, the leftmost is the highest bit
+  std::array<std::uint8_t, kGlyphHeightPx> rows;  // five dots a row, the leftmost is the highest bit
 };
 
 constexpr std::array kGlyphs{
@@ -29,7 +29,7 @@ constexpr std::array kGlyphs{
     Glyph{'e', {0b00000, 0b00000, 0b01110, 0b10001, 0b11111, 0b10000, 0b01110}},
 };
 
-constexpr int kAdvance_px = kGlyphWidth_px + 1;
+constexpr int kAdvancePx = kGlyphWidthPx + 1;
 
 void fill_dot(Image& image, int left, int top, int zoom, float value) {
   for (int y = top; y < top + zoom; ++y)
@@ -40,9 +40,9 @@ void fill_dot(Image& image, int left, int top, int zoom, float value) {
 }
 
 void draw_glyph(Image& image, int x, int y, const Glyph& glyph, int zoom, float value) {
-  for (int row = 0; row < kGlyphHeight_px; ++row)
-    for (int column = 0; column < kGlyphWidth_px; ++column)
-      if ((glyph.rows[static_cast<std::size_t>(row)] >> (kGlyphWidth_px - 1 - column) & 1) != 0)
+  for (int row = 0; row < kGlyphHeightPx; ++row)
+    for (int column = 0; column < kGlyphWidthPx; ++column)
+      if ((glyph.rows[static_cast<std::size_t>(row)] >> (kGlyphWidthPx - 1 - column) & 1) != 0)
         fill_dot(image, x + column * zoom, y + row * zoom, zoom, value);
 }
 
@@ -50,14 +50,14 @@ void draw_glyph(Image& image, int x, int y, const Glyph& glyph, int zoom, float 
 
 int text_width_px(std::string_view text, int zoom) {
   if (text.empty()) return 0;
-  return zoom * (static_cast<int>(text.size()) * kAdvance_px - 1);
+  return zoom * (static_cast<int>(text.size()) * kAdvancePx - 1);
 }
 
 void draw_text(Image& image, int x, int y, std::string_view text, int zoom, float value) {
   for (const char character : text) {
     for (const Glyph& glyph : kGlyphs)
       if (glyph.character == character) draw_glyph(image, x, y, glyph, zoom, value);
-    x += kAdvance_px * zoom;
+    x += kAdvancePx * zoom;
   }
 }
 

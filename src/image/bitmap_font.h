@@ -6,8 +6,8 @@
 
 namespace orbs::image {
 
-constexpr int kGlyphWidth_px = 5;
-constexpr int kGlyphHeight_px = 7;
+constexpr int kGlyphWidthPx = 5;
+constexpr int kGlyphHeightPx = 7;
 
 /// Width of draw_text's result: glyphs of five pixels with one pixel between them, all times `zoom`.
 int text_width_px(std::string_view text, int zoom);

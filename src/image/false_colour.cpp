@@ -108,7 +108,7 @@ Layout layout_of(const Image& map) {
   constexpr int kLinesOfText = 3;
   const int bar_left = map.width + 6 * zoom;
   const int bar_right = bar_left + 12 * zoom;
-  return {zoom, std::max(map.height, kLinesOfText * (kGlyphHeight_px + 2) * zoom), bar_left, bar_right,
+  return {zoom, std::max(map.height, kLinesOfText * (kGlyphHeightPx + 2) * zoom), bar_left, bar_right,
           bar_right + 3 * zoom};
 }
 
@@ -137,7 +137,7 @@ void draw_scale_bar(Image& picture, const Layout& layout, const Colouring& colou
   }
   constexpr float kInk = 0.9F;
   for (const Label& label : labels_of(colouring.scale, colouring.maximum)) {
-    const int room = layout.height - kGlyphHeight_px * layout.zoom;
+    const int room = layout.height - kGlyphHeightPx * layout.zoom;
     const int top = static_cast<int>(std::lround((1.0 - label.height_share) * room));
     draw_text(picture, layout.text_left, top, label.text, layout.zoom, kInk);
   }

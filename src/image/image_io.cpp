@@ -5,6 +5,7 @@
 #include "image/png_chunks.h"
 
 #include <algorithm>
+#include <bit>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -177,7 +178,7 @@ void check_range_of_half(const Image& image, const std::filesystem::path& file) 
 
 void encode_and_write(const char* format,
                       const OIIO::ImageSpec& spec,
-                      OIIO::TypeDesc type,
+                      const OIIO::TypeDesc& type,
                       const void* pixels,
                       const std::filesystem::path& file) {
   auto output = OIIO::ImageOutput::create(format);
@@ -206,19 +207,49 @@ Image read_image(const std::filesystem::path& file) {
   });
 }
 
-void write_exr(const Image& image, const std::filesystem::path& file, Precision precision) {
-  check_names(image, file);
-  if (precision == Precision::Half) check_range_of_half(image, file);
+namespace {
+
+bool is_variance(const std::string& channel) { return channel.starts_with("variance."); }
+
+// `value` with 8 significant bits, to nearest; NaN and infinities stay what they are.
+float shortened(float value) {
+  constexpr std::uint32_t kDropped = 16;  // of the 23 stored bits
+  if (!std::isfinite(value)) return value;
+  const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (kDropped - 1));
+  return std::bit_cast<float>(bits >> kDropped << kDropped);
+}
+
+Image with_short_variances(const Image& image) {
+  Image out = image;
+  for (std::size_t c = 0; c < out.channel_count(); ++c)
+    if (is_variance(out.channels[c]))
+      for (std::size_t i = c; i < out.pixels.size(); i += out.channel_count()) out.pixels[i] = shortened(out.pixels[i]);
+  return out;
+}
+
+void write_channels(const Image& image, const std::filesystem::path& file, OIIO::TypeDesc colour_format) {
   guarded(file, [&] {
-    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_count()),
-                         precision == Precision::Half ? OIIO::TypeHalf : OIIO::TypeFloat);
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_count()), colour_format);
     spec.channelnames = image.channels;
+    for (const auto& channel : image.channels)
+      spec.channelformats.push_back(is_variance(channel) ? OIIO::TypeFloat : colour_format);
     // Without a DateTime the library writes the time of writing, and equal pictures would be unequal files.
     spec.attribute("DateTime", "");
     for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
     spec.attribute("compression", "zip");
     encode_and_write("exr", spec, OIIO::TypeFloat, image.pixels.data(), file);
   });
+}
+
+}  // namespace
+
+void write_exr(const Image& image, const std::filesystem::path& file, Precision precision) {
+  check_names(image, file);
+  if (precision == Precision::Half) {
+    check_range_of_half(image, file);
+    return write_channels(with_short_variances(image), file, OIIO::TypeHalf);
+  }
+  write_channels(image, file, OIIO::TypeFloat);
 }
 
 void write_png(const Image& image, const std::filesystem::path& file) {

@@ -16,7 +16,7 @@ namespace {
 // (CRC).
 constexpr std::string_view kSignature{"\x89PNG\r\n\x1a\n", 8};
 constexpr std::size_t kHeaderBytes = 13;
-constexpr std::uint32_t kLargestSide_px = 1000000;  // libpng's own limit
+constexpr std::uint32_t kLargestSidePx = 1000000;  // libpng's own limit
 
 constexpr std::array<std::uint32_t, 256> crc_table() {
   std::array<std::uint32_t, 256> table{};
@@ -83,7 +83,7 @@ void check_header(const Chunk& chunk) {
     throw InputError("the PNG does not start with its header IHDR");
   const std::uint32_t width = word_at(chunk.data, 0);
   const std::uint32_t height = word_at(chunk.data, 4);
-  if (width == 0 || height == 0 || width > kLargestSide_px || height > kLargestSide_px)
+  if (width == 0 || height == 0 || width > kLargestSidePx || height > kLargestSidePx)
     throw InputError(fmt::format("the PNG header says {} x {} px", width, height));
   if (!is_depth_of_colour_type(chunk.data[8], chunk.data[9]) || chunk.data[10] != 0 || chunk.data[11] != 0 ||
       chunk.data[12] < 0 || chunk.data[12] > 1)

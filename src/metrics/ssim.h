@@ -18,7 +18,7 @@ namespace orbs::metrics {
 namespace ssim {
 
 constexpr int kRadius = 5;  // 11 x 11 pixels
-constexpr double kSigma_px = 1.5;
+constexpr double kSigmaPx = 1.5;
 constexpr double kC1 = 0.01 * 0.01;  // (K1 L)^2 with L = 1
 constexpr double kC2 = 0.03 * 0.03;  // (K2 L)^2
 
@@ -28,7 +28,7 @@ inline Weights window_weights() {
   Weights weights{};
   double sum = 0.0;
   for (int i = 0; i <= kRadius; ++i) {
-    const double weight = std::exp(-0.5 * i * i / (kSigma_px * kSigma_px));
+    const double weight = std::exp(-0.5 * i * i / (kSigmaPx * kSigmaPx));
     weights[static_cast<std::size_t>(i)] = weight;
     sum += i == 0 ? weight : 2.0 * weight;
   }

@@ -124,6 +124,7 @@ Renderer load_renderer(ObjectReader in) {
   renderer.executable = template_text(in, "executable", places);
   if (in.has("version_command"))
     renderer.version_command = template_texts(in, "version_command", executable_placeholders());
+  renderer.version_prefix = in.text_or("version_prefix", "");
   const auto format = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray"});
   renderer.scene_format = format == "povray" ? SceneFormat::Povray : SceneFormat::OrbsScene;
   if (in.has("scene_settings")) {

@@ -47,6 +47,8 @@ struct Renderer {
   std::string name;
   std::string executable;  // a path with placeholders, or a program on PATH
   std::vector<std::string> version_command;
+  std::string
+      version_prefix;  // how the line of its output starts that says the version; "" for the first line
   SceneFormat scene_format = SceneFormat::OrbsScene;
   std::map<std::string, double>
       scene_settings;  // numbers for the exporter of the format; which, it says itself

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -52,26 +51,6 @@ std::string cell_text(const Cell& cell, const TableStyle& style) {
 
 using Row = std::vector<std::string>;
 
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i == widths.size()) widths.push_back(0);
-      widths[i] = std::max(widths[i], display_width(row[i]));
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) line += "  ";
-      line += i + 1 == row.size() ? row[i] : padded(row[i], widths[i]);
-    }
-    text += line;
-    text += '\n';
-  }
-  return text;
-}
-
 std::string requirement_table(const RunRecord& run, const TableStyle& style) {
   std::vector<Row> rows{{"", "requirement"}};
   for (const auto& renderer : run.renderers) rows[0].push_back(fmt::format("    dB {}", renderer.name));
@@ -107,30 +86,33 @@ std::string renderer_lines(const RunRecord& run) {
   return aligned(rows);
 }
 
-// One line per picture that is neither a pass nor unsupported; of what is unsupported, one per renderer and
-// reason.
+// One line for all pictures of a renderer and requirement of which the same is said; failures before what is
+// unsupported.
 std::string remarks(const RunRecord& run, const TableStyle& style) {
-  std::vector<Row> rows;
-  std::vector<std::pair<Row, std::string>> unsupported;
+  struct Remark {
+    const results::PictureRecord* first;
+    std::string pictures;
+  };
+  std::vector<Remark> remarks;
   for (const auto& picture : run.pictures) {
     if (picture.verdict == Verdict::Pass) continue;
-    const auto verdict = painted(std::string(verdict_name(picture.verdict)), picture.verdict, style);
-    if (picture.verdict != Verdict::Unsupported) {
-      rows.push_back({verdict, picture.renderer, picture.requirement, picture.picture, picture.sentence});
-      continue;
-    }
-    const auto same = std::find_if(unsupported.begin(), unsupported.end(), [&](const auto& entry) {
-      return entry.second == picture.renderer + "\n" + picture.requirement + "\n" + picture.sentence;
+    const auto same = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& remark) {
+      const auto& first = *remark.first;
+      return first.renderer == picture.renderer && first.requirement == picture.requirement &&
+             first.verdict == picture.verdict && first.sentence == picture.sentence;
     });
-    if (same != unsupported.end()) {
-      same->first[3] += ", " + picture.picture;
+    if (same == remarks.end()) {
+      remarks.push_back({&picture, picture.picture});
     } else {
-      unsupported.push_back(
-          {{verdict, picture.renderer, picture.requirement, picture.picture, picture.sentence},
-           picture.renderer + "\n" + picture.requirement + "\n" + picture.sentence});
+      same->pictures += fmt::format(", {}", picture.picture);
     }
   }
-  for (auto& [row, key] : unsupported) rows.push_back(std::move(row));
+  std::stable_partition(remarks.begin(), remarks.end(),
+                        [](const Remark& remark) { return remark.first->verdict != Verdict::Unsupported; });
+  std::vector<Row> rows;
+  for (const auto& [first, pictures] : remarks)
+    rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
+                    first->renderer, first->requirement, pictures, first->sentence});
   return aligned(rows);
 }
 
@@ -160,6 +142,26 @@ std::string padded(std::string_view text, std::size_t width) {
   std::string out(text);
   out.append(width - std::min(width, display_width(text)), ' ');
   return out;
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i == widths.size()) widths.push_back(0);
+      widths[i] = std::max(widths[i], display_width(row[i]));
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) line += "  ";
+      line += i + 1 == row.size() ? row[i] : padded(row[i], widths[i]);
+    }
+    text += line;
+    text += '\n';
+  }
+  return text;
 }
 
 std::string decibels(const std::optional<double>& value) {

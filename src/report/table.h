@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace orbs::report {
 
@@ -25,6 +26,9 @@ std::size_t display_width(std::string_view text);
 
 /// `text` with spaces behind it up to `width` columns.
 std::string padded(std::string_view text, std::size_t width);
+
+/// Rows of cells as lines, each column as wide as its widest cell.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
 /// "41.20", "inf", "-" for none.
 std::string decibels(const std::optional<double>& value);

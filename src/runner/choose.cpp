@@ -76,11 +76,17 @@ std::vector<Case> choose_cases(const std::vector<Case>& all, const registry::Def
   return chosen;
 }
 
+std::string program_name(const registry::Renderer& renderer,
+                         const std::filesystem::path& root,
+                         const std::filesystem::path& build) {
+  return registry::fill_placeholders(renderer.executable,
+                                     {{"root", root.string()}, {"build", build.string()}});
+}
+
 std::optional<std::filesystem::path> installed_executable(const registry::Renderer& renderer,
                                                           const std::filesystem::path& root,
                                                           const std::filesystem::path& build) {
-  return adapters::find_program(
-      registry::fill_placeholders(renderer.executable, {{"root", root.string()}, {"build", build.string()}}));
+  return adapters::find_program(program_name(renderer, root, build));
 }
 
 void choose_renderers(const registry::Configuration& configuration, Plan& plan) {
@@ -102,10 +108,10 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
     } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end()) {
       throw InputError(
           fmt::format("renderer '{}': there is no program '{}' here; install it, or name another with -e",
-                      renderer.name, renderer.executable));
+                      renderer.name, program_name(renderer, plan.root, plan.build)));
     } else {
-      plan.left_out.push_back(
-          {renderer.name, fmt::format("there is no program '{}' here", renderer.executable)});
+      plan.left_out.push_back({renderer.name, fmt::format("there is no program '{}' here",
+                                                          program_name(renderer, plan.root, plan.build))});
       continue;
     }
     plan.renderers.push_back(std::move(chosen));

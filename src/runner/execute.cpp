@@ -140,8 +140,12 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   if (process.timed_out)
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
   for (const auto& line : split(process.output, '\n'))
-    if (const auto text = trim(line); !text.empty()) return std::string(text);
-  return "unknown: its version command prints nothing";
+    if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))
+      return std::string(text);
+  return renderer.entry.version_prefix.empty()
+             ? "unknown: its version command prints nothing"
+             : fmt::format("unknown: its version command prints no line that starts '{}'",
+                           renderer.entry.version_prefix);
 }
 
 }  // namespace orbs::runner

@@ -27,7 +27,8 @@ Execution execute(const Plan& plan,
 /// The record of a job that is not run any more.
 results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 
-/// First line that is not empty of what the version command prints; "unknown" with the reason when it fails,
+/// The first line of what the version command prints that is not empty and starts with version_prefix;
+/// "unknown" with the reason when it fails,
 /// "" when the renderer has no such command.
 std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan);
 

@@ -21,8 +21,8 @@ using results::Check;
 using results::PictureRecord;
 using results::Verdict;
 
-std::string number_text(double value) {
-  return std::isinf(value) ? "infinite" : fmt::format("{:.4g}", value);
+std::string number_text(double value, const std::string& unit) {
+  return std::isinf(value) ? "infinite" : fmt::format("{:.4g}{}{}", value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
 }
 
 // With half a dB to spare for what the delta method leaves out.
@@ -48,13 +48,13 @@ GateResult check_gate(const registry::Gate& gate,
                       std::optional<double> noise_db) {
   if (!value) return {Verdict::Inconclusive, fmt::format("{} has no value for this picture", gate.metric)};
   const std::string unit(metrics::find_metric(gate.metric).unit);
-  const auto is = fmt::format("{} is {} {}", gate.metric, number_text(*value), unit);
+  const auto is = fmt::format("{} is {}", gate.metric, number_text(*value, unit));
   if (gate.min && !(*value >= *gate.min)) {
     // A right picture with this noise would measure the same, so the gate cannot tell the two apart.
     if (gate.metric == "psnr_srgb8" && noise_db && *value >= *noise_db - kNoiseSlack_db)
       return {Verdict::Inconclusive,
               fmt::format("{}, at least {} is needed, but noise alone gives {}: more samples are needed", is,
-                          *gate.min, number_text(*noise_db))};
+                          *gate.min, number_text(*noise_db, unit))};
     return {Verdict::Fail, fmt::format("{}, at least {} is needed", is, *gate.min)};
   }
   if (gate.max && !(*value <= *gate.max))

@@ -37,7 +37,7 @@ Outcome picture_outcome(const adapters::Job& job) {
   try {
     picture = image::read_image(job.image);
   } catch (const InputError& e) {
-    return {Verdict::NoOutput, fmt::format("{} cannot be read: {}", name, e.what()), {}};
+    return {Verdict::NoOutput, e.what(), {}};
   }
   if (picture.width != job.width_px || picture.height != job.height_px)
     return {Verdict::WrongSize,

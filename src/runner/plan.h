@@ -71,6 +71,11 @@ adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job);
 /// The job with all paths, in the run folder `run_folder`.
 adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder);
 
+/// The renderer's program with its placeholders filled: a path or a name.
+std::string program_name(const registry::Renderer& renderer,
+                         const std::filesystem::path& root,
+                         const std::filesystem::path& build);
+
 /// What there is of a renderer's executable on this machine; nothing when there is none.
 std::optional<std::filesystem::path> installed_executable(const registry::Renderer& renderer,
                                                           const std::filesystem::path& root,

@@ -75,6 +75,7 @@ class TileWorker {
   }
 
   const BadSamples& bad_samples() const { return bad_; }
+  double traversal_seconds() const { return wave_.traversal_seconds; }
 
  private:
   std::size_t pixel_index(int x, int y) const {
@@ -139,6 +140,7 @@ Rendering render(const World& world,
       worker.trace(tile_at(film, index), passes[p]);
       const std::lock_guard lock(mutex);
       merge(out.bad_samples, worker.bad_samples());
+      out.traversal_seconds += worker.traversal_seconds();
       const double done = (static_cast<double>(p) + static_cast<double>(++tiles_done) / tiles) / static_cast<double>(passes.size());
       report({done, out.samples_per_pixel, seconds()});
     });

@@ -28,6 +28,7 @@ struct Rendering {
   int samples_per_pixel = 0;  // fewer than asked for after a stop
   double seconds = 0;         // wall clock of the rendering alone
   double cpu_seconds = 0;
+  double traversal_seconds = 0;  // of all threads, inside the accelerator; wall clock, so it grows when cores are shared
   BadSamples bad_samples;
 };
 

@@ -36,6 +36,12 @@ constexpr std::uint32_t hash(std::uint32_t x) {
   return x;
 }
 
+// The seed is well mixed already; one multiplication tells the dimensions apart.
+constexpr std::uint32_t seed_of_dimension(std::uint32_t seed, std::uint32_t dimension) {
+  const std::uint32_t x = (seed + (dimension + 1U) * 0x9e3779b9U) * 0x2c1b3c6dU;
+  return x ^ (x >> 15);
+}
+
 using Table = std::array<std::array<std::uint32_t, 4>, kBlock>;
 
 // Direction numbers of dimensions 1 to 4 by the recurrence of Joe and Kuo: degree s, coefficients a, initial m.
@@ -89,7 +95,7 @@ std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t 
   const std::uint32_t seed = hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(purpose) + 1U));
   const std::uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed));
   std::array<std::uint32_t, 4> bits = kTable[shuffled & (kBlock - 1)];
-  for (std::uint32_t d = 0; d < 4; ++d) bits[d] = reverse_bits(scramble_reversed(bits[d], hash(seed + d + 1U)));
+  for (std::uint32_t d = 0; d < 4; ++d) bits[d] = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
   std::array<float, 4> out{};
   // 24 bits: more would round to 1.0f at the top.
   for (std::uint32_t d = 0; d < 4; ++d) out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;

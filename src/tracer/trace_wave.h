@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -44,6 +45,7 @@ struct PathState {
   float radiance_scale = 1;  // see BsdfSample
   int scatterings = 0;
   PathClass events;
+  Vec2f first_light;  // the half of the first set of numbers that the pixel position leaves
 };
 
 template <Transport T>
@@ -65,6 +67,7 @@ struct Wave {
   std::vector<std::uint8_t> blocked;
   std::vector<ClassedLight> classed;  // filled when split_paths
   bool split_paths = false;
+  double traversal_seconds = 0;  // spent inside the accelerator, all waves together
 };
 
 template <Transport T>
@@ -126,16 +129,17 @@ struct DirectLight {
 
 std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v);
 
-/// Numbers for choosing a light and a point on it. The first one shares its set with the pixel position: stratifying the four
+/// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position: stratifying the four
 /// together is what keeps the fast convergence of direct light.
-inline std::array<float, 3> light_numbers(const World& world, const Sample& sample, std::uint32_t bounce) {
-  const bool needs_pick = world.emitters.size() > 1;
-  if (bounce > 0) {
-    const auto u = draw(sample.block, sample.index, bounce, Purpose::Light);
-    return {u[0], u[1], u[2]};
+template <Transport T>
+std::array<float, 3> light_numbers(const World& world, const PathState<T>& path, const Sample& sample) {
+  const auto bounce = static_cast<std::uint32_t>(path.scatterings);
+  if (bounce == 0) {
+    const float pick = world.emitters.size() > 1 ? draw(sample.block, sample.index, 0, Purpose::LightPick)[0] : 0;
+    return {pick, path.first_light.x, path.first_light.y};
   }
-  const auto u = draw(sample.block, sample.index, 0, Purpose::PixelAndFirstLight);
-  return {needs_pick ? draw(sample.block, sample.index, 0, Purpose::LightPick)[0] : 0, u[2], u[3]};
+  const auto u = draw(sample.block, sample.index, bounce, Purpose::Light);
+  return {u[0], u[1], u[2]};
 }
 
 template <Transport T>
@@ -156,7 +160,7 @@ inline bool sides_agree(const SurfacePoint& point, Vec3f shading_normal, Vec3f d
 template <Transport T>
 void ask_for_direct_light(Wave<T>& wave, const World& world, std::uint32_t index, const Sample& sample, const Vertex<T>& vertex) {
   const PathState<T>& path = wave.paths[index];
-  const auto [pick, u, v] = light_numbers(world, sample, static_cast<std::uint32_t>(path.scatterings));
+  const auto [pick, u, v] = light_numbers<T>(world, path, sample);
   const auto light = sample_light(world, vertex.point.position, pick, u, v);
   if (!light) return;
   const Vec3f direction = normalised(light->target - vertex.point.position);
@@ -240,15 +244,24 @@ void start_paths(Wave<T>& wave, const World& world, std::span<const Sample> samp
     const auto u = draw(samples[i].block, samples[i].index, 0, Purpose::PixelAndFirstLight);
     PathState<T>& path = wave.paths[i];
     path.sample = i;
+    path.first_light = {u[2], u[3]};
     path.ray = camera_ray(world.camera, static_cast<float>(samples[i].x) + u[0], static_cast<float>(samples[i].y) + u[1]);
     wave.active[i] = i;
   }
 }
 
+/// Runs a traversal and adds its time: twice per wave and bounce, for hundreds of rays at a time, so that the clock costs nothing.
+template <Transport T, typename F>
+void timed_traversal(Wave<T>& wave, const F& traverse) {
+  const auto start = std::chrono::steady_clock::now();
+  traverse();
+  wave.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 template <Transport T>
 void settle_shadows(Wave<T>& wave, const World& world) {
   wave.blocked.resize(wave.shadow_rays.size());
-  world.accel->occluded(wave.shadow_rays, wave.blocked);
+  timed_traversal(wave, [&] { world.accel->occluded(wave.shadow_rays, wave.blocked); });
   for (std::size_t i = 0; i < wave.shadows.size(); ++i)
     if (wave.blocked[i] == 0) add_light(wave, wave.paths[wave.shadows[i].path], wave.shadows[i].light, wave.shadows[i].path_class);
 }
@@ -261,7 +274,7 @@ void trace_wave(Wave<T>& wave, const World& world, std::span<const Sample> sampl
     wave.rays.clear();
     for (const std::uint32_t path : wave.active) wave.rays.push_back(wave.paths[path].ray);
     wave.hits.resize(wave.rays.size());
-    world.accel->intersect(wave.rays, wave.hits);
+    timed_traversal(wave, [&] { world.accel->intersect(wave.rays, wave.hits); });
     wave.shadow_rays.clear();
     wave.shadows.clear();
     std::size_t alive = 0;

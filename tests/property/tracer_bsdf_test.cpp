@@ -95,7 +95,7 @@ TEST(Bsdf, NoneReflectsMoreThanItReceives) {
       for (int i = 0; i < kSamples; ++i)
         if (const auto chosen = sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i)))) sum += chosen->weight.x / chosen->radiance_scale;
       EXPECT_LT(sum / kSamples, 1 + 1e-5) << name;
-      EXPECT_GT(sum / kSamples, 0.5) << name;
+      EXPECT_GT(sum / kSamples, 0.4) << name;  // the lowest: ggx 0.8 seen at 81 degrees, which masks more than half
     }
 }
 

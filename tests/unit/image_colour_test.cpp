@@ -15,6 +15,9 @@ TEST(ImageColour, EncodingFollowsTheTwoBranchesOfOrbs) {
   EXPECT_EQ(srgb_encode(0.0F), 0.0F);
   EXPECT_FLOAT_EQ(srgb_encode(0.001F), 0.01292F);
   EXPECT_FLOAT_EQ(srgb_encode(0.0031308F), 12.92F * 0.0031308F);
+  // Just above the joint at 0.0031308 the two differ: 1.055 * 0.004^(1/2.4) - 0.055 = 0.0507087, 12.92 *
+  // 0.004 = 0.0516800.
+  EXPECT_NEAR(srgb_encode(0.004F), 0.0507087F, 1e-6F);
   // 0.5^(1/2.4) = 0.7491535, so 1.055 * 0.7491535 - 0.055 = 0.7353570.
   EXPECT_NEAR(srgb_encode(0.5F), 0.7353570F, 2e-7F);
   EXPECT_NEAR(srgb_encode(1.0F), 1.0F, 1e-6F);
@@ -24,6 +27,8 @@ TEST(ImageColour, EncodingFollowsTheTwoBranchesOfOrbs) {
 TEST(ImageColour, DecodingFollowsTheTwoBranchesOfOrbs) {
   EXPECT_FLOAT_EQ(srgb_decode(0.02F), 0.02F / 12.92F);
   EXPECT_FLOAT_EQ(srgb_decode(0.04045F), 0.04045F / 12.92F);
+  // Just above the joint at 0.04045: (0.1 / 1.055)^2.4 = 0.00350102, 0.045 / 12.92 = 0.00348297.
+  EXPECT_NEAR(srgb_decode(0.045F), 0.00350102F, 1e-7F);
   EXPECT_NEAR(srgb_decode(0.5F), 0.2140411F, 2e-7F);
 }
 

@@ -43,7 +43,7 @@ std::string dots(const Image& image) {
 
 // True when `word`, drawn at some place right of `from_x`, is in the picture exactly, dot by dot.
 bool shows_text(const Image& picture, int from_x, const std::string& word, int zoom) {
-  Image drawn = make_image(text_width_px(word, zoom), kGlyphHeight_px * zoom, {"Y"});
+  Image drawn = make_image(text_width_px(word, zoom), kGlyphHeightPx * zoom, {"Y"});
   draw_text(drawn, 0, 0, word, zoom, 1.0F);
   const auto matches = [&](int left, int top) {
     for (int y = 0; y < drawn.height; ++y)
@@ -141,7 +141,7 @@ TEST(ImageFalseColour, TheDivergingBarIsLabelledWithBothSigns) {
 
 TEST(ImageFalseColour, TinyPicturesGetACanvasHighEnoughForTheDigits) {
   const Image picture = false_colour(make_image(1, 1, {"Y"}), ColourScale::Sequential, 1.0F);
-  EXPECT_GE(picture.height, 3 * kGlyphHeight_px);
+  EXPECT_GE(picture.height, 3 * kGlyphHeightPx);
   EXPECT_TRUE(shows_text(picture, 1 + 6 + 12, "1", 1));
 }
 
@@ -172,7 +172,7 @@ TEST(ImageFalseColour, TheLargestMagnitudeIgnoresSignAndWhatIsNotFinite) {
 }
 
 TEST(ImageFalseColour, DigitsAreDrawnFiveBySevenDots) {
-  Image image = make_image(text_width_px("17", 1), kGlyphHeight_px, {"Y"});
+  Image image = make_image(text_width_px("17", 1), kGlyphHeightPx, {"Y"});
   ASSERT_EQ(image.width, 11);
   draw_text(image, 0, 0, "17", 1, 1.0F);
   EXPECT_EQ(dots(image),

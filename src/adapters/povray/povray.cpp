@@ -120,8 +120,9 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
 }  // namespace
 
 int povray_aa_grid(int spp) {
-  const double rays = std::ceil(std::sqrt(static_cast<double>(std::max(spp, 1))) / 4);
-  return std::clamp(static_cast<int>(rays), 1, 9);  // POV-Ray takes 1 to 9
+  int depth = 1;  // POV-Ray takes 1 to 9
+  while (depth < 9 && spp > 1 << (2 * depth)) ++depth;
+  return depth;
 }
 
 void write_povray(const scene::Scene& scene,

@@ -40,9 +40,9 @@ struct PovraySettings {
   int photons = 0;
 };
 
-/// n of the n x n camera rays per pixel (`+Rn`) that stand for `spp` samples per pixel of a path tracer. Each
-/// ray of POV-Ray sees every lamp sample and the finished cache, so about 16 path samples go on one:
-/// ceil(sqrt(spp) / 4) within [1, 9].
+/// n of `+AM2 +Rn`: pixels whose corners differ are halved up to n times, which gives an edge 4^n places, as spp random
+/// samples do: the least n with 4^n >= spp, within POV-Ray's [1, 9]. (Its other method, an n x n grid with +AM1, took 2.5 times
+/// the time in scene 101 and missed the slivers of a lamp that an edge leaves in a row of pixels: 35 dB against 40.)
 int povray_aa_grid(int spp);
 
 /// What of the scene POV-Ray 3.7 cannot do, one sentence each; empty when it can do all of it. What it merely

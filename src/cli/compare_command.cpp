@@ -1,0 +1,92 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "image/colour.h"
+#include "image/image_io.h"
+#include "metrics/compare.h"
+#include "metrics/table.h"
+#include "runner/judge.h"
+
+#include <cmath>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct CompareOptions {
+  std::string first;
+  std::string second;
+  std::string metric;
+  std::optional<double> min;
+  std::optional<double> max;
+  std::string maps;
+  bool definitions = false;
+};
+
+// Pictures for the screen hold sRGB values; the metrics are defined on linear ones.
+image::Image read_linear(const std::string& file) {
+  auto picture = image::read_image(file);
+  if (image::is_ldr_file(file))
+    for (auto& value : picture.pixels) value = image::srgb_decode(value);
+  return picture;
+}
+
+void print_measurement(const metrics::Measurement& measurement, bool definitions) {
+  const auto& metric = *measurement.metric;
+  const auto value = !measurement.value               ? "undefined"
+                     : std::isinf(*measurement.value) ? "infinite"
+                                                      : fmt::format("{:.9g}", *measurement.value);
+  fmt::print("{:<12} {:>14} {}\n", metric.name, value, metric.unit);
+  if (definitions) fmt::print("    {}\n", metric.definition);
+}
+
+// Also true for a number that does not exist: what cannot be measured is not within a tolerance.
+bool is_beyond(const CompareOptions& options, const std::optional<double>& value) {
+  if (!options.min && !options.max) return false;
+  return !value || (options.min && !(*value >= *options.min)) || (options.max && !(*value <= *options.max));
+}
+
+int compare_files(CompareOptions options) {
+  if (options.metric.empty()) options.metric = options.min || options.max ? "psnr_srgb8" : "";
+  if (!options.metric.empty()) metrics::find_metric(options.metric);
+  const auto first = read_linear(options.first);
+  const auto second = read_linear(options.second);
+  const auto comparison = metrics::compare(first, second, {}, {metrics::NegativePixels::Allowed, 0});
+  if (comparison.alignment.alignment != metrics::Alignment::Comparable)
+    throw InputError(fmt::format("{} (the result) and {} (the reference) cannot be compared: {}",
+                                 options.first, options.second, comparison.alignment.sentence));
+  for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
+  if (!options.maps.empty()) {
+    std::error_code failed;
+    std::filesystem::create_directories(options.maps, failed);
+    if (failed)
+      throw InputError(fmt::format("{}: the folder cannot be made: {}", options.maps, failed.message()));
+    runner::write_maps(first, comparison, options.maps);
+  }
+  if (options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric))) return 0;
+  fmt::print("beyond the tolerance: {}{}{}\n", options.metric,
+             options.min ? fmt::format(", at least {} is needed", *options.min) : "",
+             options.max ? fmt::format(", at most {} is allowed", *options.max) : "");
+  return 1;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, const Program& /*program*/, Action& action) {
+  auto* command = app.add_subcommand("compare", "Compares two pictures by every metric");
+  const auto options = std::make_shared<CompareOptions>();
+  command->add_option("picture", options->first, "the result")->required();
+  command->add_option("reference", options->second, "what it should be")->required();
+  command->add_option("--metric", options->metric, "the metric of --min and --max (default: psnr_srgb8)");
+  command->add_option("--min", options->min, "least value that is within the tolerance");
+  command->add_option("--max", options->max, "greatest value that is within the tolerance");
+  command->add_option("--maps", options->maps, "folder for the error maps, EXR and PNG");
+  command->add_flag("--definitions", options->definitions, "say what each number means");
+  command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the pictures cannot be compared.");
+  command->callback([=, &action] { action = [=] { return compare_files(*options); }; });
+}
+
+}  // namespace orbs::cli

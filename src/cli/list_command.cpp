@@ -1,0 +1,106 @@
+#include "cli/commands.h"
+#include "registry/cases.h"
+#include "report/table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+using registry::Case;
+using registry::Configuration;
+
+void print_columns(const std::vector<std::vector<std::string>>& rows) {
+  fmt::print("{}", report::aligned(rows));
+}
+
+void list_suites(const Configuration& configuration) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& suite : configuration.suites) rows.push_back({suite.name, suite.cases.string()});
+  print_columns(rows);
+}
+
+void list_cases(const std::vector<Case>& cases) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& one_case : cases)
+    rows.push_back({one_case.name, one_case.requirement, one_case.title,
+                    fmt::format("{}", fmt::join(registry::picture_names(one_case), ", "))});
+  print_columns(rows);
+}
+
+void list_requirements(const std::vector<Case>& cases) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& one_case : cases)
+    if (rows.empty() || rows.back()[0] != one_case.requirement)
+      rows.push_back({one_case.requirement, one_case.title});
+  print_columns(rows);
+}
+
+void list_scenes(const std::vector<Case>& cases) {
+  std::vector<std::vector<std::string>> rows;
+  std::set<std::string> seen;
+  for (const auto& one_case : cases) {
+    for (const auto& scene : one_case.scenes)
+      if (seen.insert(scene.name).second)
+        rows.push_back(
+            {scene.name, one_case.requirement, fmt::format("{} spp", scene.spp), scene.file.string()});
+    for (const auto& difference : one_case.differences)
+      rows.push_back({difference.name, one_case.requirement, "",
+                      fmt::format("{} - {}", difference.of, difference.minus)});
+  }
+  print_columns(rows);
+}
+
+void list_renderers(const Configuration& configuration) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& renderer : configuration.renderers)
+    rows.push_back({renderer.name, registry::format_features(renderer.declares), renderer.executable});
+  print_columns(rows);
+}
+
+int list(const Configuration& configuration, const std::string& suite, const std::string& what) {
+  const bool all = what == "all";
+  const auto heading = [&](const char* title) {
+    if (all) fmt::print("{}{}\n", title == std::string_view("suites") ? "" : "\n", title);
+  };
+  const auto wants = [&](const char* title) {
+    if (!all && what != title) return false;
+    heading(title);
+    return true;
+  };
+  if (wants("suites")) list_suites(configuration);
+  if (wants("renderers")) list_renderers(configuration);
+  if (what == "suites" || what == "renderers") return 0;
+  const auto cases = registry::load_cases(registry::find_suite(configuration, suite));
+  if (wants("requirements")) list_requirements(cases);
+  if (wants("cases")) list_cases(cases);
+  if (wants("scenes")) list_scenes(cases);
+  return 0;
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, const Program& program, Action& action) {
+  auto* command = app.add_subcommand("list", "Shows suites, renderers, requirements, cases and scenes");
+  const auto configuration = add_configuration_option(*command);
+  const auto what = std::make_shared<std::string>("all");
+  const auto suite = std::make_shared<std::string>();
+  command->add_option("what", *what, "suites, renderers, requirements, cases, scenes or all")
+      ->check(CLI::IsMember({"all", "suites", "renderers", "requirements", "cases", "scenes"}));
+  command->add_option("--suite", *suite, "the suite whose cases are listed");
+  command->callback([=, &program, &action] {
+    action = [=, &program] {
+      const auto read = read_configuration(*configuration, program);
+      return list(read, suite->empty() ? read.defaults.suite : *suite, *what);
+    };
+  });
+}
+
+}  // namespace orbs::cli

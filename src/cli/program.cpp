@@ -1,0 +1,79 @@
+#include "base/error.h"
+#include "cli/commands.h"
+
+#include <exception>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr int kOurBug = 3;
+
+std::filesystem::path own_folder() {
+  std::error_code failed;
+  const auto file = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? std::filesystem::current_path() : file.parent_path();
+}
+
+int parse_and_act(int argc, char** argv, const std::string& version) {
+  Program program{version, own_folder(), {argv, argv + argc}};
+  CLI::App app{
+      "Renders small test scenes with every renderer that is configured, and says which requirements each "
+      "one meets."};
+  app.name("orbs");
+  app.set_version_flag("--version", "orbs " + version);
+  app.require_subcommand(1);
+  Action action;
+  add_run_command(app, program, action);
+  add_list_command(app, program, action);
+  add_doctor_command(app, program, action);
+  add_compare_command(app, program, action);
+  add_reference_command(app, program, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw InputError(fmt::format("{}; 'orbs --help' and 'orbs run --help' show what there is", e.what()));
+  }
+  return action();
+}
+
+}  // namespace
+
+std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
+  auto file = std::make_shared<std::string>();
+  command.add_option("--configuration", *file,
+                     "file with suites, renderers and defaults (default: the nearest configuration.json)");
+  return file;
+}
+
+registry::Configuration read_configuration(const std::string& named, const Program& program) {
+  if (!named.empty()) return registry::load_configuration(named);
+  for (const auto& from : {std::filesystem::current_path(), program.folder})
+    if (const auto file = registry::nearest_configuration(from)) return registry::load_configuration(*file);
+  throw InputError(fmt::format("there is no configuration.json in {} or above; name one with --configuration",
+                               std::filesystem::current_path().string()));
+}
+
+std::string joined_list(const std::vector<std::string>& values) {
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+int run_program(int argc, char** argv, const std::string& version) {
+  try {
+    return parse_and_act(argc, argv, version);
+  } catch (const InputError& e) {
+    fmt::print(stderr, "orbs: {}\n", e.what());
+    return kBadInput;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "orbs: internal error: {}\n", e.what());
+    return kOurBug;
+  }
+}
+
+}  // namespace orbs::cli

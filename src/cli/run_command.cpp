@@ -1,0 +1,154 @@
+#include "adapters/interrupt.h"
+#include "base/error.h"
+#include "cli/commands.h"
+#include "report/files.h"
+#include "report/table.h"
+#include "runner/run.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace orbs::cli {
+
+namespace {
+
+// What stands on the command line; what does not is left to the configuration.
+struct RunOptions {
+  std::string suite;
+  std::vector<std::string> cases, scenes, requirements, renderers;
+  std::string executable;
+  std::string output;
+  int jobs = 1;
+  int threads = 0;
+  int seed = 1;
+  double spp_scale = 1;
+  bool log = true;
+  bool dry_run = false;
+};
+
+void add_options(CLI::App& command, RunOptions& options) {
+  constexpr int kMost = 1024;
+  command.add_option("--suite", options.suite, "the suite to run");
+  command.add_option("-c,--case", options.cases,
+                     "only these cases: names or patterns like 'm*', separated by commas");
+  command.add_option("-s,--scene", options.scenes, "only these scenes");
+  command.add_option("--requirement", options.requirements, "only these requirements, for example 'M*,L3'");
+  command.add_option("-r,--renderer", options.renderers,
+                     "only these renderers (default: all that are installed)");
+  command.add_option("-e,--exec", options.executable,
+                     "program to start instead of the chosen renderer's own");
+  command.add_option("-o,--output", options.output,
+                     "new folder for the results (default: outputs-YYMMDD-HHMMSS)");
+  command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
+  command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
+      ->check(CLI::Range(0, kMost));
+  command.add_option("--seed", options.seed, "seed of all renders")->check(CLI::NonNegativeNumber);
+  command.add_option("--spp-scale", options.spp_scale, "multiplies all samples per pixel")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("-l,--log,!--no-log", options.log,
+                   "keep log.txt of every render; without, only where one goes wrong");
+  command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
+                   "print the renders and their commands, do nothing");
+}
+
+template <typename T>
+void take(const CLI::App& command, const char* option, const T& given, T& setting) {
+  if (command.count(option) > 0) setting = given;
+}
+
+void take_list(const CLI::App& command,
+               const char* option,
+               const std::vector<std::string>& given,
+               std::string& setting) {
+  if (command.count(option) > 0) setting = joined_list(given);
+}
+
+registry::Defaults settings_of(const CLI::App& command,
+                               const RunOptions& options,
+                               registry::Defaults settings) {
+  take(command, "--suite", options.suite, settings.suite);
+  take_list(command, "--case", options.cases, settings.cases);
+  take_list(command, "--scene", options.scenes, settings.scenes);
+  take_list(command, "--requirement", options.requirements, settings.requirements);
+  take_list(command, "--renderer", options.renderers, settings.renderers);
+  take(command, "--exec", options.executable, settings.executable);
+  take(command, "--output", options.output, settings.output);
+  take(command, "--jobs", options.jobs, settings.jobs);
+  take(command, "--threads", options.threads, settings.threads);
+  take(command, "--seed", options.seed, settings.seed);
+  take(command, "--spp-scale", options.spp_scale, settings.spp_scale);
+  take(command, "--log", options.log, settings.log);
+  take(command, "--dry-run", options.dry_run, settings.dry_run);
+  if (command.count("--exec") > 0 && settings.executable.empty())
+    throw InputError("-e/--exec needs a program");
+  return settings;
+}
+
+// "[ 3/28] cycles    101           pass           39.87 dB     12.3 s"
+std::string progress_line(std::size_t done,
+                          std::size_t count,
+                          const results::JobRecord& job,
+                          const std::vector<results::PictureRecord>& pictures) {
+  auto verdict = job.verdict;
+  std::string sentence = job.sentence;
+  std::optional<double> psnr;
+  for (const auto& picture : pictures) {
+    if (results::worse(verdict, picture.verdict) != verdict) sentence = picture.sentence;
+    verdict = results::worse(verdict, picture.verdict);
+    for (const auto& measure : picture.measures)
+      if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
+  }
+  const bool good = verdict == results::Verdict::Pass;
+  auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
+                          fmt::formatted_size("{}", count), count, job.renderer, job.scene,
+                          good && pictures.empty() ? "rendered" : verdict_name(verdict),
+                          report::decibels(psnr), job.wall_seconds);
+  if (!good) line += fmt::format("  {}", sentence);
+  return line;
+}
+
+int run_plan(const runner::Plan& plan, const Program& program) {
+  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
+  for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
+  runner::RunContext context;
+  context.orbs_version = program.version;
+  context.command_line = program.command_line;
+  context.stop = &adapters::catch_interrupts();
+  context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& pictures) {
+    fmt::print(stderr, "{}\n", progress_line(done, count, job, pictures));
+  };
+  const auto folder = runner::make_run_folder(plan.settings.output);
+  const auto record = runner::run(plan, folder, context);
+  report::write_reports(record, folder);
+  fmt::print("\n{}\n{:.1f} s in all; results: {}\n",
+             report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
+             folder.string());
+  return record.interrupted ? kInterrupted : results::exit_status(record);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, const Program& program, Action& action) {
+  auto* command = app.add_subcommand("run", "Renders a suite and compares with the references");
+  const auto configuration = add_configuration_option(*command);
+  const auto options = std::make_shared<RunOptions>();
+  add_options(*command, *options);
+  command->footer(
+      "Every option has a default that may stand in configuration.json under \"defaults\".\n"
+      "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run.");
+  command->callback([=, &program, &action] {
+    action = [=, &program] {
+      const auto read = read_configuration(*configuration, program);
+      const auto settings = settings_of(*command, *options, read.defaults);
+      const auto plan = runner::make_plan(read, settings, program.folder);
+      if (!settings.dry_run) return run_plan(plan, program);
+      fmt::print("{}", runner::plan_text(plan));
+      return 0;
+    };
+  });
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,148 @@
+// A tour of what a user can get wrong: status 2, one line that says what is wrong, and nothing left behind.
+#include "cli/sandbox.h"
+
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+using orbs::cli_tests::Answer;
+using orbs::cli_tests::configuration_with;
+using orbs::cli_tests::Sandbox;
+
+namespace {
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* complaint;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
+
+class BadArguments : public testing::TestWithParam<Mistake> {};
+
+void expect_refusal(const Sandbox& sandbox, const Answer& answer, const std::string& complaint) {
+  EXPECT_EQ(answer.status, 2) << answer.text;
+  EXPECT_TRUE(answer.text.starts_with("orbs: ")) << answer.text;
+  EXPECT_NE(answer.text.find(complaint), std::string::npos) << answer.text;
+  EXPECT_TRUE(sandbox.runs().empty());
+  EXPECT_FALSE(sandbox.has("out"));
+}
+
+}  // namespace
+
+TEST_P(BadArguments, AreRefusedBeforeAnythingIsCreated) {
+  const Sandbox sandbox;
+  expect_refusal(sandbox, sandbox.orbs(GetParam().arguments), GetParam().complaint);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes,
+    BadArguments,
+    testing::Values(
+        Mistake{"unknown_scene",
+                {"run", "-r", "good", "-s", "gray", "-o", "out"},
+                "no scene matches 'gray' (did you mean 'grey'?)"},
+        Mistake{"unknown_case",
+                {"run", "-r", "good", "-c", "m1_gray"},
+                "no case matches 'm1_gray' (did you mean 'm1_grey'?)"},
+        Mistake{"unknown_requirement",
+                {"run", "-r", "good", "--requirement", "M2"},
+                "no requirement matches 'M2'"},
+        Mistake{"unknown_renderer", {"run", "-r", "god"}, "no renderer matches 'god' (did you mean 'good'?)"},
+        Mistake{"filters_that_meet_nowhere",
+                {"run", "-r", "good", "-s", "mirror", "-c", "m1_grey"},
+                "no scene is left"},
+        Mistake{"unknown_suite", {"run", "--suite", "orps"}, "has no suite 'orps'"},
+        Mistake{"unknown_option", {"run", "--renderers", "good"}, "--renderers"},
+        Mistake{"unknown_command", {"rum"}, "rum"},
+        Mistake{"no_command", {}, "A subcommand is required"},
+        Mistake{"no_number", {"run", "-j", "many"}, "many"},
+        Mistake{"no_jobs", {"run", "-j", "0"}, "0"},
+        Mistake{"negative_seed", {"run", "--seed", "-1"}, "-1"},
+        Mistake{"missing_value", {"run", "-r"}, "--renderer"},
+        Mistake{"named_renderer_is_missing",
+                {"run", "-r", "absent"},
+                "there is no program '/nowhere/at/all' here"},
+        Mistake{"exec_is_not_there",
+                {"run", "-r", "good", "-e", "./nothing", "-o", "out"},
+                "./nothing: is not there or cannot be executed"},
+        Mistake{"exec_is_a_folder",
+                {"run", "-r", "good", "-e", "./cases"},
+                "./cases: is not there or cannot be executed"},
+        Mistake{"exec_cannot_be_executed",
+                {"run", "-r", "good", "-e", "./configuration.json"},
+                "cannot be executed"},
+        Mistake{"exec_of_several",
+                {"run", "-r", "good,dark", "-e", "/bin/true"},
+                "-e/--exec is the program of one renderer, but 2 are chosen"},
+        Mistake{"output_is_taken", {"run", "-r", "good", "-o", "cases"}, "exists already"},
+        Mistake{"configuration_is_missing",
+                {"run", "--configuration", "none.json"},
+                "none.json: cannot be read"}),
+    [](const auto& mistake) { return std::string(mistake.param.name); });
+
+TEST(BadFiles, ConfigurationErrorsNameFileLineAndColumn) {
+  const Sandbox sandbox;
+  sandbox.write("configuration.json", "{\n  \"format\": \"orbs-configuration/1\",\n  \"renderer\": []\n}");
+  expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:1:1: /: key 'suites' is missing");
+  sandbox.write("configuration.json", "{\n  \"format\" \"orbs-configuration/1\"}");
+  expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:2:12: not valid JSON");
+}
+
+TEST(BadFiles, ABrokenSceneStopsTheRunBeforeItBegins) {
+  const Sandbox sandbox;
+  sandbox.write("cases/m3_mirror/mirror.json", R"({"format": "orbs-scene/1", "nam": "s"})");
+  const auto answer = sandbox.orbs({"run", "-r", "good"});
+  expect_refusal(sandbox, answer, "mirror.json");
+  EXPECT_NE(answer.text.find("while reading scene 'mirror'"), std::string::npos) << answer.text;
+}
+
+TEST(BadFiles, AnUnknownMetricOfAGateIsFoundAtOnce) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr", "min": 3})");
+  sandbox.write("cases/m1_grey/case.json", text);
+  expect_refusal(sandbox, sandbox.orbs({"run", "-r", "good"}), "psnr");
+}
+
+TEST(BadFiles, ARectangleBeyondThePictureIsFoundAtOnce) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  text.insert(text.rfind('}'),
+              R"(, "masks": [{"scene": "grey", "rectangles": [[0,0,13,8]], "reason": "r"}])");
+  sandbox.write("cases/m1_grey/case.json", text);
+  expect_refusal(sandbox, sandbox.orbs({"run", "-r", "good"}),
+                 "the rectangle [0,0,13,8] of 'grey' reaches beyond its 12 x 8 pixels");
+}
+
+TEST(BadFiles, AMaskOverTheWholePictureIsFoundAtOnce) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  text.insert(text.rfind('}'),
+              R"(, "masks": [{"scene": "grey", "rectangles": [[0,0,12,8]], "reason": "r"}])");
+  sandbox.write("cases/m1_grey/case.json", text);
+  expect_refusal(sandbox, sandbox.orbs({"run", "-r", "good"}), "while reading the masks of 'grey'");
+}
+
+TEST(Defaults, OfTheConfigurationHoldUntilTheCommandLineOverridesThem) {
+  const Sandbox sandbox;
+  sandbox.write(
+      "configuration.json",
+      configuration_with(R"("renderer": "good", "scene": "grey", "log": false, "dry_run": true, "seed": 5)"));
+  const auto dry = sandbox.orbs({"run"});
+  EXPECT_EQ(dry.status, 0);
+  EXPECT_NE(dry.text.find("--seed 5"), std::string::npos) << dry.text;
+  EXPECT_TRUE(sandbox.runs().empty());
+  EXPECT_EQ(sandbox.orbs({"run", "--no-dry-run", "-o", "a"}).status, 0);
+  EXPECT_FALSE(sandbox.has("a/good/grey/log.txt"));
+  EXPECT_FALSE(sandbox.has("a/good/mirror"));
+  EXPECT_EQ(sandbox.orbs({"run", "--no-dry-run", "--log", "-o", "b"}).status, 0);
+  EXPECT_TRUE(sandbox.has("b/good/grey/log.txt"));
+}
+
+TEST(Defaults, ALogIsKeptWhereSomethingWentWrongEvenWithoutLogs) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "exit3", "-s", "grey", "--no-log", "-o", "out"});
+  EXPECT_TRUE(sandbox.has("out/exit3/grey/log.txt"));
+}

@@ -1,0 +1,110 @@
+#include "cli/sandbox.h"
+#include "image/image_io.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void write_grey(
+    const Sandbox& sandbox, const std::string& file, float value, int width = 16, int height = 12) {
+  auto picture = image::make_image(width, height, {"R", "G", "B"});
+  for (auto& sample : picture.pixels) sample = value;
+  image::write_exr(picture, sandbox.folder() / file);
+}
+
+}  // namespace
+
+TEST(List, ShowsWhatCanBeChosen) {
+  const Sandbox sandbox;
+  EXPECT_TRUE(contains(sandbox.orbs({"list", "scenes"}).text, "v1.5"));
+  EXPECT_TRUE(contains(sandbox.orbs({"list", "scenes"}).text, "mirror - grey"));
+  EXPECT_TRUE(
+      contains(sandbox.orbs({"list", "cases"}).text, "m3_mirror  M3  Mirror & co  mirror, grey, rest"));
+  EXPECT_EQ(sandbox.orbs({"list", "requirements"}).text, "M1  Grey\nM3  Mirror & co\n");
+  EXPECT_TRUE(contains(sandbox.orbs({"list", "renderers"}).text, "G5/M8"));
+  EXPECT_TRUE(sandbox.orbs({"list", "suites"}).text.starts_with("t  "));
+  EXPECT_EQ(sandbox.orbs({"list", "things"}).status, 2);
+}
+
+TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"doctor"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_TRUE(contains(answer.text, "version   fake renderer 7.8")) << answer.text;
+  EXPECT_TRUE(
+      contains(answer.text, "absent\n  program   not installed: there is no program '/nowhere/at/all' here"))
+      << answer.text;
+}
+
+TEST(Compare, PrintsAllNumbersAndTheirDefinitionsOnRequest) {
+  const Sandbox sandbox;
+  write_grey(sandbox, "a.exr", 0.5F);
+  write_grey(sandbox, "b.exr", 0.25F);
+  const auto answer = sandbox.orbs({"compare", "a.exr", "b.exr"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "l1                     0.25 radiance")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "mean of"));
+  EXPECT_TRUE(contains(sandbox.orbs({"compare", "a.exr", "b.exr", "--definitions"}).text, "mean of"));
+}
+
+TEST(Compare, HasStatusOneBeyondATolerance) {
+  const Sandbox sandbox;
+  write_grey(sandbox, "a.exr", 0.5F);
+  write_grey(sandbox, "b.exr", 0.25F);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "b.exr", "--metric", "l1", "--max", "0.3"}).status, 0);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "b.exr", "--metric", "l1", "--max", "0.2"}).status, 1);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "b.exr", "--min", "35"}).status, 1);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "a.exr", "--min", "35"}).status, 0);
+}
+
+TEST(Compare, HasStatusTwoForWhatCannotBeCompared) {
+  const Sandbox sandbox;
+  write_grey(sandbox, "a.exr", 0.5F);
+  write_grey(sandbox, "small.exr", 0.5F, 8, 8);
+  write_grey(sandbox, "nan.exr", std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "small.exr"}).status, 2);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "nan.exr"}).status, 2);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "absent.exr"}).status, 2);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "a.exr", "--metric", "psnr", "--min", "1"}).status, 2);
+}
+
+TEST(Compare, WritesTheErrorMaps) {
+  const Sandbox sandbox;
+  write_grey(sandbox, "a.exr", 0.5F);
+  EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "a.exr", "--maps", "maps"}).status, 0);
+  EXPECT_TRUE(sandbox.has("maps/error-l1.exr"));
+  EXPECT_TRUE(sandbox.has("maps/error-signed.png"));
+}
+
+// The file holds sRGB values; half of the range is 0.2140 in linear light, and that is compared.
+TEST(Compare, ReadsPicturesForTheScreenAsSrgb) {
+  const Sandbox sandbox;
+  auto picture = image::make_image(16, 12, {"R", "G", "B"});
+  for (auto& sample : picture.pixels) sample = 1;
+  image::write_png(picture, sandbox.folder() / "white.png");
+  for (auto& sample : picture.pixels) sample = 0.5F;
+  image::write_png(picture, sandbox.folder() / "half.png");
+  write_grey(sandbox, "half.exr", 0.2140F);
+  // 8 bits: 0.5 is stored as 128/255, which is 0.2159 in linear light.
+  EXPECT_EQ(sandbox.orbs({"compare", "half.png", "half.exr", "--metric", "l1", "--max", "0.003"}).status, 0);
+  EXPECT_EQ(sandbox.orbs({"compare", "white.png", "half.exr", "--metric", "l1", "--max", "0.003"}).status, 1);
+}
+
+TEST(Help, NamesTheCommandsAndTheExitStatus) {
+  const Sandbox sandbox;
+  const auto help = sandbox.orbs({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* command : {"run", "list", "doctor", "compare", "reference"})
+    EXPECT_TRUE(contains(help.text, command)) << command;
+  EXPECT_TRUE(contains(sandbox.orbs({"run", "--help"}).text, "Exit status: 0"));
+  EXPECT_TRUE(sandbox.orbs({"--version"}).text.starts_with("orbs "));
+}

@@ -1,0 +1,85 @@
+// References are rendered by the built-in tracer itself.
+#include "cli/sandbox.h"
+#include "image/image_io.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(Reference, IsNotReplacedWithoutAReason) {
+  const Sandbox sandbox;
+  const auto before = sandbox.read("references/grey.exr");
+  const auto answer = sandbox.orbs({"reference", "-s", "grey", "--spp", "4"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "references exist for grey; say why they may be replaced with --accept"))
+      << answer.text;
+  EXPECT_EQ(sandbox.read("references/grey.exr"), before);
+}
+
+TEST(Reference, CarriesItsPassport) {
+  const Sandbox sandbox;
+  std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
+  const auto answer = sandbox.orbs({"reference", "-s", "grey", "--spp", "16", "--seed", "77"});
+  EXPECT_NE(answer.status, 2) << answer.text;
+  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_EQ(picture.width, 12);
+  EXPECT_EQ(picture.channel_count(), 6U);
+  EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
+  const auto& passport = picture.attributes;
+  for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "host",
+                          "cpu", "date", "noise_psnr_srgb8_db", "reason"})
+    EXPECT_TRUE(passport.contains(std::string("orbs.") + key)) << key;
+  EXPECT_EQ(passport.at("orbs.spp"), "16");
+  EXPECT_EQ(passport.at("orbs.seed"), "77");
+}
+
+TEST(Reference, WithAReasonIsReplacedAndKeepsIt) {
+  const Sandbox sandbox;
+  EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "the lamp was moved"}).status,
+            2);
+  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_EQ(picture.attributes.at("orbs.reason"), "the lamp was moved");
+}
+
+// A diffuse plane in a white environment: 0.5 everywhere that it is seen, so all light is "ED..." or the
+// environment itself.
+TEST(Reference, HoldsTheSharesOfPathClassesThatACaseAsksFor) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  text.insert(text.rfind('}'), R"(, "path_shares": [{"scene": "grey", "class": "EDL", "min_share": 0.01}])");
+  sandbox.write("cases/m1_grey/case.json", text);
+  EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "for the shares"}).status, 2);
+  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  ASSERT_TRUE(picture.attributes.contains("orbs.path.EDL"));
+  EXPECT_EQ(picture.channel_count(), 6U);  // the layers themselves are not kept
+}
+
+TEST(Reference, IsRenderedUntilItsNoiseIsTenDecibelsBelowTheGate) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"reference", "-s", "grey", "--accept", "test"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_GE(std::stod(picture.attributes.at("orbs.noise_psnr_srgb8_db")), 45);
+}
+
+TEST(Reference, ChangesItsSceneHashWithTheSceneAlone) {
+  const Sandbox sandbox;
+  const auto hash = [&] {
+    sandbox.orbs({"reference", "-s", "grey", "--spp", "1", "--accept", "test"});
+    return image::read_image(sandbox.folder() / "references" / "grey.exr").attributes.at("orbs.scene_hash");
+  };
+  const auto first = hash();
+  EXPECT_EQ(hash(), first);
+  auto text = sandbox.read("cases/m1_grey/grey.json");
+  sandbox.write("cases/m1_grey/grey.json", text.replace(text.find("[0,0,5]"), 7, "[0,0,6]"));
+  EXPECT_NE(hash(), first);
+}

@@ -1,0 +1,223 @@
+// The program as a user runs it, with a renderer that fails on demand.
+#include "base/text.h"
+#include "cli/sandbox.h"
+#include "json/object_reader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ostream>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+using orbs::cli_tests::configuration_with;
+using orbs::cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Text of the member of results.json's first picture, or of any other object that has it first.
+std::string member(const std::string& text, const std::string& name) {
+  const auto at = text.find("\"" + name + "\": ");
+  if (at == std::string::npos) return "absent";
+  const auto begin = at + name.size() + 4;
+  return text.substr(begin, text.find_first_of(",\n", begin) - begin);
+}
+
+struct Fault {
+  const char* renderer;
+  const char* verdict;
+  const char* sentence;
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.renderer; }
+
+class FaultyRenderer : public testing::TestWithParam<Fault> {};
+
+}  // namespace
+
+TEST(Run, AGoodRendererPassesWithStatusZeroAndATable) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-o", "out"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "M1  Grey            inf pass")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "good  declared G5/M8 \u00b7 measured M3-(2)")) << answer.text;
+  for (const char* file : {"results.json", "results.csv", "junit.xml", "good/grey/result.exr",
+                           "good/grey/log.txt", "good/grey/job.json", "good/grey/error-l1.exr",
+                           "good/grey/error-l1.png", "good/rest/result.exr", "good/v1.5/result.exr"})
+    EXPECT_TRUE(sandbox.has(std::string("out/") + file)) << file;
+}
+
+TEST(Run, AWrongPictureFailsWithStatusOne) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "dark", "-c", "m1_grey"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_TRUE(contains(answer.text, "psnr_srgb8 is 12.01 dB, at least 35 is needed")) << answer.text;
+}
+
+// The ancestor tool passed what a signal had killed and what had written nothing, waited for ever, and
+// stopped at the first renderer that could not be started.
+TEST_P(FaultyRenderer, GetsItsVerdictAndTheOthersGoOn) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(
+      {"run", "-r", std::string(GetParam().renderer) + ",good", "-s", "grey", "-c", "m1_grey", "-o", "out"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  const auto json = sandbox.read(std::string("out/") + GetParam().renderer + "/grey/job.json");
+  EXPECT_EQ(member(json, "verdict"), std::string("\"") + GetParam().verdict + "\"");
+  EXPECT_TRUE(contains(answer.text, GetParam().sentence)) << answer.text;
+  EXPECT_EQ(member(sandbox.read("out/good/grey/job.json"), "verdict"), "\"pass\"");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults,
+    FaultyRenderer,
+    testing::Values(
+        Fault{"segfault", "crash", "was killed by SIGSEGV"},
+        Fault{"exit3", "crash", "ended with exit code 3"},
+        Fault{"exit3-after-picture", "crash", "ended with exit code 3"},
+        Fault{"hang", "timeout", "was ended after its time limit of 0.5 s"},
+        Fault{"nothing", "no output", "wrote no result.exr"},
+        Fault{"garbage", "no output", "result.exr"},
+        Fault{"wrong-size", "wrong size", "result.exr is 6 x 8 pixels, expected 12 x 8"},
+        Fault{"wrong-channels", "wrong size", "result.exr has the channels Y, expected R, G, B"},
+        Fault{"nan", "invalid pixels",
+              "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel G, value nan"}),
+    [](const auto& fault) {
+      std::string name = fault.param.renderer;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+TEST(Run, AProgramThatCannotBeExecutedIsACrashAndNoException) {
+  const Sandbox sandbox;
+  sandbox.write("text", "no program");
+  ::chmod((sandbox.folder() / "text").c_str(), 0755);
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-e", "./text", "-s", "grey"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_TRUE(contains(answer.text, "could not start: Exec format error")) << answer.text;
+}
+
+TEST(Run, AMissingReferenceIsAFailure) {
+  const Sandbox sandbox;
+  std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-s", "grey"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_TRUE(contains(answer.text, "missing reference")) << answer.text;
+}
+
+TEST(Run, MuchOutputIsCutAndDoesNotStopTheRenderer) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "much", "-s", "grey", "-o", "out"}).status, 0);
+  const auto log = sandbox.read("out/much/grey/log.txt");
+  EXPECT_LT(log.size(), 1100000U);
+  EXPECT_TRUE(contains(log, "bytes left out"));
+  EXPECT_TRUE(contains(log, "fake: render_seconds 0.25"));  // the end is kept
+}
+
+TEST(Run, ErrorsOfTheRendererStandInItsLog) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "complain", "-s", "grey", "-o", "out"});
+  EXPECT_TRUE(contains(sandbox.read("out/complain/grey/log.txt"), "something is odd"));
+}
+
+TEST(Run, RecordsWhatMadeAPictureAndWhatItCost) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "good", "-s", "grey", "-o", "out", "--threads", "3", "--seed", "9",
+                "--spp-scale", "0.5"});
+  const auto json = sandbox.read("out/good/grey/job.json");
+  EXPECT_NO_THROW(orbs::json::parse("job.json", json));
+  EXPECT_EQ(member(json, "renderer"), "\"good\"");
+  EXPECT_EQ(member(json, "renderer_version"), "\"fake renderer 7.8\"");
+  EXPECT_EQ(member(json, "spp"), "4");
+  EXPECT_EQ(member(json, "seed"), "9");
+  EXPECT_EQ(member(json, "threads"), "3");
+  EXPECT_EQ(member(json, "render_seconds"), "0.25");
+  EXPECT_GT(std::stod(member(json, "wall_seconds")), 0);
+  EXPECT_GT(std::stod(member(json, "cpu_seconds")), 0);
+  EXPECT_GT(std::stod(member(json, "peak_rss_bytes")), 1e6);
+  EXPECT_TRUE(contains(json, R"("--threads", "3", "--spp", "4", "--seed", "9")")) << json;
+}
+
+TEST(Run, TheSameRenderHasTheSameIdInEveryRun) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "good", "-s", "grey", "-o", "a"});
+  sandbox.orbs({"run", "-r", "good", "-o", "b"});
+  EXPECT_EQ(member(sandbox.read("a/good/grey/job.json"), "id"),
+            member(sandbox.read("b/good/grey/job.json"), "id"));
+  EXPECT_NE(member(sandbox.read("b/good/grey/job.json"), "id"),
+            member(sandbox.read("b/good/mirror/job.json"), "id"));
+}
+
+TEST(Run, AResultDoesNotDependOnTheNumberOfJobs) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good,dark,nan", "-o", "a", "-j", "1", "--threads", "1"}).status, 1);
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good,dark,nan", "-o", "b", "-j", "4", "--threads", "1"}).status, 1);
+  const auto csv = [&](const std::string& folder) {
+    // Times differ: the sentences and numbers up to the costs are compared.
+    std::string out;
+    for (const auto& line : orbs::split(sandbox.read(folder + "/results.csv"), '\n'))
+      out += line.substr(0, line.find(",0.")) + "\n";
+    return out;
+  };
+  EXPECT_EQ(csv("a"), csv("b"));
+}
+
+TEST(Run, AfterAnInterruptItEndsTheRendererAndKeepsWhatIsFinished) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "good,interrupt", "-c", "m1_grey", "-o", "out"});
+  EXPECT_EQ(answer.status, 130) << answer.text;
+  const auto json = sandbox.read("out/results.json");
+  EXPECT_EQ(member(json, "interrupted"), "true");
+  EXPECT_EQ(member(sandbox.read("out/good/grey/job.json"), "verdict"), "\"pass\"");
+  EXPECT_EQ(member(sandbox.read("out/interrupt/grey/job.json"), "verdict"), "\"skipped\"");
+  EXPECT_TRUE(contains(answer.text, "The run was interrupted")) << answer.text;
+}
+
+TEST(Run, PassesOnOnlyTheAllowedEnvironment) {
+  const Sandbox sandbox;
+  ::setenv("ORBS_TEST_SECRET", "hidden", 1);
+  sandbox.orbs({"run", "-r", "environment", "-s", "grey", "-o", "out"});
+  const auto log = sandbox.read("out/environment/grey/log.txt");
+  EXPECT_TRUE(contains(log, "LC_ALL=C.UTF-8\n"));
+  EXPECT_FALSE(contains(log, "ORBS_TEST_SECRET"));
+}
+
+TEST(Run, TwoStartsInTheSameSecondHaveTwoFolders) {
+  const Sandbox sandbox;
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-s", "grey"}).status, 0);
+  EXPECT_EQ(sandbox.runs().size(), 2U);
+}
+
+TEST(Run, AnotherProgramCanStandInForAConfiguredRenderer) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"run", "-r", "absent", "-e", ORBS_BINARY_DIR "/orbs-fake-renderer", "--dry-run"});
+  EXPECT_EQ(answer.status, 2);  // "absent" declares G1 alone: nothing in the suite is left for it
+}
+
+TEST(Run, ADryRunPrintsTheCommandsAndTouchesNothing) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "--dry-run", "-o", "out"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_TRUE(contains(answer.text,
+                       "orbs-fake-renderer --mode good --output OUTPUT/good/grey/result.exr --scene "
+                       "OUTPUT/good/grey/scene.json"))
+      << answer.text;
+  EXPECT_FALSE(sandbox.has("out"));
+}
+
+TEST(Run, UndeclaredRequirementsAreUnsupportedWithTheReasonAndNoFailure) {
+  const Sandbox sandbox;
+  auto text = configuration_with("");
+  const std::string declares = "\"declares\": \"G5/M8\"";
+  text.replace(
+      text.find(declares), declares.size(),
+      R"("declares": "G5/M2", "known_limits": [{"requirements": ["M3"], "reason": "it has no mirrors"}])");
+  sandbox.write("configuration.json", text);
+  const auto answer = sandbox.orbs({"run", "-r", "good"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "good does not declare M3: it has no mirrors")) << answer.text;
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace orbs::cli_tests {
+
+struct Answer {
+  int status = 0;    // exit status
+  std::string text;  // both outputs
+};
+
+/// A folder with a small suite, renderers that fail in every way, and references: what the program is run in.
+/// Cases: m1_grey (M1; scenes "grey" and "v1.5"), m3_mirror (M3; scenes "mirror", "grey", and "rest" = mirror
+/// - grey). The pictures are 12 x 8 pixels, and the references grey of 0.5 all over.
+class Sandbox {
+ public:
+  Sandbox();
+  ~Sandbox();
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  void write(const std::string& file, const std::string& text) const;
+  std::string read(const std::string& file) const;
+  bool has(const std::string& file) const { return std::filesystem::exists(folder_ / file); }
+  /// Folders outputs-* that are there, sorted.
+  std::vector<std::string> runs() const;
+
+  /// Runs orbs in the folder.
+  Answer orbs(const std::vector<std::string>& arguments) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// configuration.json of the sandbox: one renderer per mode of the fake renderer, called as its mode, and
+/// "absent", whose program is not there. `defaults` are the members of "defaults".
+std::string configuration_with(const std::string& defaults);
+
+}  // namespace orbs::cli_tests

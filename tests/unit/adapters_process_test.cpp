@@ -1,0 +1,188 @@
+#include "adapters/process.h"
+#include "adapters/programs.h"
+#include "base/files.h"
+#include "structure/source_files.h"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+using orbs::adapters::ProcessRequest;
+using orbs::adapters::run_process;
+using orbs::structure::ScratchFolder;
+
+namespace {
+
+// What a program prints is scripted in a shell here; the harness itself starts programs without one.
+ProcessRequest shell(const std::string& script) {
+  ProcessRequest request;
+  request.argv = {"/bin/sh", "-c", script};
+  request.environment = {"PATH=/usr/bin:/bin"};
+  request.time_limit_seconds = 60;
+  request.grace_seconds = 0.1;
+  return request;
+}
+
+// A killed orphan stays in the table of processes until somebody collects it, and the kill takes a moment to
+// arrive.
+bool is_running(const std::string& id) {
+  for (int look = 0; look < 100000; ++look) {
+    std::ifstream stat(fmt::format("/proc/{}/stat", std::stoi(id)));
+    std::string text;
+    if (!std::getline(stat, text)) return false;
+    const char state = text[text.rfind(')') + 2];
+    if (state == 'Z' || state == 'X') return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST(Process, OutputAndErrorsGoToTheLogInTheirOrder) {
+  const ScratchFolder scratch("process-log");
+  auto request = shell("echo one; echo two >&2; echo three");
+  request.log = scratch.path() / "log.txt";
+  const auto result = run_process(request);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "one\ntwo\nthree\n");
+  EXPECT_EQ(orbs::read_file(request.log), result.output);
+}
+
+TEST(Process, OutputBeyondTheAllowanceIsLeftOutOfTheMiddle) {
+  auto request = shell("printf '%0100d' 0 | tr 0 a; printf '%01000d' 0 | tr 0 b; printf '%0100d' 0 | tr 0 c");
+  request.most_log_bytes = 200;
+  EXPECT_EQ(run_process(request).output,
+            std::string(100, 'a') + "\n[orbs: 1000 bytes left out]\n" + std::string(100, 'c'));
+}
+
+TEST(Process, AnExitCodeIsKept) { EXPECT_EQ(run_process(shell("exit 7")).exit_code, 7); }
+
+// The ancestor tool looked for a code above 0, so what a signal killed had passed.
+TEST(Process, ASignalIsNoExitCode) {
+  const auto result = run_process(shell("kill -SEGV $$"));
+  EXPECT_EQ(result.signal, SIGSEGV);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(orbs::adapters::signal_name(result.signal), "SIGSEGV");
+}
+
+TEST(Process, WhatCannotStartSaysWhy) {
+  ProcessRequest request;
+  request.argv = {"/nowhere/at/all"};
+  EXPECT_EQ(run_process(request).start_error, "No such file or directory");
+}
+
+TEST(Process, WhatIsNoProgramSaysWhy) {
+  const ScratchFolder scratch("process-no-program");
+  scratch.write("text", "no program");
+  ::chmod((scratch.path() / "text").c_str(), 0755);
+  ProcessRequest request;
+  request.argv = {(scratch.path() / "text").string()};
+  EXPECT_EQ(run_process(request).start_error, "Exec format error");
+}
+
+TEST(Process, HasNoInput) { EXPECT_EQ(run_process(shell("cat; echo end")).output, "end\n"); }
+
+TEST(Process, StartsInItsFolder) {
+  const ScratchFolder scratch("process-folder");
+  auto request = shell("pwd -P");
+  request.folder = scratch.path();
+  EXPECT_EQ(run_process(request).output, std::filesystem::canonical(scratch.path()).string() + "\n");
+}
+
+TEST(Process, SeesOnlyTheEnvironmentThatIsGiven) {
+  ::setenv("ORBS_TEST_SECRET", "1", 1);
+  auto request = shell("echo ${ORBS_TEST_SECRET-unset} $ORBS_TEST_GIVEN");
+  request.environment.emplace_back("ORBS_TEST_GIVEN=2");
+  EXPECT_EQ(run_process(request).output, "unset 2\n");
+}
+
+TEST(Process, InheritsNoOpenFile) {
+  const ScratchFolder scratch("process-files");
+  scratch.write("open.txt", "");
+  std::FILE* open = std::fopen((scratch.path() / "open.txt").c_str(), "r");
+  const auto result = run_process(shell("ls -l /proc/self/fd"));
+  std::fclose(open);
+  EXPECT_EQ(result.output.find("open.txt"), std::string::npos) << result.output;
+}
+
+// Both ignore TERM; the child would go on for ten minutes.
+TEST(Process, AtItsTimeLimitItEndsWithAllThatItStarted) {
+  auto request =
+      shell("trap '' TERM; sh -c 'trap \"\" TERM; echo $$; while :; do sleep 600; done' & wait; wait");
+  request.time_limit_seconds = 0.4;
+  const auto result = run_process(request);
+  EXPECT_TRUE(result.timed_out);
+  EXPECT_EQ(result.signal, SIGKILL);
+  EXPECT_GE(result.wall_seconds, 0.4);
+  EXPECT_FALSE(is_running(result.output));
+}
+
+TEST(Process, WhatItLeavesBehindIsEndedWithIt) {
+  const auto result = run_process(shell("sleep 600 & echo $!"));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_LT(result.wall_seconds, 60);
+  EXPECT_FALSE(is_running(result.output));
+}
+
+TEST(Process, IsEndedWhenTheRunIsInterrupted) {
+  const std::atomic<bool> stop{true};
+  auto request = shell("sleep 600");
+  request.stop = &stop;
+  const auto result = run_process(request);
+  EXPECT_TRUE(result.stopped);
+  EXPECT_FALSE(result.timed_out);
+}
+
+// A loop of 300 000 additions takes far more than a millisecond on any machine; the bound above is the wall
+// time.
+TEST(Process, MeasuresProcessorTime) {
+  const auto result = run_process(shell("i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done"));
+  EXPECT_GT(result.user_seconds, 0.001);
+  EXPECT_LE(result.user_seconds + result.system_seconds, result.wall_seconds + 0.1);
+}
+
+// The shell needs a few megabytes. Our own peak, to which a child's ru_maxrss is raised at the start, is made
+// larger first.
+TEST(Process, MeasuresItsOwnMemoryAndNotOurs) {
+  constexpr std::size_t kOurs = 200 << 20;
+  const std::string ours(kOurs, 'x');
+  ASSERT_EQ(ours.back(), 'x');
+  const auto result = run_process(shell("i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done"));
+  EXPECT_GT(result.peak_rss_bytes, 100U << 10);
+  EXPECT_LT(result.peak_rss_bytes, kOurs / 4);
+}
+
+TEST(Programs, AreFoundOnThePathAndMustBeExecutable) {
+  const ScratchFolder scratch("programs");
+  scratch.write("plain.txt", "");
+  EXPECT_TRUE(orbs::adapters::find_program("sh").has_value());
+  EXPECT_FALSE(orbs::adapters::find_program("no-such-program-at-all").has_value());
+  EXPECT_FALSE(orbs::adapters::find_program((scratch.path() / "plain.txt").string()).has_value());
+  EXPECT_FALSE(orbs::adapters::find_program(scratch.path().string()).has_value());
+  EXPECT_FALSE(orbs::adapters::find_program("").has_value());
+}
+
+TEST(Programs, GetTheNamedVariablesOfOursAndALocaleThatWritesPoints) {
+  ::setenv("ORBS_TEST_PASSED", "3", 1);
+  const auto environment =
+      orbs::adapters::child_environment({"ORBS_TEST_PASSED", "ORBS_TEST_ABSENT", "HOME=/h"});
+  const auto has = [&](const std::string& entry) {
+    return std::count(environment.begin(), environment.end(), entry) == 1;
+  };
+  EXPECT_TRUE(has("ORBS_TEST_PASSED=3"));
+  EXPECT_TRUE(has("HOME=/h"));
+  EXPECT_TRUE(has("LC_ALL=C.UTF-8"));
+  EXPECT_EQ(std::count_if(environment.begin(), environment.end(),
+                          [](const auto& e) { return e.starts_with("HOME="); }),
+            1);
+}

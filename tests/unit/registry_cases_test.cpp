@@ -1,0 +1,138 @@
+#include "base/error.h"
+#include "registry/cases.h"
+#include "structure/source_files.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+using orbs::registry::load_case;
+using orbs::registry::load_cases;
+using orbs::structure::ScratchFolder;
+
+namespace {
+
+std::string case_text(
+    const std::string& more,
+    const std::string& scenes = R"([{"name": "1", "file": "1.json"}, {"name": "2", "file": "2.json"}])",
+    const std::string& requirement = "M2") {
+  return R"({"format": "orbs-case/1", "requirement": ")" + requirement +
+         R"(", "title": "t", "tests": "t", "typical_mistake": "m",
+"scenes": )" +
+         scenes + more + "}";
+}
+
+std::string message_of(const std::string& text) {
+  const ScratchFolder scratch("registry-case");
+  scratch.write("m2/1.json", "{}");
+  scratch.write("m2/2.json", "{}");
+  scratch.write("m2/case.json", text);
+  try {
+    load_case(scratch.path() / "m2" / "case.json");
+  } catch (const orbs::InputError& e) {
+    const std::string what = e.what();
+    const auto begin = what.find("case.json");
+    return what.substr(begin, what.find('\n', begin) - begin);
+  }
+  return "no error";
+}
+
+// A folder of cases, each with the scenes of `case_text`.
+class SuiteOfTwo {
+ public:
+  SuiteOfTwo(const std::string& first, const std::string& second) : scratch_("registry-suite") {
+    for (const char* file : {"a/1.json", "a/2.json", "b/1.json", "b/2.json"}) scratch_.write(file, "{}");
+    scratch_.write("a/case.json", first);
+    scratch_.write("b/case.json", second);
+  }
+  orbs::registry::Suite suite() const { return {"s", scratch_.path(), scratch_.path() / "references"}; }
+
+ private:
+  ScratchFolder scratch_;
+};
+
+std::string suite_message(const SuiteOfTwo& folders) {
+  try {
+    load_cases(folders.suite());
+  } catch (const orbs::InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST(Cases, TheGateIsTheOneOfTheSpecificationUnlessTheCaseSaysOtherwise) {
+  const ScratchFolder scratch("registry-gate");
+  scratch.write("m2/1.json", "{}");
+  scratch.write("m2/case.json", case_text("", R"([{"name": "1", "file": "1.json", "spp": 7}])"));
+  const auto one_case = load_case(scratch.path() / "m2" / "case.json");
+  EXPECT_EQ(one_case.gate.metric, "psnr_srgb8");
+  EXPECT_EQ(one_case.gate.min, 35);
+  EXPECT_EQ(one_case.name, "m2");
+  EXPECT_EQ(one_case.scenes[0].spp, 7);
+}
+
+TEST(Cases, MistakesAreNamedWithTheirPlace) {
+  EXPECT_NE(message_of(case_text("", R"([{"name": "1", "file": "3.json"}])"))
+                .find("/scenes/0/file: there is no file"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text("", R"([{"name": "1", "file": "1.json"}, {"name": "1", "file": "2.json"}])"))
+                .find("/scenes/1/name: '1' is the name of an earlier picture"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text("", "[]")).find("/scenes: must hold at least one scene"), std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "gate": {"metric": "l1"})")).find("/gate: a gate needs 'min' or 'max'"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "3", "rectangles": [[0,0,1,1]], "reason": "r"}])"))
+                .find("/masks/0/scene: no picture of this case is called '3'"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "1", "rectangles": [[4,0,4,1]], "reason": "r"}])"))
+                .find("holds no pixel"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "1", "rectangles": [[4,0,1]], "reason": "r"}])"))
+                .find("/masks/0/rectangles/0: must be an array of 4 numbers"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "1", "rectangles": [[0,0,1,1]], "reason": ""}])"))
+                .find("must say why"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "differences": [{"name": "d", "of": "1", "minus": "1"}])"))
+                .find("is the same scene as 'of'"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "path_shares": [{"scene": "1", "class": "EDXL", "min_share": 0.1}])"))
+                .find("'EDXL' is no path class"),
+            std::string::npos);
+  EXPECT_EQ(
+      message_of(case_text(R"(, "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.1}])")),
+      "no error");
+  EXPECT_NE(message_of(case_text("", "[]", "2M")).find("/requirement: '2M' is no requirement"),
+            std::string::npos);
+}
+
+TEST(Cases, StandInTheOrderOfTheSpecification) {
+  const SuiteOfTwo folders(case_text("", R"([{"name": "1", "file": "1.json"}])", "L1"),
+                           case_text("", R"([{"name": "2", "file": "2.json"}])", "M3"));
+  const auto cases = load_cases(folders.suite());
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(cases[0].requirement, "M3");
+}
+
+TEST(Cases, TwoCasesMayShareASceneButNotAName) {
+  const auto shared = R"([{"name": "1", "file": "../a/1.json"}])";
+  EXPECT_EQ(suite_message(SuiteOfTwo(case_text("", shared), case_text("", shared))), "no error");
+  const auto other = R"([{"name": "1", "file": "1.json"}])";
+  EXPECT_NE(suite_message(SuiteOfTwo(case_text("", shared), case_text("", other))).find("use another name"),
+            std::string::npos);
+}
+
+TEST(Cases, ADifferenceMayNotHaveTheNameOfASceneOfAnotherCase) {
+  const auto message =
+      suite_message(SuiteOfTwo(case_text(R"(, "differences": [{"name": "3", "of": "1", "minus": "2"}])"),
+                               case_text("", R"([{"name": "3", "file": "1.json"}])")));
+  EXPECT_NE(message.find("difference '3' has the name of a scene"), std::string::npos) << message;
+}
+
+TEST(Cases, AFolderWithoutCasesIsAnError) {
+  const ScratchFolder scratch("registry-empty");
+  EXPECT_THROW(load_cases({"s", scratch.path(), scratch.path()}), orbs::InputError);
+  EXPECT_THROW(load_cases({"s", scratch.path() / "absent", scratch.path()}), orbs::InputError);
+}

@@ -1,0 +1,179 @@
+#include "base/error.h"
+#include "registry/configuration.h"
+#include "structure/source_files.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+using orbs::registry::Configuration;
+using orbs::registry::load_configuration;
+using orbs::structure::ScratchFolder;
+
+namespace {
+
+std::string with_renderer(const std::string& members) {
+  return R"({"format": "orbs-configuration/1",
+ "suites": [{"name": "s", "cases": "c", "references": "r"}],
+ "renderers": [{)" +
+         members + "}]}";
+}
+
+const std::string kRenderer =
+    R"("name": "a", "executable": "{build}/a", "declares": "G1/M2", "command": ["{executable}", "{scene}", "-o{output}"])";
+
+Configuration load(const std::string& text) {
+  const ScratchFolder scratch("registry-configuration");
+  scratch.write("configuration.json", text);
+  return load_configuration(scratch.path() / "configuration.json");
+}
+
+// The first line of the error without the folder of the file.
+std::string message_of(const std::string& text) {
+  try {
+    load(text);
+  } catch (const orbs::InputError& e) {
+    const std::string what = e.what();
+    const auto begin = what.find("configuration.json");
+    return what.substr(begin, what.find('\n', begin) - begin);
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST(Configuration, ASmallEntryIsCompleteAndTheRestHasDefaults) {
+  const auto configuration = load(with_renderer(kRenderer));
+  ASSERT_EQ(configuration.renderers.size(), 1U);
+  const auto& renderer = configuration.renderers[0];
+  EXPECT_EQ(renderer.name, "a");
+  EXPECT_EQ(renderer.declares, orbs::registry::parse_features("G1/M2"));
+  EXPECT_EQ(renderer.time_limit_seconds, 600);
+  EXPECT_EQ(renderer.spp_scale, 1);
+  EXPECT_EQ(renderer.scene_format, orbs::registry::SceneFormat::OrbsScene);
+  EXPECT_EQ(configuration.defaults.suite, "orbs");
+  EXPECT_TRUE(configuration.defaults.log);
+}
+
+TEST(Configuration, FoldersAreRelativeToTheFile) {
+  const auto configuration = load(with_renderer(kRenderer));
+  EXPECT_EQ(configuration.suites[0].cases, configuration.root / "c");
+}
+
+TEST(Configuration, EveryFlagHasADefaultThatMayStandInTheFile) {
+  const auto text =
+      R"({"format": "orbs-configuration/1", "suites": [], "renderers": [], "defaults": {"suite": "x", "case": "c*",
+    "scene": "1", "requirement": "M*", "renderer": "r", "exec": "/bin/true", "output": "out", "jobs": 3, "threads": 2,
+    "seed": 9, "spp_scale": 0.5, "log": false, "dry_run": true}})";
+  const auto defaults = load(text).defaults;
+  EXPECT_EQ(defaults.suite, "x");
+  EXPECT_EQ(defaults.cases, "c*");
+  EXPECT_EQ(defaults.scenes, "1");
+  EXPECT_EQ(defaults.requirements, "M*");
+  EXPECT_EQ(defaults.renderers, "r");
+  EXPECT_EQ(defaults.executable, "/bin/true");
+  EXPECT_EQ(defaults.output, "out");
+  EXPECT_EQ(defaults.jobs, 3);
+  EXPECT_EQ(defaults.threads, 2);
+  EXPECT_EQ(defaults.seed, 9);
+  EXPECT_EQ(defaults.spp_scale, 0.5);
+  EXPECT_FALSE(defaults.log);
+  EXPECT_TRUE(defaults.dry_run);
+}
+
+// The ancestor tool took the text "false" for true.
+TEST(Configuration, ATextIsNoBoolean) {
+  EXPECT_EQ(
+      message_of(
+          R"({"format": "orbs-configuration/1", "suites": [], "renderers": [], "defaults": {"log": "false"}})"),
+      "configuration.json:1:87: /defaults/log: must be true or false, is string");
+}
+
+TEST(Configuration, SyntaxErrorsNameLineAndColumn) {
+  EXPECT_EQ(message_of("{\n \"format\": }").substr(0, 23), "configuration.json:2:12");
+}
+
+TEST(Configuration, UnknownKeysAreErrorsWithTheNearestWord) {
+  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "time_limit_secnods": 3)")),
+            "configuration.json:3:154: /renderers/0/time_limit_secnods: unknown key (did you mean "
+            "'time_limit_seconds'?)");
+}
+
+TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
+  EXPECT_EQ(
+      message_of(with_renderer(
+          R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{out}", "{output}"])")),
+      "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean 'root'?); "
+      "known are: aa_grid, "
+      "build, executable, "
+      "folder, height, output, root, scene, seed, spp, threads, trace_depth, width");
+}
+
+TEST(Configuration, ACommandMustTellTheRendererItsSceneAndItsOutput) {
+  EXPECT_NE(
+      message_of(
+          with_renderer(
+              R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{output}"])"))
+          .find("/renderers/0/command: must use {scene}"),
+      std::string::npos);
+  EXPECT_NE(
+      message_of(
+          with_renderer(
+              R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}"])"))
+          .find("/renderers/0/command: must use {output}"),
+      std::string::npos);
+}
+
+TEST(Configuration, NamesGivenTwiceAreErrors) {
+  const auto text = R"({"format": "orbs-configuration/1", "suites": [], "renderers": [{)" + kRenderer +
+                    "},\n{" + kRenderer + "}]}";
+  EXPECT_EQ(message_of(text),
+            "configuration.json:2:10: /renderers/1/name: 'a' is the name of an earlier entry");
+}
+
+TEST(Configuration, NamesThatWouldLeaveTheOutputFolderAreErrors) {
+  for (const char* name : {"", "..", "a/b", "a b", "a*", "a,b"})
+    EXPECT_NE(message_of(with_renderer(R"("name": ")" + std::string(name) +
+                                       R"(", "executable": "a", "declares": "G1", "command": [])"))
+                  .find("is no name"),
+              std::string::npos)
+        << name;
+}
+
+TEST(Configuration, FeatureNumbersAndLimitsAreCheckedAtTheirPlace) {
+  EXPECT_NE(message_of(with_renderer(R"("name": "a", "executable": "a", "declares": "G1/x", "command": [])"))
+                .find("/renderers/0/declares: feature number 'x'"),
+            std::string::npos);
+  EXPECT_NE(message_of(with_renderer(kRenderer +
+                                     R"(, "known_limits": [{"requirements": ["M3", "M2"], "reason": "r"}])"))
+                .find("/renderers/0/known_limits/0/requirements/1: 'declares' has M2"),
+            std::string::npos);
+  EXPECT_NE(
+      message_of(with_renderer(kRenderer + R"(, "known_limits": [{"requirements": ["3"], "reason": "r"}])"))
+          .find("/renderers/0/known_limits/0/requirements/0: '3' is no requirement"),
+      std::string::npos);
+}
+
+TEST(Configuration, AnUnknownSuiteIsAnErrorWithTheNearestName) {
+  const auto configuration = load(with_renderer(kRenderer));
+  try {
+    orbs::registry::find_suite(configuration, "st");
+    FAIL();
+  } catch (const orbs::InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("has no suite 'st' (did you mean 's'?)"), std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(Configuration, TheOneOfTheRepositoryIsRight) {
+  const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
+  EXPECT_EQ(configuration.renderers.size(), 3U);
+}
+
+TEST(Configuration, IsLookedForInTheFoldersAbove) {
+  const ScratchFolder scratch("registry-nearest");
+  scratch.write("configuration.json", "{}");
+  scratch.write("a/b/c.txt", "");
+  EXPECT_EQ(orbs::registry::nearest_configuration(scratch.path() / "a" / "b"),
+            scratch.path() / "configuration.json");
+}

@@ -1,0 +1,75 @@
+#include "report/files.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace orbs::results;
+
+namespace {
+
+RunRecord run_of(Verdict verdict, const std::string& sentence) {
+  RunRecord run;
+  run.suite = "s";
+  run.renderers.push_back({});
+  run.renderers[0].name = "r";
+  run.requirements = {{"M1", "A & B", {{"r", {true, verdict, 41.25, sentence}}}}};
+  PictureRecord picture;
+  picture.requirement = "M1";
+  picture.case_name = "m1";
+  picture.picture = "101";
+  picture.renderer = "r";
+  picture.declared = true;
+  picture.jobs = {"id"};
+  picture.verdict = verdict;
+  picture.sentence = sentence;
+  picture.measures = {{"psnr_srgb8", 41.25, "dB", ""}, {"l1", 0.5, "", ""}};
+  run.pictures = {picture};
+  JobRecord job;
+  job.id = "id";
+  job.started = "2026-01-01T00:00:00";
+  job.wall_seconds = 1.5;
+  job.cpu_seconds = 2.5;
+  job.peak_rss_bytes = 1024;
+  run.jobs = {job};
+  return run;
+}
+
+}  // namespace
+
+TEST(Csv, HasOneRowPerPictureAndRenderer) {
+  EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
+            "suite,requirement,case,picture,renderer,declared,verdict,sentence,psnr_srgb8,l1,wall_seconds,"
+            "cpu_seconds,"
+            "render_seconds,peak_rss_bytes,image\r\n"
+            "s,M1,m1,101,r,true,pass,fine,41.25,0.5,1.500,2.500,,1024,\r\n");
+}
+
+TEST(Csv, QuotesWhatWouldBreakARow) {
+  const auto text = orbs::report::results_csv(run_of(Verdict::Fail, "a \"b\", c\nd"));
+  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",41.25"), std::string::npos) << text;
+}
+
+TEST(Junit, EscapesWhatXmlCannotHold) {
+  EXPECT_EQ(orbs::report::xml_text("<a & \"b\" 'c'>"), "&lt;a &amp; &quot;b&quot; &apos;c&apos;&gt;");
+  EXPECT_EQ(orbs::report::xml_text("\x1b[0m\tx"), "\uFFFD[0m\tx");
+  EXPECT_EQ(orbs::report::xml_text("\xc3\xa9 \xc3 \xff \xed\xa0\x80"),
+            "\u00e9 \uFFFD \uFFFD \uFFFD\uFFFD\uFFFD");
+}
+
+TEST(Junit, HasATestCasePerRequirementWithItsVerdict) {
+  const auto text = orbs::report::junit_xml(run_of(Verdict::Fail, "too dark & wrong"));
+  EXPECT_NE(text.find("<testsuite name=\"s.r\" tests=\"1\" failures=\"1\" errors=\"0\" skipped=\"0\""),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<testcase classname=\"s.r\" name=\"M1 A &amp; B\" time=\"1.500\">"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<failure message=\"fail: too dark &amp; wrong\"/>"), std::string::npos) << text;
+}
+
+TEST(Junit, TellsErrorsFromFailuresAndFromWhatIsNotSupported) {
+  EXPECT_NE(orbs::report::junit_xml(run_of(Verdict::Crash, "c")).find("<error message="), std::string::npos);
+  EXPECT_NE(orbs::report::junit_xml(run_of(Verdict::Unsupported, "u")).find("<skipped message="),
+            std::string::npos);
+  EXPECT_EQ(orbs::report::junit_xml(run_of(Verdict::Pass, "p")).find("message="), std::string::npos);
+}

@@ -1,0 +1,78 @@
+#include "report/table.h"
+
+#include <cstdlib>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace orbs::results;
+using orbs::report::summary_text;
+
+namespace {
+
+RunRecord small_run() {
+  RunRecord run;
+  run.requirements = {
+      {"M1", "Lambert", {{"a", {true, Verdict::Pass, 41.204, ""}}, {"bb", {true, Verdict::Fail, 9.5, ""}}}},
+      {"M2",
+       "\u00c9mission",
+       {{"a", {true, Verdict::Pass, std::numeric_limits<double>::infinity(), ""}},
+        {"bb", {false, Verdict::Unsupported, std::nullopt, ""}}}}};
+  run.renderers = {{"a", "a 1.0", "/a", "G1/M2", "M2", {{"pass", 2}}, 3, 4},
+                   {"bb", "", "/bb", "M1", "M0", {{"fail", 1}, {"unsupported", 1}}, 1, 2}};
+  PictureRecord bad;
+  bad.requirement = "M1";
+  bad.picture = "101";
+  bad.renderer = "bb";
+  bad.verdict = Verdict::Fail;
+  bad.sentence = "psnr_srgb8 is 9.5 dB, at least 35 is needed";
+  PictureRecord unsupported = bad;
+  unsupported.requirement = "M2";
+  unsupported.verdict = Verdict::Unsupported;
+  unsupported.sentence = "bb does not declare M2";
+  PictureRecord same = unsupported;
+  same.picture = "102";
+  run.pictures = {unsupported, same, bad};
+  return run;
+}
+
+}  // namespace
+
+TEST(Table, HasALinePerRequirementAndAColumnPerRenderer) {
+  EXPECT_EQ(summary_text(small_run(), {}),
+            "    requirement      dB a         dB bb\n"
+            "M1  Lambert       41.20 pass    9.50 fail\n"
+            "M2  \u00c9mission        inf pass       - unsupported\n"
+            "\n"
+            "a   declared G1/M2 \u00b7 measured M2\n"
+            "    2 pass \u00b7 3.0 s of rendering, 4.0 s of CPU \u00b7 a 1.0\n"
+            "bb  declared M1 \u00b7 measured M0\n"
+            "    1 unsupported, 1 fail \u00b7 1.0 s of rendering, 2.0 s of CPU\n"
+            "\n"
+            "fail         bb  M1  101       psnr_srgb8 is 9.5 dB, at least 35 is needed\n"
+            "unsupported  bb  M2  101, 102  bb does not declare M2\n");
+}
+
+TEST(Table, WithColourItHasTheSameTextBetweenTheEscapes) {
+  auto coloured = summary_text(small_run(), {true});
+  EXPECT_NE(coloured, summary_text(small_run(), {}));
+  for (auto at = coloured.find('\x1b'); at != std::string::npos; at = coloured.find('\x1b'))
+    coloured.erase(at, coloured.find('m', at) - at + 1);
+  EXPECT_EQ(coloured, summary_text(small_run(), {}));
+}
+
+TEST(Table, WidthsCountCharactersAndNotBytes) {
+  EXPECT_EQ(orbs::report::display_width("\u00c9 \u00b7"), 3U);
+  EXPECT_EQ(orbs::report::display_width("\x1b[32mpass\x1b[0m"), 4U);
+}
+
+TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
+  auto run = small_run();
+  run.interrupted = true;
+  run.left_out = {{"cycles", "there is no program 'blender' here"}};
+  const auto text = summary_text(run, {});
+  EXPECT_NE(text.find("cycles was left out: there is no program 'blender' here"), std::string::npos);
+  EXPECT_NE(text.find("The run was interrupted"), std::string::npos);
+}
+
+TEST(Table, NoColourGoesToWhatIsNoTerminal) { EXPECT_FALSE(orbs::report::style_for(-1).colour); }

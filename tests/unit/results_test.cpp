@@ -1,0 +1,59 @@
+#include "json/object_reader.h"
+#include "results/record.h"
+#include "results/record_json.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace orbs::results;
+
+namespace {
+
+PictureRecord picture(Verdict verdict, bool declared) {
+  PictureRecord record;
+  record.verdict = verdict;
+  record.declared = declared;
+  return record;
+}
+
+}  // namespace
+
+TEST(Verdicts, AreOrderedFromBestToWorst) {
+  EXPECT_EQ(worse(Verdict::Pass, Verdict::Unsupported), Verdict::Unsupported);
+  EXPECT_EQ(worse(Verdict::Fail, Verdict::Unsupported), Verdict::Fail);
+  EXPECT_EQ(worse(Verdict::Fail, Verdict::Crash), Verdict::Crash);
+}
+
+TEST(Verdicts, OnlyAPassAndWhatWasNeverPromisedAreNoFailure) {
+  for (const auto verdict : kVerdicts)
+    EXPECT_EQ(counts_as_failure(verdict), verdict != Verdict::Pass && verdict != Verdict::Unsupported)
+        << verdict_name(verdict);
+}
+
+TEST(Verdicts, HaveDifferentNames) {
+  for (const auto a : kVerdicts)
+    for (const auto b : kVerdicts) EXPECT_EQ(a == b, verdict_name(a) == verdict_name(b));
+}
+
+TEST(ExitStatus, IsOneForEveryFailureOnWhatARendererDeclares) {
+  RunRecord run;
+  EXPECT_EQ(exit_status(run), 0);
+  run.pictures = {picture(Verdict::Pass, true), picture(Verdict::Unsupported, true),
+                  picture(Verdict::Fail, false)};
+  EXPECT_EQ(exit_status(run), 0);
+  run.pictures.push_back(picture(Verdict::MissingReference, true));
+  EXPECT_EQ(exit_status(run), 1);
+}
+
+TEST(ResultsJson, IsJsonWhateverTheTextsHold) {
+  RunRecord run;
+  run.suite = "a \"quoted\" \x01 \xff suite\n";
+  run.pictures.push_back(picture(Verdict::Pass, true));
+  run.pictures[0].measures.push_back({"psnr_srgb8", std::numeric_limits<double>::infinity(), "dB", "d"});
+  run.jobs.emplace_back();
+  run.requirements.push_back({"M1", "t", {{"r", Cell{}}}});
+  const auto text = run_json(run);
+  EXPECT_NO_THROW(orbs::json::parse("results.json", text));
+  EXPECT_NE(text.find("\"value\": null,\n          \"infinite\": true"), std::string::npos) << text;
+}

@@ -1,0 +1,182 @@
+#include "image/image_io.h"
+#include "runner/judge.h"
+#include "runner/noise.h"
+#include "structure/source_files.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using results::Verdict;
+using runner::judge;
+
+namespace {
+
+// Uniform grey with a variance of the mean; `variance` < 0 leaves the variance out.
+image::Image grey(float value, float variance = -1) {
+  auto picture = image::make_image(
+      16, 12,
+      variance < 0 ? std::vector<std::string>{"R", "G", "B"}
+                   : std::vector<std::string>{"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] = i % picture.channel_count() < 3 ? value : variance;
+  return picture;
+}
+
+registry::Case one_case() {
+  registry::Case made;
+  made.requirement = "M1";
+  made.scenes = {{"a", "a.json", 4}, {"b", "b.json", 4}};
+  made.gate.min = 35;
+  return made;
+}
+
+results::PictureRecord judged(const registry::Case& by,
+                              const image::Image& result,
+                              const image::Image& reference,
+                              const std::string& picture = "a") {
+  results::PictureRecord record;
+  record.picture = picture;
+  judge(by, result, {"a.exr", reference, ""}, 1, record);
+  return record;
+}
+
+}  // namespace
+
+// Equal steps everywhere: the error in sRGB is known in closed form. 0.25 -> 0.26 linear is encoded .53710 ->
+// .54681, and 20 log10(1 / 0.00971) = 40.3 dB; 0.25 -> 0.28 is .02807 and 31.0 dB.
+TEST(Judge, TheGateSeparatesASmallErrorFromALargeOne) {
+  EXPECT_EQ(judged(one_case(), grey(0.26F), grey(0.25F)).verdict, Verdict::Pass);
+  const auto bad = judged(one_case(), grey(0.28F), grey(0.25F));
+  EXPECT_EQ(bad.verdict, Verdict::Fail);
+  EXPECT_NE(bad.sentence.find("at least 35 is needed"), std::string::npos) << bad.sentence;
+}
+
+TEST(Judge, NumbersCarryTheirDefinitions) {
+  const auto record = judged(one_case(), grey(0.26F), grey(0.25F));
+  ASSERT_FALSE(record.measures.empty());
+  for (const auto& measure : record.measures) EXPECT_GT(measure.definition.size(), 20U) << measure.name;
+}
+
+// The ancestor tool did not notice a missing reference.
+TEST(Judge, AMissingReferenceIsNeverAPass) {
+  results::PictureRecord record;
+  record.picture = "a";
+  judge(one_case(), grey(0.5F), {"a.exr", std::nullopt, "there is no reference a.exr"}, 1, record);
+  EXPECT_EQ(record.verdict, Verdict::MissingReference);
+  EXPECT_EQ(record.sentence, "there is no reference a.exr");
+}
+
+TEST(Judge, AReferenceOfAnotherSizeIsAMissingOne) {
+  EXPECT_EQ(judged(one_case(), grey(0.5F), image::make_image(8, 8, {"R", "G", "B"})).verdict,
+            Verdict::MissingReference);
+}
+
+// Slope of the sRGB curve at 0.25: 1.055/2.4 * 0.25^(1/2.4 - 1) = 0.98686, so variance v gives an error of
+// (255*0.98686)^2 v.
+TEST(Noise, GoesThroughTheSlopeOfTheCurve) {
+  const double slope = 1.055 / 2.4 * std::pow(0.25, 1 / 2.4 - 1);
+  const auto mse = runner::noise_mse_srgb8(grey(0.25F, 0.001F));
+  ASSERT_TRUE(mse);
+  EXPECT_NEAR(*mse, 255 * 255 * slope * slope * 0.001, 1e-4);
+  EXPECT_NEAR(runner::psnr_srgb8_of(*mse), -10 * std::log10(slope * slope * 0.001), 1e-4);
+}
+
+TEST(Noise, IsNoneWhereTheClampHoldsAndUnknownWithoutVariance) {
+  EXPECT_EQ(runner::noise_mse_srgb8(grey(1.5F, 0.1F)), 0.0);
+  EXPECT_EQ(runner::noise_mse_srgb8(grey(0.5F)), std::nullopt);
+}
+
+// The error of 31 dB above: noise with a standard deviation of 0.03 explains it, noise of 0.003 does not.
+TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusive) {
+  const auto noisy = judged(one_case(), grey(0.28F, 0.03F * 0.03F), grey(0.25F));
+  EXPECT_EQ(noisy.verdict, Verdict::Inconclusive);
+  EXPECT_NE(noisy.sentence.find("more samples are needed"), std::string::npos) << noisy.sentence;
+  EXPECT_EQ(judged(one_case(), grey(0.28F, 0.003F * 0.003F), grey(0.25F)).verdict, Verdict::Fail);
+}
+
+TEST(Judge, NoiseIsNoExcuseForAPictureThatIsFarOff) {
+  EXPECT_EQ(judged(one_case(), grey(0.6F, 0.03F * 0.03F), grey(0.25F)).verdict, Verdict::Fail);
+}
+
+TEST(Judge, MaskedPixelsDoNotCount) {
+  auto result = grey(0.25F);
+  result.at(3, 2, 0) = 100;
+  auto masked = one_case();
+  EXPECT_EQ(judged(masked, result, grey(0.25F)).verdict, Verdict::Fail);
+  masked.masks = {{"a", {{3, 2, 4, 3}}, "a highlight"}};
+  EXPECT_EQ(judged(masked, result, grey(0.25F)).verdict, Verdict::Pass);
+  EXPECT_EQ(judged(masked, result, grey(0.25F), "b").verdict,
+            Verdict::Fail);  // the mask is of the other picture
+}
+
+TEST(Judge, APixelCheckFailsWhereTheWholePicturePasses) {
+  auto checked = one_case();
+  checked.pixel_checks = {{"a", {0, 0, 2, 2}, {0.25, 0.25, 0.25}, 1e-5, "what is emitted is seen"}};
+  EXPECT_EQ(judged(checked, grey(0.25F), grey(0.25F)).verdict, Verdict::Pass);
+  const auto record = judged(checked, grey(0.2501F), grey(0.25F));
+  EXPECT_EQ(record.verdict, Verdict::Fail);
+  EXPECT_NE(record.sentence.find("what is emitted is seen"), std::string::npos) << record.sentence;
+  ASSERT_EQ(record.checks.size(), 2U);
+  EXPECT_TRUE(record.checks[0].passed);
+  EXPECT_FALSE(record.checks[1].passed);
+}
+
+TEST(Judge, APathClassMustCarryItsShareOfTheReference) {
+  auto paths = one_case();
+  paths.path_shares = {{"a", "ESDL", 0.01}};
+  auto reference = grey(0.25F);
+  EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict,
+            Verdict::Inconclusive);  // the passport says nothing
+  reference.attributes["orbs.path.ESDL"] = "0.005";
+  EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict, Verdict::Inconclusive);
+  reference.attributes["orbs.path.ESDL"] = "0.02";
+  EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict, Verdict::Pass);
+  EXPECT_EQ(judged(paths, grey(0.25F), reference).reference_passport.at("path.ESDL"), "0.02");
+}
+
+TEST(Judge, AGateMayBeAnUpperBoundOfAnotherMetric) {
+  auto strict = one_case();
+  strict.gate = {"l1", std::nullopt, 0.005};
+  EXPECT_EQ(judged(strict, grey(0.2525F), grey(0.25F)).verdict, Verdict::Pass);
+  EXPECT_EQ(judged(strict, grey(0.26F), grey(0.25F)).verdict, Verdict::Fail);
+}
+
+TEST(Difference, SubtractsColoursAndAddsVariances) {
+  const auto difference = runner::difference_of(grey(0.75F, 0.25F), grey(0.25F, 0.5F));
+  EXPECT_EQ(difference.at(0, 0, 0), 0.5F);
+  EXPECT_EQ(difference.at(0, 0, 3), 0.75F);
+}
+
+// Noise makes pixels of a difference negative, which in a rendered picture would be a fault.
+TEST(Judge, ADifferenceMayBeNegative) {
+  auto subtracting = one_case();
+  subtracting.differences = {{"d", "a", "b"}};
+  EXPECT_EQ(judged(subtracting, grey(-0.001F), grey(-0.001F), "d").verdict, Verdict::Pass);
+}
+
+TEST(Reference, OfADifferenceIsTheDifferenceOfTheReferences) {
+  const structure::ScratchFolder scratch("runner-reference");
+  scratch.write("keep", "");
+  auto subtracting = one_case();
+  subtracting.differences = {{"d", "a", "b"}};
+  image::write_exr(grey(0.75F), scratch.path() / "a.exr");
+  EXPECT_FALSE(runner::load_reference(subtracting, "d", scratch.path()).picture);
+  image::write_exr(grey(0.5F), scratch.path() / "b.exr");
+  const auto reference = runner::load_reference(subtracting, "d", scratch.path());
+  ASSERT_TRUE(reference.picture) << reference.problem;
+  EXPECT_EQ(reference.picture->at(0, 0, 0), 0.25F);
+}
+
+TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
+  const structure::ScratchFolder scratch("runner-maps");
+  scratch.write("keep", "");
+  const auto comparison = metrics::compare(grey(0.5F), grey(0.25F));
+  const auto names = runner::write_maps(grey(0.5F), comparison, scratch.path());
+  EXPECT_FALSE(names.empty());
+  for (const auto& name : names) {
+    EXPECT_TRUE(std::filesystem::exists(scratch.path() / (name + ".exr"))) << name;
+    EXPECT_TRUE(std::filesystem::exists(scratch.path() / (name + ".png"))) << name;
+  }
+}

@@ -1,0 +1,45 @@
+#include "runner/execute.h"
+#include "runner/reference.h"
+#include "runner/summary.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using results::Verdict;
+
+namespace {
+
+results::RequirementRecord requirement(const std::string& code, Verdict verdict) {
+  return {code, "", {{"r", {true, verdict, std::nullopt, ""}}}};
+}
+
+}  // namespace
+
+TEST(Measured, FeaturesAreThePassesOfTheGroupsThatWereTested) {
+  EXPECT_EQ(runner::measured_features({requirement("G1", Verdict::Pass), requirement("G2", Verdict::Pass),
+                                       requirement("M1", Verdict::Pass), requirement("M2", Verdict::Fail),
+                                       requirement("M3", Verdict::Pass), requirement("M4", Verdict::Pass),
+                                       requirement("L1", Verdict::Unsupported)},
+                                      "r"),
+            "G2/M4-(2)/L0");
+  EXPECT_EQ(runner::measured_features({requirement("G1", Verdict::Inconclusive)}, "r"), "G0");
+}
+
+TEST(RenderSeconds, AreTheNumberBehindTheLastLineWithThePrefix) {
+  EXPECT_EQ(runner::seconds_in("a\nt: 1.5\nt: 2.25 s\nx t: 9\n", "t: "), 2.25);
+  EXPECT_EQ(runner::seconds_in("t: soon\n", "t: "), std::nullopt);
+  EXPECT_EQ(runner::seconds_in("", "t: "), std::nullopt);
+}
+
+// Layers of 3/4 and 1/4 of the light.
+TEST(PathShares, AreSharesOfTheMeanRadiance) {
+  auto picture = image::make_image(2, 1,
+                                   {"R", "G", "B", "path.EDL.R", "path.EDL.G", "path.EDL.B", "path.other.R",
+                                    "path.other.G", "path.other.B"});
+  for (int x = 0; x < 2; ++x)
+    for (std::size_t c = 0; c < 9; ++c) picture.at(x, 0, c) = c < 3 ? 1.0F : c < 6 ? 0.75F : 0.25F;
+  const auto shares = runner::path_shares(picture);
+  EXPECT_EQ(shares.size(), 2U);
+  EXPECT_DOUBLE_EQ(shares.at("EDL"), 0.75);
+  EXPECT_DOUBLE_EQ(shares.at("other"), 0.25);
+}
