@@ -1,7 +1,9 @@
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/commands.h"
 
 #include <exception>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,6 +22,16 @@ std::filesystem::path own_folder() {
   return failed ? std::filesystem::current_path() : file.parent_path();
 }
 
+// CLI11 takes a word that is no command for a missing one.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::set<std::string> names;
+  for (const auto* command : app.get_subcommands({})) names.insert(command->get_name());
+  if (!names.contains(argv[1]))
+    throw InputError(fmt::format("there is no command '{}'{}; there are: {}", argv[1],
+                                 closest(argv[1], names), fmt::join(names, ", ")));
+}
+
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   CLI::App app{
@@ -34,6 +46,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   add_doctor_command(app, program, action);
   add_compare_command(app, program, action);
   add_reference_command(app, program, action);
+  refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

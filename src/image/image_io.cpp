@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "image/png_chunks.h"
+#include "image/png_check.h"
 
 #include <algorithm>
-#include <bit>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <exception>
@@ -93,38 +93,30 @@ void check_jpeg_end(const std::filesystem::path& file) {
     refuse(file, "is no whole JPEG: the end marker is missing");
 }
 
-struct OpenPicture {
-  std::string bytes;  // empty when the reader itself looks into the file
-  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
-  std::unique_ptr<OIIO::ImageInput> input;  // declared last: reads from the two above until it is gone
+void check_contents(const std::string& format, const std::filesystem::path& file) {
+  if (format == "jpg" || format == "jpeg") check_jpeg_end(file);
+  if (format != "png") return;
+  const std::string bytes = read_file(file);
+  try {
+    check_png(bytes);
+  } catch (const InputError& e) {
+    refuse(file, e.what());
+  }
+}
 
-  const OIIO::ImageSpec& spec() const { return input->spec(); }
-};
-
-OpenPicture open_picture(const std::filesystem::path& file) {
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& file) {
   check_file(file);
   const std::string format = format_of(file);
-  OpenPicture picture;
-  picture.input = OIIO::ImageInput::create(format);
-  if (!picture.input) refuse(file, fmt::format("this build reads no .{} files: {}", format, reason_of("")));
-  if (format == "jpg" || format == "jpeg") check_jpeg_end(file);
-  if (format == "png") {
-    try {
-      picture.bytes = pixel_chunks(read_file(file));
-    } catch (const InputError& e) {
-      refuse(file, e.what());
-    }
-    picture.memory =
-        std::make_unique<OIIO::Filesystem::IOMemReader>(picture.bytes.data(), picture.bytes.size());
-    picture.input->set_ioproxy(picture.memory.get());
-  }
+  check_contents(format, file);
+  auto input = OIIO::ImageInput::create(format);
+  if (!input) refuse(file, fmt::format("this build reads no .{} files: {}", format, reason_of("")));
   OIIO::ImageSpec hints;
   hints["oiio:UnassociatedAlpha"] = 1;  // else colours with alpha come back multiplied by it, not as stored
   OIIO::ImageSpec ignored;
-  if (!picture.input->open(file.string(), ignored, hints))
-    refuse(file, fmt::format("is no readable .{} picture: {}", format, reason_of(picture.input->geterror())));
-  check_size(picture.spec(), file);
-  return picture;
+  if (!input->open(file.string(), ignored, hints))
+    refuse(file, fmt::format("is no readable .{} picture: {}", format, reason_of(input->geterror())));
+  check_size(input->spec(), file);
+  return input;
 }
 
 // What the library itself says about a file, as opposed to what stands in its header.
@@ -165,10 +157,13 @@ void check_names(const Image& image, const std::filesystem::path& file) {
 // rounds up.
 constexpr float kFirstBeyondHalf = 65520.0F;
 
+bool is_variance(const std::string& channel) { return channel.starts_with("variance."); }
+
 void check_range_of_half(const Image& image, const std::filesystem::path& file) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float value = image.pixels[i];
     if (!std::isfinite(value) || std::fabs(value) < kFirstBeyondHalf) continue;
+    if (is_variance(image.channels[i % image.channel_count()])) continue;  // stays a float
     const std::size_t pixel = i / image.channel_count();
     const auto width = static_cast<std::size_t>(image.width);
     refuse(file, fmt::format("{} in channel {} at pixel ({}, {}) does not fit into half floats; write floats",
@@ -197,23 +192,21 @@ void encode_and_write(const char* format,
 
 Image read_image(const std::filesystem::path& file) {
   return guarded(file, [&] {
-    const OpenPicture picture = open_picture(file);
-    const OIIO::ImageSpec& spec = picture.spec();
+    const auto input = open_picture(file);
+    const OIIO::ImageSpec& spec = input->spec();
     Image image = make_image(spec.width, spec.height, spec.channelnames);
     image.attributes = text_attributes(spec);
-    if (!picture.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
-      refuse(file, fmt::format("the pixels cannot be read: {}", reason_of(picture.input->geterror())));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
+      refuse(file, fmt::format("the pixels cannot be read: {}", reason_of(input->geterror())));
     return image;
   });
 }
 
 namespace {
 
-bool is_variance(const std::string& channel) { return channel.starts_with("variance."); }
-
-// `value` with 8 significant bits, to nearest; NaN and infinities stay what they are.
+// `value` with 4 significant bits, to nearest; NaN and infinities stay what they are.
 float shortened(float value) {
-  constexpr std::uint32_t kDropped = 16;  // of the 23 stored bits
+  constexpr std::uint32_t kDropped = 20;  // of the 23 stored bits
   if (!std::isfinite(value)) return value;
   const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (kDropped - 1));
   return std::bit_cast<float>(bits >> kDropped << kDropped);
@@ -223,7 +216,8 @@ Image with_short_variances(const Image& image) {
   Image out = image;
   for (std::size_t c = 0; c < out.channel_count(); ++c)
     if (is_variance(out.channels[c]))
-      for (std::size_t i = c; i < out.pixels.size(); i += out.channel_count()) out.pixels[i] = shortened(out.pixels[i]);
+      for (std::size_t i = c; i < out.pixels.size(); i += out.channel_count())
+        out.pixels[i] = shortened(out.pixels[i]);
   return out;
 }
 
@@ -271,7 +265,7 @@ void write_png(const Image& image, const std::filesystem::path& file) {
 
 bool is_ldr_file(const std::filesystem::path& file) {
   return guarded(file, [&] {
-    const auto format = open_picture(file).spec().format;
+    const auto format = open_picture(file)->spec().format;
     return format == OIIO::TypeUInt8 || format == OIIO::TypeUInt16;
   });
 }

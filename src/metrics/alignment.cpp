@@ -31,8 +31,7 @@ std::array<std::size_t, 3> colour_indices(const Image& picture) {
   return indices;
 }
 
-// Counts one pixel; true when it has a fault.
-bool count_pixel(const std::array<float, 3>& rgb, NegativePixels negatives, PixelFaults& faults) {
+void count_pixel(const std::array<float, 3>& rgb, PixelFaults& faults) {
   std::array<bool, 3> seen{};
   for (const float value : rgb) {
     seen[0] = seen[0] || std::isnan(value);
@@ -42,9 +41,9 @@ bool count_pixel(const std::array<float, 3>& rgb, NegativePixels negatives, Pixe
   faults.nan += seen[0] ? 1 : 0;
   faults.infinite += seen[1] ? 1 : 0;
   faults.negative += seen[2] ? 1 : 0;
-  return seen[0] || seen[1] || (seen[2] && negatives == NegativePixels::Refused);
 }
 
+// Where the pixel is and its first value that is a fault; empty when it has none.
 std::string describe_pixel(const std::array<float, 3>& rgb,
                            std::size_t pixel,
                            int width,
@@ -68,8 +67,8 @@ PixelFaults count_faults(const Image& picture, NegativePixels negatives) {
     bool good = true;  // NaN fails both comparisons
     for (const float value : rgb) good = good && value >= 0.0F && value <= kLargestFinite;
     if (good) continue;
-    if (count_pixel(rgb, negatives, faults) && faults.first.empty())
-      faults.first = describe_pixel(rgb, pixel, picture.width, negatives);
+    count_pixel(rgb, faults);
+    if (faults.first.empty()) faults.first = describe_pixel(rgb, pixel, picture.width, negatives);
   }
   return faults;
 }

@@ -9,10 +9,9 @@ namespace orbs::results {
 /// them.
 enum class Verdict {
   Pass,
-  Unsupported,   // the renderer does not declare it, or the scene cannot be prepared for it
-  Skipped,       // the run ended before its turn
-  Inconclusive,  // the gate cannot tell: too much noise, or a reference that does not show what the case is
-                 // about
+  Unsupported,       // the renderer does not declare it, or the scene cannot be prepared for it
+  Skipped,           // the run ended before its turn
+  Inconclusive,      // the gate cannot tell: too much noise, or a reference that does not show its subject
   MissingReference,  // nothing to compare with, which is never a pass
   Fail,              // a picture, but not the right one
   InvalidPixels,     // NaN or infinite

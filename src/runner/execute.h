@@ -19,8 +19,8 @@ struct Execution {
 /// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's folder, which it
 /// makes.
 Execution execute(const Plan& plan,
-                  const PlannedJob& job,
-                  const std::string& renderer_version,
+                  const PlannedJob& planned,
+                  const std::string& version,
                   const std::filesystem::path& run_folder,
                   const std::atomic<bool>* stop);
 
@@ -28,8 +28,7 @@ Execution execute(const Plan& plan,
 results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 
 /// The first line of what the version command prints that is not empty and starts with version_prefix;
-/// "unknown" with the reason when it fails,
-/// "" when the renderer has no such command.
+/// "unknown" with the reason when there is none, "" when the renderer has no such command.
 std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan);
 
 /// The number behind the last line that starts with `prefix`; nothing when there is none.

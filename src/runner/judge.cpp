@@ -22,7 +22,9 @@ using results::PictureRecord;
 using results::Verdict;
 
 std::string number_text(double value, const std::string& unit) {
-  return std::isinf(value) ? "infinite" : fmt::format("{:.4g}{}{}", value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+  return std::isinf(value)
+             ? "infinite"
+             : fmt::format("{:.4g}{}{}", value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
 }
 
 // With half a dB to spare for what the delta method leaves out.
@@ -32,8 +34,8 @@ constexpr double kNoiseSlack_db = 0.5;
 std::optional<double> noise_psnr(const image::Image& result,
                                  const image::Image& reference,
                                  const metrics::Mask& mask) {
-  const auto of_result = noise_mse_srgb8(result, mask);
-  const auto of_reference = noise_mse_srgb8(reference, mask);
+  const auto of_result = noise_mse_srgb8(result, reference, mask);
+  const auto of_reference = noise_mse_srgb8(reference, reference, mask);
   if (!of_result && !of_reference) return std::nullopt;
   return psnr_srgb8_of(of_result.value_or(0) + of_reference.value_or(0));
 }

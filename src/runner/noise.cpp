@@ -2,7 +2,6 @@
 
 #include "metrics/psnr.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -18,27 +17,21 @@ double srgb_slope(double linear) {
 
 }  // namespace
 
-std::optional<double> noise_mse_srgb8(const image::Image& picture, const metrics::Mask& mask) {
-  constexpr std::array kChannels{"R", "G", "B"};
-  constexpr std::array kVariances{"variance.R", "variance.G", "variance.B"};
-  std::array<std::size_t, 3> values{};
-  std::array<std::size_t, 3> variances{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int value = image::channel_index(picture, kChannels.at(c));
-    const int variance = image::channel_index(picture, kVariances.at(c));
-    if (value < 0 || variance < 0) return std::nullopt;
-    values.at(c) = static_cast<std::size_t>(value);
-    variances.at(c) = static_cast<std::size_t>(variance);
-  }
+std::optional<double> noise_mse_srgb8(const image::Image& picture,
+                                      const image::Image& values,
+                                      const metrics::Mask& mask) {
+  for (const char* channel : {"variance.R", "variance.G", "variance.B"})
+    if (image::channel_index(picture, channel) < 0) return std::nullopt;
+  const auto variances = image::select_rgb(picture, "variance.");
+  const auto colours = image::select_rgb(values, "");
   const auto included = metrics::included_pixels(mask, picture.width, picture.height);
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < included.size(); ++pixel) {
     if (included[pixel] == 0) continue;
-    const float* const samples = &picture.pixels[pixel * picture.channel_count()];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double slope = 255 * srgb_slope(static_cast<double>(samples[values.at(c)]));
-      sum += slope * slope * static_cast<double>(samples[variances.at(c)]);
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+      const double slope = 255 * srgb_slope(static_cast<double>(colours.pixels[i]));
+      sum += slope * slope * static_cast<double>(variances.pixels[i]);
     }
     count += 3;
   }

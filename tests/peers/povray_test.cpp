@@ -1,7 +1,6 @@
 #include "peers/povray_scenes.h"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -11,12 +10,18 @@ namespace {
 
 using namespace orbs;
 using namespace orbs::peers;
-using std::numbers::pi;
 
 constexpr double kHalf = 4.9e-4;
 
 double value(const image::Image& image, int x, int y, std::size_t c = 0) {
   return static_cast<double>(image.at(x, y, c));
+}
+
+adapters::PovraySettings fine_radiosity() {
+  adapters::PovraySettings settings;
+  settings.radiosity.count = 1600;
+  settings.radiosity.error_bound = 0.25;
+  return settings;
 }
 
 TEST(Povray, EmissionIsShownAsGivenAndNotClamped) {
@@ -101,10 +106,7 @@ TEST(Povray, RadiosityFillsAnIntegratingSphere) {
   add_instance(scene, scene::make_sphere({.radius_m = 2, .segments = 64}), wall);
   auto& materials = scene.meshes[0].triangle_materials;
   std::fill(materials.begin(), materials.begin() + static_cast<std::ptrdiff_t>(materials.size() / 2), lamp);
-  adapters::PovraySettings settings;
-  settings.radiosity.count = 200;
-  settings.radiosity.pretrace_end = 0.04;
-  const auto image = render_with_povray(scene, "integrating-sphere", settings);
+  const auto image = render_with_povray(scene, "integrating-sphere", fine_radiosity());
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) ASSERT_NEAR(value(image, x, y), 1.0 / 3, 0.01) << x << " " << y;
 }
@@ -116,7 +118,7 @@ TEST(Povray, EnvironmentLightsThroughRadiosity) {
   scene.environment = {1, 2, 0.5};
   add_instance(scene, scene::make_sphere({.radius_m = 1, .segments = 64}),
                add_material(scene, scene::Lambert{{0.5, 0.5, 0.5}, {}}), translation({0, 0, -4}));
-  const auto image = render_with_povray(scene, "environment");
+  const auto image = render_with_povray(scene, "environment", fine_radiosity());
   EXPECT_NEAR(value(image, 8, 8, 0), 0.5, 2e-3);
   EXPECT_NEAR(value(image, 3, 12, 1), 1, 4e-3);
   EXPECT_NEAR(value(image, 8, 1, 2), 0.25, 1e-3);

@@ -1,4 +1,5 @@
 #include "adapters/povray/povray.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "scene/generators.h"
 
@@ -141,8 +142,10 @@ TEST_F(PovrayText, NumbersReadBackAsTheSameNumbers) {
 
 TEST_F(PovrayText, SameSceneGivesTheSameText) {
   instance(scene::make_sphere({1, 8}), material(scene::Lambert{{0.5, 0.5, 0.5}, {}}));
-  const std::string first = written() + meshes();
-  EXPECT_EQ(first, written() + meshes());
+  const std::string first = written();
+  const std::string first_meshes = meshes();
+  EXPECT_EQ(first, written());
+  EXPECT_EQ(first_meshes, meshes());
 }
 
 TEST_F(PovrayText, TextureIsCopiedBesideTheSceneAndItsMatrixGoesIntoTheCoordinates) {
@@ -157,6 +160,17 @@ TEST_F(PovrayText, TextureIsCopiedBesideTheSceneAndItsMatrixGoesIntoTheCoordinat
   EXPECT_EQ(read_file(folder_ / "a-texture0.png"), "bytes");
   EXPECT_TRUE(holds(meshes(), "<-0.5,0.25>")) << meshes();  // u = v = 0
   EXPECT_TRUE(holds(meshes(), "<3.5,2.25>")) << meshes();   // u = v = 1
+}
+
+// POV-Ray halves the grid; of an odd half one row would count twice.
+TEST_F(PovrayText, LampGridThatWouldBeWeighedUnevenlyIsRefused) {
+  adapters::PovraySettings settings;
+  settings.area_grid = 12;
+  EXPECT_THROW(written(settings), InputError);
+  settings.area_grid = 2;
+  EXPECT_THROW(written(settings), InputError);  // less than two samples for each of 2 x 2 pieces
+  settings.area_grid = 4;
+  EXPECT_NO_THROW(written(settings));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(Process, OutputBeyondTheAllowanceIsLeftOutOfTheMiddle) {
   auto request = shell("printf '%0100d' 0 | tr 0 a; printf '%01000d' 0 | tr 0 b; printf '%0100d' 0 | tr 0 c");
   request.most_log_bytes = 200;
   EXPECT_EQ(run_process(request).output,
-            std::string(100, 'a') + "\n[orbs: 1000 bytes left out]\n" + std::string(100, 'c'));
+            fmt::format("{:a>100}\n[orbs: 1000 bytes left out]\n{:c>100}", "", ""));
 }
 
 TEST(Process, AnExitCodeIsKept) { EXPECT_EQ(run_process(shell("exit 7")).exit_code, 7); }

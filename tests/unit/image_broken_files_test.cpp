@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
-#include "image/png_chunks.h"
+#include "image/png_check.h"
 #include "structure/source_files.h"
 #include "unit/image_png_bytes.h"
 
@@ -18,6 +18,7 @@ namespace {
 using namespace orbs::image;
 using orbs::InputError;
 using orbs::image_test::png_bytes;
+using orbs::image_test::png_chunk;
 using orbs::structure::ScratchFolder;
 
 // What reading these bytes under this name says: the error, or "read"; plus whatever landed on stderr.
@@ -167,11 +168,27 @@ TEST(ImageBrokenFiles, APngWithoutPixelsIsRefused) {
   const auto pixels = whole.find("IDAT") - 4;
   const auto end = whole.find("IEND") - 4;
   try {
-    pixel_chunks(whole.substr(0, pixels) + whole.substr(end));
+    check_png(whole.substr(0, pixels) + whole.substr(end));
     FAIL() << "no error";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "the PNG has no pixels");
   }
+}
+
+TEST(ImageBrokenFiles, APngWhosePaletteOrCriticalChunksAreWrongIsRefusedQuietly) {
+  const ScratchFolder folder("broken-png-chunks");
+  const std::string row("\0\x00", 2);
+  const std::string palette = png_chunk("PLTE", "abc");
+  const auto place = (folder.path() / "a.png").string() + ": ";
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(1, 1, 8, 3, row, palette)), "read");
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(1, 1, 8, 3, row)),
+            place + "the PNG has no palette before its pixels");
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(1, 1, 8, 3, row, palette + palette)),
+            place + "the palette of the PNG is not alone before its pixels");
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(1, 1, 8, 3, row, png_chunk("PLTE", "abcd"))),
+            place + "the palette of the PNG has 4 bytes, expected 3 a colour and at most 768");
+  EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(1, 1, 8, 0, row, png_chunk("ABCD", "x"))),
+            place + "the PNG has the chunk ABCD, which nobody knows but all must understand");
 }
 
 TEST(ImageBrokenFiles, AJpegWithoutItsEndIsRefused) {

@@ -41,8 +41,9 @@ std::string dots(const Image& image) {
   return text;
 }
 
-// True when `word`, drawn at some place right of `from_x`, is in the picture exactly, dot by dot.
-bool shows_text(const Image& picture, int from_x, const std::string& word, int zoom) {
+// True when `word`, drawn at some place right of `from_x` and below `from_y`, is in the picture exactly, dot
+// by dot.
+bool shows_text(const Image& picture, int from_x, const std::string& word, int zoom, int from_y = 0) {
   Image drawn = make_image(text_width_px(word, zoom), kGlyphHeightPx * zoom, {"Y"});
   draw_text(drawn, 0, 0, word, zoom, 1.0F);
   const auto matches = [&](int left, int top) {
@@ -51,7 +52,7 @@ bool shows_text(const Image& picture, int from_x, const std::string& word, int z
         if ((drawn.at(x, y, 0) > 0.5F) != (picture.at(left + x, top + y, 0) > 0.5F)) return false;
     return true;
   };
-  for (int top = 0; top + drawn.height <= picture.height; ++top)
+  for (int top = from_y; top + drawn.height <= picture.height; ++top)
     for (int left = from_x; left + drawn.width <= picture.width; ++left)
       if (matches(left, top)) return true;
   return false;
@@ -129,7 +130,7 @@ TEST(ImageFalseColour, TheBarIsLabelledWithBothEndsAndRunsLinearlyBetweenThem) {
   expect_near(pixel(picture, bar_x, 50), colour_at(ColourScale::Sequential, 0.5F));
   expect_near(pixel(picture, bar_x, 100), colour_at(ColourScale::Sequential, 0.0F));
   EXPECT_TRUE(shows_text(picture, bar_x + 10, "0.25", 1));
-  EXPECT_TRUE(shows_text(picture, bar_x + 10, "0", 1));
+  EXPECT_TRUE(shows_text(picture, bar_x + 10, "0", 1, 90));
   EXPECT_FALSE(shows_text(picture, bar_x + 10, "0.26", 1));
 }
 

@@ -139,6 +139,23 @@ TEST(ImageIo, AValueBeyondTheLargestHalfIsRefusedInsteadOfBecomingInfinite) {
   }
 }
 
+// A variance may be far above or below what a half holds. Rounding to 8 significant bits is off by half a
+// unit in the last of them, at most 2^-8 of the value.
+TEST(ImageIo, BesideHalfColoursVariancesStayFloatsOfEightBits) {
+  const ScratchFolder folder("image-variance");
+  Image picture = make_image(3, 1, {"R", "variance.R"});
+  const std::vector<float> variances{1e9F / 3.0F, 1e-20F / 3.0F, 0.0F};
+  for (int x = 0; x < 3; ++x) picture.at(x, 0, 1) = variances[static_cast<std::size_t>(x)];
+  write_exr(picture, folder.path() / "a.exr", Precision::Half);
+  const Image read = read_image(folder.path() / "a.exr");
+  const int index = channel_index(read, "variance.R");
+  ASSERT_GE(index, 0);
+  for (int x = 0; x < 3; ++x) {
+    const float expected = variances[static_cast<std::size_t>(x)];
+    EXPECT_NEAR(read.at(x, 0, static_cast<std::size_t>(index)), expected, expected * 0x1p-8F);
+  }
+}
+
 TEST(ImageIo, TheSamePictureGivesTheSameBytes) {
   const ScratchFolder folder("image-bytes");
   const Image picture = numbered_picture(16, 16, {"R", "G", "B"});

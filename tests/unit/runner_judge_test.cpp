@@ -77,15 +77,15 @@ TEST(Judge, AReferenceOfAnotherSizeIsAMissingOne) {
 // (255*0.98686)^2 v.
 TEST(Noise, GoesThroughTheSlopeOfTheCurve) {
   const double slope = 1.055 / 2.4 * std::pow(0.25, 1 / 2.4 - 1);
-  const auto mse = runner::noise_mse_srgb8(grey(0.25F, 0.001F));
+  const auto mse = runner::noise_mse_srgb8(grey(0.9F, 0.001F), grey(0.25F));
   ASSERT_TRUE(mse);
   EXPECT_NEAR(*mse, 255 * 255 * slope * slope * 0.001, 1e-4);
   EXPECT_NEAR(runner::psnr_srgb8_of(*mse), -10 * std::log10(slope * slope * 0.001), 1e-4);
 }
 
 TEST(Noise, IsNoneWhereTheClampHoldsAndUnknownWithoutVariance) {
-  EXPECT_EQ(runner::noise_mse_srgb8(grey(1.5F, 0.1F)), 0.0);
-  EXPECT_EQ(runner::noise_mse_srgb8(grey(0.5F)), std::nullopt);
+  EXPECT_EQ(runner::noise_mse_srgb8(grey(1.5F, 0.1F), grey(1.5F)), 0.0);
+  EXPECT_EQ(runner::noise_mse_srgb8(grey(0.5F), grey(0.5F)), std::nullopt);
 }
 
 // The error of 31 dB above: noise with a standard deviation of 0.03 explains it, noise of 0.003 does not.

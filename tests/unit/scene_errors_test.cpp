@@ -117,7 +117,7 @@ TEST_P(BrokenSceneTest, GivesOneErrorThatNamesThePlace) {
   for (const auto& part : broken.complaint) EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in:\n" << error;
 }
 
-INSTANTIATE_TEST_SUITE_P(Tour, BrokenSceneTest, testing::ValuesIn(kBroken), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Tour, BrokenSceneTest, testing::ValuesIn(kBroken), [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(BrokenMeshFile, NamesFileAndLine) {
   EXPECT_NE(file_error(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").find(".obj:4: each corner needs a normal"), std::string::npos);

@@ -218,7 +218,7 @@ TEST(TracerStop, KeepsThePassesThatWereFinished) {
   const std::atomic<bool> at_once{true};
   const auto world = tracer::make_world(scene::load_scene_text("test.json", kBusyScene, "."));
   const auto rendering = tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
-  EXPECT_EQ(rendering.samples_per_pixel, 8);  // one replicate of eight
+  EXPECT_EQ(rendering.samples_per_pixel, 16);  // one replicate of four
   EXPECT_GT(mean_of_channel(rendering.picture, 0), 0);
 }
 

@@ -78,7 +78,7 @@ std::string rect_sources(const scene::Light& light,
                         (j + 0.5) * length_m - rect.half_length_m};
       const Panel panel{transform_point(light.matrix, local), frame.u * width_m, frame.v * length_m,
                         frame.facing, width_m * length_m * frame.area_scale};
-      text += panel_light(panel, light.radiance, std::max(2, settings.area_grid / split), settings);
+      text += panel_light(panel, light.radiance, settings.area_grid / split, settings);
     }
   return text;
 }

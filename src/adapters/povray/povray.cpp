@@ -22,7 +22,6 @@ namespace {
 using povray::colour;
 using povray::vector;
 
-// POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
 constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
 
 // Names come from the user and end up behind "//": a line break in one would begin a statement.
@@ -57,7 +56,19 @@ std::string radiosity_text(const scene::Scene& scene, const PovrayRadiosity& r) 
       r.pretrace_end, r.minimum_reuse, r.maximum_reuse, r.always_sample ? "on" : "off");
 }
 
+bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
+
+void check_settings(const PovraySettings& settings) {
+  if (!is_power_of_two(settings.area_grid) || !is_power_of_two(settings.area_split))
+    throw InputError(fmt::format("POV-Ray: area_grid is {} and area_split is {}; expected powers of two",
+                                 settings.area_grid, settings.area_split));
+  if (settings.area_grid < 2 * settings.area_split)
+    throw InputError(fmt::format("POV-Ray: area_grid is {}; expected at least twice area_split, {}",
+                                 settings.area_grid, 2 * settings.area_split));
+}
+
 std::string settings_text(const scene::Scene& scene, const PovraySettings& settings) {
+  // POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
   // Photons are counted per sample of the lamp, so many of POV-Ray's "count" are made of each.
   const int samples = settings.area_grid * settings.area_grid / (settings.area_split * settings.area_split);
   const std::string photons = settings.photons > 0 ? fmt::format("  photons {{ count {} }}\n",
@@ -128,6 +139,7 @@ int povray_aa_grid(int spp) {
 void write_povray(const scene::Scene& scene,
                   const PovraySettings& settings,
                   const std::filesystem::path& file) {
+  check_settings(settings);
   const std::string stem = file.stem().string();
   const std::filesystem::path folder = file.parent_path();
   const Text text = scene_text(scene, settings, stem);

@@ -1,4 +1,4 @@
-#include "image/png_chunks.h"
+#include "image/png_check.h"
 
 #include "base/error.h"
 
@@ -45,7 +45,7 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 struct Chunk {
   std::string_view type;
   std::string_view data;
-  std::string_view whole;  // with length and CRC, as it stands in the file
+  std::size_t whole_length;  // with length, type and CRC
 };
 
 Chunk chunk_at(std::string_view bytes, std::size_t at) {
@@ -60,7 +60,7 @@ Chunk chunk_at(std::string_view bytes, std::size_t at) {
     throw InputError(fmt::format("the file ends inside the PNG chunk {}", type));
   if (crc32(bytes.substr(at + 4, 4 + length)) != word_at(bytes, at + 8 + length))
     throw InputError(fmt::format("the checksum of the PNG chunk {} is wrong", type));
-  return {type, bytes.substr(at + 8, length), bytes.substr(at, length + kFrame)};
+  return {type, bytes.substr(at + 8, length), length + kFrame};
 }
 
 bool is_depth_of_colour_type(int depth, int colour_type) {
@@ -79,8 +79,9 @@ bool is_depth_of_colour_type(int depth, int colour_type) {
 }
 
 void check_header(const Chunk& chunk) {
-  if (chunk.type != "IHDR" || chunk.data.size() != kHeaderBytes)
-    throw InputError("the PNG does not start with its header IHDR");
+  if (chunk.data.size() != kHeaderBytes)
+    throw InputError(
+        fmt::format("the PNG header has {} bytes, expected {}", chunk.data.size(), kHeaderBytes));
   const std::uint32_t width = word_at(chunk.data, 0);
   const std::uint32_t height = word_at(chunk.data, 4);
   if (width == 0 || height == 0 || width > kLargestSidePx || height > kLargestSidePx)
@@ -90,24 +91,59 @@ void check_header(const Chunk& chunk) {
     throw InputError("the PNG header holds a pixel format that PNG does not have");
 }
 
+// Chunks whose names start with a capital letter must be understood; of the palette, libpng prints what it
+// dislikes.
+class CriticalChunks {
+ public:
+  void add(const Chunk& chunk) {
+    if (chunk.type == "IHDR") {
+      if (seen_header_) throw InputError("the PNG has a second header IHDR");
+      check_header(chunk);
+      seen_header_ = true;
+      needs_palette_ = chunk.data[9] == 3;
+    } else if (!seen_header_) {
+      throw InputError("the PNG does not start with its header IHDR");
+    } else if (chunk.type == "PLTE") {
+      check_palette(chunk);
+    } else if (chunk.type == "IDAT") {
+      if (needs_palette_ && !seen_palette_) throw InputError("the PNG has no palette before its pixels");
+      seen_pixels_ = true;
+    } else if (chunk.type != "IEND" && std::isupper(static_cast<unsigned char>(chunk.type[0])) != 0) {
+      throw InputError(
+          fmt::format("the PNG has the chunk {}, which nobody knows but all must understand", chunk.type));
+    } else if (chunk.type == "IEND" && !seen_pixels_) {
+      throw InputError("the PNG has no pixels");
+    }
+  }
+
+ private:
+  void check_palette(const Chunk& chunk) {
+    constexpr std::size_t kMostBytes = 3 * 256;
+    if (seen_palette_ || seen_pixels_)
+      throw InputError("the palette of the PNG is not alone before its pixels");
+    if (chunk.data.empty() || chunk.data.size() % 3 != 0 || chunk.data.size() > kMostBytes)
+      throw InputError(fmt::format("the palette of the PNG has {} bytes, expected 3 a colour and at most {}",
+                                   chunk.data.size(), kMostBytes));
+    seen_palette_ = true;
+  }
+
+  bool seen_header_ = false;
+  bool seen_palette_ = false;
+  bool seen_pixels_ = false;
+  bool needs_palette_ = false;
+};
+
 }  // namespace
 
-std::string pixel_chunks(std::string_view bytes) {
+void check_png(std::string_view bytes) {
   if (!bytes.starts_with(kSignature)) throw InputError("does not start as a PNG does");
-  std::string kept(kSignature);
-  bool has_pixels = false;
+  CriticalChunks critical;
   for (std::size_t at = kSignature.size();;) {
     const Chunk chunk = chunk_at(bytes, at);
-    if (at == kSignature.size()) check_header(chunk);
-    has_pixels = has_pixels || chunk.type == "IDAT";
-    if (chunk.type == "IHDR" || chunk.type == "PLTE" || chunk.type == "tRNS" || chunk.type == "IDAT" ||
-        chunk.type == "IEND")
-      kept += chunk.whole;
-    if (chunk.type == "IEND") break;
-    at += chunk.whole.size();
+    critical.add(chunk);
+    if (chunk.type == "IEND") return;
+    at += chunk.whole_length;
   }
-  if (!has_pixels) throw InputError("the PNG has no pixels");
-  return kept;
 }
 
 }  // namespace orbs::image
