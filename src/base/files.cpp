@@ -2,8 +2,6 @@
 
 #include "base/error.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -12,6 +10,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace orbs {
 
@@ -22,7 +21,8 @@ std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw InputError(fmt::format("{}: reading stopped: {}", path.string(), std::strerror(errno)));
+  if (file.bad())
+    throw InputError(fmt::format("{}: reading stopped: {}", path.string(), std::strerror(errno)));
   return bytes;
 }
 

@@ -10,8 +10,8 @@ namespace orbs {
 /// The whole file as bytes. InputError with the reason when it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes beside the target and renames into place, so that a reader sees the old file or the new one, never a part.
-/// InputError when the disk refuses.
+/// Writes beside the target and renames into place, so that a reader sees the old file or the new one, never
+/// a part. InputError when the disk refuses.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo; draft-eastlake-fnv): tells two versions of a file apart, no protection

@@ -33,8 +33,8 @@ Vec3d transform_normal(const Mat4& inverse, Vec3d normal);
 /// Determinant of the upper-left 3x3.
 double determinant3(const Mat4& matrix);
 bool is_affine(const Mat4& matrix);
-/// Inverse of an affine matrix; nothing when the 3x3 part is singular in relation to its size (|det| < 1e-12 |M|^3),
-/// where the inverse would keep no correct digit in float.
+/// Inverse of an affine matrix; nothing when the 3x3 part is singular in relation to its size (|det| < 1e-12
+/// |M|^3), where the inverse would keep no correct digit in float.
 std::optional<Mat4> inverse(const Mat4& matrix);
 
 }  // namespace orbs

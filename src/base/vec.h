@@ -4,7 +4,8 @@
 
 namespace orbs {
 
-/// Three numbers: a point, a direction or an RGB value. `Real` is double in scene data, float on the tracer's paths.
+/// Three numbers: a point, a direction or an RGB value. `Real` is double in scene data, float on the tracer's
+/// paths.
 template <typename Real>
 struct Vec3 {
   Real x{};

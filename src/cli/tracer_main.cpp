@@ -4,8 +4,6 @@
 #include "scene/load_scene.h"
 #include "tracer/render.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -13,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #ifndef ORBS_VERSION
 #  define ORBS_VERSION "unknown"
@@ -27,7 +26,7 @@ extern "C" void ask_to_stop(int) { stop = true; }
 struct Options {
   std::string scene;
   std::string output;
-  int width = 0;   // 0: the camera's own
+  int width = 0;  // 0: the camera's own
   int height = 0;
   bool as_json = false;
   orbs::tracer::RenderSettings render;
@@ -38,14 +37,21 @@ Options parse_options(int argc, char** argv) {
   CLI::App app{"Renders one orbs-scene/1 file with the reference path tracer."};
   app.set_version_flag("--version", "orbs-tracer " ORBS_VERSION);
   app.add_option("scene", options.scene, "scene file (orbs-scene/1)")->required();
-  app.add_option("-o,--output", options.output, "picture to write (OpenEXR: R,G,B and their variances)")->required();
-  app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")->check(CLI::Range(1, 1 << 24))->capture_default_str();
+  app.add_option("-o,--output", options.output, "picture to write (OpenEXR: R,G,B and their variances)")
+      ->required();
+  app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")
+      ->check(CLI::Range(1, 1 << 24))
+      ->capture_default_str();
   app.add_option("--seed", options.render.seed, "same seed, same picture")->capture_default_str();
   app.add_option("--threads", options.render.threads, "0: all cores; the picture does not depend on it")
-      ->check(CLI::Range(0, 1024))->capture_default_str();
-  app.add_option("--width", options.width, "replaces the camera's width, in pixels")->check(CLI::Range(1, 65536));
-  app.add_option("--height", options.height, "replaces the camera's height, in pixels")->check(CLI::Range(1, 65536));
-  app.add_flag("--split-paths", options.render.split_paths, "one layer per class of light path (path.EDSL.R ...)");
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--width", options.width, "replaces the camera's width, in pixels")
+      ->check(CLI::Range(1, 65536));
+  app.add_option("--height", options.height, "replaces the camera's height, in pixels")
+      ->check(CLI::Range(1, 65536));
+  app.add_flag("--split-paths", options.render.split_paths,
+               "one layer per class of light path (path.EDSL.R ...)");
   app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
   try {
     app.parse(argc, argv);
@@ -65,7 +71,8 @@ class ProgressLine {
     if (progress.seconds < last_seconds_ + kInterval) return;
     last_seconds_ = progress.seconds;
     if (as_json_) {
-      fmt::print("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done, progress.samples_per_pixel, progress.seconds);
+      fmt::print("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done,
+                 progress.samples_per_pixel, progress.seconds);
       std::fflush(stdout);
     } else if (on_terminal_) {
       constexpr int kWidth = 40;
@@ -100,12 +107,14 @@ void stamp(orbs::tracer::Rendering& rendering, const Options& options, const orb
 
 void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
   if (r.bad_samples.count > 0)
-    fmt::print(stderr, "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
+    fmt::print(stderr,
+               "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
                r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
   if (as_json)
-    fmt::print("{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
-               "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
-               r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
+    fmt::print(
+        "{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
+        "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
+        r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
   fmt::print("orbs: render_seconds {:.4f}\n", r.seconds);
 }
 
@@ -119,7 +128,8 @@ int run(const Options& options) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   ProgressLine line(options.as_json);
-  auto rendering = tracer::render(world, options.render, stop, [&](const tracer::Progress& p) { line.show(p); });
+  auto rendering =
+      tracer::render(world, options.render, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
   stamp(rendering, options, scene);
   image::write_exr(rendering.picture, options.output);

@@ -7,7 +7,8 @@
 namespace orbs::json {
 
 Document parse(std::string name, std::string text) {
-  constexpr int kDeepest = 64;  // locate() and later readers recurse by level; no real file of ours goes beyond 10
+  constexpr int kDeepest =
+      64;  // locate() and later readers recurse by level; no real file of ours goes beyond 10
   std::vector<std::set<std::string>> open_objects;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
     using Event = nlohmann::json::parse_event_t;
@@ -15,7 +16,8 @@ Document parse(std::string name, std::string text) {
     if (event == Event::object_start) open_objects.emplace_back();
     if (event == Event::object_end) open_objects.pop_back();
     if (event == Event::key && !open_objects.back().insert(value.get<std::string>()).second)
-      throw InputError(fmt::format("{}: key '{}' appears twice in one object", name, value.get<std::string>()));
+      throw InputError(
+          fmt::format("{}: key '{}' appears twice in one object", name, value.get<std::string>()));
     return true;
   };
   try {
@@ -23,8 +25,8 @@ Document parse(std::string name, std::string text) {
     return {std::move(name), std::move(text), std::move(root)};
   } catch (const nlohmann::json::parse_error& e) {
     const auto at = position_of_offset(text, e.byte > 0 ? e.byte - 1 : 0);
-    throw InputError(
-        fmt::format("{}:{}:{}: not valid JSON: {}\n{}", name, at.line, at.column, e.what(), excerpt(text, at)));
+    throw InputError(fmt::format("{}:{}:{}: not valid JSON: {}\n{}", name, at.line, at.column, e.what(),
+                                 excerpt(text, at)));
   } catch (const nlohmann::json::exception& e) {
     throw InputError(fmt::format("{}: not usable JSON: {}", name, e.what()));
   }

@@ -10,8 +10,9 @@
 
 namespace orbs::json {
 
-/// Writes JSON text in the order of the calls: objects one member a line, arrays of numbers on one line. Numbers are
-/// the shortest text that reads back to the same double; NaN and infinities, which JSON cannot hold, become null.
+/// Writes JSON text in the order of the calls: objects one member a line, arrays of numbers on one line.
+/// Numbers are the shortest text that reads back to the same double; NaN and infinities, which JSON cannot
+/// hold, become null.
 class Writer {
  public:
   Writer& begin_object();

@@ -46,7 +46,8 @@ class NumberStream {
   std::vector<double> angles(int length, const char* what) {
     auto numbers = list(length, what);
     for (std::size_t i = 1; i < numbers.size(); ++i)
-      if (!(numbers[i] > numbers[i - 1])) fail(fmt::format("{} must ascend, found {} after {}", what, numbers[i], numbers[i - 1]));
+      if (!(numbers[i] > numbers[i - 1]))
+        fail(fmt::format("{} must ascend, found {} after {}", what, numbers[i], numbers[i - 1]));
     return numbers;
   }
 
@@ -113,10 +114,13 @@ double interpolate(const std::vector<double>& at, double x, std::size_t& low) {
 }
 
 // Planes for the whole circle. Files that stop short of 360 (at 345, say) go on with their first plane.
-IesProfile unfolded(const std::vector<double>& planes, std::vector<double> vertical, const std::vector<double>& candela) {
+IesProfile unfolded(const std::vector<double>& planes,
+                    std::vector<double> vertical,
+                    const std::vector<double>& candela) {
   std::map<double, std::size_t> plane_at;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    for (const double azimuth : azimuths_of(planes[i], planes.front(), planes.back())) plane_at.emplace(azimuth, i);
+    for (const double azimuth : azimuths_of(planes[i], planes.front(), planes.back()))
+      plane_at.emplace(azimuth, i);
   plane_at.emplace(360, 0);
   IesProfile profile;
   const auto rows = static_cast<std::ptrdiff_t>(vertical.size());
@@ -149,7 +153,8 @@ IesProfile parse_ies(const std::string& name, std::string_view text) {
   const auto horizontal = in.angles(n_horizontal, "horizontal angle");
   if (vertical.front() < 0 || vertical.back() > 180) in.fail("vertical angles of type C lie in [0, 180]");
   const bool starts_right = horizontal.front() == 0 || (horizontal.front() == 90 && horizontal.back() == 270);
-  if (!starts_right || horizontal.back() > 360) in.fail("horizontal angles of type C start at 0 (or run from 90 to 270) and end by 360");
+  if (!starts_right || horizontal.back() > 360)
+    in.fail("horizontal angles of type C start at 0 (or run from 90 to 270) and end by 360");
   auto candela = in.list(n_vertical * n_horizontal, "candela value");
   const double factor = multiplier * ballast * tilt * (header.old_ballast_factor ? ballast_lamp : 1.0);
   for (double& value : candela) value *= factor;
@@ -169,10 +174,13 @@ double candela_at(const IesProfile& profile, double vertical_deg, double horizon
   std::size_t h = 0;
   const double tv = interpolate(vertical, vertical_deg, v);
   const double th = interpolate(profile.horizontal_deg, phi, h);
-  const auto value = [&](std::size_t plane, std::size_t row) { return profile.candela[plane * vertical.size() + row]; };
+  const auto value = [&](std::size_t plane, std::size_t row) {
+    return profile.candela[plane * vertical.size() + row];
+  };
   const std::size_t v1 = std::min(v + 1, vertical.size() - 1);
   const std::size_t h1 = std::min(h + 1, profile.horizontal_deg.size() - 1);
-  return (1 - th) * ((1 - tv) * value(h, v) + tv * value(h, v1)) + th * ((1 - tv) * value(h1, v) + tv * value(h1, v1));
+  return (1 - th) * ((1 - tv) * value(h, v) + tv * value(h, v1)) +
+         th * ((1 - tv) * value(h1, v) + tv * value(h1, v1));
 }
 
 double candela_towards(const IesProfile& profile, Vec3d d) {

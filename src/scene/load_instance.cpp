@@ -17,14 +17,16 @@ std::vector<std::pair<int, int>> load_remap(json::ObjectReader& in, const Names&
     const int from = materials.find_at(in, "remap", i, names[i]);
     const int to = materials.find_at(in, "remap", i + 1, names[i + 1]);
     for (const auto& pair : remap)
-      if (pair.first == from) in.fail_at("remap", i, fmt::format("'{}' is replaced twice in one list", names[i]));
+      if (pair.first == from)
+        in.fail_at("remap", i, fmt::format("'{}' is replaced twice in one list", names[i]));
     remap.emplace_back(from, to);
   }
   return remap;
 }
 
-/// Copies on a grid in the XZ plane, centred on the instance's matrix: each is moved by up to +-jitter along x and z, turned
-/// about y by any angle, and left out with probability 1 - keep. The numbers depend on seed and grid place alone.
+/// Copies on a grid in the XZ plane, centred on the instance's matrix: each is moved by up to +-jitter along
+/// x and z, turned about y by any angle, and left out with probability 1 - keep. The numbers depend on seed
+/// and grid place alone.
 void scatter(json::ObjectReader in, const Instance& prototype, std::vector<Instance>& out) {
   const int columns = in.integer("columns", 1, 1000);
   const int rows = in.integer("rows", 1, 1000);
@@ -43,21 +45,27 @@ void scatter(json::ObjectReader in, const Instance& prototype, std::vector<Insta
                         (row - 0.5 * (rows - 1)) * spacing_m + jitter_m * (2 * random(2) - 1)};
       Instance copy = prototype;
       copy.name = fmt::format("{} {} {}", prototype.name, row, column);
-      copy.matrix = prototype.matrix * translation(place) * rotation_y(360 * random(3)) * scaling({scale, scale, scale});
+      copy.matrix = prototype.matrix * translation(place) * rotation_y(360 * random(3)) *
+                    scaling({scale, scale, scale});
       out.push_back(std::move(copy));
     }
 }
 
 }  // namespace
 
-void load_instances(json::ObjectReader in, const Names& meshes, const Names& materials, std::vector<Instance>& out) {
+void load_instances(json::ObjectReader in,
+                    const Names& meshes,
+                    const Names& materials,
+                    std::vector<Instance>& out) {
   Instance instance;
   instance.mesh = meshes.find(in, "mesh");
   instance.name = in.text_or("name", in.text("mesh"));
   instance.matrix = load_matrix(in, "matrix");
   instance.remap = load_remap(in, materials);
-  if (in.has("scatter")) scatter(in.object("scatter"), instance, out);
-  else out.push_back(std::move(instance));
+  if (in.has("scatter"))
+    scatter(in.object("scatter"), instance, out);
+  else
+    out.push_back(std::move(instance));
   in.finish();
 }
 

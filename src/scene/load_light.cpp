@@ -1,7 +1,6 @@
+#include "base/files.h"
 #include "scene/ies.h"
 #include "scene/load_parts.h"
-
-#include "base/files.h"
 
 namespace orbs::scene {
 

@@ -4,7 +4,8 @@ namespace orbs::scene {
 
 namespace {
 
-// Above 1 a surface would reflect more than it receives, and the light between two such surfaces has no finite sum.
+// Above 1 a surface would reflect more than it receives, and the light between two such surfaces has no
+// finite sum.
 constexpr json::Range kShare{0.0, 1.0};
 
 std::optional<TextureUse> load_texture_use(json::ObjectReader& in, const Names& textures) {
@@ -26,7 +27,8 @@ MaterialModel load_model(json::ObjectReader& in, const Names& textures) {
       in.one_of("type", {"lambert", "oren_nayar", "mirror", "glass", "ggx", "rough_glass", "emission"});
   if (type == "lambert") return Lambert{in.vec3("reflectance", kShare), load_texture_use(in, textures)};
   if (type == "oren_nayar")
-    return OrenNayar{in.vec3("reflectance", kShare), in.number("roughness", kShare), load_texture_use(in, textures)};
+    return OrenNayar{in.vec3("reflectance", kShare), in.number("roughness", kShare),
+                     load_texture_use(in, textures)};
   if (type == "mirror") return Mirror{in.vec3("reflectance", kShare)};
   if (type == "glass") return Glass{in.vec3_or("colour", {1, 1, 1}, kShare), load_ior(in)};
   if (type == "ggx") return Ggx{in.vec3("colour", kShare), load_alpha(in)};

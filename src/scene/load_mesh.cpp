@@ -12,8 +12,8 @@ namespace {
 constexpr int kMostSegments = 4096;
 
 TreeParameters load_tree(json::ObjectReader& in) {
-  return {in.number("height", json::kPositive), in.number("radius", json::kPositive), in.integer("tiers", 1, 100),
-          in.integer("points", 3, 100)};
+  return {in.number("height", json::kPositive), in.number("radius", json::kPositive),
+          in.integer("tiers", 1, 100), in.integer("points", 3, 100)};
 }
 
 WaterParameters load_water(json::ObjectReader& in) {
@@ -32,7 +32,8 @@ Mesh generated(json::ObjectReader& in) {
   if (kind == "cube_open") return make_cube_open({metres("half_size")});
   if (kind == "sphere") return make_sphere({metres("radius"), segments("segments")});
   if (kind == "torus")
-    return make_torus({metres("minor_radius"), metres("major_radius"), segments("ring_segments"), segments("tube_segments")});
+    return make_torus({metres("minor_radius"), metres("major_radius"), segments("ring_segments"),
+                       segments("tube_segments")});
   if (kind == "teapot") return make_teapot({in.integer("subdivisions", 1, 128)});
   if (kind == "tree") return make_tree(load_tree(in));
   return make_water(load_water(in));
@@ -61,11 +62,14 @@ Mesh inline_mesh(json::ObjectReader& in) {
   if (in.has("tangents")) mesh.tangents = vectors<Vec3f>(in, "tangents", 3);
   if (in.has("uvs")) mesh.uvs = vectors<Vec2f>(in, "uvs", 2);
   const auto corners = in.numbers("triangles", 0, json::kNotNegative);
-  if (corners.size() % 3 != 0) in.fail("triangles", fmt::format("must hold groups of 3 indices, holds {}", corners.size()));
+  if (corners.size() % 3 != 0)
+    in.fail("triangles", fmt::format("must hold groups of 3 indices, holds {}", corners.size()));
   mesh.triangles.resize(corners.size() / 3);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i] >= static_cast<double>(mesh.positions.size()))
-      in.fail_at("triangles", i, fmt::format("index {} is out of range: there are {} vertices", corners[i], mesh.positions.size()));
+      in.fail_at(
+          "triangles", i,
+          fmt::format("index {} is out of range: there are {} vertices", corners[i], mesh.positions.size()));
     if (corners[i] != static_cast<double>(static_cast<std::uint32_t>(corners[i])))
       in.fail_at("triangles", i, fmt::format("must be a whole number, is {}", corners[i]));
     mesh.triangles[i / 3][i % 3] = static_cast<std::uint32_t>(corners[i]);
@@ -112,8 +116,8 @@ void assign_file_materials(json::ObjectReader& in, const Names& materials, MeshF
   for (int& material : file.mesh.triangle_materials) {
     if (material < 0 || material >= static_cast<int>(scene_material.size()))
       in.fail(file.names_are_slots ? "materials" : "file",
-              fmt::format("a triangle has material {}, which is not in the list of {}; or give \"material\"", material,
-                          scene_material.size()));
+              fmt::format("a triangle has material {}, which is not in the list of {}; or give \"material\"",
+                          material, scene_material.size()));
     material = scene_material[static_cast<std::size_t>(material)];
   }
 }
@@ -145,16 +149,21 @@ void append_moved(Mesh& whole, const Mesh& part, const Mat4& matrix) {
     whole.uvs.push_back(part.uvs[i]);
   }
   for (const auto& t : part.triangles) whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  whole.triangle_materials.insert(whole.triangle_materials.end(), part.triangle_materials.begin(), part.triangle_materials.end());
+  whole.triangle_materials.insert(whole.triangle_materials.end(), part.triangle_materials.begin(),
+                                  part.triangle_materials.end());
 }
 
 Mesh load_source(json::ObjectReader& in, const std::filesystem::path& folder, const Names& materials) {
   MeshFile file;
   const bool from_file = in.has("file");
-  if (from_file) file = mesh_of_file(in, folder);
-  else if (in.has("generator")) file.mesh = generated(in);
-  else if (in.has("positions")) file.mesh = inline_mesh(in);
-  else in.fail("", "needs one of: generator, file, positions, parts");
+  if (from_file)
+    file = mesh_of_file(in, folder);
+  else if (in.has("generator"))
+    file.mesh = generated(in);
+  else if (in.has("positions"))
+    file.mesh = inline_mesh(in);
+  else
+    in.fail("", "needs one of: generator, file, positions, parts");
   assign_materials(in, materials, file, from_file);
   return std::move(file.mesh);
 }
@@ -182,19 +191,24 @@ Mesh load_mesh(json::ObjectReader in, const std::filesystem::path& folder, const
 std::string mesh_problem(const Mesh& mesh) {
   const std::size_t count = mesh.positions.size();
   if (mesh.triangles.empty()) return "the mesh has no triangles";
-  if (mesh.normals.size() != count) return fmt::format("there are {} positions and {} normals", count, mesh.normals.size());
-  if (mesh.tangents.size() != count) return fmt::format("there are {} positions and {} tangents", count, mesh.tangents.size());
-  if (mesh.uvs.size() != count) return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
+  if (mesh.normals.size() != count)
+    return fmt::format("there are {} positions and {} normals", count, mesh.normals.size());
+  if (mesh.tangents.size() != count)
+    return fmt::format("there are {} positions and {} tangents", count, mesh.tangents.size());
+  if (mesh.uvs.size() != count)
+    return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (!is_finite(mesh.positions[i])) return fmt::format("position {} is not finite", i);
     if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
-    if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y)) return fmt::format("texture coordinate {} is not finite", i);
+    if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))
+      return fmt::format("texture coordinate {} is not finite", i);
     if (!is_finite(mesh.normals[i]) || dot(mesh.normals[i], mesh.normals[i]) == 0)
       return fmt::format("normal {} must be finite and not zero: normals are used as given", i);
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (const auto corner : mesh.triangles[i])
-      if (corner >= count) return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
+      if (corner >= count)
+        return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
   return "";
 }
 

@@ -46,7 +46,8 @@ std::filesystem::path existing_file(json::ObjectReader& in,
                                     const std::filesystem::path& folder) {
   const auto path = resolve_path(folder, in.text(key));
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) in.fail(key, fmt::format("there is no file {}", path.string()));
+  if (!std::filesystem::is_regular_file(path, ignored))
+    in.fail(key, fmt::format("there is no file {}", path.string()));
   return path;
 }
 
@@ -54,7 +55,8 @@ namespace {
 
 Mat4 load_step(json::ObjectReader& step) {
   const auto keys = step.keys();
-  if (keys.size() != 1) step.fail("", "a step holds exactly one of: translate, rotate_x, rotate_y, rotate_z, scale");
+  if (keys.size() != 1)
+    step.fail("", "a step holds exactly one of: translate, rotate_x, rotate_y, rotate_z, scale");
   const std::string& kind = keys.front();
   if (kind == "translate") return translation(step.vec3(kind));
   if (kind == "rotate_x") return rotation_x(step.number(kind));

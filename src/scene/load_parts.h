@@ -7,10 +7,12 @@
 #include <map>
 #include <string>
 
-/// The pieces of load_scene, one per kind of thing in the file. All throw InputError at the key that is wrong.
+/// The pieces of load_scene, one per kind of thing in the file. All throw InputError at the key that is
+/// wrong.
 namespace orbs::scene {
 
-/// Names given to one kind of thing, in file order: name -> index, with complaints about doubles and dangling names.
+/// Names given to one kind of thing, in file order: name -> index, with complaints about doubles and dangling
+/// names.
 class Names {
  public:
   explicit Names(std::string kind) : kind_(std::move(kind)) {}
@@ -18,7 +20,10 @@ class Names {
   /// Index of the name that the text under `key` holds.
   int find(json::ObjectReader& in, const std::string& key) const;
   /// Index of `name`, which stands at element `index` of the array under `key`.
-  int find_at(const json::ObjectReader& in, const std::string& key, std::size_t index, const std::string& name) const;
+  int find_at(const json::ObjectReader& in,
+              const std::string& key,
+              std::size_t index,
+              const std::string& name) const;
   /// Index of `name`, -1 when there is none; `hint` for the complaint.
   int lookup(const std::string& name) const;
   std::string unknown(const std::string& name) const;
@@ -29,16 +34,21 @@ class Names {
 };
 
 /// The file under `key`, resolved against `folder`; it must exist and be a regular file.
-std::filesystem::path existing_file(json::ObjectReader& in, const std::string& key, const std::filesystem::path& folder);
+std::filesystem::path existing_file(json::ObjectReader& in,
+                                    const std::string& key,
+                                    const std::filesystem::path& folder);
 
-/// "matrix": 16 numbers row-major, or steps {"translate"|"rotate_x"|"rotate_y"|"rotate_z"|"scale": ...} multiplied in written
-/// order. Identity when absent. Must be affine and invertible.
+/// "matrix": 16 numbers row-major, or steps {"translate"|"rotate_x"|"rotate_y"|"rotate_z"|"scale": ...}
+/// multiplied in written order. Identity when absent. Must be affine and invertible.
 Mat4 load_matrix(json::ObjectReader& in, const std::string& key);
 
 Material load_material(json::ObjectReader in, const Names& textures);
 Mesh load_mesh(json::ObjectReader in, const std::filesystem::path& folder, const Names& materials);
 /// Appends one instance, or many when the entry has "scatter".
-void load_instances(json::ObjectReader in, const Names& meshes, const Names& materials, std::vector<Instance>& out);
+void load_instances(json::ObjectReader in,
+                    const Names& meshes,
+                    const Names& materials,
+                    std::vector<Instance>& out);
 Light load_light(json::ObjectReader in, const std::filesystem::path& folder);
 
 }  // namespace orbs::scene

@@ -24,7 +24,8 @@ Camera load_camera(json::ObjectReader in) {
   in.finish();
   const Vec3d view = camera.look_at_m - camera.position_m;
   if (length(view) == 0) in.fail("look_at", "must differ from position: the view has no direction");
-  // gluLookAt divides by |view x up|: below 1e-9 of their lengths the picture's up direction is rounding noise.
+  // gluLookAt divides by |view x up|: below 1e-9 of their lengths the picture's up direction is rounding
+  // noise.
   if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
     in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");
   return camera;
@@ -65,7 +66,8 @@ Scene load_document(const json::Document& document, const std::filesystem::path&
     meshes.add(entry, "name");
     scene.meshes.push_back(load_mesh(entry, folder, materials));
   }
-  for (auto& entry : in.objects_or_none("instances")) load_instances(entry, meshes, materials, scene.instances);
+  for (auto& entry : in.objects_or_none("instances"))
+    load_instances(entry, meshes, materials, scene.instances);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folder));
   if (in.has("integrator")) {
     auto integrator = in.object("integrator");

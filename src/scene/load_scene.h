@@ -7,8 +7,9 @@
 
 namespace orbs::scene {
 
-/// Reads and checks an orbs-scene/1 file. Paths in it are relative to the file's folder. InputError with file, line and key
-/// for whatever is wrong: unknown keys, types, ranges, dangling names, files that are not there, singular matrices.
+/// Reads and checks an orbs-scene/1 file. Paths in it are relative to the file's folder. InputError with
+/// file, line and key for whatever is wrong: unknown keys, types, ranges, dangling names, files that are not
+/// there, singular matrices.
 Scene load_scene(const std::filesystem::path& file);
 
 /// As load_scene, for a text that has no file yet; `folder` is what paths are relative to.

@@ -15,19 +15,19 @@ struct MeshFile {
   bool names_are_slots = false;  // PLY: numbers of a list that stands elsewhere, no names
 };
 
-/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl; normals are required, nothing is recomputed. InputError with
-/// file and line.
+/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl; normals are required, nothing is recomputed.
+/// InputError with file and line.
 MeshFile read_obj(const std::filesystem::path& file);
 
-/// PLY, ASCII or binary little-endian: vertex x y z nx ny nz and optionally tx ty tz, u v (or s t); face vertex_indices (or
-/// vertex_index) and optionally an integer `material`. InputError naming what is missing.
+/// PLY, ASCII or binary little-endian: vertex x y z nx ny nz and optionally tx ty tz, u v (or s t); face
+/// vertex_indices (or vertex_index) and optionally an integer `material`. InputError naming what is missing.
 MeshFile read_ply(const std::filesystem::path& file);
 
 /// Binary little-endian PLY with all attributes, material as an int per face.
 void write_ply(const Mesh& mesh, const std::filesystem::path& file);
 
-/// The complaint about a mesh that cannot be drawn as given ("" when it can): array lengths, indices beyond the vertices,
-/// numbers that are not finite, normals of length zero.
+/// The complaint about a mesh that cannot be drawn as given ("" when it can): array lengths, indices beyond
+/// the vertices, numbers that are not finite, normals of length zero.
 std::string mesh_problem(const Mesh& mesh);
 
 }  // namespace orbs::scene

@@ -13,7 +13,8 @@ namespace orbs::scene {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary PLY is read and written without swapping bytes");
+static_assert(std::endian::native == std::endian::little,
+              "binary PLY is read and written without swapping bytes");
 
 struct Property {
   std::string name;
@@ -29,8 +30,9 @@ struct Element {
 
 std::size_t bytes_of(const std::string& type) {
   static const std::map<std::string, std::size_t> sizes{
-      {"char", 1},  {"uchar", 1},  {"int8", 1},  {"uint8", 1}, {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
-      {"int", 4},   {"uint", 4},   {"int32", 4}, {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+      {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
+      {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
+      {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
   const auto found = sizes.find(type);
   return found == sizes.end() ? 0 : found->second;
 }
@@ -60,9 +62,12 @@ class PlyReader {
   MeshFile read() {
     read_header();
     for (const auto& element : elements_) {
-      if (element.name == "vertex") read_vertices(element);
-      else if (element.name == "face") read_faces(element);
-      else for (std::size_t i = 0; i < element.count; ++i) read_row(element);
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else
+        for (std::size_t i = 0; i < element.count; ++i) read_row(element);
     }
     if (out_.mesh.triangles.empty()) fail("there is no face in the file");
     out_.names_are_slots = true;
@@ -82,21 +87,26 @@ class PlyReader {
 
   void read_header() {
     if (header_line() != "ply") fail("the file does not start with 'ply'");
-    for (auto line = header_line(); line != "end_header"; line = header_line()) read_header_words(split(line, ' '));
+    for (auto line = header_line(); line != "end_header"; line = header_line())
+      read_header_words(split(line, ' '));
     if (!has_format_) fail("the header names no format");
   }
 
   void read_header_words(const std::vector<std::string>& words) {
     if (words[0] == "format" && words.size() == 3) {
       binary_ = words[1] == "binary_little_endian";
-      if (!binary_ && words[1] != "ascii") fail(fmt::format("format {} is not supported: use ascii or binary_little_endian", words[1]));
+      if (!binary_ && words[1] != "ascii")
+        fail(fmt::format("format {} is not supported: use ascii or binary_little_endian", words[1]));
       has_format_ = true;
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = to_integer(words[2]);
-      // A row takes at least a byte, so a larger count than the file has bytes is a lie that must not allocate.
-      if (!count || *count < 0 || static_cast<std::size_t>(*count) > text_.size()) fail(fmt::format("element count '{}' is impossible", words[2]));
+      // A row takes at least a byte, so a larger count than the file has bytes is a lie that must not
+      // allocate.
+      if (!count || *count < 0 || static_cast<std::size_t>(*count) > text_.size())
+        fail(fmt::format("element count '{}' is impossible", words[2]));
       elements_.push_back({words[1], static_cast<std::size_t>(*count), {}});
-    } else if (words[0] == "property" && !elements_.empty() && (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
+    } else if (words[0] == "property" && !elements_.empty() &&
+               (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
       const bool list = words.size() == 5;
       for (std::size_t i = list ? 2 : 1; i + 1 < words.size(); ++i)
         if (bytes_of(words[i]) == 0) fail(fmt::format("property type '{}' is unknown", words[i]));
@@ -137,7 +147,8 @@ class PlyReader {
     for (const char* name : names)
       if (const auto found = row.find(name); found != row.end() && !found->second.empty())
         return static_cast<float>(found->second.front());
-    if (is_required) fail(fmt::format("vertices lack the property '{}': nothing is computed in its place", *names.begin()));
+    if (is_required)
+      fail(fmt::format("vertices lack the property '{}': nothing is computed in its place", *names.begin()));
     return 0;
   }
 
@@ -148,7 +159,8 @@ class PlyReader {
       const Row& row = read_row(element);
       mesh.positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
       mesh.normals.push_back({value(row, {"nx"}, true), value(row, {"ny"}, true), value(row, {"nz"}, true)});
-      mesh.tangents.push_back({value(row, {"tx"}, false), value(row, {"ty"}, false), value(row, {"tz"}, false)});
+      mesh.tangents.push_back(
+          {value(row, {"tx"}, false), value(row, {"ty"}, false), value(row, {"tz"}, false)});
       mesh.uvs.push_back({value(row, {"u", "s"}, false), value(row, {"v", "t"}, false)});
     }
   }
@@ -167,16 +179,20 @@ class PlyReader {
 
   void add_face(const std::vector<double>& corners, int material) {
     for (const double corner : corners)
-      if (!(corner >= 0 && corner < 4294967296.0)) fail(fmt::format("vertex index {} is out of range", corner));
+      if (!(corner >= 0 && corner < 4294967296.0))
+        fail(fmt::format("vertex index {} is out of range", corner));
     if (corners.size() < 3) fail("a face needs at least three corners");
     for (std::size_t i = 2; i < corners.size(); ++i) {
-      out_.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[i - 1]),
+      out_.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]),
+                                     static_cast<std::uint32_t>(corners[i - 1]),
                                      static_cast<std::uint32_t>(corners[i])});
       out_.mesh.triangle_materials.push_back(material);
     }
   }
 
-  [[noreturn]] void fail(const std::string& problem) const { throw InputError(fmt::format("{}: {}", name_, problem)); }
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(fmt::format("{}: {}", name_, problem));
+  }
 
   std::string name_;
   std::string text_;
@@ -201,9 +217,11 @@ MeshFile read_ply(const std::filesystem::path& file) { return PlyReader(file).re
 void write_ply(const Mesh& mesh, const std::filesystem::path& file) {
   std::string out = "ply\nformat binary_little_endian 1.0\n";
   out += fmt::format("element vertex {}\n", mesh.positions.size());
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "tx", "ty", "tz", "u", "v"}) out += fmt::format("property float {}\n", name);
-  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nproperty int material\nend_header\n",
-                     mesh.triangles.size());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "tx", "ty", "tz", "u", "v"})
+    out += fmt::format("property float {}\n", name);
+  out += fmt::format(
+      "element face {}\nproperty list uchar uint vertex_indices\nproperty int material\nend_header\n",
+      mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     for (const auto& v : {mesh.positions[i], mesh.normals[i], mesh.tangents[i]})
       for (const float x : {v.x, v.y, v.z}) append(out, x);

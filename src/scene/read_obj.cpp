@@ -78,8 +78,10 @@ class ObjReader {
 
   Corner corner(const std::string& word) const {
     const auto parts = split(word, '/');
-    if (parts.size() < 3 || parts[2].empty()) fail("each corner needs a normal (v//vn or v/vt/vn): normals are never computed");
-    Corner result{index(parts[0], positions_.size(), "position"), -1, index(parts[2], normals_.size(), "normal")};
+    if (parts.size() < 3 || parts[2].empty())
+      fail("each corner needs a normal (v//vn or v/vt/vn): normals are never computed");
+    Corner result{index(parts[0], positions_.size(), "position"), -1,
+                  index(parts[2], normals_.size(), "normal")};
     if (!parts[1].empty()) result[1] = index(parts[1], uvs_.size(), "texture coordinate");
     return result;
   }

@@ -13,14 +13,15 @@
 #include <variant>
 #include <vector>
 
-/// A scene is plain data: what is to be rendered, with no renderer in it. Metres, y up, right-handed; explicit colours
-/// are linear Rec.709; emission is the radiance seen on the screen (ORB.S, REQ_M2 and REQ_L1). Things refer to each
-/// other by index into the vectors of Scene.
+/// A scene is plain data: what is to be rendered, with no renderer in it. Metres, y up, right-handed;
+/// explicit colours are linear Rec.709; emission is the radiance seen on the screen (ORB.S, REQ_M2 and
+/// REQ_L1). Things refer to each other by index into the vectors of Scene.
 namespace orbs::scene {
 
 using Rgb = Vec3d;
 
-/// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL matrix only.
+/// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL
+/// matrix only.
 struct Camera {
   Vec3d position_m;
   Vec3d look_at_m;
@@ -35,8 +36,8 @@ struct Camera {
 
 enum class Wrap { Repeat, Clamp };
 
-/// LDR files (PNG, JPEG, BMP) hold sRGB values and are decoded to linear per texel, before bilinear filtering; float files
-/// are linear. The bottom row of the picture has v = 0; texel centres lie at +0.5.
+/// LDR files (PNG, JPEG, BMP) hold sRGB values and are decoded to linear per texel, before bilinear
+/// filtering; float files are linear. The bottom row of the picture has v = 0; texel centres lie at +0.5.
 struct Texture {
   std::string name;
   std::filesystem::path file;  // absolute
@@ -73,7 +74,8 @@ struct Ggx {
   Rgb colour;
   double alpha = 0.1;
 };
-/// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable in transmission.
+/// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable
+/// in transmission.
 struct RoughGlass {
   Rgb colour;
   double ior = 1.5;
@@ -92,7 +94,8 @@ struct Material {
   MaterialModel model;
 };
 
-/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one length.
+/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
+/// length.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> positions;
@@ -103,8 +106,9 @@ struct Mesh {
   std::vector<int> triangle_materials;  // one per triangle
 };
 
-/// One appearance of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the material `first`
-/// by `second`; the list is looked up once per triangle, so it does not chain (ORB.S REQ_G5).
+/// One appearance of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the
+/// material `first` by `second`; the list is looked up once per triangle, so it does not chain (ORB.S
+/// REQ_G5).
 struct Instance {
   std::string name;
   int mesh = 0;
@@ -125,7 +129,8 @@ struct SphereShape {
 };
 using LightShape = std::variant<RectShape, DiskShape, SphereShape>;
 
-/// Intensity distribution of a luminaire, LM-63 type C: candela over (vertical, horizontal) angle with symmetry unfolded.
+/// Intensity distribution of a luminaire, LM-63 type C: candela over (vertical, horizontal) angle with
+/// symmetry unfolded.
 struct IesProfile {
   std::vector<double> vertical_deg;    // ascending within [0, 180]; 0 = nadir = local -Y of the light
   std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
@@ -138,7 +143,8 @@ struct IesUse {
   std::filesystem::path file;  // absolute
   std::shared_ptr<const IesProfile> profile;
   Mat4 matrix;  // turns the profile within the light's local frame
-  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point on the light.
+  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point
+  /// on the light.
   bool point_area = false;
 };
 

@@ -30,17 +30,27 @@ void write_texture_use(Writer& out, const Scene& scene, const std::optional<Text
   out.key("matrix").numbers(use->matrix.m).end_object();
 }
 
-void write_model(Writer& out, const Lambert& m) { out.member("type", "lambert").member("reflectance", m.reflectance); }
+void write_model(Writer& out, const Lambert& m) {
+  out.member("type", "lambert").member("reflectance", m.reflectance);
+}
 void write_model(Writer& out, const OrenNayar& m) {
   out.member("type", "oren_nayar").member("reflectance", m.reflectance).member("roughness", m.roughness);
 }
-void write_model(Writer& out, const Mirror& m) { out.member("type", "mirror").member("reflectance", m.reflectance); }
-void write_model(Writer& out, const Glass& m) { out.member("type", "glass").member("colour", m.colour).member("ior", m.ior); }
-void write_model(Writer& out, const Ggx& m) { out.member("type", "ggx").member("colour", m.colour).member("alpha", m.alpha); }
+void write_model(Writer& out, const Mirror& m) {
+  out.member("type", "mirror").member("reflectance", m.reflectance);
+}
+void write_model(Writer& out, const Glass& m) {
+  out.member("type", "glass").member("colour", m.colour).member("ior", m.ior);
+}
+void write_model(Writer& out, const Ggx& m) {
+  out.member("type", "ggx").member("colour", m.colour).member("alpha", m.alpha);
+}
 void write_model(Writer& out, const RoughGlass& m) {
   out.member("type", "rough_glass").member("colour", m.colour).member("ior", m.ior).member("alpha", m.alpha);
 }
-void write_model(Writer& out, const Emission& m) { out.member("type", "emission").member("radiance", m.radiance); }
+void write_model(Writer& out, const Emission& m) {
+  out.member("type", "emission").member("radiance", m.radiance);
+}
 
 void write_materials(Writer& out, const Scene& scene) {
   out.key("textures").begin_array();
@@ -72,7 +82,11 @@ void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::fi
   write_ply(copy, ply);
   std::vector<std::string> names;
   for (const int material : used) names.push_back(scene.materials[static_cast<std::size_t>(material)].name);
-  out.begin_object().member("name", mesh.name).member("file", ply.filename().string()).member("materials", names).end_object();
+  out.begin_object()
+      .member("name", mesh.name)
+      .member("file", ply.filename().string())
+      .member("materials", names)
+      .end_object();
 }
 
 void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
@@ -81,7 +95,8 @@ void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
   out.key("matrix").numbers(instance.matrix.m);
   std::vector<std::string> remap;
   for (const auto& [from, to] : instance.remap)
-    for (const int material : {from, to}) remap.push_back(scene.materials[static_cast<std::size_t>(material)].name);
+    for (const int material : {from, to})
+      remap.push_back(scene.materials[static_cast<std::size_t>(material)].name);
   if (!remap.empty()) out.member("remap", remap);
   out.end_object();
 }
@@ -90,14 +105,19 @@ void write_shape(Writer& out, const RectShape& s) {
   out.member("type", "rect").member("half_width", s.half_width_m).member("half_length", s.half_length_m);
 }
 void write_shape(Writer& out, const DiskShape& s) { out.member("type", "disk").member("radius", s.radius_m); }
-void write_shape(Writer& out, const SphereShape& s) { out.member("type", "sphere").member("radius", s.radius_m); }
+void write_shape(Writer& out, const SphereShape& s) {
+  out.member("type", "sphere").member("radius", s.radius_m);
+}
 
 void write_light(Writer& out, const Light& light) {
   out.begin_object().member("name", light.name);
   std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
   out.member("radiance", light.radiance).key("matrix").numbers(light.matrix.m);
   if (light.ies) {
-    out.key("ies").begin_object().member("file", light.ies->file.string()).member("point_area", light.ies->point_area);
+    out.key("ies")
+        .begin_object()
+        .member("file", light.ies->file.string())
+        .member("point_area", light.ies->point_area);
     out.key("matrix").numbers(light.ies->matrix.m).end_object();
   }
   out.end_object();
@@ -119,7 +139,12 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   for (const auto& instance : scene.instances) write_instance(out, scene, instance);
   out.end_array().key("lights").begin_array();
   for (const auto& light : scene.lights) write_light(out, light);
-  out.end_array().key("integrator").begin_object().member("trace_depth", scene.trace_depth).end_object().end_object();
+  out.end_array()
+      .key("integrator")
+      .begin_object()
+      .member("trace_depth", scene.trace_depth)
+      .end_object()
+      .end_object();
   write_file(file, out.text());
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kPacket = 16;
 
-// Distances along the ray at which it meets the unit disk y = 0 or the unit sphere in the shape's own space; in double, since
-// the ray's origin may be far away in units of the shape. Nothing beyond [near, far].
+// Distances along the ray at which it meets the unit disk y = 0 or the unit sphere in the shape's own space;
+// in double, since the ray's origin may be far away in units of the shape. Nothing beyond [near, far].
 std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
   const double t = -o.y / d.y;
   if (!(t > near && t < far)) return std::nullopt;
@@ -27,7 +27,8 @@ std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
 }
 
 std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far) {
-  // From the point of closest approach: b^2 - 4ac would cancel for a small sphere far away (Haines et al., Ray Tracing Gems, 7).
+  // From the point of closest approach: b^2 - 4ac would cancel for a small sphere far away (Haines et al.,
+  // Ray Tracing Gems, 7).
   const double dd = dot(d, d);
   const double middle = -dot(o, d) / dd;
   const Vec3d nearest = o + d * middle;
@@ -50,7 +51,8 @@ std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
   return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
 }
 
-std::optional<double> light_distance(const LightSurface& light, Vec3f origin, Vec3f direction, float near, float far) {
+std::optional<double> light_distance(
+    const LightSurface& light, Vec3f origin, Vec3f direction, float near, float far) {
   const auto local = [&](Vec3d v) {
     return Vec3d{dot(light.inverse_rows[0], v), dot(light.inverse_rows[1], v), dot(light.inverse_rows[2], v)};
   };
@@ -59,21 +61,30 @@ std::optional<double> light_distance(const LightSurface& light, Vec3f origin, Ve
   return light.is_sphere ? sphere_distance(o, d, near, far) : disk_distance(o, d, near, far);
 }
 
-std::optional<double> light_distance(const LightSurface& light, RTCRayN* rays, unsigned int n, unsigned int i) {
-  return light_distance(light, {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
+std::optional<double> light_distance(const LightSurface& light,
+                                     RTCRayN* rays,
+                                     unsigned int n,
+                                     unsigned int i) {
+  return light_distance(light,
+                        {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
                         {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
                         RTCRayN_tnear(rays, n, i), RTCRayN_tfar(rays, n, i));
 }
 
 void light_bounds(const RTCBoundsFunctionArguments* args) {
   const auto& light = *static_cast<const LightSurface*>(args->geometryUserPtr);
-  // The map's columns are what the inverse rows are dual to. The image of the unit ball reaches as far along a world axis as
-  // the length of the map's row for that axis. One float step more for rounding.
+  // The map's columns are what the inverse rows are dual to. The image of the unit ball reaches as far along
+  // a world axis as the length of the map's row for that axis. One float step more for rounding.
   const auto columns = inverse_rows(light.inverse_rows[0], light.inverse_rows[1], light.inverse_rows[2]);
-  const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x), std::hypot(columns[0].y, columns[1].y, columns[2].y),
+  const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
+                     std::hypot(columns[0].y, columns[1].y, columns[2].y),
                      std::hypot(columns[0].z, columns[1].z, columns[2].z)};
-  const auto low = [](double x) { return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity()); };
-  const auto high = [](double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity()); };
+  const auto low = [](double x) {
+    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+  };
+  const auto high = [](double x) {
+    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+  };
   RTCBounds& out = *args->bounds_o;
   out.lower_x = low(light.centre.x - extent.x);
   out.lower_y = low(light.centre.y - extent.y);
@@ -111,12 +122,15 @@ LightSurface surface_of(const DiskEmitter& disk) {
   const Vec3d a = cast<double>(disk.a);
   const Vec3d b = cast<double>(disk.b);
   // The middle axis only completes the basis; the disk has no extent along it.
-  return {cast<double>(disk.centre), inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
+  return {cast<double>(disk.centre),
+          inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
 }
 
 LightSurface surface_of(const SphereEmitter& sphere) {
-  return {cast<double>(sphere.centre),
-          inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])), true};
+  return {
+      cast<double>(sphere.centre),
+      inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])),
+      true};
 }
 
 void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
@@ -160,9 +174,10 @@ struct Accel::State {
 
   void add_mesh(RTCScene scene, const TriangleMesh& mesh, unsigned int id) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes at the last vertex, so the shared buffer must not end exactly there: copy instead.
-    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 sizeof(Vec3f), mesh.positions.size()));
+    // Embree reads 16 bytes at the last vertex, so the shared buffer must not end exactly there: copy
+    // instead.
+    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.positions.size()));
     std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                                sizeof(mesh.triangles[0]), mesh.triangles.size());
@@ -206,7 +221,8 @@ struct Accel::State {
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, own);
-    std::array<Vec3f, 4> columns{part.to_world.axes[0], part.to_world.axes[1], part.to_world.axes[2], part.to_world.offset};
+    std::array<Vec3f, 4> columns{part.to_world.axes[0], part.to_world.axes[1], part.to_world.axes[2],
+                                 part.to_world.offset};
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     attach(top, geometry, id);
   }
@@ -247,7 +263,8 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.flags[lane] = 0;
 }
 
-// Lanes beyond the rays are switched off, but Embree may still compute with their numbers: repeat the last ray.
+// Lanes beyond the rays are switched off, but Embree may still compute with their numbers: repeat the last
+// ray.
 template <typename Packet>
 void load_packet(Packet& packet, std::array<int, kPacket>& valid, std::span<const Ray> rays) {
   for (std::size_t lane = 0; lane < kPacket; ++lane) {

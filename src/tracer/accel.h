@@ -11,8 +11,9 @@ namespace orbs::tracer {
 
 struct World;
 
-/// Embree behind two calls. Rays go through in packets of 16: on small scenes packets cost two thirds of single rays, and
-/// the traversal itself falls back to single rays where a packet falls apart. Robust mode: no leaks between triangles.
+/// Embree behind two calls. Rays go through in packets of 16: on small scenes packets cost two thirds of
+/// single rays, and the traversal itself falls back to single rays where a packet falls apart. Robust mode:
+/// no leaks between triangles.
 class Accel {
  public:
   /// Builds over the parts of the world, whose arrays must outlive this and must not move.

@@ -15,11 +15,13 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
     const TriangleEmitter& triangle = world.emitters.triangle(chosen);
     Vec2f uv;
     point = sample_towards(triangle, from, {u, v}, uv);
-    if (point) radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
+    if (point)
+      radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
   }
   if (!point || radiance == Vec3f{} || !(point->pdf > 0)) return std::nullopt;
   // The shadow ray ends short of the light's own surface by the bound of both points' rounding.
-  return DirectLight{radiance, point->position + point->normal * (2 * point->position_error), point->pdf * chance};
+  return DirectLight{radiance, point->position + point->normal * (2 * point->position_error),
+                     point->pdf * chance};
 }
 
 MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit) {

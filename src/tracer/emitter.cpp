@@ -31,7 +31,8 @@ std::optional<EmitterPoint> point_by_area(Vec3f from, Vec3f position, Vec3f norm
   return EmitterPoint{position, normal, area_to_solid_angle(from, position, normal, area), error};
 }
 
-// Nearer than two side lengths, area sampling wastes most samples on the far end: 1/d^2 varies by more than a factor of 4 there.
+// Nearer than two side lengths, area sampling wastes most samples on the far end: 1/d^2 varies by more than a
+// factor of 4 there.
 std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f from) {
   const Vec3f d = rect.centre - from;
   if (!rect.is_orthogonal || dot(d, d) > 4 * rect.area) return std::nullopt;
@@ -43,7 +44,8 @@ std::optional<EmitterPoint> sample_shape(const RectEmitter& rect, Vec3f from, fl
   if (dot(rect.normal, from - rect.centre) <= 0) return std::nullopt;
   if (const auto spherical = near_rectangle(rect, from))
     return EmitterPoint{sample_point(*spherical, u, v), rect.normal, 1 / spherical->solid_angle, error};
-  return point_by_area(from, rect.centre + rect.a * (2 * u - 1) + rect.b * (2 * v - 1), rect.normal, rect.area, error);
+  return point_by_area(from, rect.centre + rect.a * (2 * u - 1) + rect.b * (2 * v - 1), rect.normal,
+                       rect.area, error);
 }
 
 float pdf_shape(const RectEmitter& rect, Vec3f from, Vec3f position) {
@@ -69,7 +71,8 @@ Vec3f to_world(const SphereEmitter& sphere, Vec3f v) {
   return sphere.axes[0] * v.x + sphere.axes[1] * v.y + sphere.axes[2] * v.z;
 }
 
-// A linear map A takes a cone of directions w of solid angle dw to one of |det A| / |A w|^3 dw (volume and radius of the cone).
+// A linear map A takes a cone of directions w of solid angle dw to one of |det A| / |A w|^3 dw (volume and
+// radius of the cone).
 float stretched_pdf(const SphereEmitter& sphere, Vec3f local_unit_direction, float local_pdf) {
   const float stretch = length(to_world(sphere, local_unit_direction));
   return local_pdf * stretch * stretch * stretch / sphere.determinant;
@@ -86,21 +89,24 @@ std::optional<EmitterPoint> sample_shape(const SphereEmitter& sphere, Vec3f from
   const float distance2 = dot(view, view);
   const float error = rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
   if (distance2 <= 1) return std::nullopt;  // inside, where the light is dark
-  // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle by the law of sines, which keeps its
-  // digits for small spheres (Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 6.2.4).
+  // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle by the law of
+  // sines, which keeps its digits for small spheres (Pharr, Jakob, Humphreys, Physically Based Rendering, 4th
+  // ed., 6.2.4).
   const float height = cone_height(distance2);
   const float one_minus_cos = u * height;
   const float sin2_theta = one_minus_cos * (2 - one_minus_cos);
   const float cos_theta = 1 - one_minus_cos;
   const float distance = std::sqrt(distance2);
   // Rounding only: sin(theta) <= 1 / d inside the cone.
-  const float cos_alpha = sin2_theta * distance + cos_theta * std::sqrt(std::max(0.0F, 1 - sin2_theta * distance2));
+  const float cos_alpha =
+      sin2_theta * distance + cos_theta * std::sqrt(std::max(0.0F, 1 - sin2_theta * distance2));
   const float sin_alpha = std::sqrt(std::max(0.0F, 1 - cos_alpha * cos_alpha));
   const float phi = 2 * kPi * v;
   const Frame frame = frame_around(view / distance);
   const Vec3f on_sphere = frame.to_world({sin_alpha * std::cos(phi), sin_alpha * std::sin(phi), cos_alpha});
   const Vec3f direction = normalised(on_sphere - view);
-  const Vec3f normal = normalised(sphere.inverse[0] * on_sphere.x + sphere.inverse[1] * on_sphere.y + sphere.inverse[2] * on_sphere.z);
+  const Vec3f normal = normalised(sphere.inverse[0] * on_sphere.x + sphere.inverse[1] * on_sphere.y +
+                                  sphere.inverse[2] * on_sphere.z);
   return EmitterPoint{sphere.centre + to_world(sphere, on_sphere), normal,
                       stretched_pdf(sphere, direction, 1 / (2 * kPi * height)), error};
 }
@@ -109,11 +115,16 @@ float pdf_shape(const SphereEmitter& sphere, Vec3f from, Vec3f position) {
   const Vec3f view = to_local(sphere, from - sphere.centre);
   const float distance2 = dot(view, view);
   if (distance2 <= 1) return 0;
-  return stretched_pdf(sphere, normalised(to_local(sphere, position - from)), 1 / (2 * kPi * cone_height(distance2)));
+  return stretched_pdf(sphere, normalised(to_local(sphere, position - from)),
+                       1 / (2 * kPi * cone_height(distance2)));
 }
 
-bool shows_bright_side(const RectEmitter& rect, Vec3f, Vec3f to_viewer) { return dot(rect.normal, to_viewer) > 0; }
-bool shows_bright_side(const DiskEmitter& disk, Vec3f, Vec3f to_viewer) { return dot(disk.normal, to_viewer) > 0; }
+bool shows_bright_side(const RectEmitter& rect, Vec3f, Vec3f to_viewer) {
+  return dot(rect.normal, to_viewer) > 0;
+}
+bool shows_bright_side(const DiskEmitter& disk, Vec3f, Vec3f to_viewer) {
+  return dot(disk.normal, to_viewer) > 0;
+}
 bool shows_bright_side(const SphereEmitter& sphere, Vec3f position, Vec3f to_viewer) {
   // Outwards: the ray to the viewer leaves the ball. A point of the surface p has the local normal p.
   return dot(to_local(sphere, position - sphere.centre), to_local(sphere, to_viewer)) > 0;
@@ -125,7 +136,10 @@ std::optional<EmitterPoint> sample_towards(const EmitterShape& shape, Vec3f from
   return std::visit([&](const auto& s) { return sample_shape(s, from, u, v); }, shape);
 }
 
-std::optional<EmitterPoint> sample_towards(const TriangleEmitter& t, Vec3f from, Vec2f uv, Vec2f& texture_uv) {
+std::optional<EmitterPoint> sample_towards(const TriangleEmitter& t,
+                                           Vec3f from,
+                                           Vec2f uv,
+                                           Vec2f& texture_uv) {
   // Uniform on the triangle: Heitz 2019, "A Low-Distortion Map Between Triangle and Square".
   Vec2f b = uv.y > uv.x ? Vec2f{uv.x / 2, uv.y - uv.x / 2} : Vec2f{uv.x - uv.y / 2, uv.y / 2};
   const Vec3f position = t.corner + t.edge1 * b.x + t.edge2 * b.y;
@@ -141,15 +155,19 @@ float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position) {
 
 Vec3f radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
   const Vec3f to_viewer = to - position;
-  if (!std::visit([&](const auto& s) { return shows_bright_side(s, position, to_viewer); }, light.shape)) return {};
+  if (!std::visit([&](const auto& s) { return shows_bright_side(s, position, to_viewer); }, light.shape))
+    return {};
   if (!light.ies) return light.radiance;
   const Vec3f d = light.ies->point_area ? to - light.centre : to_viewer;
   const Vec3f local{dot(d, light.ies_axes[0]), dot(d, light.ies_axes[1]), dot(d, light.ies_axes[2])};
   const auto& profile = *light.ies->profile;
-  return light.radiance * static_cast<float>(scene::candela_towards(profile, cast<double>(local)) / profile.max_candela);
+  return light.radiance *
+         static_cast<float>(scene::candela_towards(profile, cast<double>(local)) / profile.max_candela);
 }
 
-void EmitterTable::build(const std::vector<float>& powers, std::vector<TriangleEmitter> triangles, std::size_t light_count) {
+void EmitterTable::build(const std::vector<float>& powers,
+                         std::vector<TriangleEmitter> triangles,
+                         std::size_t light_count) {
   light_count_ = light_count;
   triangles_ = std::move(triangles);
   const double total = std::accumulate(powers.begin(), powers.end(), 0.0);

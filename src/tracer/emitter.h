@@ -29,13 +29,14 @@ struct DiskEmitter {
   float area = 0;
 };
 
-/// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid when the light's matrix says so.
+/// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid when the light's matrix
+/// says so.
 struct SphereEmitter {
   Vec3f centre;
   std::array<Vec3f, 3> axes{};     // images of the unit axes
   std::array<Vec3f, 3> inverse{};  // rows of the inverse map
-  float determinant = 1;          // |det axes|
-  float area = 0;                 // of the sphere with the same volume: only steers selection
+  float determinant = 1;           // |det axes|
+  float area = 0;                  // of the sphere with the same volume: only steers selection
 };
 
 /// Triangle of an emissive mesh, emitting from both sides.
@@ -62,15 +63,18 @@ struct AreaLight {
 /// A point on an emitter as seen from `from`.
 struct EmitterPoint {
   Vec3f position;
-  Vec3f normal;            // unit, towards `from`
-  float pdf = 0;           // per solid angle at `from`, without the choice of the emitter
+  Vec3f normal;   // unit, towards `from`
+  float pdf = 0;  // per solid angle at `from`, without the choice of the emitter
   float position_error = 0;
 };
 
-/// Samples by solid angle where that is worth it (spheres always, rectangles at short distance), else by area. Nothing when the
-/// emitter shows its dark side.
+/// Samples by solid angle where that is worth it (spheres always, rectangles at short distance), else by
+/// area. Nothing when the emitter shows its dark side.
 std::optional<EmitterPoint> sample_towards(const EmitterShape& shape, Vec3f from, float u, float v);
-std::optional<EmitterPoint> sample_towards(const TriangleEmitter& triangle, Vec3f from, Vec2f uv, Vec2f& texture_uv);
+std::optional<EmitterPoint> sample_towards(const TriangleEmitter& triangle,
+                                           Vec3f from,
+                                           Vec2f uv,
+                                           Vec2f& texture_uv);
 
 /// Density per solid angle at `from` with which sample_towards picks the point at `position`.
 float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position);
@@ -81,7 +85,9 @@ Vec3f radiance_towards(const AreaLight& light, Vec3f position, Vec3f to);
 /// One table over all emitters: area lights first, then emissive triangles; chosen in proportion to power.
 class EmitterTable {
  public:
-  void build(const std::vector<float>& powers, std::vector<TriangleEmitter> triangles, std::size_t light_count);
+  void build(const std::vector<float>& powers,
+             std::vector<TriangleEmitter> triangles,
+             std::size_t light_count);
   bool empty() const { return chance_.empty(); }
   std::size_t size() const { return chance_.size(); }
   std::size_t light_count() const { return light_count_; }

@@ -33,7 +33,8 @@ Vec3d variance_of_mean(const PixelSums& pixel) {
   const Vec3d scatter = pixel.weighted_squares - mean * mean * pixel.finished_count;
   const double factor = 1 / ((pixel.replicates - 1) * pixel.finished_count);
   // Rounding only: the exact scatter is not negative.
-  return {std::max(0.0, scatter.x) * factor, std::max(0.0, scatter.y) * factor, std::max(0.0, scatter.z) * factor};
+  return {std::max(0.0, scatter.x) * factor, std::max(0.0, scatter.y) * factor,
+          std::max(0.0, scatter.z) * factor};
 }
 
 void merge(BadSamples& all, const BadSamples& more) {

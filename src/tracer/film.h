@@ -8,9 +8,9 @@
 
 namespace orbs::tracer {
 
-/// Sums of one pixel, in double and in the order of the samples. Samples come in replicates, independently scrambled
-/// blocks, because the points within one block are correlated on purpose: their own scatter would overstate the noise of the
-/// mean by up to a factor of ten.
+/// Sums of one pixel, in double and in the order of the samples. Samples come in replicates, independently
+/// scrambled blocks, because the points within one block are correlated on purpose: their own scatter would
+/// overstate the noise of the mean by up to a factor of ten.
 struct PixelSums {
   Vec3d finished;          // sum of the samples of finished replicates
   Vec3d weighted_squares;  // sum over finished replicates of (sum of its samples)^2 / its count
@@ -25,10 +25,12 @@ void add_sample(PixelSums& pixel, Vec3d radiance);
 /// Ends the current replicate; without samples this does nothing.
 void end_replicate(PixelSums& pixel);
 Vec3d mean_of(const PixelSums& pixel);
-/// Variance of the mean, from the scatter of the replicates' means weighted by their counts; zero below two replicates.
+/// Variance of the mean, from the scatter of the replicates' means weighted by their counts; zero below two
+/// replicates.
 Vec3d variance_of_mean(const PixelSums& pixel);
 
-/// Samples that were not finite: they are left out of the picture, counted, and reported with the uppermost, leftmost place.
+/// Samples that were not finite: they are left out of the picture, counted, and reported with the uppermost,
+/// leftmost place.
 struct BadSamples {
   std::uint64_t count = 0;
   int first_x = -1;

@@ -16,7 +16,8 @@ struct Frame {
   Vec3f to_world(Vec3f v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
-/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3: no branch, and no pole where digits get lost.
+/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3: no branch, and no pole where
+/// digits get lost.
 inline Frame frame_around(Vec3f n) {
   const float sign = std::copysign(1.0F, n.z);
   const float a = -1.0F / (sign + n.z);

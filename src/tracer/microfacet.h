@@ -8,8 +8,8 @@
 /// GGX, isotropic, in the local frame (z = macroscopic normal). Walter et al. 2007; Heitz 2014 and 2018.
 namespace orbs::tracer {
 
-/// Distribution of microfacet normals, per solid angle. Walter eq. 33 written with the components of m: 1 - cos^2 would lose its
-/// digits next to the highlight (19 % wrong in float at alpha = 1e-3).
+/// Distribution of microfacet normals, per solid angle. Walter eq. 33 written with the components of m: 1 -
+/// cos^2 would lose its digits next to the highlight (19 % wrong in float at alpha = 1e-3).
 inline float ggx_d(Vec3f m, float alpha) {
   if (m.z <= 0) return 0;
   const float x = m.x / alpha;
@@ -34,8 +34,8 @@ inline float ggx_g2(Vec3f wo, Vec3f wi, float alpha) {
   return 1 / (1 + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
 }
 
-/// A facet normal as wo (wo.z > 0) sees them; Heitz 2018, "Sampling the GGX Distribution of Visible Normals", listing 1.
-/// Density: ggx_visible_d.
+/// A facet normal as wo (wo.z > 0) sees them; Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
+/// listing 1. Density: ggx_visible_d.
 inline Vec3f sample_ggx_visible(Vec3f wo, float alpha, float u, float v) {
   const Vec3f view = normalised(Vec3f{alpha * wo.x, alpha * wo.y, wo.z});
   const float across2 = view.x * view.x + view.y * view.y;
@@ -47,7 +47,8 @@ inline Vec3f sample_ggx_visible(Vec3f wo, float alpha, float u, float v) {
   // Rounding only: x^2 + y^2 <= 1 on the projected hemisphere.
   const float z = std::sqrt(std::max(0.0F, 1 - d.x * d.x - y * y));
   const Vec3f n = t1 * d.x + t2 * y + view * z;
-  return normalised(Vec3f{alpha * n.x, alpha * n.y, std::max(1e-9F, n.z)});  // 1e-9: keeps the facet above the horizon
+  return normalised(
+      Vec3f{alpha * n.x, alpha * n.y, std::max(1e-9F, n.z)});  // 1e-9: keeps the facet above the horizon
 }
 
 inline float ggx_visible_d(Vec3f wo, Vec3f m, float alpha) {

@@ -7,8 +7,9 @@
 
 namespace orbs::tracer {
 
-/// The events of a path from the eye to the light, in the notation of ORB.S REQ_A2 to A4: "EDSL" = diffuse, then specular, then
-/// the light. Paths with more than three scatterings share one class. A transmission anywhere makes the class "...-T".
+/// The events of a path from the eye to the light, in the notation of ORB.S REQ_A2 to A4: "EDSL" = diffuse,
+/// then specular, then the light. Paths with more than three scatterings share one class. A transmission
+/// anywhere makes the class "...-T".
 class PathClass {
  public:
   static constexpr int kMostEvents = 3;

@@ -9,7 +9,7 @@ namespace orbs::tracer {
 
 struct Ray {
   Vec3f origin;
-  Vec3f direction;                                        // unit for camera and scattered rays; target - origin for shadow rays
+  Vec3f direction;  // unit for camera and scattered rays; target - origin for shadow rays
   float reach = std::numeric_limits<float>::infinity();  // in units of direction
 };
 

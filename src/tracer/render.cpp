@@ -13,10 +13,11 @@ namespace orbs::tracer {
 
 namespace {
 
-constexpr int kTile = 16;              // pixels a side
-constexpr int kReplicates = 4;         // fewest independent blocks that a picture's variance rests on
-constexpr int kWave = 1024;            // paths under way per thread: full packets, and their state stays in the L2 cache
-constexpr int kSamplesPerPass = 32;    // between two looks at the stop flag
+constexpr int kTile = 16;       // pixels a side
+constexpr int kReplicates = 4;  // fewest independent blocks that a picture's variance rests on
+constexpr int kWave =
+    1024;  // paths under way per thread: full packets, and their state stays in the L2 cache
+constexpr int kSamplesPerPass = 32;  // between two looks at the stop flag
 
 /// Samples [first, first + count) of replicate `replicate`.
 struct Pass {
@@ -57,14 +58,16 @@ Tile tile_at(const Film& film, int index) {
 
 class TileWorker {
  public:
-  TileWorker(const World& world, const RenderSettings& settings, Film& film) : world_(world), settings_(settings), film_(film) {
+  TileWorker(const World& world, const RenderSettings& settings, Film& film)
+      : world_(world), settings_(settings), film_(film) {
     wave_.split_paths = settings.split_paths;
   }
 
   void trace(const Tile& tile, const Pass& pass) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
-        const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)), pass.replicate);
+        const auto block =
+            sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)), pass.replicate);
         for (std::uint32_t i = 0; i < pass.count; ++i) samples_.push_back({x, y, block, pass.first + i});
         if (samples_.size() + pass.count > kWave) flush();
       }
@@ -89,17 +92,19 @@ class TileWorker {
       const Sample& sample = samples_[i];
       const Vec3f radiance = RgbTransport::to_rgb(wave_.paths[i].light, wave_.paths[i].lambda);
       is_bad[i] = !is_finite(radiance);
-      if (is_bad[i]) merge(bad_, {1, sample.x, sample.y});
-      else add_sample(film_.pixels[pixel_index(sample.x, sample.y)], cast<double>(radiance));
+      if (is_bad[i])
+        merge(bad_, {1, sample.x, sample.y});
+      else
+        add_sample(film_.pixels[pixel_index(sample.x, sample.y)], cast<double>(radiance));
     }
     for (const ClassedLight& part : wave_.classed) {
       if (is_bad[part.sample]) continue;
       const Sample& sample = samples_[part.sample];
-      film_.class_sums[static_cast<std::size_t>(part.path_class)][pixel_index(sample.x, sample.y)] += cast<double>(part.radiance);
+      film_.class_sums[static_cast<std::size_t>(part.path_class)][pixel_index(sample.x, sample.y)] +=
+          cast<double>(part.radiance);
     }
     samples_.clear();
   }
-
 
   const World& world_;
   const RenderSettings& settings_;
@@ -141,7 +146,8 @@ Rendering render(const World& world,
       const std::lock_guard lock(mutex);
       merge(out.bad_samples, worker.bad_samples());
       out.traversal_seconds += worker.traversal_seconds();
-      const double done = (static_cast<double>(p) + static_cast<double>(++tiles_done) / tiles) / static_cast<double>(passes.size());
+      const double done = (static_cast<double>(p) + static_cast<double>(++tiles_done) / tiles) /
+                          static_cast<double>(passes.size());
       report({done, out.samples_per_pixel, seconds()});
     });
     out.samples_per_pixel += static_cast<int>(passes[p].count);

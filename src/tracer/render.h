@@ -28,12 +28,13 @@ struct Rendering {
   int samples_per_pixel = 0;  // fewer than asked for after a stop
   double seconds = 0;         // wall clock of the rendering alone
   double cpu_seconds = 0;
-  double traversal_seconds = 0;  // of all threads, inside the accelerator; wall clock, so it grows when cores are shared
+  double traversal_seconds =
+      0;  // of all threads, inside the accelerator; wall clock, so it grows when cores are shared
   BadSamples bad_samples;
 };
 
-/// Renders in passes of a few samples over the whole picture. `stop` ends it after the passes that are complete (the first pass is
-/// always completed); `report` is called from one thread at a time.
+/// Renders in passes of a few samples over the whole picture. `stop` ends it after the passes that are
+/// complete (the first pass is always completed); `report` is called from one thread at a time.
 Rendering render(const World& world,
                  const RenderSettings& settings,
                  const std::atomic<bool>& stop,

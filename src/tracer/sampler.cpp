@@ -15,8 +15,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
 }
 
-// Owen scrambling of a bit-reversed number: each bit is flipped by a hash of the bits below it, which are the more
-// significant ones before reversal.
+// Owen scrambling of a bit-reversed number: each bit is flipped by a hash of the bits below it, which are the
+// more significant ones before reversal.
 constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
@@ -26,7 +26,8 @@ constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-// 32-bit finaliser with low bias (Wellons 2018, "Prospecting for hash functions", triple32 family's two-round form).
+// 32-bit finaliser with low bias (Wellons 2018, "Prospecting for hash functions", triple32 family's two-round
+// form).
 constexpr std::uint32_t hash(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
@@ -44,7 +45,8 @@ constexpr std::uint32_t seed_of_dimension(std::uint32_t seed, std::uint32_t dime
 
 using Table = std::array<std::array<std::uint32_t, 4>, kBlock>;
 
-// Direction numbers of dimensions 1 to 4 by the recurrence of Joe and Kuo: degree s, coefficients a, initial m.
+// Direction numbers of dimensions 1 to 4 by the recurrence of Joe and Kuo: degree s, coefficients a, initial
+// m.
 constexpr std::array<std::array<std::uint32_t, 32>, 4> direction_numbers() {
   struct Polynomial {
     std::uint32_t s;
@@ -95,10 +97,12 @@ std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t 
   const std::uint32_t seed = hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(purpose) + 1U));
   const std::uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed));
   std::array<std::uint32_t, 4> bits = kTable[shuffled & (kBlock - 1)];
-  for (std::uint32_t d = 0; d < 4; ++d) bits[d] = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
+  for (std::uint32_t d = 0; d < 4; ++d)
+    bits[d] = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
   std::array<float, 4> out{};
   // 24 bits: more would round to 1.0f at the top.
-  for (std::uint32_t d = 0; d < 4; ++d) out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
+  for (std::uint32_t d = 0; d < 4; ++d)
+    out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
   return out;
 }
 

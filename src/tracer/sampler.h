@@ -5,8 +5,8 @@
 
 namespace orbs::tracer {
 
-/// What a group of four random numbers is for. The numbers are a function of (seed, pixel, replicate, sample, bounce, purpose),
-/// so that switching one use on or off does not shift the others.
+/// What a group of four random numbers is for. The numbers are a function of (seed, pixel, replicate, sample,
+/// bounce, purpose), so that switching one use on or off does not shift the others.
 enum class Purpose : std::uint32_t { PixelAndFirstLight, LightPick, Light, Scatter };
 
 /// One block of at most kBlock samples of one pixel: an independently scrambled copy of the same point set.
@@ -18,10 +18,10 @@ constexpr std::uint32_t kBlock = 4096;  // points in the table
 
 SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t replicate);
 
-/// Point `index` of the block for this purpose: four numbers in [0, 1), multiples of 2^-24, that are jointly stratified over
-/// the indices of the block: Sobol' points (Joe and Kuo 2008, first four dimensions), Owen-scrambled and shuffled by the
-/// Laine-Karras hash (Laine and Karras 2011, constants of Vegdahl 2021), after the tabulated form of Burley 2020,
-/// "Practical Hash-based Owen Scrambling".
+/// Point `index` of the block for this purpose: four numbers in [0, 1), multiples of 2^-24, that are jointly
+/// stratified over the indices of the block: Sobol' points (Joe and Kuo 2008, first four dimensions),
+/// Owen-scrambled and shuffled by the Laine-Karras hash (Laine and Karras 2011, constants of Vegdahl 2021),
+/// after the tabulated form of Burley 2020, "Practical Hash-based Owen Scrambling".
 std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t bounce, Purpose purpose);
 
 }  // namespace orbs::tracer

@@ -24,7 +24,8 @@ TexelGrid load_texels(const scene::Texture& texture) {
   Vec3d sum;
   for (int y = picture.height - 1; y >= 0; --y)
     for (int x = 0; x < picture.width; ++x) {
-      const Vec3f texel{linear(picture.at(x, y, 0)), linear(picture.at(x, y, green)), linear(picture.at(x, y, blue))};
+      const Vec3f texel{linear(picture.at(x, y, 0)), linear(picture.at(x, y, green)),
+                        linear(picture.at(x, y, blue))};
       grid.texels.push_back(texel);
       sum += cast<double>(texel);
     }
@@ -44,7 +45,8 @@ Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
   // Whole turns are taken off before scaling: u = 1000.25 keeps the digits of its fraction.
   const float local = wrap == scene::Wrap::Repeat ? coordinate - std::floor(coordinate) : coordinate;
   const float at = local * static_cast<float>(size) - 0.5F;
-  const float bounded = std::min(std::max(at, -1.0F), static_cast<float>(size));  // beyond it clamping decides anyway
+  const float bounded =
+      std::min(std::max(at, -1.0F), static_cast<float>(size));  // beyond it clamping decides anyway
   const float floor = std::floor(bounded);
   const int low = static_cast<int>(floor);
   if (wrap == scene::Wrap::Clamp)
@@ -58,7 +60,8 @@ Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
   const Neighbours x = neighbours(uv.x, grid.width, grid.wrap_u);
   const Neighbours y = neighbours(uv.y, grid.height, grid.wrap_v);
   const auto texel = [&](int column, int row) {
-    return grid.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(column)];
+    return grid.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
+                       static_cast<std::size_t>(column)];
   };
   const Vec3f bottom = texel(x.low, y.low) * (1 - x.share_of_high) + texel(x.high, y.low) * x.share_of_high;
   const Vec3f top = texel(x.low, y.high) * (1 - x.share_of_high) + texel(x.high, y.high) * x.share_of_high;

@@ -18,7 +18,8 @@ struct TexelGrid {
   Vec3f average;
 };
 
-/// Loads the file; sRGB values of LDR files become linear per texel, float files stay as they are; one channel is grey.
+/// Loads the file; sRGB values of LDR files become linear per texel, float files stay as they are; one
+/// channel is grey.
 TexelGrid load_texels(const scene::Texture& texture);
 
 /// Bilinear between texel centres at +0.5.

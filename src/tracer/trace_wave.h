@@ -14,9 +14,9 @@
 #include <span>
 #include <vector>
 
-/// The path tracer: unidirectional, with next-event estimation and multiple importance sampling (Kajiya 1986; Veach 1997, ch. 9).
-/// A wave of paths advances together, one scattering at a time, so that rays reach the accelerator in full packets. The
-/// result of a path does not depend on its companions.
+/// The path tracer: unidirectional, with next-event estimation and multiple importance sampling (Kajiya 1986;
+/// Veach 1997, ch. 9). A wave of paths advances together, one scattering at a time, so that rays reach the
+/// accelerator in full packets. The result of a path does not depend on its companions.
 namespace orbs::tracer {
 
 /// One camera sample.
@@ -41,7 +41,7 @@ struct PathState {
   [[no_unique_address]] typename T::Lambda lambda{};
   Ray ray;
   std::uint32_t sample = 0;
-  float scatter_pdf = 0;     // of ray.direction; 0 where light sampling could not have found what the ray meets
+  float scatter_pdf = 0;  // of ray.direction; 0 where light sampling could not have found what the ray meets
   float radiance_scale = 1;  // see BsdfSample
   int scatterings = 0;
   PathClass events;
@@ -76,7 +76,8 @@ void add_light(Wave<T>& wave, PathState<T>& path, const typename T::Light& light
   if (wave.split_paths) wave.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
 }
 
-/// The scattering function of a material at a point, seen from outside (where the vertex normal points) or inside.
+/// The scattering function of a material at a point, seen from outside (where the vertex normal points) or
+/// inside.
 template <Transport T>
 Bsdf<typename T::Value> bsdf_at(const World& world,
                                 const SurfaceMaterial& material,
@@ -84,33 +85,44 @@ Bsdf<typename T::Value> bsdf_at(const World& world,
                                 bool is_outside,
                                 const typename T::Lambda& lambda) {
   using Value = typename T::Value;
-  const Vec3f texel = material.texture < 0
-                          ? Vec3f{1, 1, 1}
-                          : lookup(world.textures[static_cast<std::size_t>(material.texture)], apply(material.uv, uv));
+  const Vec3f texel =
+      material.texture < 0
+          ? Vec3f{1, 1, 1}
+          : lookup(world.textures[static_cast<std::size_t>(material.texture)], apply(material.uv, uv));
   const Value colour = T::from_rgb(material.colour * texel, lambda);
   const float eta = is_outside ? material.ior : 1 / material.ior;
   switch (material.model) {
-    case Model::Lambert: return LambertBsdf<Value>{colour};
-    case Model::OrenNayar: return make_oren_nayar(colour, material.roughness);
-    case Model::Mirror: return MirrorBsdf<Value>{colour};
-    case Model::Glass: return GlassBsdf<Value>{colour, eta};
-    case Model::Ggx: return GgxBsdf<Value>{colour, material.alpha};
-    case Model::RoughGlass: return RoughGlassBsdf<Value>{colour, eta, material.alpha};
-    case Model::Emission: break;
+    case Model::Lambert:
+      return LambertBsdf<Value>{colour};
+    case Model::OrenNayar:
+      return make_oren_nayar(colour, material.roughness);
+    case Model::Mirror:
+      return MirrorBsdf<Value>{colour};
+    case Model::Glass:
+      return GlassBsdf<Value>{colour, eta};
+    case Model::Ggx:
+      return GgxBsdf<Value>{colour, material.alpha};
+    case Model::RoughGlass:
+      return RoughGlassBsdf<Value>{colour, eta, material.alpha};
+    case Model::Emission:
+      break;
   }
   assert(false && "emissive surfaces end the path before they scatter");
   return LambertBsdf<Value>{};
 }
 
-/// Radiance that the surface met by the path's ray sends back along it, and the chance per solid angle that light sampling
-/// at the ray's origin would have picked that direction.
+/// Radiance that the surface met by the path's ray sends back along it, and the chance per solid angle that
+/// light sampling at the ray's origin would have picked that direction.
 struct MetEmission {
   Vec3f radiance;
   float light_pdf = 0;
 };
 
 MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit);
-MetEmission met_emissive_surface(const World& world, const SurfacePoint& point, const SurfaceMaterial& material, const Ray& ray);
+MetEmission met_emissive_surface(const World& world,
+                                 const SurfacePoint& point,
+                                 const SurfaceMaterial& material,
+                                 const Ray& ray);
 
 template <Transport T>
 void add_emission(Wave<T>& wave, PathState<T>& path, const MetEmission& met) {
@@ -129,13 +141,14 @@ struct DirectLight {
 
 std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v);
 
-/// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position: stratifying the four
-/// together is what keeps the fast convergence of direct light.
+/// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position:
+/// stratifying the four together is what keeps the fast convergence of direct light.
 template <Transport T>
 std::array<float, 3> light_numbers(const World& world, const PathState<T>& path, const Sample& sample) {
   const auto bounce = static_cast<std::uint32_t>(path.scatterings);
   if (bounce == 0) {
-    const float pick = world.emitters.size() > 1 ? draw(sample.block, sample.index, 0, Purpose::LightPick)[0] : 0;
+    const float pick =
+        world.emitters.size() > 1 ? draw(sample.block, sample.index, 0, Purpose::LightPick)[0] : 0;
     return {pick, path.first_light.x, path.first_light.y};
   }
   const auto u = draw(sample.block, sample.index, bounce, Purpose::Light);
@@ -150,15 +163,17 @@ struct Vertex {
   Vec3f wo;     // local
 };
 
-/// True where a direction lies on the same side of the real surface as of the shading normal: the others would pass through an
-/// opaque surface, or count as reflection what goes through.
+/// True where a direction lies on the same side of the real surface as of the shading normal: the others
+/// would pass through an opaque surface, or count as reflection what goes through.
 inline bool sides_agree(const SurfacePoint& point, Vec3f shading_normal, Vec3f direction) {
-  const float along_geometry = dot(point.geometric_normal, direction) * (dot(point.geometric_normal, shading_normal) < 0 ? -1.0F : 1.0F);
+  const float along_geometry = dot(point.geometric_normal, direction) *
+                               (dot(point.geometric_normal, shading_normal) < 0 ? -1.0F : 1.0F);
   return along_geometry * dot(shading_normal, direction) > 0;
 }
 
 template <Transport T>
-void ask_for_direct_light(Wave<T>& wave, const World& world, std::uint32_t index, const Sample& sample, const Vertex<T>& vertex) {
+void ask_for_direct_light(
+    Wave<T>& wave, const World& world, std::uint32_t index, const Sample& sample, const Vertex<T>& vertex) {
   const PathState<T>& path = wave.paths[index];
   const auto [pick, u, v] = light_numbers<T>(world, path, sample);
   const auto light = sample_light(world, vertex.point.position, pick, u, v);
@@ -169,16 +184,18 @@ void ask_for_direct_light(Wave<T>& wave, const World& world, std::uint32_t index
   if (!(value.pdf > 0) || !sides_agree(vertex.point, vertex.frame.z, direction)) return;
   PathClass events = path.events;
   events.add(event_of(vertex.bsdf), wi.z < 0);
-  const auto emitted = T::unpolarised(T::from_rgb(light->radiance * (mis_weight(light->pdf, value.pdf) / light->pdf), path.lambda));
+  const auto emitted = T::unpolarised(
+      T::from_rgb(light->radiance * (mis_weight(light->pdf, value.pdf) / light->pdf), path.lambda));
   const auto through = T::chain(path.weight, T::depolarising(value.f_cos));
   const Vec3f origin = offset_origin(vertex.point, direction);
   wave.shadow_rays.push_back({origin, light->target - origin, 1});
   wave.shadows.push_back({T::contribute(through, emitted), index, events.index()});
 }
 
-/// From the second scattering on, the path continues with a chance of the square root of its weight, and carries the share of
-/// those that do not. The weight itself as the chance ends so many paths in rooms of medium albedo that the noise grows by more
-/// than the time saved: by 0.4 to 1 dB at equal time on scenes 101, 201 and 224.
+/// From the second scattering on, the path continues with a chance of the square root of its weight, and
+/// carries the share of those that do not. The weight itself as the chance ends so many paths in rooms of
+/// medium albedo that the noise grows by more than the time saved: by 0.4 to 1 dB at equal time on scenes
+/// 101, 201 and 224.
 template <Transport T>
 bool survives_roulette(PathState<T>& path, float u) {
   if (path.scatterings < 2) return true;
@@ -191,7 +208,8 @@ bool survives_roulette(PathState<T>& path, float u) {
 
 template <Transport T>
 bool scatter(PathState<T>& path, const Sample& sample_of_path, const Vertex<T>& vertex) {
-  const auto u = draw(sample_of_path.block, sample_of_path.index, static_cast<std::uint32_t>(path.scatterings), Purpose::Scatter);
+  const auto u = draw(sample_of_path.block, sample_of_path.index,
+                      static_cast<std::uint32_t>(path.scatterings), Purpose::Scatter);
   const auto chosen = sample(vertex.bsdf, vertex.wo, u);
   if (!chosen) return false;
   const Vec3f direction = vertex.frame.to_world(chosen->wi);
@@ -227,13 +245,17 @@ bool advance(Wave<T>& wave, const World& world, std::uint32_t index, const Sampl
   if (path.scatterings == world.trace_depth) return false;
   const Vec3f wo = -path.ray.direction;
   const float side = dot(point.shading_normal, wo);
-  if (side == 0) return false;  // exactly edge-on to the shading normal: nothing is reflected towards the viewer
+  if (side == 0)
+    return false;  // exactly edge-on to the shading normal: nothing is reflected towards the viewer
   const bool is_outside = side > 0;
-  Vertex<T> vertex{point, bsdf_at<T>(world, material, point.uv, is_outside, path.lambda),
-                   frame_around(is_outside ? point.shading_normal : -point.shading_normal), {}};
+  Vertex<T> vertex{point,
+                   bsdf_at<T>(world, material, point.uv, is_outside, path.lambda),
+                   frame_around(is_outside ? point.shading_normal : -point.shading_normal),
+                   {}};
   vertex.wo = vertex.frame.to_local(wo);
   if (!(vertex.wo.z > 0)) return false;  // edge-on by rounding of the frame
-  if (!is_delta(vertex.bsdf) && !world.emitters.empty()) ask_for_direct_light<T>(wave, world, index, sample, vertex);
+  if (!is_delta(vertex.bsdf) && !world.emitters.empty())
+    ask_for_direct_light<T>(wave, world, index, sample, vertex);
   return scatter<T>(path, sample, vertex);
 }
 
@@ -247,12 +269,14 @@ void start_paths(Wave<T>& wave, const World& world, std::span<const Sample> samp
     PathState<T>& path = wave.paths[i];
     path.sample = i;
     path.first_light = {u[2], u[3]};
-    path.ray = camera_ray(world.camera, static_cast<float>(samples[i].x) + u[0], static_cast<float>(samples[i].y) + u[1]);
+    path.ray = camera_ray(world.camera, static_cast<float>(samples[i].x) + u[0],
+                          static_cast<float>(samples[i].y) + u[1]);
     wave.active[i] = i;
   }
 }
 
-/// Runs a traversal and adds its time: twice per wave and bounce, for hundreds of rays at a time, so that the clock costs nothing.
+/// Runs a traversal and adds its time: twice per wave and bounce, for hundreds of rays at a time, so that the
+/// clock costs nothing.
 template <Transport T, typename F>
 void timed_traversal(Wave<T>& wave, const F& traverse) {
   const auto start = std::chrono::steady_clock::now();
@@ -265,7 +289,8 @@ void settle_shadows(Wave<T>& wave, const World& world) {
   wave.blocked.resize(wave.shadow_rays.size());
   timed_traversal(wave, [&] { world.accel->occluded(wave.shadow_rays, wave.blocked); });
   for (std::size_t i = 0; i < wave.shadows.size(); ++i)
-    if (wave.blocked[i] == 0) add_light(wave, wave.paths[wave.shadows[i].path], wave.shadows[i].light, wave.shadows[i].path_class);
+    if (wave.blocked[i] == 0)
+      add_light(wave, wave.paths[wave.shadows[i].path], wave.shadows[i].light, wave.shadows[i].path_class);
 }
 
 /// Traces one path per sample. wave.paths[i].light is what samples[i] saw.

@@ -4,8 +4,9 @@
 
 #include <concepts>
 
-/// What a path carries. The path loop (trace_wave.h) is written once over the verbs below; an effect of light is a struct
-/// that says what the verbs mean, so that a scene which does not call for it executes none of its code.
+/// What a path carries. The path loop (trace_wave.h) is written once over the verbs below; an effect of light
+/// is a struct that says what the verbs mean, so that a scene which does not call for it executes none of its
+/// code.
 namespace orbs::tracer {
 
 template <typename T>

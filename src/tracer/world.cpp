@@ -11,21 +11,28 @@ namespace orbs::tracer {
 namespace {
 
 PinholeCamera prepare_camera(const scene::Camera& camera) {
-  // gluLookAt: side = forward x up, true up = side x forward; glFrustum: half height of the image plane at distance 1.
+  // gluLookAt: side = forward x up, true up = side x forward; glFrustum: half height of the image plane at
+  // distance 1.
   const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
   const Vec3d side = normalised(cross(forward, camera.up));
   const Vec3d up = cross(side, forward);
   const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
   const double half_width = half_height * camera.width_px / camera.height_px;
-  return {cast<float>(camera.position_m), cast<float>(forward), cast<float>(side * half_width), cast<float>(up * half_height),
-          camera.width_px, camera.height_px};
+  return {cast<float>(camera.position_m), cast<float>(forward), cast<float>(side * half_width),
+          cast<float>(up * half_height),  camera.width_px,      camera.height_px};
 }
 
-SurfaceMaterial prepare_model(const scene::Lambert& m) { return {.model = Model::Lambert, .colour = cast<float>(m.reflectance)}; }
-SurfaceMaterial prepare_model(const scene::OrenNayar& m) {
-  return {.model = Model::OrenNayar, .colour = cast<float>(m.reflectance), .roughness = static_cast<float>(m.roughness)};
+SurfaceMaterial prepare_model(const scene::Lambert& m) {
+  return {.model = Model::Lambert, .colour = cast<float>(m.reflectance)};
 }
-SurfaceMaterial prepare_model(const scene::Mirror& m) { return {.model = Model::Mirror, .colour = cast<float>(m.reflectance)}; }
+SurfaceMaterial prepare_model(const scene::OrenNayar& m) {
+  return {.model = Model::OrenNayar,
+          .colour = cast<float>(m.reflectance),
+          .roughness = static_cast<float>(m.roughness)};
+}
+SurfaceMaterial prepare_model(const scene::Mirror& m) {
+  return {.model = Model::Mirror, .colour = cast<float>(m.reflectance)};
+}
 SurfaceMaterial prepare_model(const scene::Glass& m) {
   return {.model = Model::Glass, .colour = cast<float>(m.colour), .ior = static_cast<float>(m.ior)};
 }
@@ -33,10 +40,14 @@ SurfaceMaterial prepare_model(const scene::Ggx& m) {
   return {.model = Model::Ggx, .colour = cast<float>(m.colour), .alpha = static_cast<float>(m.alpha)};
 }
 SurfaceMaterial prepare_model(const scene::RoughGlass& m) {
-  return {.model = Model::RoughGlass, .colour = cast<float>(m.colour), .alpha = static_cast<float>(m.alpha),
+  return {.model = Model::RoughGlass,
+          .colour = cast<float>(m.colour),
+          .alpha = static_cast<float>(m.alpha),
           .ior = static_cast<float>(m.ior)};
 }
-SurfaceMaterial prepare_model(const scene::Emission& m) { return {.model = Model::Emission, .colour = cast<float>(m.radiance)}; }
+SurfaceMaterial prepare_model(const scene::Emission& m) {
+  return {.model = Model::Emission, .colour = cast<float>(m.radiance)};
+}
 
 SurfaceMaterial prepare_material(const scene::Material& material) {
   SurfaceMaterial out = std::visit([](const auto& m) { return prepare_model(m); }, material.model);
@@ -85,7 +96,8 @@ void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World&
   for (const auto& instance : scene.instances) {
     const auto index = static_cast<std::size_t>(instance.mesh);
     Part part;
-    for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) part.material_of.push_back(scene::remapped(instance, m));
+    for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
+      part.material_of.push_back(scene::remapped(instance, m));
     if (copied <= settings.most_copied_triangles || uses[index] == 1) {
       part.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], instance.matrix));
@@ -106,16 +118,20 @@ void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World&
 Vec3f direction_of(const Mat4& m, Vec3d v) { return cast<float>(transform_direction(m, v)); }
 
 EmitterShape prepare_shape(const scene::RectShape& s, const Mat4& m, Vec3f normal) {
-  RectEmitter out{.centre = cast<float>(transform_point(m, {})), .a = direction_of(m, {s.half_width_m, 0, 0}),
-                  .b = direction_of(m, {0, 0, s.half_length_m}), .normal = normal};
+  RectEmitter out{.centre = cast<float>(transform_point(m, {})),
+                  .a = direction_of(m, {s.half_width_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.half_length_m}),
+                  .normal = normal};
   out.area = 4 * length(cross(out.a, out.b));
   out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5F * length(out.a) * length(out.b);
   return out;
 }
 
 EmitterShape prepare_shape(const scene::DiskShape& s, const Mat4& m, Vec3f normal) {
-  DiskEmitter out{.centre = cast<float>(transform_point(m, {})), .a = direction_of(m, {s.radius_m, 0, 0}),
-                  .b = direction_of(m, {0, 0, s.radius_m}), .normal = normal};
+  DiskEmitter out{.centre = cast<float>(transform_point(m, {})),
+                  .a = direction_of(m, {s.radius_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.radius_m}),
+                  .normal = normal};
   out.area = kPi * length(cross(out.a, out.b));
   return out;
 }
@@ -133,12 +149,16 @@ EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
 AreaLight prepare_light(const scene::Light& light) {
   const Mat4 back = inverse(light.matrix).value();
   const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
-  AreaLight out{.shape = std::visit([&](const auto& s) { return prepare_shape(s, light.matrix, normal); }, light.shape),
-                .radiance = cast<float>(light.radiance), .ies = light.ies, .ies_axes = {},
-                .centre = cast<float>(transform_point(light.matrix, {}))};
+  AreaLight out{
+      .shape = std::visit([&](const auto& s) { return prepare_shape(s, light.matrix, normal); }, light.shape),
+      .radiance = cast<float>(light.radiance),
+      .ies = light.ies,
+      .ies_axes = {},
+      .centre = cast<float>(transform_point(light.matrix, {}))};
   const Mat4 turned = light.ies ? light.matrix * light.ies->matrix : light.matrix;
   const std::array axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
-  for (std::size_t i = 0; i < 3; ++i) out.ies_axes[i] = cast<float>(normalised(transform_direction(turned, axes[i])));
+  for (std::size_t i = 0; i < 3; ++i)
+    out.ies_axes[i] = cast<float>(normalised(transform_direction(turned, axes[i])));
   return out;
 }
 
@@ -153,16 +173,19 @@ float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, r
 // Steers only how often a light is chosen, never what it gives.
 float power_of(const AreaLight& light) {
   const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
-  return area * luminance(light.radiance) *
-         (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+  return area * luminance(light.radiance) * (light.ies ? mean_share(*light.ies->profile) : 1.0F);
 }
 
 Vec3f mean_emission(const World& world, const SurfaceMaterial& material) {
-  return material.texture < 0 ? material.colour
-                              : material.colour * world.textures[static_cast<std::size_t>(material.texture)].average;
+  return material.texture < 0
+             ? material.colour
+             : material.colour * world.textures[static_cast<std::size_t>(material.texture)].average;
 }
 
-void add_emissive_triangles(const World& world, const Part& part, std::vector<float>& powers, std::vector<TriangleEmitter>& out) {
+void add_emissive_triangles(const World& world,
+                            const Part& part,
+                            std::vector<float>& powers,
+                            std::vector<TriangleEmitter>& out) {
   const TriangleMesh& mesh = world.meshes[part.mesh];
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const int material = part.material_of[static_cast<std::size_t>(mesh.materials[i])];
@@ -238,7 +261,8 @@ SurfacePoint surface_point(const World& world, const Hit& hit) {
   Vec3f p0 = mesh.positions[corners[0]];
   Vec3f p1 = mesh.positions[corners[1]];
   Vec3f p2 = mesh.positions[corners[2]];
-  Vec3f normal = mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
+  Vec3f normal =
+      mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
   if (part.kind == PartKind::InstancedMesh) {
     p0 = apply_to_point(part.to_world, p0);
     p1 = apply_to_point(part.to_world, p1);
@@ -255,9 +279,9 @@ SurfacePoint surface_point(const World& world, const Hit& hit) {
   const Vec2f t2 = mesh.uvs[corners[2]];
   out.uv = {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
   out.material = part.material_of[static_cast<std::size_t>(mesh.materials[hit.primitive])];
-  // Rounding off the plane, in half units in the last place of the corners' size: about 6 for the sum above, 6 for the differences
-  // corner - origin in the next ray's own test, and 4 for an instance's transform. (Error analysis as in Physically Based
-  // Rendering, 4th ed., 6.8.5; errors along the plane do no harm.)
+  // Rounding off the plane, in half units in the last place of the corners' size: about 6 for the sum above,
+  // 6 for the differences corner - origin in the next ray's own test, and 4 for an instance's transform.
+  // (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors along the plane do no harm.)
   const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   out.position_error = 16 * 0x1p-24F * std::max({size(p0), size(p1), size(p2)});
   return out;

@@ -35,7 +35,8 @@ struct TriangleMesh {
 
 enum class PartKind { WorldMesh, InstancedMesh, Light };
 
-/// One thing that rays can hit: a mesh whose vertices are in world space, an instance of a mesh in its own space, or a light.
+/// One thing that rays can hit: a mesh whose vertices are in world space, an instance of a mesh in its own
+/// space, or a light.
 struct Part {
   PartKind kind = PartKind::WorldMesh;
   std::size_t mesh = 0;   // of meshes
@@ -55,7 +56,8 @@ struct SurfaceMaterial {
   float ior = 1;
   int texture = -1;
   UvMap uv{};
-  float emitter_pdf_per_area = 0;  // Emission: chance per m^2 that light sampling picks a point, selection included
+  float emitter_pdf_per_area =
+      0;  // Emission: chance per m^2 that light sampling picks a point, selection included
 };
 
 struct PinholeCamera {
@@ -81,8 +83,8 @@ struct World {
 };
 
 struct WorldSettings {
-  /// Above this many triangles in world space, meshes with several instances are instanced instead of copied. Copies trace
-  /// faster; two million triangles take about 0.4 GB.
+  /// Above this many triangles in world space, meshes with several instances are instanced instead of copied.
+  /// Copies trace faster; two million triangles take about 0.4 GB.
   std::size_t most_copied_triangles = 500'000;
 };
 
@@ -92,9 +94,10 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 /// A point on a surface. All vectors are in world space.
 struct SurfacePoint {
   Vec3f position;
-  float position_error = 0;  // bound of the distance between `position` and the plane that Embree met, in metres
-  Vec3f geometric_normal;    // unit, either side
-  Vec3f shading_normal;      // interpolated as given, unit, not turned to the viewer
+  float position_error =
+      0;  // bound of the distance between `position` and the plane that Embree met, in metres
+  Vec3f geometric_normal;  // unit, either side
+  Vec3f shading_normal;    // interpolated as given, unit, not turned to the viewer
   Vec2f uv;
   int material = 0;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -142,10 +143,10 @@ Scene random_scene(std::uint64_t seed) {
   }
   for (int i = 0; i < 3; ++i) {
     scene.meshes.push_back(random_mesh(numbers, i == 1 ? 1 : kMaterials));
-    scene.meshes.back().name = "mesh" + std::to_string(i);
+    scene.meshes.back().name = fmt::format("mesh{}", i);
   }
   for (int i = 0; i < 6; ++i) {
-    Instance instance{"i" + std::to_string(i), i % 2, {}, {}};
+    Instance instance{fmt::format("i{}", i), i % 2, {}, {}};
     const Vec3d offset{numbers.next(-5, 5), numbers.next(-5, 5), numbers.next(-5, 5)};
     const Vec3d scale{numbers.next(0.5, 2) * (i % 3 == 0 ? -1 : 1), numbers.next(0.5, 2),
                       numbers.next(0.5, 2)};

@@ -1,8 +1,7 @@
-// What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf, light is not
-// created, and paths may be walked backwards.
-#include "tracer/scatter/bsdf.h"
-
+// What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf,
+// light is not created, and paths may be walked backwards.
 #include "base/random.h"
+#include "tracer/scatter/bsdf.h"
 
 #include <numbers>
 
@@ -66,10 +65,12 @@ TEST(Bsdf, ThePdfIntegratesToTheShareOfAcceptedSamples) {
   for (const auto& [name, bsdf] : smooth_enough_to_integrate())
     for (const Vec3f wo : kViews) {
       int accepted = 0;
-      for (int i = 0; i < kSamples; ++i) accepted += sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i))).has_value() ? 1 : 0;
+      for (int i = 0; i < kSamples; ++i)
+        accepted += sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i))).has_value() ? 1 : 0;
       const double share = accepted / double{kSamples};
       const double error = std::sqrt(std::max(share * (1 - share), 1e-6) / kSamples);
-      EXPECT_NEAR(over_sphere([&](Vec3f wi) { return evaluate(bsdf, wo, wi).pdf; }), share, 4 * error + 3e-3) << name << " cos " << wo.z;
+      EXPECT_NEAR(over_sphere([&](Vec3f wi) { return evaluate(bsdf, wo, wi).pdf; }), share, 4 * error + 3e-3)
+          << name << " cos " << wo.z;
     }
 }
 
@@ -78,24 +79,29 @@ TEST(Bsdf, WeightAndPdfOfASampleAreThoseOfItsDirection) {
     for (const Vec3f wo : kViews)
       for (std::uint64_t i = 0; i < 500; ++i) {
         const auto chosen = sample(bsdf, wo, numbers(i));
-        if (!chosen || std::abs(chosen->wi.z) < 1e-3F) continue;  // at grazing angles wi.z itself has few digits
+        if (!chosen || std::abs(chosen->wi.z) < 1e-3F)
+          continue;  // at grazing angles wi.z itself has few digits
         const auto value = evaluate(bsdf, wo, chosen->wi);
         EXPECT_NEAR(value.pdf, chosen->pdf, 5e-3 * chosen->pdf) << name;
         EXPECT_NEAR(value.f_cos.x, chosen->weight.x * chosen->pdf, 5e-3 * value.f_cos.x + 1e-6) << name;
       }
 }
 
-// Mean weight = directional albedo; the radiance scale of transmission is taken out, as it is no gain of energy.
+// Mean weight = directional albedo; the radiance scale of transmission is taken out, as it is no gain of
+// energy.
 TEST(Bsdf, NoneReflectsMoreThanItReceives) {
   for (const auto& [name, bsdf] : smooth_enough_to_integrate())
     for (const Vec3f wo : kViews) {
-      if (std::string_view(name) == "oren_nayar") continue;  // eq. 5 exceeds 1 towards grazing views by design of the short form
+      if (std::string_view(name) == "oren_nayar")
+        continue;  // eq. 5 exceeds 1 towards grazing views by design of the short form
       double sum = 0;
       constexpr int kSamples = 20000;
       for (int i = 0; i < kSamples; ++i)
-        if (const auto chosen = sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i)))) sum += chosen->weight.x / chosen->radiance_scale;
+        if (const auto chosen = sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i))))
+          sum += chosen->weight.x / chosen->radiance_scale;
       EXPECT_LT(sum / kSamples, 1 + 1e-5) << name;
-      EXPECT_GT(sum / kSamples, 0.4) << name;  // the lowest: ggx 0.8 seen at 81 degrees, which masks more than half
+      EXPECT_GT(sum / kSamples, 0.4)
+          << name;  // the lowest: ggx 0.8 seen at 81 degrees, which masks more than half
     }
 }
 
@@ -110,8 +116,8 @@ TEST(Bsdf, ReflectionIsReciprocal) {
       }
 }
 
-// Transmission: f(wo -> wi) / eta_i^2 is symmetric (Veach 1997, eq. 5.14). Seen from the other side the surface has the inverse
-// relative index, and the frame is turned so that the viewer's side is up.
+// Transmission: f(wo -> wi) / eta_i^2 is symmetric (Veach 1997, eq. 5.14). Seen from the other side the
+// surface has the inverse relative index, and the frame is turned so that the viewer's side is up.
 TEST(Bsdf, TransmissionIsReciprocalUpToTheSquaredIndex) {
   const float eta = 1.5F;
   const AnyBsdf from_outside = RoughGlassBsdf<Rgb>{kWhite, eta, 0.4F};
@@ -130,22 +136,26 @@ TEST(Bsdf, TransmissionIsReciprocalUpToTheSquaredIndex) {
   EXPECT_GT(compared, 50);
 }
 
-// At the largest roughness the specification allows, by hand: sigma = pi/4, A = 1 - 0.5 s/(s + .33), B = .45 s/(s + .09).
+// At the largest roughness the specification allows, by hand: sigma = pi/4, A = 1 - 0.5 s/(s + .33), B = .45
+// s/(s + .09).
 TEST(Bsdf, OrenNayarFollowsEquation5) {
   const auto bsdf = make_oren_nayar(kWhite, 0.5F);
   EXPECT_NEAR(bsdf.a, 0.67427, 1e-5);
   EXPECT_NEAR(bsdf.b, 0.39270, 1e-5);
   const Vec3f wo = direction(std::cos(1.0F), 0);
   const Vec3f wi = direction(std::cos(0.5F), 0);
-  const double expected = (0.67427 + 0.39270 * std::sin(1.0) * std::tan(0.5)) * std::cos(0.5) / std::numbers::pi;
+  const double expected =
+      (0.67427 + 0.39270 * std::sin(1.0) * std::tan(0.5)) * std::cos(0.5) / std::numbers::pi;
   EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, wi).f_cos.x, expected, 1e-5);
   const Vec3f opposite = direction(std::cos(0.5F), std::numbers::pi_v<float>);
-  EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, opposite).f_cos.x, 0.67427 * std::cos(0.5) / std::numbers::pi, 1e-5);
+  EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, opposite).f_cos.x, 0.67427 * std::cos(0.5) / std::numbers::pi,
+              1e-5);
 }
 
 TEST(Fresnel, KnownAngles) {
-  EXPECT_NEAR(fresnel_dielectric(1, 1.5F), 0.04, 1e-6);              // ((n-1)/(n+1))^2
-  EXPECT_NEAR(fresnel_dielectric(1, 1 / 1.5F), 0.04, 1e-6);          // the same from inside
-  EXPECT_EQ(fresnel_dielectric(0.7F, 1 / 1.5F), 1);                  // beyond the critical angle, cos 0.745
-  EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5F)), 1.5F), 0.5 * std::pow(5.0 / 13.0, 2), 1e-6);  // Brewster: only s
+  EXPECT_NEAR(fresnel_dielectric(1, 1.5F), 0.04, 1e-6);      // ((n-1)/(n+1))^2
+  EXPECT_NEAR(fresnel_dielectric(1, 1 / 1.5F), 0.04, 1e-6);  // the same from inside
+  EXPECT_EQ(fresnel_dielectric(0.7F, 1 / 1.5F), 1);          // beyond the critical angle, cos 0.745
+  EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5F)), 1.5F), 0.5 * std::pow(5.0 / 13.0, 2),
+              1e-6);  // Brewster: only s
 }

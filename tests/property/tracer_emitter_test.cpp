@@ -1,7 +1,7 @@
-// Light sampling: the density that a sample carries is the density at its point, and 1/pdf summed over samples is the solid angle.
-#include "tracer/emitter.h"
-
+// Light sampling: the density that a sample carries is the density at its point, and 1/pdf summed over
+// samples is the solid angle.
 #include "base/random.h"
+#include "tracer/emitter.h"
 
 #include <gtest/gtest.h>
 
@@ -31,26 +31,32 @@ double solid_angle(const EmitterShape& shape, Vec3f from) {
   double sum = 0;
   for (int i = 0; i < kSide; ++i)
     for (int j = 0; j < kSide; ++j)
-      if (const auto p = sample_towards(shape, from, (static_cast<float>(i) + 0.5F) / kSide, (static_cast<float>(j) + 0.5F) / kSide))
+      if (const auto p = sample_towards(shape, from, (static_cast<float>(i) + 0.5F) / kSide,
+                                        (static_cast<float>(j) + 0.5F) / kSide))
         sum += 1 / p->pdf;
   return sum / (kSide * kSide);
 }
 
 // Rectangle a x b at distance d over its centre: 4 asin(ab / sqrt((a^2+4d^2)(b^2+4d^2))).
-double centred_rectangle(double a, double b, double d) { return 4 * std::asin(a * b / std::sqrt((a * a + 4 * d * d) * (b * b + 4 * d * d))); }
+double centred_rectangle(double a, double b, double d) {
+  return 4 * std::asin(a * b / std::sqrt((a * a + 4 * d * d) * (b * b + 4 * d * d)));
+}
 
 }  // namespace
 
 TEST(Emitter, SamplesCarryTheDensityOfTheirPoint) {
-  const std::vector<EmitterShape> shapes{rect({0, 2, 0}, {0.5F, 0, 0}, {0, 0, 1}, true), rect({0, 2, 0}, {0.5F, 0, 0.2F}, {0, 0, 1}, false),
-                                         DiskEmitter{{0, 2, 0}, {1, 0, 0}, {0, 0, 0.5F}, {0, -1, 0}, 0.5F * 3.14159265F},
-                                         ball({0, 2, 0}, {0.5F, 0.5F, 0.5F}), ball({0, 2, 0}, {0.5F, 0.25F, 1})};
+  const std::vector<EmitterShape> shapes{
+      rect({0, 2, 0}, {0.5F, 0, 0}, {0, 0, 1}, true), rect({0, 2, 0}, {0.5F, 0, 0.2F}, {0, 0, 1}, false),
+      DiskEmitter{{0, 2, 0}, {1, 0, 0}, {0, 0, 0.5F}, {0, -1, 0}, 0.5F * 3.14159265F},
+      ball({0, 2, 0}, {0.5F, 0.5F, 0.5F}), ball({0, 2, 0}, {0.5F, 0.25F, 1})};
   for (const auto& shape : shapes)
-    for (const Vec3f from : {Vec3f{0, 0, 0}, Vec3f{0.3F, 1.2F, 0.1F}, Vec3f{10, -3, 4}, Vec3f{0.2F, 0.7F, -0.9F}})
+    for (const Vec3f from :
+         {Vec3f{0, 0, 0}, Vec3f{0.3F, 1.2F, 0.1F}, Vec3f{10, -3, 4}, Vec3f{0.2F, 0.7F, -0.9F}})
       for (std::uint64_t i = 0; i < 200; ++i) {
         const auto point = sample_towards(shape, from, uniform(i, 0), uniform(i, 1));
         ASSERT_TRUE(point.has_value()) << shape.index();
-        EXPECT_NEAR(pdf_towards(shape, from, point->position), point->pdf, 2e-3F * point->pdf) << shape.index();
+        EXPECT_NEAR(pdf_towards(shape, from, point->position), point->pdf, 2e-3F * point->pdf)
+            << shape.index();
         EXPECT_GT(dot(point->normal, from - point->position), 0) << shape.index();
       }
 }
@@ -58,7 +64,8 @@ TEST(Emitter, SamplesCarryTheDensityOfTheirPoint) {
 TEST(Emitter, ARectangleHasItsSolidAngleNearAndFar) {
   const EmitterShape shape = rect({0, 0, 0}, {0.5F, 0, 0}, {0, 0, 1}, true);
   for (const float d : {0.01F, 0.1F, 0.5F, 1.0F, 2.0F, 5.0F, 50.0F})
-    EXPECT_NEAR(solid_angle(shape, {0, -d, 0}), centred_rectangle(1, 2, d), 2e-3 * centred_rectangle(1, 2, d)) << d;
+    EXPECT_NEAR(solid_angle(shape, {0, -d, 0}), centred_rectangle(1, 2, d), 2e-3 * centred_rectangle(1, 2, d))
+        << d;
 }
 
 TEST(Emitter, ABallHasItsSolidAngleNearAndFar) {

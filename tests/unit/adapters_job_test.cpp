@@ -11,7 +11,7 @@ namespace {
 
 Renderer renderer_with(std::vector<std::string> command) {
   Renderer renderer;
-  renderer.name = "r";
+  renderer.name = std::string("r");
   renderer.command = std::move(command);
   return renderer;
 }

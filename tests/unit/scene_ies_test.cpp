@@ -16,7 +16,9 @@ scene::IesProfile load(const std::string& name) {
   return scene::parse_ies(file.string(), read_file(file));
 }
 
-std::string small_file(const std::string& numbers) { return "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n" + numbers; }
+std::string small_file(const std::string& numbers) {
+  return "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n" + numbers;
+}
 
 }  // namespace
 
@@ -41,8 +43,10 @@ TEST(Ies, DirectionsAreThoseOfTheLight) {
 }
 
 TEST(Ies, InterpolatesBilinearly) {
-  const auto p = scene::parse_ies("x", small_file("1 -1 2 3 3 1 2 0 0 0 0.5 1 10\n0,10 20\n0 90 180\n1 2 3\n3 4 5\n5 6 7\n"));
-  EXPECT_DOUBLE_EQ(p.max_candela, 7);  // multiplier 2 x ballast 0.5; the third factor of a 2002 file never multiplies
+  const auto p = scene::parse_ies(
+      "x", small_file("1 -1 2 3 3 1 2 0 0 0 0.5 1 10\n0,10 20\n0 90 180\n1 2 3\n3 4 5\n5 6 7\n"));
+  EXPECT_DOUBLE_EQ(p.max_candela,
+                   7);  // multiplier 2 x ballast 0.5; the third factor of a 2002 file never multiplies
   EXPECT_DOUBLE_EQ(scene::candela_at(p, 5, 45), 2.5);
   EXPECT_DOUBLE_EQ(scene::candela_at(p, 5, 315), 2.5) << "0 to 180 mirrors at the plane of 0 and 180";
   EXPECT_DOUBLE_EQ(scene::candela_at(p, 20, 180), 7);
@@ -51,9 +55,12 @@ TEST(Ies, InterpolatesBilinearly) {
 TEST(Ies, UnfoldsTheSymmetryThatTheRangeOfPlanesStates) {
   const auto axial = scene::parse_ies("x", small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 4\n"));
   for (const double phi : {0.0, 77.0, 200.0, 359.0}) EXPECT_DOUBLE_EQ(scene::candela_at(axial, 45, phi), 6);
-  const auto quadrant = scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n0 30 90\n1 1\n2 2\n4 4\n"));
-  for (const double phi : {30.0, 150.0, 210.0, 330.0}) EXPECT_DOUBLE_EQ(scene::candela_at(quadrant, 10, phi), 2) << phi;
-  const auto turned = scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n90 180 270\n1 1\n2 2\n5 5\n"));
+  const auto quadrant =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n0 30 90\n1 1\n2 2\n4 4\n"));
+  for (const double phi : {30.0, 150.0, 210.0, 330.0})
+    EXPECT_DOUBLE_EQ(scene::candela_at(quadrant, 10, phi), 2) << phi;
+  const auto turned =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n90 180 270\n1 1\n2 2\n5 5\n"));
   EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 0), 2);
   EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 45), 1.5);
   EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 315), 3.5);
@@ -71,8 +78,12 @@ TEST(Ies, ComplainsAboutWhatItCannotUse) {
   EXPECT_NE(error("").find("no line that starts with TILT="), std::string::npos);
   EXPECT_NE(error("TILT=lamp.tlt\n1").find("only NONE and INCLUDE"), std::string::npos);
   EXPECT_NE(error(small_file("1 1 1 2 1 2 2 0 0 0 1 1 1\n")).find("only type C"), std::string::npos);
-  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8\n")).find("ends where candela value should stand"), std::string::npos);
-  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n90 0\n0\n8 4\n")).find("must ascend"), std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8\n"))
+                .find("ends where candela value should stand"),
+            std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n90 0\n0\n8 4\n")).find("must ascend"),
+            std::string::npos);
   EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 x\n")).find("'x'"), std::string::npos);
-  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n0 0\n")).find("one must be above 0"), std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n0 0\n")).find("one must be above 0"),
+            std::string::npos);
 }

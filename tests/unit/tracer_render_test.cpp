@@ -1,5 +1,5 @@
-// The tracer against closed forms. Tolerances are four standard errors of the picture's own variance: a false alarm once in
-// 16,000 seeds, and the seeds are fixed.
+// The tracer against closed forms. Tolerances are four standard errors of the picture's own variance: a false
+// alarm once in 16,000 seeds, and the seeds are fixed.
 #include "tracer_scenes.h"
 
 #include <numbers>
@@ -23,11 +23,13 @@ void expect_mean(const tracer::Rendering& rendering, double expected) {
                 4 * error_of_mean(rendering.picture, channel) + 1e-5 * expected);
 }
 
-// A white environment of radiance 1 around one convex object of albedo `rho`: the object shows rho in every direction.
+// A white environment of radiance 1 around one convex object of albedo `rho`: the object shows rho in every
+// direction.
 std::string furnace_with(const std::string& material) {
-  return scene_text("[0, 0, 20]", "[0, 0, 0]", 16, 50,
-                    R"("environment": [1, 1, 1], "materials": [{"name": "m", )" + material +
-                        R"(}], "meshes": [{"name": "s", "generator": "sphere", "radius": 1, "segments": 256, "material": "m"}],
+  return scene_text(
+      "[0, 0, 20]", "[0, 0, 0]", 16, 50,
+      R"("environment": [1, 1, 1], "materials": [{"name": "m", )" + material +
+          R"(}], "meshes": [{"name": "s", "generator": "sphere", "radius": 1, "segments": 256, "material": "m"}],
                         "instances": [{"mesh": "s"}])");
 }
 
@@ -35,18 +37,23 @@ std::string floor_under(const std::string& light, const std::string& look_at) {
   return scene_text("[7, 9, 11]", look_at, 16, 1,
                     R"("materials": [{"name": "m", "type": "lambert", "reflectance": [1, 1, 1]}],
                        "meshes": [{"name": "p", "generator": "plane", "half_size": 50, "material": "m"}],
-                       "instances": [{"mesh": "p"}], "lights": [)" + light + "]");
+                       "instances": [{"mesh": "p"}], "lights": [)" +
+                        light + "]");
 }
 
 }  // namespace
 
 TEST(TracerFurnace, ALambertBallShowsItsAlbedo) {
-  expect_mean(render_text(furnace_with(R"("type": "lambert", "reflectance": [0.5, 0.5, 0.5])"), {.samples_per_pixel = 64}), 0.5);
+  expect_mean(render_text(furnace_with(R"("type": "lambert", "reflectance": [0.5, 0.5, 0.5])"),
+                          {.samples_per_pixel = 64}),
+              0.5);
 }
 
 // Lossless and convex: light leaves along some other direction, but all directions carry the same radiance.
 TEST(TracerFurnace, AMirrorBallOfAlbedoOneIsInvisible) {
-  expect_mean(render_text(furnace_with(R"("type": "mirror", "reflectance": [1, 1, 1])"), {.samples_per_pixel = 16}), 1);
+  expect_mean(
+      render_text(furnace_with(R"("type": "mirror", "reflectance": [1, 1, 1])"), {.samples_per_pixel = 16}),
+      1);
 }
 
 // Radiance is scaled by 1/eta^2 on the way in and by eta^2 on the way out.
@@ -54,15 +61,18 @@ TEST(TracerFurnace, AGlassBallIsInvisible) {
   expect_mean(render_text(furnace_with(R"("type": "glass", "ior": 1.5)"), {.samples_per_pixel = 64}), 1);
 }
 
-// Height-correlated single scattering GGX loses a little at alpha 0.1: the directional albedo at normal incidence is above 0.99.
+// Height-correlated single scattering GGX loses a little at alpha 0.1: the directional albedo at normal
+// incidence is above 0.99.
 TEST(TracerFurnace, ASlightlyRoughGgxBallLosesLittle) {
-  const auto rendering = render_text(furnace_with(R"("type": "ggx", "colour": [1, 1, 1], "alpha": 0.1)"), {.samples_per_pixel = 64});
+  const auto rendering = render_text(furnace_with(R"("type": "ggx", "colour": [1, 1, 1], "alpha": 0.1)"),
+                                     {.samples_per_pixel = 64});
   EXPECT_GT(mean_of_channel(rendering.picture, 0), 0.985);
   EXPECT_LT(mean_of_channel(rendering.picture, 0), 1.0 + 4 * error_of_mean(rendering.picture, 0));
 }
 
-// Closed room, every surface reflects 1/2 and sees emission 1 at depth 0 only through the environment-free sum: a room whose walls
-// are lit by an emissive ball of radius 1 at its centre: E at distance d below the ball is pi (1/d)^2.
+// Closed room, every surface reflects 1/2 and sees emission 1 at depth 0 only through the environment-free
+// sum: a room whose walls are lit by an emissive ball of radius 1 at its centre: E at distance d below the
+// ball is pi (1/d)^2.
 TEST(TracerDirectLight, AnEmissiveMeshBallLightsTheFloorLikeASphere) {
   const auto text = scene_text("[7, 9, 11]", "[0, 0, 0]", 16, 1,
                                R"("materials": [{"name": "m", "type": "lambert", "reflectance": [1, 1, 1]},
@@ -71,69 +81,87 @@ TEST(TracerDirectLight, AnEmissiveMeshBallLightsTheFloorLikeASphere) {
                                              {"name": "s", "generator": "sphere", "radius": 1, "segments": 512, "material": "e"}],
                                   "instances": [{"mesh": "p"}, {"mesh": "s", "matrix": [{"translate": [0, 2, 0]}]}])");
   const auto rendering = render_text(text, {.samples_per_pixel = 256});
-  // L = rho E / pi = 2 (1/2)^2. The inscribed mesh with 512 segments is smaller by less than 1e-4; the pixels span 14 mm, over which
-  // E changes by less than 1e-4.
+  // L = rho E / pi = 2 (1/2)^2. The inscribed mesh with 512 segments is smaller by less than 1e-4; the pixels
+  // span 14 mm, over which E changes by less than 1e-4.
   EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.5, 4 * error_of_mean(rendering.picture, 0) + 1e-4);
 }
 
 TEST(TracerDirectLight, ASphereLightBelowItsCentreIsPiLTimesRadiusOverDistanceSquared) {
   const auto rendering = render_text(floor_under(R"({"type": "sphere", "radius": 0.5, "radiance": [1, 1, 1],
-                                                     "matrix": [{"translate": [0, 2, 0]}]})", "[0, 0, 0]"),
+                                                     "matrix": [{"translate": [0, 2, 0]}]})",
+                                                 "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
   EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.0625, 0.00005);
 }
 
-// An ellipsoid is no sphere: the same light by a non-uniform matrix, seen from below along its long axis, has the shadow of its
-// horizontal section. Stretching along y towards the floor leaves the cross section but brings the surface nearer; the exact form
-// factor of a spheroid with semi-axes (a, c, a) at height h is a^2 / (h^2 - c^2 + a^2) for a receiver facing its centre.
+// An ellipsoid is no sphere: the same light by a non-uniform matrix, seen from below along its long axis, has
+// the shadow of its horizontal section. Stretching along y towards the floor leaves the cross section but
+// brings the surface nearer; the exact form factor of a spheroid with semi-axes (a, c, a) at height h is a^2
+// / (h^2 - c^2 + a^2) for a receiver facing its centre.
 TEST(TracerDirectLight, AStretchedSphereLightIsASpheroid) {
   const auto rendering = render_text(floor_under(R"({"type": "sphere", "radius": 0.5, "radiance": [1, 1, 1],
-                                                     "matrix": [{"translate": [0, 2, 0]}, {"scale": [1, 2, 1]}]})", "[0, 0, 0]"),
+                                                     "matrix": [{"translate": [0, 2, 0]}, {"scale": [1, 2, 1]}]})",
+                                                 "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
   EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.25 / (4 - 1 + 0.25), 0.0007);
 }
 
-// Unit square of radiance 1 at height 1, point below its centre: F = 0.23945647 (sum of four corner rectangles).
+// Unit square of radiance 1 at height 1, point below its centre: F = 0.23945647 (sum of four corner
+// rectangles).
 TEST(TracerDirectLight, ARectangleMatchesItsFormFactor) {
-  const auto rendering = render_text(floor_under(R"({"type": "rect", "half_width": 0.5, "half_length": 0.5, "radiance": [1, 1, 1],
-                                                     "matrix": [{"translate": [0, 1, 0]}]})", "[0, 0, 0]"),
-                                     {.samples_per_pixel = 256});
+  const auto rendering = render_text(
+      floor_under(R"({"type": "rect", "half_width": 0.5, "half_length": 0.5, "radiance": [1, 1, 1],
+                                                     "matrix": [{"translate": [0, 1, 0]}]})",
+                  "[0, 0, 0]"),
+      {.samples_per_pixel = 256});
   EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.23945647, 0.0002);
 }
 
 // The same rectangle through a matrix that scales it: size follows, radiance does not (ORB.S REQ_L3).
 TEST(TracerDirectLight, ScalingALightChangesItsSizeAndNotItsRadiance) {
-  const auto direct = render_text(floor_under(R"({"type": "rect", "half_width": 0.5, "half_length": 1, "radiance": [3, 3, 3],
-                                                  "matrix": [{"translate": [0, 1, 0]}]})", "[0, 0, 0]"), {.samples_per_pixel = 64});
-  const auto scaled = render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [3, 3, 3],
-                                                  "matrix": [{"translate": [0, 1, 0]}, {"scale": [0.5, 7, 1]}]})", "[0, 0, 0]"),
-                                  {.samples_per_pixel = 64});
+  const auto direct =
+      render_text(floor_under(R"({"type": "rect", "half_width": 0.5, "half_length": 1, "radiance": [3, 3, 3],
+                                                  "matrix": [{"translate": [0, 1, 0]}]})",
+                              "[0, 0, 0]"),
+                  {.samples_per_pixel = 64});
+  const auto scaled =
+      render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [3, 3, 3],
+                                                  "matrix": [{"translate": [0, 1, 0]}, {"scale": [0.5, 7, 1]}]})",
+                              "[0, 0, 0]"),
+                  {.samples_per_pixel = 64});
   EXPECT_EQ(direct.picture.pixels, scaled.picture.pixels);
 }
 
 // Coaxial parallel disk, r = h = 1: F = 1/2.
 TEST(TracerDirectLight, ADiskMatchesItsFormFactor) {
   const auto rendering = render_text(floor_under(R"({"type": "disk", "radius": 1, "radiance": [1, 1, 1],
-                                                     "matrix": [{"translate": [0, 1, 0]}]})", "[0, 0, 0]"),
+                                                     "matrix": [{"translate": [0, 1, 0]}]})",
+                                                 "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
   EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.5, 0.0005);
 }
 
 TEST(TracerDirectLight, LightsAreBlackFromBehind) {
-  const auto rendering = render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [1, 1, 1],
-                                                     "matrix": [{"translate": [0, 1, 0]}, {"rotate_x": 180}]})", "[0, 1, 0]"),
-                                     {.samples_per_pixel = 4});
+  const auto rendering =
+      render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [1, 1, 1],
+                                                     "matrix": [{"translate": [0, 1, 0]}, {"rotate_x": 180}]})",
+                              "[0, 1, 0]"),
+                  {.samples_per_pixel = 4});
   EXPECT_EQ(mean_of_channel(rendering.picture, 0), 1);  // the camera is above and sees the bright side
-  const auto below = render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [1, 1, 1],
-                                                 "matrix": [{"translate": [0, 1, 0]}]})", "[0, 1, 0]"), {.samples_per_pixel = 4});
+  const auto below =
+      render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [1, 1, 1],
+                                                 "matrix": [{"translate": [0, 1, 0]}]})",
+                              "[0, 1, 0]"),
+                  {.samples_per_pixel = 4});
   EXPECT_EQ(mean_of_channel(below.picture, 0), 0);
 }
 
-// A closed box of albedo 1/2 whose inside is seen from the middle, with a lamp: every picture of depth d is a partial sum, and the
-// layers by path class add up to the picture.
+// A closed box of albedo 1/2 whose inside is seen from the middle, with a lamp: every picture of depth d is a
+// partial sum, and the layers by path class add up to the picture.
 TEST(TracerPaths, LayersAddUpToThePicture) {
-  const auto text = scene_text("[0, 0, 0]", "[0, -1, 1]", 16, 4,
-                               R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.6, 0.7]},
+  const auto text =
+      scene_text("[0, 0, 0]", "[0, -1, 1]", 16, 4,
+                 R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.6, 0.7]},
                                                 {"name": "s", "type": "mirror", "reflectance": [0.9, 0.9, 0.9]}],
                                   "meshes": [{"name": "c", "generator": "cube", "half_size": 2,
                                               "triangle_materials": [{"material": "m", "count": 8}, {"material": "s", "count": 4}]}],
@@ -156,7 +184,10 @@ TEST(TracerPaths, LayersAddUpToThePicture) {
 
 namespace {
 
-const std::string kBusyScene = scene_text("[0, 3, 14]", "[0, 0, 0]", 48, 6,
+const std::string kBusyScene = scene_text("[0, 3, 14]",
+                                          "[0, 0, 0]",
+                                          48,
+                                          6,
                                           R"("environment": [0.1, 0.2, 0.3],
    "materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.6, 0.7]}, {"name": "g", "type": "ggx", "colour": [0.8, 0.8, 0.8], "alpha": 0.2},
                  {"name": "t", "type": "glass", "ior": 1.5}, {"name": "e", "type": "emission", "radiance": [1, 2, 3]}],
@@ -166,13 +197,16 @@ const std::string kBusyScene = scene_text("[0, 3, 14]", "[0, 0, 0]", 48, 6,
                  {"mesh": "s", "matrix": [{"translate": [0.1, 0.1, 0.2]}, {"scale": [1, 0.5, 1]}], "remap": ["m", "t"]},
                  {"mesh": "s", "matrix": [{"translate": [-0.1, 0.1, 0.2]}, {"scale": 0.5}], "remap": ["m", "e"]}],
    "lights": [{"type": "rect", "half_width": 1, "half_length": 1, "radiance": [4, 4, 4], "matrix": [{"translate": [0, 3, 0]}]},
-              {"type": "sphere", "radius": 0.3, "radiance": [4, 2, 4], "matrix": [{"translate": [1, 2, 1]}]}])", "1");
+              {"type": "sphere", "radius": 0.3, "radiance": [4, 2, 4], "matrix": [{"translate": [1, 2, 1]}]}])",
+                                          "1");
 
 }  // namespace
 
 TEST(TracerDeterminism, ThePictureDoesNotDependOnTheNumberOfThreads) {
-  const auto one = render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 1, .split_paths = true});
-  const auto three = render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 3, .split_paths = true});
+  const auto one =
+      render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 1, .split_paths = true});
+  const auto three =
+      render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 3, .split_paths = true});
   EXPECT_EQ(one.picture.pixels, three.picture.pixels);
   const auto other = render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 8, .threads = 3});
   EXPECT_NE(one.picture.pixels, other.picture.pixels);
@@ -187,7 +221,8 @@ TEST(TracerDeterminism, SplittingPathsDoesNotChangeThePicture) {
       for (std::size_t c = 0; c < 6; ++c) ASSERT_EQ(plain.picture.at(x, y, c), split.picture.at(x, y, c));
 }
 
-// Var(a - b) = Var(a) + Var(b): over many pixels the squared differences of two seeds must average to the stated variances.
+// Var(a - b) = Var(a) + Var(b): over many pixels the squared differences of two seeds must average to the
+// stated variances.
 TEST(TracerVariance, IsTheVarianceOfTheMean) {
   const auto a = render_text(kBusyScene, {.samples_per_pixel = 64, .seed = 1});
   const auto b = render_text(kBusyScene, {.samples_per_pixel = 64, .seed = 2});
@@ -209,7 +244,8 @@ TEST(TracerInstances, CopiesAndInstancesShowTheSamePicture) {
   const std::atomic<bool> never{false};
   const auto silent = [](const tracer::Progress&) {};
   const auto copied = tracer::render(tracer::make_world(scene), {.samples_per_pixel = 64}, never, silent);
-  const auto instanced = tracer::render(tracer::make_world(scene, {.most_copied_triangles = 0}), {.samples_per_pixel = 64}, never, silent);
+  const auto instanced = tracer::render(tracer::make_world(scene, {.most_copied_triangles = 0}),
+                                        {.samples_per_pixel = 64}, never, silent);
   const double noise = std::hypot(error_of_mean(copied.picture, 0), error_of_mean(instanced.picture, 0));
   EXPECT_NEAR(mean_of_channel(copied.picture, 0), mean_of_channel(instanced.picture, 0), 4 * noise);
 }
@@ -217,14 +253,16 @@ TEST(TracerInstances, CopiesAndInstancesShowTheSamePicture) {
 TEST(TracerStop, KeepsThePassesThatWereFinished) {
   const std::atomic<bool> at_once{true};
   const auto world = tracer::make_world(scene::load_scene_text("test.json", kBusyScene, "."));
-  const auto rendering = tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
+  const auto rendering =
+      tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
   EXPECT_EQ(rendering.samples_per_pixel, 16);  // one replicate of four
   EXPECT_GT(mean_of_channel(rendering.picture, 0), 0);
 }
 
 TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {
-  const auto text = scene_text("[0, 0, 5]", "[0, 0, 0]", 8, 3,
-                               R"("materials": [{"name": "e", "type": "emission", "radiance": [0.5, 0.25, 3]}],
+  const auto text =
+      scene_text("[0, 0, 5]", "[0, 0, 0]", 8, 3,
+                 R"("materials": [{"name": "e", "type": "emission", "radiance": [0.5, 0.25, 3]}],
                                   "meshes": [{"name": "s", "generator": "sphere", "radius": 1, "segments": 64, "material": "e"}],
                                   "instances": [{"mesh": "s"}])");
   const auto picture = render_text(text, {.samples_per_pixel = 5}).picture;
@@ -239,17 +277,20 @@ TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {
 // Two parallel mirrors would go on for ever; N scatterings and no more.
 TEST(TracerDepth, CountsSurfaceScatterings) {
   for (const int depth : {1, 2, 3, 5}) {
-    // Closed cube, albedo 1/2, lit from within by emission seen by the environment: a room open nowhere, one wall emissive.
-    const auto text = scene_text("[0, 0, 0]", "[0, 0, 1]", 4, depth,
-                                 R"("environment": [1, 1, 1], "materials": [{"name": "m", "type": "mirror", "reflectance": [0.5, 0.5, 0.5]}],
+    // Closed cube, albedo 1/2, lit from within by emission seen by the environment: a room open nowhere, one
+    // wall emissive.
+    const auto text = scene_text(
+        "[0, 0, 0]", "[0, 0, 1]", 4, depth,
+        R"("environment": [1, 1, 1], "materials": [{"name": "m", "type": "mirror", "reflectance": [0.5, 0.5, 0.5]}],
                                     "meshes": [{"name": "w", "generator": "plane", "half_size": 100, "material": "m"}],
                                     "instances": [{"mesh": "w", "matrix": [{"translate": [0, 0, 1]}, {"rotate_x": 90}]},
                                                   {"mesh": "w", "matrix": [{"translate": [0, 0, -1]}, {"rotate_x": 90}]}])");
     const auto picture = render_text(text, {.samples_per_pixel = 4}).picture;
     EXPECT_EQ(mean_of_channel(picture, 0), 0) << "between the mirrors nothing is lit at depth " << depth;
   }
-  const auto open = scene_text("[0, 0, 0]", "[0, 0, 1]", 4, 1,
-                               R"("environment": [1, 1, 1], "materials": [{"name": "m", "type": "mirror", "reflectance": [0.5, 0.5, 0.5]}],
+  const auto open = scene_text(
+      "[0, 0, 0]", "[0, 0, 1]", 4, 1,
+      R"("environment": [1, 1, 1], "materials": [{"name": "m", "type": "mirror", "reflectance": [0.5, 0.5, 0.5]}],
                                   "meshes": [{"name": "w", "generator": "plane", "half_size": 100, "material": "m"}],
                                   "instances": [{"mesh": "w", "matrix": [{"translate": [0, 0, 1]}, {"rotate_x": 90}]}])");
   EXPECT_NEAR(mean_of_channel(render_text(open, {.samples_per_pixel = 4}).picture, 0), 0.5, 1e-6);

@@ -9,7 +9,8 @@ using namespace orbs::tracer;
 
 namespace {
 
-constexpr std::array kPurposes{Purpose::PixelAndFirstLight, Purpose::LightPick, Purpose::Light, Purpose::Scatter};
+constexpr std::array kPurposes{Purpose::PixelAndFirstLight, Purpose::LightPick, Purpose::Light,
+                               Purpose::Scatter};
 
 }  // namespace
 
@@ -22,24 +23,28 @@ TEST(Sampler, NumbersLieInTheHalfOpenUnitInterval) {
       }
 }
 
-// Owen scrambling and shuffling keep each dimension a (0, m, 1)-net: 2^m points, one in each interval of length 2^-m.
+// Owen scrambling and shuffling keep each dimension a (0, m, 1)-net: 2^m points, one in each interval of
+// length 2^-m.
 TEST(Sampler, EachDimensionIsStratifiedForEveryPowerOfTwo) {
   for (std::uint32_t count = 2; count <= 1024; count *= 2)
     for (std::size_t d = 0; d < 4; ++d) {
       std::set<int> cells;
       for (std::uint32_t i = 0; i < count; ++i)
-        cells.insert(static_cast<int>(draw(sample_block(3, 17, 0), i, 2, Purpose::Scatter)[d] * static_cast<float>(count)));
+        cells.insert(static_cast<int>(draw(sample_block(3, 17, 0), i, 2, Purpose::Scatter)[d] *
+                                      static_cast<float>(count)));
       EXPECT_EQ(cells.size(), count) << "dimension " << d;
     }
 }
 
-// The first two Sobol' dimensions form a (0, 2)-sequence: 16 points, one in each cell of 1x16, 2x8, 4x4, 8x2 and 16x1.
+// The first two Sobol' dimensions form a (0, 2)-sequence: 16 points, one in each cell of 1x16, 2x8, 4x4, 8x2
+// and 16x1.
 TEST(Sampler, TheFirstTwoDimensionsAreStratifiedTogether) {
   for (int columns = 1; columns <= 16; columns *= 2) {
     std::set<std::pair<int, int>> cells;
     for (std::uint32_t i = 0; i < 16; ++i) {
       const auto u = draw(sample_block(5, 99, 1), i, 0, Purpose::PixelAndFirstLight);
-      cells.emplace(static_cast<int>(u[0] * static_cast<float>(columns)), static_cast<int>(u[1] * (16.0F / static_cast<float>(columns))));
+      cells.emplace(static_cast<int>(u[0] * static_cast<float>(columns)),
+                    static_cast<int>(u[1] * (16.0F / static_cast<float>(columns))));
     }
     EXPECT_EQ(cells.size(), 16U) << columns << " columns";
   }
@@ -58,15 +63,16 @@ TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
   EXPECT_EQ(static_cast<int>(first.size()), count);
 }
 
-// The mean of x over a replicate has the exact expectation 1/2; correlation between dimensions of different purposes would
-// show in the mean product of unrelated numbers, which must be 1/4.
+// The mean of x over a replicate has the exact expectation 1/2; correlation between dimensions of different
+// purposes would show in the mean product of unrelated numbers, which must be 1/4.
 TEST(Sampler, NumbersOfDifferentBouncesAreUncorrelated) {
   double product = 0;
   constexpr int kPixels = 4000;
   for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
     const auto block = sample_block(11, pixel, 0);
     for (std::uint32_t i = 0; i < 16; ++i)
-      product += static_cast<double>(draw(block, i, 0, Purpose::Scatter)[0]) * draw(block, i, 1, Purpose::Scatter)[0];
+      product += static_cast<double>(draw(block, i, 0, Purpose::Scatter)[0]) *
+                 draw(block, i, 1, Purpose::Scatter)[0];
   }
   product /= 16.0 * kPixels;
   EXPECT_NEAR(product, 0.25, 4 * 0.22 / std::sqrt(16.0 * kPixels));  // sd of a product of two uniforms: 0.22

@@ -14,8 +14,8 @@ inline tracer::Rendering render_text(const std::string& text, const tracer::Rend
   return tracer::render(world, settings, never, [](const tracer::Progress&) {});
 }
 
-/// A whole scene around `content` (materials, meshes, instances, lights); the camera looks from `eye` to `target`, by default at
-/// so small a spot that closed forms for a point hold over the picture.
+/// A whole scene around `content` (materials, meshes, instances, lights); the camera looks from `eye` to
+/// `target`, by default at so small a spot that closed forms for a point hold over the picture.
 inline std::string scene_text(const std::string& eye,
                               const std::string& target,
                               int side_px,
@@ -23,15 +23,17 @@ inline std::string scene_text(const std::string& eye,
                               const std::string& content,
                               const std::string& fov_deg = "0.05") {
   const std::string side = std::to_string(side_px);
-  return R"({"format": "orbs-scene/1", "name": "test", "camera": {"position": )" + eye + R"(, "look_at": )" + target +
-         R"(, "up": [0.1, 0.99, 0.3], "fov_y": )" + fov_deg + R"(, "width": )" + side + R"(, "height": )" + side +
-         R"(}, "integrator": {"trace_depth": )" + std::to_string(trace_depth) + "}, " + content + "}";
+  return R"({"format": "orbs-scene/1", "name": "test", "camera": {"position": )" + eye + R"(, "look_at": )" +
+         target + R"(, "up": [0.1, 0.99, 0.3], "fov_y": )" + fov_deg + R"(, "width": )" + side +
+         R"(, "height": )" + side + R"(}, "integrator": {"trace_depth": )" + std::to_string(trace_depth) +
+         "}, " + content + "}";
 }
 
 /// Mean over all pixels of one channel.
 inline double mean_of_channel(const image::Image& picture, std::size_t channel) {
   double sum = 0;
-  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count()) sum += picture.pixels[i];
+  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count())
+    sum += picture.pixels[i];
   return sum / static_cast<double>(picture.pixel_count());
 }
 

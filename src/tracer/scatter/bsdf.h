@@ -11,7 +11,8 @@
 
 namespace orbs::tracer {
 
-/// What a surface does at one point: the material with its texture looked up and its side decided. Each alternative has
+/// What a surface does at one point: the material with its texture looked up and its side decided. Each
+/// alternative has
 ///   kIsDelta, kEvent          whether it is a delta function, and its letter in the notation of light paths
 ///   evaluate(bsdf, wo, wi) -> BsdfValue        f |cos wi| and pdf of wi, in the local frame with wo.z > 0
 ///   sample(bsdf, wo, u)    -> BsdfSample       or nothing when the chosen facet reflects into the surface

@@ -8,9 +8,9 @@
 
 namespace orbs::tracer {
 
-/// ORB.S REQ_M8: reflection or refraction, chosen by the Fresnel reflectance. `eta` = index beyond the surface over the index on
-/// the viewer's side, so that both sides follow physics. Radiance grows by eta^2 where light enters the denser side
-/// (Veach 1997, 5.2), hence 1 / eta^2 on a path from the camera.
+/// ORB.S REQ_M8: reflection or refraction, chosen by the Fresnel reflectance. `eta` = index beyond the
+/// surface over the index on the viewer's side, so that both sides follow physics. Radiance grows by eta^2
+/// where light enters the denser side (Veach 1997, 5.2), hence 1 / eta^2 on a path from the camera.
 template <typename Value>
 struct GlassBsdf {
   static constexpr bool kIsDelta = true;
@@ -25,7 +25,9 @@ BsdfValue<Value> evaluate(const GlassBsdf<Value>&, Vec3f, Vec3f) {
 }
 
 template <typename Value>
-std::optional<BsdfSample<Value>> sample(const GlassBsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+std::optional<BsdfSample<Value>> sample(const GlassBsdf<Value>& bsdf,
+                                        Vec3f wo,
+                                        const std::array<float, 4>& u) {
   BsdfSample<Value> out{.weight = bsdf.colour};
   if (u[2] < fresnel_dielectric(wo.z, bsdf.eta)) {
     out.wi = {-wo.x, -wo.y, wo.z};

@@ -24,7 +24,9 @@ BsdfValue<Value> evaluate(const LambertBsdf<Value>& bsdf, Vec3f, Vec3f wi) {
 }
 
 template <typename Value>
-std::optional<BsdfSample<Value>> sample(const LambertBsdf<Value>& bsdf, Vec3f, const std::array<float, 4>& u) {
+std::optional<BsdfSample<Value>> sample(const LambertBsdf<Value>& bsdf,
+                                        Vec3f,
+                                        const std::array<float, 4>& u) {
   const Vec3f wi = sample_cosine(u[0], u[1]);
   if (wi.z <= 0) return std::nullopt;
   return BsdfSample<Value>{.wi = wi, .weight = bsdf.reflectance, .pdf = wi.z * kInvPi};

@@ -21,9 +21,10 @@ BsdfValue<Value> evaluate(const MirrorBsdf<Value>&, Vec3f, Vec3f) {
 }
 
 template <typename Value>
-std::optional<BsdfSample<Value>> sample(const MirrorBsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>&) {
-  return BsdfSample<Value>{
-      .wi = {-wo.x, -wo.y, wo.z}, .weight = bsdf.reflectance};
+std::optional<BsdfSample<Value>> sample(const MirrorBsdf<Value>& bsdf,
+                                        Vec3f wo,
+                                        const std::array<float, 4>&) {
+  return BsdfSample<Value>{.wi = {-wo.x, -wo.y, wo.z}, .weight = bsdf.reflectance};
 }
 
 }  // namespace orbs::tracer

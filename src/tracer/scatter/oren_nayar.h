@@ -8,8 +8,8 @@
 
 namespace orbs::tracer {
 
-/// ORB.S eq. 5 (Oren and Nayar 1994, the short form without inter-reflection). The specification prints cos(theta_i - theta_r)
-/// where the paper has the azimuths; the azimuths are meant.
+/// ORB.S eq. 5 (Oren and Nayar 1994, the short form without inter-reflection). The specification prints
+/// cos(theta_i - theta_r) where the paper has the azimuths; the azimuths are meant.
 template <typename Value>
 struct OrenNayarBsdf {
   static constexpr bool kIsDelta = false;
@@ -26,8 +26,8 @@ OrenNayarBsdf<Value> make_oren_nayar(const Value& reflectance, float roughness) 
   return {reflectance, 1 - 0.5F * s2 / (s2 + 0.33F), 0.45F * s2 / (s2 + 0.09F)};
 }
 
-/// A + B max(0, cos(phi_i - phi_r)) sin(alpha) tan(beta), with alpha the larger and beta the smaller angle to the normal:
-/// sin(alpha) tan(beta) = sin sin / max(cos, cos).
+/// A + B max(0, cos(phi_i - phi_r)) sin(alpha) tan(beta), with alpha the larger and beta the smaller angle to
+/// the normal: sin(alpha) tan(beta) = sin sin / max(cos, cos).
 template <typename Value>
 float oren_nayar_factor(const OrenNayarBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
   const float sin_sin_cos_phi = wo.x * wi.x + wo.y * wi.y;
@@ -43,7 +43,9 @@ BsdfValue<Value> evaluate(const OrenNayarBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) 
 }
 
 template <typename Value>
-std::optional<BsdfSample<Value>> sample(const OrenNayarBsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+std::optional<BsdfSample<Value>> sample(const OrenNayarBsdf<Value>& bsdf,
+                                        Vec3f wo,
+                                        const std::array<float, 4>& u) {
   const Vec3f wi = sample_cosine(u[0], u[1]);
   if (wi.z <= 0) return std::nullopt;
   return BsdfSample<Value>{

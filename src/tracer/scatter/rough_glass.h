@@ -9,9 +9,10 @@
 
 namespace orbs::tracer {
 
-/// Rough dielectric of Walter et al. 2007 (eq. 20 and 21) with GGX. Reflection uses height-correlated masking; in transmission the
-/// two directions see the facets from opposite sides, where the separable product G1 G1 (Walter eq. 23) is the usual model.
-/// `eta` = index beyond the surface over the index on the viewer's side.
+/// Rough dielectric of Walter et al. 2007 (eq. 20 and 21) with GGX. Reflection uses height-correlated
+/// masking; in transmission the two directions see the facets from opposite sides, where the separable
+/// product G1 G1 (Walter eq. 23) is the usual model. `eta` = index beyond the surface over the index on the
+/// viewer's side.
 template <typename Value>
 struct RoughGlassBsdf {
   static constexpr bool kIsDelta = false;
@@ -46,7 +47,9 @@ BsdfValue<Value> evaluate(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, Vec3f wi)
 }
 
 template <typename Value>
-std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
+                                        Vec3f wo,
+                                        const std::array<float, 4>& u) {
   const Vec3f m = sample_ggx_visible(wo, bsdf.alpha, u[0], u[1]);
   const float cos_o = dot(wo, m);
   if (cos_o <= 0) return std::nullopt;
