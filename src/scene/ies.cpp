@@ -183,8 +183,9 @@ double candela_at(const IesProfile& profile, double vertical_deg, double horizon
          th * ((1 - tv) * value(h1, v) + tv * value(h1, v1));
 }
 
-double candela_towards(const IesProfile& profile, Vec3d d) {
+double candela_towards(const IesProfile& profile, Vec3d local_direction) {
   constexpr double kDegrees = 180 / std::numbers::pi;
+  const Vec3d d = local_direction;
   const double across = std::hypot(d.x, d.z);
   return candela_at(profile, std::atan2(across, -d.y) * kDegrees, std::atan2(d.z, d.x) * kDegrees);
 }
