@@ -185,9 +185,8 @@ double candela_at(const IesProfile& profile, double vertical_deg, double horizon
 
 double candela_towards(const IesProfile& profile, Vec3d local_direction) {
   constexpr double kDegrees = 180 / std::numbers::pi;
-  const Vec3d d = local_direction;
-  const double across = std::hypot(d.x, d.z);
-  return candela_at(profile, std::atan2(across, -d.y) * kDegrees, std::atan2(d.z, d.x) * kDegrees);
+  const auto& [x, y, z] = local_direction;
+  return candela_at(profile, std::atan2(std::hypot(x, z), -y) * kDegrees, std::atan2(z, x) * kDegrees);
 }
 
 }  // namespace orbs::scene
