@@ -31,14 +31,15 @@ image::Image render_with_povray(const scene::Scene& scene,
     throw std::runtime_error(
         "povray is not on PATH; the exporter is tested on the real program: install the package povray");
   // Not below /tmp, where POV-Ray's I/O restrictions allow everything: the folder of the job has to do.
-  const std::filesystem::path folder = std::filesystem::path(ORBS_BINARY_DIR) / "povray-tests" / name;
+  const std::filesystem::path folder = std::filesystem::path(ORBS_BINARY_DIR) / "povray tests" / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   adapters::write_povray(scene, settings, folder / "scene.pov");
   adapters::ProcessRequest request;
+  // POV-Ray splits each argument at blanks once more, unless the path stands in quotes of its own.
   request.argv = {program->string(),
-                  "+I" + (folder / "scene.pov").string(),
-                  "+O" + (folder / "out.exr").string(),
+                  "+I\"" + (folder / "scene.pov").string() + "\"",
+                  "+O\"" + (folder / "out.exr").string() + "\"",
                   fmt::format("+W{}", scene.camera.width_px),
                   fmt::format("+H{}", scene.camera.height_px),
                   "+FE",
