@@ -49,13 +49,13 @@ constexpr Vec3<Real> cross(Vec3<Real> a, Vec3<Real> b) {
 }
 
 template <typename Real>
-Real length(Vec3<Real> a) {
+inline Real length(Vec3<Real> a) {
   return std::sqrt(dot(a, a));
 }
 
 /// Unit vector along a; a must not be zero.
 template <typename Real>
-Vec3<Real> normalised(Vec3<Real> a) {
+inline Vec3<Real> normalised(Vec3<Real> a) {
   return a / length(a);
 }
 

@@ -35,10 +35,11 @@ MetEmission met_light(const World& world, const Part& part, const Ray& ray, cons
 MetEmission met_emissive_surface(const World& world,
                                  const SurfacePoint& point,
                                  const SurfaceMaterial& material,
-                                 const Ray& ray) {
+                                 const Ray& ray,
+                                 const Hit& hit) {
   const Vec3f d = point.position - ray.origin;
   const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
-  return {emitted_radiance(world, material, apply(material.uv, point.uv)),
+  return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, hit))),
           cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};
 }
 

@@ -11,6 +11,16 @@ namespace orbs::tracer {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 
+/// sin and cos for |x| <= pi / 4 by their Taylor series: the first terms left out are below 2e-9 and 3e-8,
+/// half a unit in the last place.
+inline Vec2f cos_sin_of_eighth(float x) {
+  const float x2 = x * x;
+  const float sine =
+      x * (1 + x2 * (-1.0F / 6 + x2 * (1.0F / 120 + x2 * (-1.0F / 5040 + x2 * (1.0F / 362880)))));
+  const float cosine = 1 + x2 * (-0.5F + x2 * (1.0F / 24 + x2 * (-1.0F / 720 + x2 * (1.0F / 40320))));
+  return {cosine, sine};
+}
+
 /// Uniform on the unit disk; area-preserving and continuous (Shirley and Chiu 1997), so that stratified
 /// numbers stay so.
 inline Vec2f sample_disk(float u, float v) {
@@ -19,8 +29,8 @@ inline Vec2f sample_disk(float u, float v) {
   if (a == 0 && b == 0) return {};
   const bool wide = std::abs(a) > std::abs(b);
   const float radius = wide ? a : b;
-  const float angle = wide ? (kPi / 4) * (b / a) : kPi / 2 - (kPi / 4) * (a / b);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  const Vec2f turn = cos_sin_of_eighth((kPi / 4) * (wide ? b / a : a / b));
+  return wide ? Vec2f{radius * turn.x, radius * turn.y} : Vec2f{radius * turn.y, radius * turn.x};
 }
 
 /// Cosine-weighted about +z; pdf = cos / pi.

@@ -4,6 +4,7 @@
 #include "tracer/path_class.h"
 #include "tracer/sampler.h"
 #include "tracer/sampling.h"
+#include "tracer/surface.h"
 #include "tracer/transport.h"
 #include "tracer/world.h"
 
@@ -81,15 +82,15 @@ void add_light(Wave<T>& wave, PathState<T>& path, const typename T::Light& light
 template <Transport T>
 Bsdf<typename T::Value> bsdf_at(const World& world,
                                 const SurfaceMaterial& material,
-                                Vec2f uv,
+                                const Hit& hit,
                                 bool is_outside,
                                 const typename T::Lambda& lambda) {
   using Value = typename T::Value;
-  const Vec3f texel =
-      material.texture < 0
-          ? Vec3f{1, 1, 1}
-          : lookup(world.textures[static_cast<std::size_t>(material.texture)], apply(material.uv, uv));
-  const Value colour = T::from_rgb(material.colour * texel, lambda);
+  Vec3f rgb = material.colour;
+  if (material.texture >= 0)
+    rgb *= lookup(world.textures[static_cast<std::size_t>(material.texture)],
+                  apply(material.uv, texture_coordinates(world, hit)));
+  const Value colour = T::from_rgb(rgb, lambda);
   const float eta = is_outside ? material.ior : 1 / material.ior;
   switch (material.model) {
     case Model::Lambert:
@@ -122,7 +123,8 @@ MetEmission met_light(const World& world, const Part& part, const Ray& ray, cons
 MetEmission met_emissive_surface(const World& world,
                                  const SurfacePoint& point,
                                  const SurfaceMaterial& material,
-                                 const Ray& ray);
+                                 const Ray& ray,
+                                 const Hit& hit);
 
 template <Transport T>
 void add_emission(Wave<T>& wave, PathState<T>& path, const MetEmission& met) {
@@ -155,10 +157,9 @@ std::array<float, 3> light_numbers(const World& world, const PathState<T>& path,
   return {u[0], u[1], u[2]};
 }
 
-template <Transport T>
+/// Where a path scatters.
 struct Vertex {
   SurfacePoint point;
-  Bsdf<typename T::Value> bsdf;
   Frame frame;  // z = shading normal on the viewer's side
   Vec3f wo;     // local
 };
@@ -171,19 +172,23 @@ inline bool sides_agree(const SurfacePoint& point, Vec3f shading_normal, Vec3f d
   return along_geometry * dot(shading_normal, direction) > 0;
 }
 
-template <Transport T>
-void ask_for_direct_light(
-    Wave<T>& wave, const World& world, std::uint32_t index, const Sample& sample, const Vertex<T>& vertex) {
+template <Transport T, typename B>
+void ask_for_direct_light(Wave<T>& wave,
+                          const World& world,
+                          std::uint32_t index,
+                          const Sample& sample,
+                          const Vertex& vertex,
+                          const B& bsdf) {
   const PathState<T>& path = wave.paths[index];
   const auto [pick, u, v] = light_numbers<T>(world, path, sample);
   const auto light = sample_light(world, vertex.point.position, pick, u, v);
   if (!light) return;
   const Vec3f direction = normalised(light->target - vertex.point.position);
   const Vec3f wi = vertex.frame.to_local(direction);
-  const auto value = evaluate(vertex.bsdf, vertex.wo, wi);
+  const auto value = evaluate(bsdf, vertex.wo, wi);
   if (!(value.pdf > 0) || !sides_agree(vertex.point, vertex.frame.z, direction)) return;
   PathClass events = path.events;
-  events.add(event_of(vertex.bsdf), wi.z < 0);
+  events.add(B::kEvent, wi.z < 0);
   const auto emitted = T::unpolarised(
       T::from_rgb(light->radiance * (mis_weight(light->pdf, value.pdf) / light->pdf), path.lambda));
   const auto through = T::chain(path.weight, T::depolarising(value.f_cos));
@@ -206,18 +211,18 @@ bool survives_roulette(PathState<T>& path, float u) {
   return true;
 }
 
-template <Transport T>
-bool scatter(PathState<T>& path, const Sample& sample_of_path, const Vertex<T>& vertex) {
+template <Transport T, typename B>
+bool scatter(PathState<T>& path, const Sample& sample_of_path, const Vertex& vertex, const B& bsdf) {
   const auto u = draw(sample_of_path.block, sample_of_path.index,
                       static_cast<std::uint32_t>(path.scatterings), Purpose::Scatter);
-  const auto chosen = sample(vertex.bsdf, vertex.wo, u);
+  const auto chosen = sample(bsdf, vertex.wo, u);
   if (!chosen) return false;
   const Vec3f direction = vertex.frame.to_world(chosen->wi);
   if (!sides_agree(vertex.point, vertex.frame.z, direction)) return false;
   path.weight = T::chain(path.weight, T::depolarising(chosen->weight));
   path.radiance_scale *= chosen->radiance_scale;
-  path.scatter_pdf = is_delta(vertex.bsdf) ? 0 : chosen->pdf;
-  path.events.add(event_of(vertex.bsdf), chosen->is_transmitted);
+  path.scatter_pdf = B::kIsDelta ? 0 : chosen->pdf;
+  path.events.add(B::kEvent, chosen->is_transmitted);
   path.ray = {offset_origin(vertex.point, direction), direction};
   ++path.scatterings;
   return survives_roulette<T>(path, u[3]);
@@ -239,7 +244,7 @@ bool advance(Wave<T>& wave, const World& world, std::uint32_t index, const Sampl
   const SurfacePoint point = surface_point(world, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
   if (material.model == Model::Emission) {
-    add_emission<T>(wave, path, met_emissive_surface(world, point, material, path.ray));
+    add_emission<T>(wave, path, met_emissive_surface(world, point, material, path.ray, hit));
     return false;
   }
   if (path.scatterings == world.trace_depth) return false;
@@ -248,15 +253,16 @@ bool advance(Wave<T>& wave, const World& world, std::uint32_t index, const Sampl
   if (side == 0)
     return false;  // exactly edge-on to the shading normal: nothing is reflected towards the viewer
   const bool is_outside = side > 0;
-  Vertex<T> vertex{point,
-                   bsdf_at<T>(world, material, point.uv, is_outside, path.lambda),
-                   frame_around(is_outside ? point.shading_normal : -point.shading_normal),
-                   {}};
+  Vertex vertex{point, frame_around(is_outside ? point.shading_normal : -point.shading_normal), {}};
   vertex.wo = vertex.frame.to_local(wo);
   if (!(vertex.wo.z > 0)) return false;  // edge-on by rounding of the frame
-  if (!is_delta(vertex.bsdf) && !world.emitters.empty())
-    ask_for_direct_light<T>(wave, world, index, sample, vertex);
-  return scatter<T>(path, sample, vertex);
+  return std::visit(
+      [&](const auto& bsdf) {
+        if constexpr (!bsdf.kIsDelta)
+          if (!world.emitters.empty()) ask_for_direct_light<T>(wave, world, index, sample, vertex, bsdf);
+        return scatter<T>(path, sample, vertex, bsdf);
+      },
+      bsdf_at<T>(world, material, hit, is_outside, path.lambda));
 }
 
 template <Transport T>

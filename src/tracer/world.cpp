@@ -2,6 +2,7 @@
 
 #include "image/colour.h"
 #include "tracer/frame.h"
+#include "tracer/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ SurfaceMaterial prepare_material(const scene::Material& material) {
 }
 
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
-  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials};
+  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}};
   if (matrix == Mat4{}) {
     for (Vec3f& n : out.normals) n = normalised(n);
     return out;
@@ -242,56 +243,9 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
     world.parts.push_back(part);
   }
   build_emitters(world);
+  for (TriangleMesh& mesh : world.meshes) prepare_faces(mesh);
   world.accel = std::make_unique<Accel>(world);
   return world;
-}
-
-Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv) {
-  if (material.texture < 0) return material.colour;
-  return material.colour * lookup(world.textures[static_cast<std::size_t>(material.texture)], uv);
-}
-
-SurfacePoint surface_point(const World& world, const Hit& hit) {
-  const Part& part = world.parts[hit.part];
-  const TriangleMesh& mesh = world.meshes[part.mesh];
-  const auto& corners = mesh.triangles[hit.primitive];
-  const float b1 = hit.barycentric.x;
-  const float b2 = hit.barycentric.y;
-  const float b0 = 1 - b1 - b2;
-  Vec3f p0 = mesh.positions[corners[0]];
-  Vec3f p1 = mesh.positions[corners[1]];
-  Vec3f p2 = mesh.positions[corners[2]];
-  Vec3f normal =
-      mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
-  if (part.kind == PartKind::InstancedMesh) {
-    p0 = apply_to_point(part.to_world, p0);
-    p1 = apply_to_point(part.to_world, p1);
-    p2 = apply_to_point(part.to_world, p2);
-    normal = apply_to_direction(part.normal_to_world, normal);
-  }
-  SurfacePoint out;
-  out.position = p0 + (p1 - p0) * b1 + (p2 - p0) * b2;
-  out.geometric_normal = normalised(cross(p1 - p0, p2 - p0));
-  // Opposite vertex normals can cancel in between; the face then speaks for them.
-  out.shading_normal = dot(normal, normal) > 0 ? normalised(normal) : out.geometric_normal;
-  const Vec2f t0 = mesh.uvs[corners[0]];
-  const Vec2f t1 = mesh.uvs[corners[1]];
-  const Vec2f t2 = mesh.uvs[corners[2]];
-  out.uv = {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
-  out.material = part.material_of[static_cast<std::size_t>(mesh.materials[hit.primitive])];
-  // Rounding off the plane, in half units in the last place of the corners' size: about 6 for the sum above,
-  // 6 for the differences corner - origin in the next ray's own test, and 4 for an instance's transform.
-  // (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors along the plane do no harm.)
-  const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  out.position_error = 16 * 0x1p-24F * std::max({size(p0), size(p1), size(p2)});
-  return out;
-}
-
-Vec3f offset_origin(const SurfacePoint& point, Vec3f direction) {
-  const Vec3f n = point.geometric_normal;
-  // The bound holds for each coordinate; along n it adds up to the 1-norm of n.
-  const float offset = point.position_error * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-  return point.position + n * (dot(n, direction) < 0 ? -offset : offset);
 }
 
 Ray camera_ray(const PinholeCamera& camera, float x, float y) {

@@ -25,12 +25,25 @@ inline Vec3f apply_to_direction(const Affine& map, Vec3f v) {
 }
 inline Vec3f apply_to_point(const Affine& map, Vec3f p) { return apply_to_direction(map, p) + map.offset; }
 
+/// What a hit on a triangle needs, side by side in memory and worked out once.
+struct Face {
+  Vec3f corner;
+  Vec3f edge1;
+  Vec3f edge2;
+  Vec3f geometric_normal;  // unit; zero where the triangle has no area, which no ray hits
+  Vec3f shading_normal;    // unit, where the three vertex normals are equal; else unused
+  float size = 0;          // largest absolute coordinate of the corners
+  int material = 0;        // of the mesh
+  bool has_one_normal = false;
+};
+
 struct TriangleMesh {
   std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;
   std::vector<Vec2f> uvs;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> materials;  // per triangle
+  std::vector<Face> faces;     // per triangle
 };
 
 enum class PartKind { WorldMesh, InstancedMesh, Light };
@@ -90,25 +103,6 @@ struct WorldSettings {
 
 /// InputError when a texture cannot be read.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
-
-/// A point on a surface. All vectors are in world space.
-struct SurfacePoint {
-  Vec3f position;
-  float position_error =
-      0;  // bound of the distance between `position` and the plane that Embree met, in metres
-  Vec3f geometric_normal;  // unit, either side
-  Vec3f shading_normal;    // interpolated as given, unit, not turned to the viewer
-  Vec2f uv;
-  int material = 0;
-};
-
-SurfacePoint surface_point(const World& world, const Hit& hit);
-
-/// Radiance that an emissive material sends out at these coordinates.
-Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
-
-/// `origin` moved off the surface to the side of `direction`, beyond the error of the hit point.
-Vec3f offset_origin(const SurfacePoint& point, Vec3f direction);
 
 /// Unit direction and origin through film position (x, y) in pixels from the upper left corner.
 Ray camera_ray(const PinholeCamera& camera, float x, float y);
