@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "scene/load_scene.h"
+#include "tracer/choose_light_paths.h"
 #include "tracer/render.h"
 
 #include <atomic>
@@ -30,6 +31,7 @@ struct Options {
   int height = 0;
   bool as_json = false;
   orbs::tracer::RenderSettings render;
+  std::string light_paths = "auto";
 };
 
 Options parse_options(int argc, char** argv) {
@@ -52,6 +54,11 @@ Options parse_options(int argc, char** argv) {
       ->check(CLI::Range(1, 65536));
   app.add_flag("--split-paths", options.render.split_paths,
                "one layer per class of light path (path.EDSL.R ...)");
+  app.add_option("--light-paths", options.light_paths,
+                 "paths from the lights for caustics: auto (where a trial says they lower the noise), always "
+                 "or never; the picture is the same but for its noise")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
   app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
   try {
     app.parse(argc, argv);
@@ -93,7 +100,10 @@ class ProgressLine {
 };
 
 // Nothing in the header depends on the machine, the time or the number of threads: same seed, same bytes.
-void stamp(orbs::tracer::Rendering& rendering, const Options& options, const orbs::scene::Scene& scene) {
+void stamp(orbs::tracer::Rendering& rendering,
+           const Options& options,
+           const orbs::scene::Scene& scene,
+           bool has_light_paths) {
   auto& header = rendering.picture.attributes;
   header["orbs.program"] = "orbs-tracer";
   header["orbs.version"] = ORBS_VERSION;
@@ -102,6 +112,7 @@ void stamp(orbs::tracer::Rendering& rendering, const Options& options, const orb
   header["orbs.spp"] = std::to_string(rendering.samples_per_pixel);
   header["orbs.seed"] = std::to_string(options.render.seed);
   header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
+  header["orbs.light_paths"] = has_light_paths ? "yes" : "no";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 
@@ -124,14 +135,15 @@ int run(const Options& options) {
   auto scene = scene::load_scene(options.scene);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  const auto world = tracer::make_world(scene);
+  auto world = tracer::make_world(scene, {.light_paths = options.light_paths != "never"});
+  if (options.light_paths == "auto") tracer::choose_light_paths(world);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   ProgressLine line(options.as_json);
   auto rendering =
       tracer::render(world, options.render, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
-  stamp(rendering, options, scene);
+  stamp(rendering, options, scene, !world.light_path_targets.empty());
   image::write_exr(rendering.picture, options.output);
   print_summary(rendering, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;

@@ -12,12 +12,6 @@ namespace orbs::tracer {
 
 namespace {
 
-// Interpolation of a point from corners of this size in float, see surface_point.
-float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
-  const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  return 16 * 0x1p-24F * (size(a) + size(b) + size(c));
-}
-
 /// Density per solid angle of a point picked uniformly by area.
 float area_to_solid_angle(Vec3f from, Vec3f position, Vec3f normal, float area) {
   const Vec3f d = position - from;
@@ -140,11 +134,9 @@ std::optional<EmitterPoint> sample_towards(const TriangleEmitter& t,
                                            Vec3f from,
                                            Vec2f uv,
                                            Vec2f& texture_uv) {
-  // Uniform on the triangle: Heitz 2019, "A Low-Distortion Map Between Triangle and Square".
-  Vec2f b = uv.y > uv.x ? Vec2f{uv.x / 2, uv.y - uv.x / 2} : Vec2f{uv.x - uv.y / 2, uv.y / 2};
+  const Vec2f b = triangle_point(uv);
   const Vec3f position = t.corner + t.edge1 * b.x + t.edge2 * b.y;
-  texture_uv = {t.uvs[0].x * (1 - b.x - b.y) + t.uvs[1].x * b.x + t.uvs[2].x * b.y,
-                t.uvs[0].y * (1 - b.x - b.y) + t.uvs[1].y * b.x + t.uvs[2].y * b.y};
+  texture_uv = interpolated_uv(t, b);
   const Vec3f normal = dot(t.normal, from - position) < 0 ? -t.normal : t.normal;
   return point_by_area(from, position, normal, t.area, rounding_of(t.corner, t.edge1, t.edge2));
 }

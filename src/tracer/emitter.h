@@ -3,7 +3,9 @@
 #include "base/vec.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -50,6 +52,11 @@ struct TriangleEmitter {
   int material = 0;
 };
 
+inline Vec2f interpolated_uv(const TriangleEmitter& t, Vec2f b) {
+  return {t.uvs[0].x * (1 - b.x - b.y) + t.uvs[1].x * b.x + t.uvs[2].x * b.y,
+          t.uvs[0].y * (1 - b.x - b.y) + t.uvs[1].y * b.x + t.uvs[2].y * b.y};
+}
+
 using EmitterShape = std::variant<RectEmitter, DiskEmitter, SphereEmitter>;
 
 struct AreaLight {
@@ -67,6 +74,12 @@ struct EmitterPoint {
   float pdf = 0;  // per solid angle at `from`, without the choice of the emitter
   float position_error = 0;
 };
+
+/// Interpolation of a point from corners of this size in float, see surface_point.
+inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
+  const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  return 16 * 0x1p-24F * (size(a) + size(b) + size(c));
+}
 
 /// Samples by solid angle where that is worth it (spheres always, rectangles at short distance), else by
 /// area. Nothing when the emitter shows its dark side.

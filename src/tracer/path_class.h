@@ -16,8 +16,17 @@ class PathClass {
   /// 40 words of up to three letters out of three, each with and without transmission, and the rest.
   static constexpr int kCount = 2 * (1 + 3 + 9 + 27) + 1;
 
+  /// One scattering more, on the light's side.
   void add(Event event, bool is_transmitted) {
-    word_ = word_ * 3 + static_cast<int>(event);
+    if (length_ < kMostEvents) word_ = word_ * 3 + static_cast<int>(event);
+    ++length_;
+    has_transmission_ = has_transmission_ || is_transmitted;
+  }
+
+  /// One scattering more, on the eye's side.
+  void add_before(Event event, bool is_transmitted) {
+    constexpr int kPowers[] = {1, 3, 9};
+    if (length_ < kMostEvents) word_ += kPowers[length_] * static_cast<int>(event);
     ++length_;
     has_transmission_ = has_transmission_ || is_transmitted;
   }

@@ -1,6 +1,7 @@
 #include "tracer/render.h"
 
 #include "base/parallel.h"
+#include "tracer/light_paths.h"
 #include "tracer/trace_wave.h"
 
 #include <algorithm>
@@ -140,6 +141,13 @@ Rendering render(const World& world,
   std::mutex mutex;
   for (std::size_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {
     int tiles_done = 0;
+    // First, because the tiles end the replicate that this pass belongs to.
+    const auto light = add_light_paths(
+        world,
+        {settings.seed, static_cast<std::uint32_t>(p), static_cast<int>(passes[p].count), settings.threads},
+        film);
+    merge(out.bad_samples, light.bad_samples);
+    out.traversal_seconds += light.traversal_seconds;
     for_each_index(tiles, settings.threads, [&](int index) {
       TileWorker worker(world, settings, film);
       worker.trace(tile_at(film, index), passes[p]);

@@ -40,6 +40,12 @@ inline Vec3f sample_cosine(float u, float v) {
   return {d.x, d.y, std::sqrt(std::max(0.0F, 1 - d.x * d.x - d.y * d.y))};
 }
 
+/// Barycentric coordinates of the second and third corner, uniform by area: Heitz 2019, "A Low-Distortion Map
+/// Between Triangle and Square".
+inline Vec2f triangle_point(Vec2f uv) {
+  return uv.y > uv.x ? Vec2f{uv.x / 2, uv.y - uv.x / 2} : Vec2f{uv.x - uv.y / 2, uv.y / 2};
+}
+
 /// Multiple importance sampling by the power heuristic, exponent 2 (Veach 1997, eq. 9.13), for one sample of
 /// each kind.
 inline float mis_weight(float pdf, float other_pdf) {

@@ -45,6 +45,8 @@ struct PathState {
   float scatter_pdf = 0;  // of ray.direction; 0 where light sampling could not have found what the ray meets
   float radiance_scale = 1;  // see BsdfSample
   int scatterings = 0;
+  bool first_is_sharp = false;  // of the surfaces that the path has scattered at
+  bool last_is_sharp = false;
   PathClass events;
   Vec2f first_light;  // the half of the first set of numbers that the pixel position leaves
 };
@@ -125,6 +127,13 @@ MetEmission met_emissive_surface(const World& world,
                                  const SurfaceMaterial& material,
                                  const Ray& ray,
                                  const Hit& hit);
+
+/// Light that comes out of a sharp surface and reaches the camera from one that is not: light paths bring it
+/// (see World::light_path_targets).
+template <Transport T>
+bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
+  return path.last_is_sharp && !path.first_is_sharp && !world.light_path_targets.empty();
+}
 
 template <Transport T>
 void add_emission(Wave<T>& wave, PathState<T>& path, const MetEmission& met) {
@@ -238,13 +247,15 @@ bool advance(Wave<T>& wave, const World& world, std::uint32_t index, const Sampl
   }
   const Part& part = world.parts[hit.part];
   if (part.kind == PartKind::Light) {
-    add_emission<T>(wave, path, met_light(world, part, path.ray, hit));
+    if (!is_left_to_light_paths<T>(world, path))
+      add_emission<T>(wave, path, met_light(world, part, path.ray, hit));
     return false;
   }
   const SurfacePoint point = surface_point(world, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
   if (material.model == Model::Emission) {
-    add_emission<T>(wave, path, met_emissive_surface(world, point, material, path.ray, hit));
+    if (!is_left_to_light_paths<T>(world, path))
+      add_emission<T>(wave, path, met_emissive_surface(world, point, material, path.ray, hit));
     return false;
   }
   if (path.scatterings == world.trace_depth) return false;
@@ -256,10 +267,13 @@ bool advance(Wave<T>& wave, const World& world, std::uint32_t index, const Sampl
   Vertex vertex{point, frame_around(is_outside ? point.shading_normal : -point.shading_normal), {}};
   vertex.wo = vertex.frame.to_local(wo);
   if (!(vertex.wo.z > 0)) return false;  // edge-on by rounding of the frame
+  path.last_is_sharp = material.is_sharp;
+  if (path.scatterings == 0) path.first_is_sharp = material.is_sharp;
   return std::visit(
       [&](const auto& bsdf) {
         if constexpr (!bsdf.kIsDelta)
-          if (!world.emitters.empty()) ask_for_direct_light<T>(wave, world, index, sample, vertex, bsdf);
+          if (!world.emitters.empty() && !is_left_to_light_paths<T>(world, path))
+            ask_for_direct_light<T>(wave, world, index, sample, vertex, bsdf);
         return scatter<T>(path, sample, vertex, bsdf);
       },
       bsdf_at<T>(world, material, hit, is_outside, path.lambda));
@@ -283,8 +297,8 @@ void start_paths(Wave<T>& wave, const World& world, std::span<const Sample> samp
 
 /// Runs a traversal and adds its time: twice per wave and bounce, for hundreds of rays at a time, so that the
 /// clock costs nothing.
-template <Transport T, typename F>
-void timed_traversal(Wave<T>& wave, const F& traverse) {
+template <typename W, typename F>
+void timed_traversal(W& wave, const F& traverse) {
   const auto start = std::chrono::steady_clock::now();
   traverse();
   wave.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -56,6 +56,7 @@ SurfaceMaterial prepare_material(const scene::Material& material) {
     out.texture = use->texture;
     out.uv = uv_map(use->matrix);
   }
+  out.is_sharp = is_sharp(out);
   return out;
 }
 
@@ -244,6 +245,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   }
   build_emitters(world);
   for (TriangleMesh& mesh : world.meshes) prepare_faces(mesh);
+  if (settings.light_paths && !world.emitters.empty()) world.light_path_targets = sharp_targets(world);
   world.accel = std::make_unique<Accel>(world);
   return world;
 }

@@ -4,6 +4,7 @@
 #include "tracer/accel.h"
 #include "tracer/emitter.h"
 #include "tracer/scatter/bsdf.h"
+#include "tracer/sharp_targets.h"
 #include "tracer/texture.h"
 
 #include <array>
@@ -68,6 +69,7 @@ struct SurfaceMaterial {
   float alpha = 0;
   float ior = 1;
   int texture = -1;
+  bool is_sharp = false;  // see sharp_targets.h
   UvMap uv{};
   float emitter_pdf_per_area =
       0;  // Emission: chance per m^2 that light sampling picks a point, selection included
@@ -92,6 +94,9 @@ struct World {
   std::vector<Part> parts;
   std::vector<AreaLight> lights;
   EmitterTable emitters;
+  /// Empty unless light paths are traced: then they carry all light that leaves its source towards a sharp
+  /// surface and reaches the camera from a surface that is not sharp, and camera paths leave it to them.
+  std::vector<BoundingSphere> light_path_targets;
   std::unique_ptr<Accel> accel;
 };
 
@@ -99,6 +104,8 @@ struct WorldSettings {
   /// Above this many triangles in world space, meshes with several instances are instanced instead of copied.
   /// Copies trace faster; two million triangles take about 0.4 GB.
   std::size_t most_copied_triangles = 500'000;
+  /// Off: camera paths find all light by themselves. The picture is the same but for its noise.
+  bool light_paths = true;
 };
 
 /// InputError when a texture cannot be read.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "tracer/world.h"
+
+namespace orbs::tracer {
+
+/// Tries light paths on a small picture and empties world.light_path_targets where they are not worth their
+/// time: a broad light by way of a large flat mirror is better found from the camera. Always decides alike
+/// for the same world. Returns the decision.
+bool choose_light_paths(World& world);
+
+}  // namespace orbs::tracer

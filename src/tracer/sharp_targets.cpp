@@ -1,0 +1,130 @@
+#include "tracer/sharp_targets.h"
+
+#include "tracer/frame.h"
+#include "tracer/sampling.h"
+#include "tracer/world.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace orbs::tracer {
+
+namespace {
+
+constexpr std::size_t kMostTargets = 16;
+// Above this roughness the lobe is wide enough for light sampling at the surface itself.
+constexpr float kSharpestAlphaLeft = 0.3F;
+
+class Box {
+ public:
+  void add(Vec3f p) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+  }
+  bool empty() const { return low_.x > high_.x; }
+  Vec3f centre() const { return (low_ + high_) * 0.5F; }
+
+ private:
+  Vec3f low_{INFINITY, INFINITY, INFINITY};
+  Vec3f high_{-INFINITY, -INFINITY, -INFINITY};
+};
+
+template <typename F>
+void for_each_sharp_corner(const World& world, const Part& part, const F& visit) {
+  if (part.kind == PartKind::Light) return;
+  const TriangleMesh& mesh = world.meshes[part.mesh];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const int material = part.material_of[static_cast<std::size_t>(mesh.materials[i])];
+    if (!is_sharp(world.materials[static_cast<std::size_t>(material)])) continue;
+    for (const auto corner : mesh.triangles[i]) {
+      const Vec3f local = mesh.positions[corner];
+      visit(part.kind == PartKind::InstancedMesh ? apply_to_point(part.to_world, local) : local);
+    }
+  }
+}
+
+std::optional<BoundingSphere> sphere_about(const World& world, const Part& part) {
+  Box box;
+  for_each_sharp_corner(world, part, [&](Vec3f p) { box.add(p); });
+  if (box.empty()) return std::nullopt;
+  BoundingSphere sphere{box.centre(), 0};
+  for_each_sharp_corner(world, part,
+                        [&](Vec3f p) { sphere.radius = std::max(sphere.radius, length(p - sphere.centre)); });
+  return sphere;
+}
+
+BoundingSphere sphere_about(const std::vector<BoundingSphere>& spheres) {
+  Box box;
+  for (const auto& s : spheres) {
+    const Vec3f r{s.radius, s.radius, s.radius};
+    box.add(s.centre - r);
+    box.add(s.centre + r);
+  }
+  BoundingSphere all{box.centre(), 0};
+  for (const auto& s : spheres) all.radius = std::max(all.radius, length(s.centre - all.centre) + s.radius);
+  return all;
+}
+
+// 1 - cos of the half angle that the sphere fills from `from`; nothing from within.
+std::optional<float> cone_height(const BoundingSphere& sphere, Vec3f from) {
+  const Vec3f d = sphere.centre - from;
+  const float sin2 = sphere.radius * sphere.radius / dot(d, d);
+  if (!(sin2 < 1)) return std::nullopt;
+  return sin2 / (1 + std::sqrt(1 - sin2));
+}
+
+Vec3f sample_cone(Vec3f axis, float height, float u, float v) {
+  const float down = u * height;
+  const float sine = std::sqrt(down * (2 - down));
+  const float phi = 2 * kPi * v;
+  return frame_around(axis).to_world({sine * std::cos(phi), sine * std::sin(phi), 1 - down});
+}
+
+// `was_chosen`: the direction lies in this cone, whatever rounding says at its rim.
+float density(const BoundingSphere& target, Vec3f from, Vec3f normal, Vec3f direction, bool was_chosen) {
+  const auto height = cone_height(target, from);
+  if (!height) return std::max(0.0F, dot(normal, direction)) * kInvPi;
+  const Vec3f off_axis = direction - normalised(target.centre - from);
+  const float down = dot(off_axis, off_axis) / 2;  // 1 - cos, without its cancellation
+  return was_chosen || down <= *height ? 1 / (2 * kPi * *height) : 0;
+}
+
+}  // namespace
+
+bool is_sharp(const SurfaceMaterial& material) {
+  switch (material.model) {
+    case Model::Mirror:
+    case Model::Glass:
+      return true;
+    case Model::Ggx:
+    case Model::RoughGlass:
+      return material.alpha < kSharpestAlphaLeft;
+    case Model::Lambert:
+    case Model::OrenNayar:
+    case Model::Emission:
+      return false;
+  }
+  return false;
+}
+
+std::vector<BoundingSphere> sharp_targets(const World& world) {
+  std::vector<BoundingSphere> targets;
+  for (const Part& part : world.parts)
+    if (const auto sphere = sphere_about(world, part)) targets.push_back(*sphere);
+  if (targets.size() > kMostTargets) targets = {sphere_about(targets)};
+  return targets;
+}
+
+TargetDirection sample_towards_targets(
+    const std::vector<BoundingSphere>& targets, Vec3f from, Vec3f normal, float pick, float u, float v) {
+  const auto count = targets.size();
+  const auto chosen = std::min(static_cast<std::size_t>(pick * static_cast<float>(count)), count - 1);
+  const auto height = cone_height(targets[chosen], from);
+  const Vec3f direction = height ? sample_cone(normalised(targets[chosen].centre - from), *height, u, v)
+                                 : frame_around(normal).to_world(sample_cosine(u, v));
+  float sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += density(targets[i], from, normal, direction, i == chosen);
+  return {direction, sum / static_cast<float>(count)};
+}
+
+}  // namespace orbs::tracer

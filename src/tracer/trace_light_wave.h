@@ -1,0 +1,205 @@
+#pragma once
+
+#include "tracer/emission.h"
+#include "tracer/trace_wave.h"
+
+#include <cstdint>
+#include <vector>
+
+/// Paths from the lights: what they leave at a surface towards the camera is what World::light_path_targets
+/// promises. Particle tracing with the adjoint of the camera paths' scattering (Veach 1997, ch. 4 and 5).
+namespace orbs::tracer {
+
+/// What a light path adds to a pixel: the mean over all light paths is the pixel's radiance.
+struct Splat {
+  std::uint32_t pixel = 0;
+  int path_class = 0;
+  Vec3f value;
+};
+
+template <Transport T>
+struct LightPath {
+  typename T::Weight weight = T::one();  // of all scatterings, nearest to the eye first
+  typename T::Light emitted{};           // what left the light, over the density of the path's start
+  [[no_unique_address]] typename T::Lambda lambda{};
+  EmittedRay start;
+  Ray ray;
+  std::uint32_t index = 0;  // within the block
+  int scatterings = 0;
+  PathClass events;
+};
+
+template <Transport T>
+struct LightWave {
+  std::vector<LightPath<T>> paths;
+  std::vector<std::uint32_t> active;
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  std::vector<Ray> eye_rays;
+  std::vector<Splat> queries;  // arrive when nothing is in between
+  std::vector<std::uint8_t> blocked;
+  std::vector<Splat> splats;  // the result
+  double traversal_seconds = 0;
+};
+
+/// Where the camera sees a point: pixel, and the factor from the area of the surface to the pixel's mean.
+struct EyeView {
+  std::uint32_t pixel = 0;
+  float importance = 0;  // per m^2 of surface that faces the camera; 0 outside the picture
+};
+
+EyeView view_of(const PinholeCamera& camera, Vec3f point);
+
+// f |cos| of the camera's path carries |wi . shading normal|, the light's density on the surface |wi .
+// geometric normal|: Veach 1997, 5.3.
+inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
+  return std::abs(dot(point.geometric_normal, direction));
+}
+
+template <Transport T>
+void ask_for_eye(LightWave<T>& wave,
+                 const World& world,
+                 const LightPath<T>& path,
+                 const SurfacePoint& point,
+                 const SurfaceMaterial& material,
+                 const Hit& hit) {
+  const EyeView view = view_of(world.camera, point.position);
+  if (!(view.importance > 0)) return;
+  const Vec3f to_light = -path.ray.direction;
+  const Vec3f to_eye = normalised(world.camera.position - point.position);
+  const float side = dot(point.shading_normal, to_eye);
+  if (side == 0 || !sides_agree(point, point.shading_normal, to_light)) return;
+  const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
+  const Vec3f wo = frame.to_local(to_eye);
+  const Vec3f wi = frame.to_local(to_light);
+  if (!(wo.z > 0)) return;
+  std::visit(
+      [&](const auto& bsdf) {
+        using B = std::decay_t<decltype(bsdf)>;
+        const auto value = evaluate(bsdf, wo, wi);
+        if (!(value.pdf > 0)) return;
+        PathClass events = path.events;
+        events.add_before(B::kEvent, wi.z < 0);
+        const float factor =
+            view.importance * surface_cosine(point, to_eye) / surface_cosine(point, to_light);
+        const auto through = T::chain(T::scaled(T::depolarising(value.f_cos), factor), path.weight);
+        const Vec3f origin = offset_origin(point, to_eye);
+        wave.eye_rays.push_back({origin, world.camera.position - origin, 1});
+        wave.queries.push_back(
+            {view.pixel, events.index(), T::to_rgb(T::contribute(through, path.emitted), path.lambda)});
+      },
+      bsdf_at<T>(world, material, hit, side > 0, path.lambda));
+}
+
+/// The path continues with the chance of what is left of its weight, so that the survivors carry as much
+/// light as they began with.
+template <Transport T>
+bool survives_light_roulette(LightPath<T>& path, float u) {
+  const float chance = T::magnitude(path.weight);
+  if (chance >= 1) return true;
+  if (u >= chance) return false;
+  path.weight = T::scaled(path.weight, 1 / chance);
+  return true;
+}
+
+template <Transport T>
+bool scatter_light(LightPath<T>& path,
+                   SampleBlock block,
+                   const World& world,
+                   const SurfacePoint& point,
+                   const SurfaceMaterial& material,
+                   const Hit& hit) {
+  const Vec3f to_light = -path.ray.direction;
+  const float side = dot(point.shading_normal, to_light);
+  if (side == 0 || !sides_agree(point, point.shading_normal, to_light)) return false;
+  const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
+  const Vec3f from = frame.to_local(to_light);
+  if (!(from.z > 0)) return false;
+  const auto u = draw(block, path.index, static_cast<std::uint32_t>(path.scatterings), Purpose::Scatter);
+  return std::visit(
+      [&](const auto& bsdf) {
+        using B = std::decay_t<decltype(bsdf)>;
+        const auto chosen = sample(bsdf, from, u);
+        if (!chosen) return false;
+        const Vec3f direction = frame.to_world(chosen->wi);
+        // The eye's f |cos| over the light's: Veach 1997, eq. 5.19; and light does not change with the index
+        // of refraction as radiance does.
+        const float adjoint =
+            surface_cosine(point, direction) * from.z /
+            (std::abs(chosen->wi.z) * surface_cosine(point, to_light) * chosen->radiance_scale);
+        path.weight = T::chain(T::scaled(T::depolarising(chosen->weight), adjoint), path.weight);
+        path.events.add_before(B::kEvent, chosen->is_transmitted);
+        path.ray = {offset_origin(point, direction), direction};
+        ++path.scatterings;
+        return survives_light_roulette<T>(path, u[3]);
+      },
+      bsdf_at<T>(world, material, hit, side > 0, path.lambda));
+}
+
+/// Handles what the path's ray has met; true when the path goes on with a new ray.
+template <Transport T>
+bool advance_light(
+    LightWave<T>& wave, const World& world, std::uint32_t index, SampleBlock block, const Hit& hit) {
+  LightPath<T>& path = wave.paths[index];
+  if (hit.part == kNothing || world.parts[hit.part].kind == PartKind::Light) return false;
+  const SurfacePoint point = surface_point(world, hit);
+  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  if (material.model == Model::Emission || path.scatterings == world.trace_depth) return false;
+  if (path.scatterings == 0) {
+    if (!material.is_sharp) return false;  // camera paths bring this light
+    const Vec3f radiance = emitted_towards(world, path.start, point.position);
+    if (radiance == Vec3f{}) return false;
+    path.emitted = T::unpolarised(T::from_rgb(radiance * path.start.weight, path.lambda));
+  }
+  if (!material.is_sharp) ask_for_eye<T>(wave, world, path, point, material, hit);
+  return scatter_light<T>(path, block, world, point, material, hit);
+}
+
+template <Transport T>
+void start_light_paths(
+    LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
+  wave.paths.assign(count, {});
+  wave.active.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    LightPath<T>& path = wave.paths[i];
+    path.index = first + i;
+    path.start = emit(world, draw(block, path.index, 0, Purpose::PixelAndFirstLight),
+                      draw(block, path.index, 0, Purpose::LightPick));
+    path.ray = path.start.ray;
+    if (path.start.weight > 0) wave.active.push_back(i);
+  }
+}
+
+template <Transport T>
+void settle_eye_queries(LightWave<T>& wave, const World& world) {
+  wave.blocked.resize(wave.eye_rays.size());
+  timed_traversal(wave, [&] { world.accel->occluded(wave.eye_rays, wave.blocked); });
+  for (std::size_t i = 0; i < wave.queries.size(); ++i)
+    if (wave.blocked[i] == 0) wave.splats.push_back(wave.queries[i]);
+}
+
+/// Traces the points [first, first + count) of the block and appends to wave.splats.
+template <Transport T>
+void trace_light_wave(
+    LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
+  start_light_paths(wave, world, block, first, count);
+  while (!wave.active.empty()) {
+    wave.rays.clear();
+    for (const std::uint32_t path : wave.active) wave.rays.push_back(wave.paths[path].ray);
+    wave.hits.resize(wave.rays.size());
+    timed_traversal(wave, [&] { world.accel->intersect(wave.rays, wave.hits); });
+    wave.eye_rays.clear();
+    wave.queries.clear();
+    std::size_t alive = 0;
+    for (std::size_t i = 0; i < wave.active.size(); ++i)
+      if (advance_light<T>(wave, world, wave.active[i], block, wave.hits[i]))
+        wave.active[alive++] = wave.active[i];
+    wave.active.resize(alive);
+    settle_eye_queries(wave, world);
+  }
+}
+
+extern template void trace_light_wave<RgbTransport>(
+    LightWave<RgbTransport>&, const World&, SampleBlock, std::uint32_t, std::uint32_t);
+
+}  // namespace orbs::tracer
