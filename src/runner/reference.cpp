@@ -1,6 +1,7 @@
 #include "runner/reference.h"
 
 #include "base/error.h"
+#include "base/scratch_folder.h"
 #include "registry/cases.h"
 #include "runner/choose.h"
 #include "runner/reference_render.h"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 namespace orbs::runner {
 
@@ -73,25 +73,6 @@ void refuse_replacing(const std::vector<WantedReference>& all, const std::string
                     fmt::join(existing, ", ")));
 }
 
-// A folder of ours for unfinished pictures.
-class ScratchFolder {
- public:
-  ScratchFolder()
-      : path_(std::filesystem::temp_directory_path() / fmt::format("orbs-reference-{}", ::getpid())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace
 
 int render_references(const registry::Configuration& configuration,
@@ -102,7 +83,7 @@ int render_references(const registry::Configuration& configuration,
   const auto all = wanted_references(suite, selection, context);
   refuse_replacing(all, settings.reason);
   std::filesystem::create_directories(suite.references);
-  const ScratchFolder scratch;
+  const ScratchFolder scratch("orbs-reference");
   bool too_noisy = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& wanted = all[i];
