@@ -2,6 +2,8 @@
 #include "cli/commands.h"
 #include "runner/reference.h"
 
+#include <cstdio>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -35,7 +37,11 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
       if (!cases->empty()) selection.cases = joined_list(*cases);
       if (!scenes->empty()) selection.scenes = joined_list(*scenes);
       const auto& stop = adapters::catch_interrupts();
-      const auto say = [](const std::string& line) { fmt::print("{}\n", line); };
+      // A file or a pipe would else get its first line after minutes.
+      const auto say = [](const std::string& line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+      };
       return runner::render_references(read, selection, *settings,
                                        {program.folder / "orbs-tracer", &stop, say});
     };

@@ -6,9 +6,8 @@
 
 namespace orbs::image {
 
-/// Half: 16-bit floats, but for channels "variance.*", which stay 32-bit floats with 4 significant bits:
-/// variances span more decades than half floats have, while their own estimate is good to a few per cent at
-/// best. Float: as they are.
+/// Half: 16-bit floats, but for channels "variance.*", which stay 32-bit floats, because variances span more
+/// decades than half floats have. Float: all as they are.
 enum class Precision { Half, Float };
 
 /// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several pictures in it the

@@ -47,6 +47,8 @@ CaseScene load_case_scene(ObjectReader in,
   if (!std::filesystem::is_regular_file(scene.file, ignored))
     in.fail("file", fmt::format("there is no file {}", scene.file.string()));
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
+  if (in.has("reference")) scene.reference = in.text("reference");
+  if (scene.reference == scene.name) in.fail("reference", "is the scene itself; leave it out");
   in.finish();
   return scene;
 }
@@ -163,6 +165,11 @@ void refuse_conflicts(const std::vector<Case>& cases) {
     for (const auto& scene : one_case.scenes) {
       const auto [first, is_new] = scenes.try_emplace(scene.name, &one_case, &scene);
       const auto& [other_case, other] = first->second;
+      if (!is_new && other->reference != scene.reference)
+        throw InputError(fmt::format(
+            "{}: scene '{}' is judged by the reference of '{}', but by that of '{}' in {}; use another name",
+            one_case.file.string(), scene.name, reference_name(scene), reference_name(*other),
+            other_case->file.string()));
       if (!is_new && (other->file != scene.file || other->spp != scene.spp))
         throw InputError(
             fmt::format("{}: scene '{}' is {} with {} spp, but {} with {} spp in {}; use another name",
@@ -179,6 +186,20 @@ void refuse_conflicts(const std::vector<Case>& cases) {
     if (scenes.contains(name))
       throw InputError(fmt::format("{}: difference '{}' has the name of a scene in {}; use another name",
                                    one_case->file.string(), name, scenes[name].first->file.string()));
+}
+
+void check_references(const std::vector<Case>& cases) {
+  std::set<std::string> with_reference;
+  for (const auto& one_case : cases)
+    for (const auto& scene : one_case.scenes)
+      if (scene.reference.empty()) with_reference.insert(scene.name);
+  for (const auto& one_case : cases)
+    for (const auto& scene : one_case.scenes)
+      if (!with_reference.contains(reference_name(scene)))
+        throw InputError(fmt::format(
+            "{}: scene '{}' is to be judged by the reference of '{}', but no scene of the suite with a "
+            "reference of its own has that name{}",
+            one_case.file.string(), scene.name, scene.reference, closest(scene.reference, with_reference)));
 }
 
 }  // namespace
@@ -218,6 +239,7 @@ std::vector<Case> load_cases(const Suite& suite) {
     return comes_before(parse_requirement(a.requirement), parse_requirement(b.requirement));
   });
   refuse_conflicts(cases);
+  check_references(cases);
   return cases;
 }
 
@@ -226,6 +248,10 @@ std::vector<std::string> picture_names(const Case& one_case) {
   for (const auto& scene : one_case.scenes) names.push_back(scene.name);
   for (const auto& difference : one_case.differences) names.push_back(difference.name);
   return names;
+}
+
+const std::string& reference_name(const CaseScene& scene) {
+  return scene.reference.empty() ? scene.name : scene.reference;
 }
 
 }  // namespace orbs::registry

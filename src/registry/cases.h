@@ -15,6 +15,7 @@ struct CaseScene {
   std::string name;  // unique in the suite
   std::filesystem::path file;
   int spp = 64;
+  std::string reference = {};  // the scene of the suite whose picture this one is by definition; "": its own
 };
 
 /// A picture made by subtraction, judged like a scene: of - minus.
@@ -76,11 +77,15 @@ struct Case {
 Case load_case(const std::filesystem::path& file);
 
 /// All cases of a suite in the order of the specification. Every folder below suite.cases must hold a
-/// case.json. InputError also when two cases give one scene name to different files or samples, or when there
-/// is no case at all.
+/// case.json. InputError also when two cases give one scene name to different files, samples or references,
+/// when the reference of a scene is that of a scene which is not there or has none itself, or when there is
+/// no case at all.
 std::vector<Case> load_cases(const Suite& suite);
 
 /// Names of the pictures that a case judges: its scenes, then its differences.
 std::vector<std::string> picture_names(const Case& one_case);
+
+/// The scene whose reference a scene is judged by: mostly its own.
+const std::string& reference_name(const CaseScene& scene);
 
 }  // namespace orbs::registry

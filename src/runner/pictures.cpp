@@ -48,6 +48,15 @@ std::string read_reference(const std::filesystem::path& file, std::optional<imag
   }
 }
 
+// Of a scene of the case.
+std::filesystem::path reference_file(const registry::Case& one_case,
+                                     const std::string& name,
+                                     const std::filesystem::path& references) {
+  const auto scene = std::find_if(one_case.scenes.begin(), one_case.scenes.end(),
+                                  [&](const auto& s) { return s.name == name; });
+  return references / ((scene == one_case.scenes.end() ? name : registry::reference_name(*scene)) + ".exr");
+}
+
 }  // namespace
 
 Reference load_reference(const registry::Case& one_case,
@@ -57,11 +66,11 @@ Reference load_reference(const registry::Case& one_case,
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
                                        [&](const auto& d) { return d.name == picture; });
   const bool is_difference = difference != one_case.differences.end();
-  reference.file = references / ((is_difference ? difference->of : picture) + ".exr");
+  reference.file = reference_file(one_case, is_difference ? difference->of : picture, references);
   reference.problem = read_reference(reference.file, reference.picture);
   if (!is_difference || !reference.picture) return reference;
   std::optional<image::Image> minus;
-  reference.problem = read_reference(references / (difference->minus + ".exr"), minus);
+  reference.problem = read_reference(reference_file(one_case, difference->minus, references), minus);
   if (minus && (minus->width != reference.picture->width || minus->height != reference.picture->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);

@@ -1,4 +1,5 @@
 // References are rendered by the built-in tracer itself.
+#include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 
@@ -35,11 +36,13 @@ TEST(Reference, CarriesItsPassport) {
   EXPECT_EQ(picture.channel_count(), 6U);
   EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
   const auto& passport = picture.attributes;
-  for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "host",
-                          "cpu", "date", "noise_psnr_srgb8_db", "reason"})
+  for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "cpu",
+                          "date", "noise_psnr_srgb8_db", "reason"})
     EXPECT_TRUE(passport.contains(std::string("orbs.") + key)) << key;
   EXPECT_EQ(passport.at("orbs.spp"), "16");
   EXPECT_EQ(passport.at("orbs.seed"), "77");
+  EXPECT_EQ(passport.at("orbs.settings"), "--spp 16 --seed 77");
+  EXPECT_FALSE(passport.contains("orbs.host"));  // references are published
 }
 
 TEST(Reference, WithAReasonIsReplacedAndKeepsIt) {
@@ -69,6 +72,64 @@ TEST(Reference, IsRenderedUntilItsNoiseIsTenDecibelsBelowTheGate) {
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
   EXPECT_GE(std::stod(picture.attributes.at("orbs.noise_psnr_srgb8_db")), 45);
+}
+
+// The first pass is kept, and those that follow have the samples that it lacks.
+TEST(Reference, SaysAllPassesThatItIsMadeOf) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  sandbox.write("cases/m1_grey/case.json",
+                text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+  EXPECT_EQ(sandbox.orbs({"reference", "-s", "grey", "--seed", "40", "--accept", "test"}).status, 0);
+  const auto passport = image::read_image(sandbox.folder() / "references" / "grey.exr").attributes;
+  const auto& settings = passport.at("orbs.settings");
+  ASSERT_TRUE(settings.starts_with("--spp 8 --seed 40 + --spp ")) << settings;
+  int spp = 0;
+  std::size_t passes = 0;
+  for (const auto& pass : split(settings, '+')) {
+    const auto words = split(trim(pass), ' ');
+    ASSERT_EQ(words.size(), 4U) << settings;
+    EXPECT_EQ(words[3], std::to_string(40 + passes++));
+    spp += std::stoi(words[1]);
+  }
+  EXPECT_EQ(passport.at("orbs.spp"), std::to_string(spp));
+}
+
+TEST(Reference, HasTheSamePixelsForTheSameSeed) {
+  const Sandbox sandbox;
+  const auto pixels = [&] {
+    sandbox.orbs({"reference", "-s", "grey", "--accept", "test"});
+    return image::read_image(sandbox.folder() / "references" / "grey.exr").pixels;
+  };
+  const auto first = pixels();
+  EXPECT_EQ(pixels(), first);
+}
+
+// "mirror" is said to be the same picture as "grey".
+TEST(Reference, IsNotRenderedForASceneThatIsAnotherOneByDefinition) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m3_mirror/case.json");
+  const std::string name = R"("name": "mirror",)";
+  sandbox.write("cases/m3_mirror/case.json",
+                text.replace(text.find(name), name.size(), name + R"( "reference": "grey",)"));
+  std::filesystem::remove(sandbox.folder() / "references" / "mirror.exr");
+  const auto answer = sandbox.orbs({"reference", "-s", "mirror"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "mirror is judged by the reference of grey")) << answer.text;
+  EXPECT_FALSE(sandbox.has("references/mirror.exr"));
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-s", "mirror"}).status, 0);
+}
+
+// The file serves both cases, so the layers that one of them needs are rendered whoever is chosen.
+TEST(Reference, IsMadeForAllCasesThatLookAtIt) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m3_mirror/case.json");
+  text.insert(text.rfind('}'), R"(, "path_shares": [{"scene": "grey", "class": "EDL", "min_share": 0.01}])");
+  sandbox.write("cases/m3_mirror/case.json", text);
+  EXPECT_NE(
+      sandbox.orbs({"reference", "-c", "m1_grey", "-s", "grey", "--spp", "4", "--accept", "test"}).status, 2);
+  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_TRUE(picture.attributes.contains("orbs.path.EDL"));
 }
 
 TEST(Reference, ChangesItsSceneHashWithTheSceneAlone) {

@@ -40,7 +40,7 @@ CASE = {
     "title": "t",
     "tests": "t",
     "typical_mistake": "t",
-    "scenes": [{"name": "1", "file": "1.json", "spp": 8}],
+    "scenes": [{"name": "1", "file": "1.json", "spp": 8}, {"name": "2", "file": "2.json", "reference": "1"}],
     "gate": {"metric": "psnr_srgb8", "min": 35},
     "masks": [{"scene": "1", "rectangles": [[0, 0, 4, 4]], "reason": "edges"}],
     "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.01}],
@@ -73,6 +73,7 @@ WRONG = [
     (SCENE, ["lights", 0, "radiance", 0], -1),
     (SCENE, ["integrator", "trace_depth"], 0),
     (CASE, ["scenes"], []),
+    (CASE, ["scenes", 1, "reference"], "../1"),
     (CASE, ["gate", "min"], None),
     (CASE, ["requirement"], "M"),
     (CASE, ["masks", 0, "reason"], None),
@@ -111,7 +112,7 @@ def main(root):
     for right, path, value in WRONG:
         if not complaints(changed(right, path, value)):
             problems.append(f"the schema of {right['format']} accepts {value!r} at {path}")
-    files = [root / "configuration.json", *sorted((root / "data/cases").rglob("*.json"))]
+    files = [root / "configuration.json", *sorted((root / "data/cases").rglob("*.json")), *sorted((root / "data/bench").glob("*.json"))]
     for file in files:
         document = json.loads(file.read_text())
         expected = "case" if file.name == "case.json" else "configuration" if file == files[0] else "scene"

@@ -34,6 +34,8 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::st
   for (fs::recursive_directory_iterator at(folder), end; at != end; ++at) {
     if (at->is_directory() && is_left_out(at->path())) {
       at.disable_recursion_pending();
+    } else if (at->path().filename() == ".git") {
+      continue;  // a file, in a linked working tree
     } else if (at->is_regular_file() && extensions.contains(at->path().extension().string())) {
       files.push_back(at->path());
     }

@@ -124,6 +124,39 @@ TEST(Cases, TwoCasesMayShareASceneButNotAName) {
             std::string::npos);
 }
 
+TEST(Cases, ASceneMayBeJudgedByTheReferenceOfAnotherCase) {
+  const auto own = case_text("", R"([{"name": "1", "file": "1.json"}])");
+  const auto other = case_text("", R"([{"name": "2", "file": "2.json", "reference": "1"}])");
+  const auto cases = load_cases(SuiteOfTwo(own, other).suite());
+  EXPECT_EQ(orbs::registry::reference_name(cases[0].scenes[0]), "1");
+  EXPECT_EQ(orbs::registry::reference_name(cases[1].scenes[0]), "1");
+}
+
+TEST(Cases, AReferenceMustBeThatOfASceneWhichHasOne) {
+  const auto own = case_text("", R"([{"name": "one", "file": "1.json"}])");
+  const auto typo = case_text("", R"([{"name": "2", "file": "2.json", "reference": "oen"}])");
+  EXPECT_NE(suite_message(SuiteOfTwo(own, typo)).find("reference of 'oen', but no scene of the suite"),
+            std::string::npos)
+      << suite_message(SuiteOfTwo(own, typo));
+  EXPECT_NE(suite_message(SuiteOfTwo(own, typo)).find("did you mean 'one'?"), std::string::npos);
+  const auto chain = case_text("", R"([{"name": "1", "file": "1.json", "reference": "2"},
+ {"name": "2", "file": "2.json", "reference": "one"}])");
+  EXPECT_NE(suite_message(SuiteOfTwo(own, chain)).find("scene '1' is to be judged by the reference of '2'"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text("", R"([{"name": "1", "file": "1.json", "reference": "1"}])"))
+                .find("/scenes/0/reference: is the scene itself"),
+            std::string::npos);
+}
+
+TEST(Cases, OneSceneHasOneReferenceInAllCases) {
+  const auto first = case_text("", R"([{"name": "1", "file": "1.json"}, {"name": "2", "file": "2.json"}])");
+  const auto second = case_text("", R"([{"name": "1", "file": "../a/1.json", "reference": "2"}])");
+  EXPECT_NE(
+      suite_message(SuiteOfTwo(first, second)).find("judged by the reference of '2', but by that of '1'"),
+      std::string::npos)
+      << suite_message(SuiteOfTwo(first, second));
+}
+
 TEST(Cases, ADifferenceMayNotHaveTheNameOfASceneOfAnotherCase) {
   const auto message =
       suite_message(SuiteOfTwo(case_text(R"(, "differences": [{"name": "3", "of": "1", "minus": "2"}])"),

@@ -169,6 +169,20 @@ TEST(Reference, OfADifferenceIsTheDifferenceOfTheReferences) {
   EXPECT_EQ(reference.picture->at(0, 0, 0), 0.25F);
 }
 
+TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
+  const structure::ScratchFolder scratch("runner-same-reference");
+  scratch.write("keep", "");
+  auto sharing = one_case();
+  sharing.scenes[0].reference = "elsewhere";
+  EXPECT_NE(runner::load_reference(sharing, "a", scratch.path()).problem.find("elsewhere.exr"),
+            std::string::npos);
+  image::write_exr(grey(0.75F), scratch.path() / "elsewhere.exr");
+  image::write_exr(grey(0.5F), scratch.path() / "b.exr");
+  EXPECT_EQ(runner::load_reference(sharing, "a", scratch.path()).picture->at(0, 0, 0), 0.75F);
+  sharing.differences = {{"d", "a", "b"}};
+  EXPECT_EQ(runner::load_reference(sharing, "d", scratch.path()).picture->at(0, 0, 0), 0.25F);
+}
+
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
   const structure::ScratchFolder scratch("runner-maps");
   scratch.write("keep", "");

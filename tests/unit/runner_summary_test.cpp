@@ -1,5 +1,4 @@
 #include "runner/execute.h"
-#include "runner/reference.h"
 #include "runner/summary.h"
 
 #include <gtest/gtest.h>
@@ -29,17 +28,4 @@ TEST(RenderSeconds, AreTheNumberBehindTheLastLineWithThePrefix) {
   EXPECT_EQ(runner::seconds_in("a\nt: 1.5\nt: 2.25 s\nx t: 9\n", "t: "), 2.25);
   EXPECT_EQ(runner::seconds_in("t: soon\n", "t: "), std::nullopt);
   EXPECT_EQ(runner::seconds_in("", "t: "), std::nullopt);
-}
-
-// Layers of 3/4 and 1/4 of the light.
-TEST(PathShares, AreSharesOfTheMeanRadiance) {
-  auto picture = image::make_image(2, 1,
-                                   {"R", "G", "B", "path.EDL.R", "path.EDL.G", "path.EDL.B", "path.other.R",
-                                    "path.other.G", "path.other.B"});
-  for (int x = 0; x < 2; ++x)
-    for (std::size_t c = 0; c < 9; ++c) picture.at(x, 0, c) = c < 3 ? 1.0F : c < 6 ? 0.75F : 0.25F;
-  const auto shares = runner::path_shares(picture);
-  EXPECT_EQ(shares.size(), 2U);
-  EXPECT_DOUBLE_EQ(shares.at("EDL"), 0.75);
-  EXPECT_DOUBLE_EQ(shares.at("other"), 0.25);
 }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "image/image.h"
+#include "runner/reference_render.h"
+
+#include <map>
+#include <string>
+
+namespace orbs::runner {
+
+/// Share of each light-path class in the mean radiance (R + G + B) of a picture with layers
+/// "path.<class>.R/G/B", by class.
+std::map<std::string, double> path_shares(const image::Image& picture);
+
+/// R, G, B and their variances alone, rounded so that they compress: 9 significant bits of a colour, 2 of a
+/// variance. A colour without variance (black, a lamp that fills the pixel) is exact and stays as it is.
+image::Image shortened_picture(const image::Image& picture);
+
+/// Writes the picture with its passport to wanted.target. The passport names no machine but its processor: it
+/// is published.
+void store_reference(const RenderedReference& rendered,
+                     const WantedReference& wanted,
+                     const std::string& reason);
+
+}  // namespace orbs::runner

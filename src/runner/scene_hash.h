@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace orbs::runner {
+
+/// Changes whenever the picture may: all of the scene's text, its meshes, and the files of its textures and
+/// IES profiles.
+std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesystem::path& file);
+
+}  // namespace orbs::runner

@@ -1,0 +1,135 @@
+#include "studies/bench.h"
+
+#include "adapters/programs.h"
+#include "metrics/compare.h"
+#include "runner/choose.h"
+#include "runner/execute.h"
+#include "runner/summary.h"
+#include "scene/load_scene.h"
+#include "studies/bench_render.h"
+#include "studies/spread.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+constexpr std::array kUsualRenderers{"orbs", "cycles"};
+
+// Those that are installed, where nobody named any.
+std::string names_to_choose(const registry::Configuration& configuration, runner::Plan& plan) {
+  std::vector<std::string> names;
+  for (const char* name : kUsualRenderers)
+    for (const auto& renderer : configuration.renderers) {
+      if (renderer.name != name) continue;
+      if (runner::installed_executable(renderer, plan.root, plan.build)) {
+        names.emplace_back(name);
+      } else {
+        plan.left_out.push_back({name, fmt::format("there is no program '{}' here",
+                                                   runner::program_name(renderer, plan.root, plan.build))});
+      }
+    }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+runner::Plan plan_of(const registry::Configuration& configuration,
+                     const BenchSettings& settings,
+                     const BenchContext& context) {
+  runner::Plan plan;
+  plan.root = configuration.root;
+  plan.build = context.build;
+  plan.settings.renderers = settings.only.empty() ? names_to_choose(configuration, plan) : settings.only;
+  runner::choose_renderers(configuration, plan);
+  return plan;
+}
+
+struct Pictures {
+  std::vector<std::vector<image::Image>> large;  // [renderer][round]
+};
+
+// Returns whether it was carried out to the end.
+bool render_round(int round,
+                  const std::vector<BenchSubject>& subjects,
+                  const BenchContext& context,
+                  BenchRecord& record,
+                  Pictures& pictures) {
+  const int small_spp = std::max(1, record.settings.spp / 8);
+  for (std::size_t turn = 0; turn < subjects.size(); ++turn) {
+    // Every other round backwards: none is always the one that comes after a rest.
+    const std::size_t i = round % 2 == 0 ? turn : subjects.size() - 1 - turn;
+    const auto small = render(subjects[i], {small_spp, round + 1, record.settings.threads}, context.stop);
+    if (!small) return false;
+    auto large = render(subjects[i], {record.settings.spp, round + 1, record.settings.threads}, context.stop);
+    if (!large) return false;
+    record.renderers[i].rounds.push_back({small->render, large->render});
+    pictures.large[i].push_back(std::move(large->picture));
+    context.say(fmt::format("[{}/{}] {:<8} {} and {} spp took {:.2f} and {:.2f} s of CPU", round + 1,
+                            record.settings.rounds, record.renderers[i].name, small_spp, record.settings.spp,
+                            small->render.cpu_seconds, large->render.cpu_seconds));
+  }
+  return true;
+}
+
+void measure_noise(const Pictures& pictures, BenchRecord& record) {
+  if (record.settings.rounds < 2) return;
+  std::vector<image::Image> means;
+  for (const auto& of_renderer : pictures.large) means.push_back(mean_of(of_renderer));
+  const auto mean = mean_of(means);
+  for (std::size_t i = 0; i < record.renderers.size(); ++i)
+    record.renderers[i].noise = noise_of_seeds(pictures.large[i], mean, record.settings.threads);
+}
+
+// std::clock: CPU time of all threads.
+double metrics_cpu_ms(const image::Image& result, const image::Image& reference, int threads) {
+  constexpr int kRepetitions = 5;
+  std::vector<double> times_ms;
+  for (int i = 0; i < kRepetitions; ++i) {
+    const auto start = std::clock();
+    metrics::compare(result, reference, {}, {metrics::NegativePixels::Allowed, threads});
+    times_ms.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return spread_of(times_ms)->median;
+}
+
+}  // namespace
+
+std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
+                                     const BenchSettings& settings,
+                                     const BenchContext& context) {
+  const auto plan = plan_of(configuration, settings, context);
+  const auto file = configuration.root / "data/bench/cornell-box.json";
+  auto scene = scene::load_scene(file);
+  scene.camera.width_px = settings.size_px;
+  scene.camera.height_px = settings.size_px;
+  BenchRecord record;
+  record.settings = settings;
+  record.orbs_version = context.orbs_version;
+  record.started = runner::local_time_now();
+  record.host = runner::this_host();
+  record.scene = scene.name;
+  record.trace_depth = scene.trace_depth;
+  record.left_out = plan.left_out;
+  for (const auto& left : plan.left_out)
+    context.say(fmt::format("left out: {}: {}", left.renderer, left.reason));
+  const ScratchFolder scratch("orbs-bench");
+  std::vector<BenchSubject> subjects;
+  for (const auto& chosen : plan.renderers) {
+    subjects.push_back(prepare_subject(chosen, plan, scene, scratch.path() / chosen.entry.name));
+    record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, plan), {}, {}});
+  }
+  Pictures pictures{std::vector<std::vector<image::Image>>(subjects.size())};
+  for (int round = 0; round < settings.rounds; ++round)
+    if (!render_round(round, subjects, context, record, pictures)) return std::nullopt;
+  measure_noise(pictures, record);
+  record.metrics_cpu_ms =
+      metrics_cpu_ms(pictures.large.front().front(), mean_of(pictures.large.front()), settings.threads);
+  return record;
+}
+
+}  // namespace orbs::studies

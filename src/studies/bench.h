@@ -1,0 +1,74 @@
+#pragma once
+
+#include "registry/configuration.h"
+#include "results/record.h"
+#include "studies/seed_noise.h"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Questions that need many runs of a renderer: what speed and accuracy cost.
+namespace orbs::studies {
+
+struct BenchSettings {
+  int rounds = 5;
+  int spp = 64;        // of the large render; at least 2
+  int size_px = 512;   // width and height
+  int threads = 2;     // of each render
+  std::string only{};  // names of renderers, comma-separated; "": orbs, and cycles where it is installed
+};
+
+struct BenchContext {
+  std::filesystem::path build;  // {build}
+  std::string orbs_version;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const std::string&)> say;
+};
+
+/// One render as a process: start, scene and picture file are in these times.
+struct BenchRender {
+  int spp = 0;
+  double cpu_seconds = 0;  // user and system
+  double wall_seconds = 0;
+  std::optional<double> traversal_share;  // of its own CPU time; only the built-in tracer measures it
+};
+
+/// Two renders of one seed right after each other. They differ in their samples alone, so the difference of
+/// their times is what these samples cost: the start of the program, which takes Blender seconds, drops out,
+/// as do reading, building and writing.
+struct BenchRound {
+  BenchRender small;
+  BenchRender large;
+};
+
+struct BenchRenderer {
+  std::string name;
+  std::string version;
+  std::vector<BenchRound> rounds;  // the seed of the first is 1, and so on
+  std::optional<SeedNoise> noise;  // of a large render; nothing for a single round
+};
+
+struct BenchRecord {
+  BenchSettings settings;
+  std::string orbs_version;
+  std::string started;  // local time, ISO 8601
+  results::Host host;
+  std::string scene;
+  int trace_depth = 0;
+  std::vector<BenchRenderer> renderers;
+  std::vector<results::LeftOut> left_out;
+  double metrics_cpu_ms = 0;  // one metrics::compare of two of the pictures, all maps included
+};
+
+/// Renders the Cornell box with each renderer in turn, round by round, so that whatever else happens on the
+/// machine falls on all of them. Nothing when stopped. InputError when a renderer that is named is not there,
+/// or when one gives no picture.
+std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
+                                     const BenchSettings& settings,
+                                     const BenchContext& context);
+
+}  // namespace orbs::studies

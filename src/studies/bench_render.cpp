@@ -1,0 +1,81 @@
+#include "studies/bench_render.h"
+
+#include "adapters/export.h"
+#include "adapters/process.h"
+#include "adapters/programs.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "json/object_reader.h"
+#include "runner/outcome.h"
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// From the last line of the tracer's --json report.
+std::optional<double> traversal_share(const std::string& output) {
+  for (const auto& line : split(output, '\n')) {
+    if (!line.starts_with('{') || line.find("\"traversal_seconds\"") == std::string::npos) continue;
+    const auto document = json::parse("the report of orbs-tracer", line);
+    json::ObjectReader report(document);
+    const double cpu_seconds = report.number("cpu_seconds", json::kNotNegative);
+    if (cpu_seconds > 0) return report.number("traversal_seconds", json::kNotNegative) / cpu_seconds;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BenchSubject prepare_subject(const runner::ChosenRenderer& renderer,
+                             const runner::Plan& plan,
+                             const scene::Scene& scene,
+                             const std::filesystem::path& folder) {
+  const auto prepared = adapters::prepare_scene(renderer.entry, scene);
+  if (const auto* reason = std::get_if<std::string>(&prepared))
+    throw InputError(fmt::format("renderer '{}' cannot render the scene: {}", renderer.entry.name, *reason));
+  BenchSubject subject{renderer, scene, {}, folder, false};
+  subject.settings.root = plan.root;
+  subject.settings.build = plan.build;
+  subject.settings.executable = renderer.executable;
+  std::error_code ignored;
+  subject.is_built_in = std::filesystem::equivalent(renderer.executable, plan.build / "orbs-tracer", ignored);
+  std::filesystem::create_directories(folder);
+  const auto job = adapters::make_job(renderer.entry, scene, subject.settings, folder);
+  adapters::export_scene(renderer.entry, std::get<scene::Scene>(prepared), job.scene_file);
+  return subject;
+}
+
+std::optional<BenchPicture> render(const BenchSubject& subject,
+                                   const BenchRenderSettings& settings,
+                                   const std::atomic<bool>* stop) {
+  const auto& entry = subject.renderer.entry;
+  auto job_settings = subject.settings;
+  job_settings.spp = settings.spp;
+  job_settings.seed = settings.seed;
+  job_settings.threads = settings.threads;
+  const auto job = adapters::make_job(entry, subject.scene, job_settings, subject.folder);
+  std::filesystem::remove(job.image);
+  adapters::ProcessRequest request;
+  request.argv = job.argv;
+  request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
+  if (subject.is_built_in) request.argv.emplace_back("--json");
+  request.folder = job.folder;
+  request.environment = adapters::child_environment(entry.environment);
+  request.time_limit_seconds = entry.time_limit_seconds;
+  request.stop = stop;
+  const auto process = adapters::run_process(request);
+  if (process.stopped) return std::nullopt;
+  auto outcome = runner::classify(process, job, entry.time_limit_seconds);
+  if (!outcome.picture)
+    throw InputError(
+        fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));
+  BenchPicture made;
+  made.render = {settings.spp, process.user_seconds + process.system_seconds, process.wall_seconds,
+                 subject.is_built_in ? traversal_share(process.output) : std::nullopt};
+  made.picture = std::move(*outcome.picture);
+  return made;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "adapters/job.h"
+#include "base/scratch_folder.h"
+#include "image/image.h"
+#include "runner/plan.h"
+#include "studies/bench.h"
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+namespace orbs::studies {
+
+/// A renderer with the scene that it reads, already written.
+struct BenchSubject {
+  runner::ChosenRenderer renderer;
+  scene::Scene scene;
+  adapters::JobSettings settings;
+  std::filesystem::path folder;
+  bool is_built_in = false;  // it reports the time inside ray traversal
+};
+
+struct BenchRenderSettings {
+  int spp = 64;
+  int seed = 1;
+  int threads = 1;
+};
+
+struct BenchPicture {
+  BenchRender render;
+  image::Image picture;
+};
+
+/// Makes `folder` and writes the scene into it. InputError when the renderer cannot render the scene.
+BenchSubject prepare_subject(const runner::ChosenRenderer& renderer,
+                             const runner::Plan& plan,
+                             const scene::Scene& scene,
+                             const std::filesystem::path& folder);
+
+/// Nothing when stopped. InputError, with the renderer's last words, when there is no usable picture.
+std::optional<BenchPicture> render(const BenchSubject& subject,
+                                   const BenchRenderSettings& settings,
+                                   const std::atomic<bool>* stop);
+
+}  // namespace orbs::studies

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "studies/bench.h"
+
+#include <string>
+
+namespace orbs::studies {
+
+/// The table for people: a line per number, a column per renderer, medians with the least and the most of the
+/// rounds.
+std::string bench_table(const BenchRecord& record);
+
+/// The same and every single time, as JSON (format "orbs-bench/1"), each number with its definition. What
+/// could not be measured is null.
+std::string bench_json(const BenchRecord& record);
+
+}  // namespace orbs::studies

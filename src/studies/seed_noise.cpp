@@ -1,0 +1,64 @@
+#include "studies/seed_noise.h"
+
+#include "metrics/compare.h"
+#include "metrics/psnr.h"
+
+#include <cmath>
+
+namespace orbs::studies {
+
+namespace {
+
+std::vector<image::Image> colours_of(const std::vector<image::Image>& pictures) {
+  std::vector<image::Image> colours;
+  colours.reserve(pictures.size());
+  for (const auto& picture : pictures) colours.push_back(image::select_rgb(picture, ""));
+  return colours;
+}
+
+double relative_mse(const std::vector<image::Image>& pictures, const image::Image& mean) {
+  constexpr double kFloor = 0.01;  // keeps black pixels from outweighing all others
+  const auto count = static_cast<double>(pictures.size());
+  double total = 0;
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    double own_mean = 0;
+    for (const auto& picture : pictures) own_mean += static_cast<double>(picture.pixels[i]) / count;
+    double squares = 0;
+    for (const auto& picture : pictures) {
+      const double difference = static_cast<double>(picture.pixels[i]) - own_mean;
+      squares += difference * difference;
+    }
+    const double level = static_cast<double>(mean.pixels[i]);
+    total += squares / (count - 1) / (level * level + kFloor);
+  }
+  return total / static_cast<double>(mean.pixels.size());
+}
+
+}  // namespace
+
+image::Image mean_of(const std::vector<image::Image>& pictures) {
+  const auto colours = colours_of(pictures);
+  auto mean = image::make_image(colours.front().width, colours.front().height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    double sum = 0;
+    for (const auto& colour : colours) sum += static_cast<double>(colour.pixels[i]);
+    mean.pixels[i] = static_cast<float>(sum / static_cast<double>(colours.size()));
+  }
+  return mean;
+}
+
+SeedNoise noise_of_seeds(const std::vector<image::Image>& pictures, const image::Image& mean, int threads) {
+  SeedNoise noise;
+  noise.relative_mse = relative_mse(colours_of(pictures), mean);
+  double mse = 0;
+  for (std::size_t i = 1; i < pictures.size(); ++i) {
+    const auto comparison =
+        metrics::compare(pictures[i - 1], pictures[i], {}, {metrics::NegativePixels::Allowed, threads});
+    const double psnr = metrics::value_of(comparison, "psnr_srgb8").value();
+    mse += std::pow(10, -psnr / 10) * 255 * 255;
+  }
+  noise.psnr_srgb8_db = metrics::psnr_db(255, mse / static_cast<double>(pictures.size() - 1) / 2);
+  return noise;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace orbs::studies {
+
+/// The middle of some measurements and the ends between which all of them lie.
+struct Spread {
+  double median = 0;  // of an even number: the mean of the two in the middle
+  double least = 0;
+  double most = 0;
+};
+
+/// Nothing when there are no values.
+std::optional<Spread> spread_of(std::vector<double> values);
+
+}  // namespace orbs::studies

@@ -1,0 +1,48 @@
+// The command works and its numbers are there; how large they are is for people on a quiet machine.
+#include "cli/sandbox.h"
+#include "json/object_reader.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+TEST(Bench, PrintsATableAndWritesAllNumbers) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"bench", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "--only", "orbs",
+                    "--size", "32", "--spp", "256", "--rounds", "2", "--threads", "1"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("million camera paths per CPU second"), std::string::npos) << answer.text;
+  const auto document = json::parse("bench.json", sandbox.read("bench.json"));
+  json::ObjectReader bench(document);
+  EXPECT_GT(bench.number("metrics_cpu_ms"), 0);
+  EXPECT_GT(bench.number("equal_cpu_seconds"), 0);
+  auto renderers = bench.objects("renderers");
+  ASSERT_EQ(renderers.size(), 1U);
+  EXPECT_EQ(renderers[0].text("name"), "orbs");
+  EXPECT_GT(renderers[0].object("camera_paths_per_cpu_second").number("least"), 0);
+  EXPECT_GT(renderers[0].object("noise").number("relative_mse"), 0);
+  EXPECT_GT(renderers[0].object("noise").number("psnr_srgb8_db"), 10);
+  const double share = renderers[0].object("traversal_share").number("median");
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 1);
+  EXPECT_EQ(renderers[0].objects("rounds").size(), 2U);
+}
+
+TEST(Bench, ARendererThatGivesNoPictureIsNamedWithItsLastWords) {
+  const Sandbox sandbox;
+  sandbox.write("data/bench/cornell-box.json", sandbox.read("cases/m1_grey/grey.json"));
+  const auto answer = sandbox.orbs({"bench", "--only", "exit3", "--size", "16", "--spp", "2"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("renderer 'exit3' ended with exit code 3; it said:"), std::string::npos)
+      << answer.text;
+  EXPECT_FALSE(sandbox.has("bench.json"));
+}
+
+TEST(Bench, ARendererThatIsNamedMustBeThere) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"bench", "--only", "absent"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("/nowhere/at/all"), std::string::npos) << answer.text;
+}
