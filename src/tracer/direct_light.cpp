@@ -1,4 +1,4 @@
-#include "tracer/trace_wave.h"
+#include "tracer/direct_light.h"
 
 namespace orbs::tracer {
 

@@ -65,6 +65,7 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
       const Chunk& chunk = done[static_cast<std::size_t>(i)];
       add_splats(chunk.splats, share, film, result.bad_samples);
       result.traversal_seconds += chunk.traversal_seconds;
+      result.arrived += chunk.splats.size();
     }
   }
   return result;

@@ -18,6 +18,7 @@ struct LightPass {
 struct LightPassResult {
   BadSamples bad_samples;
   double traversal_seconds = 0;
+  std::uint64_t arrived = 0;  // contributions to pixels
 };
 
 /// Adds what the light paths bring to the current replicates of the film's pixels, in an order that does not

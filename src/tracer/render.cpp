@@ -148,6 +148,7 @@ Rendering render(const World& world,
         film);
     merge(out.bad_samples, light.bad_samples);
     out.traversal_seconds += light.traversal_seconds;
+    out.arrived_light_paths += light.arrived;
     for_each_index(tiles, settings.threads, [&](int index) {
       TileWorker worker(world, settings, film);
       worker.trace(tile_at(film, index), passes[p]);

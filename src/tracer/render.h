@@ -30,6 +30,7 @@ struct Rendering {
   double cpu_seconds = 0;
   double traversal_seconds =
       0;  // of all threads, inside the accelerator; wall clock, so it grows when cores are shared
+  std::uint64_t arrived_light_paths = 0;  // contributions that light paths made to pixels
   BadSamples bad_samples;
 };
 

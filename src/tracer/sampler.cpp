@@ -7,7 +7,8 @@ namespace orbs::tracer {
 namespace {
 
 // Shifts and masks alone, so that the compiler handles the four dimensions of a point in one vector register.
-constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+template <typename Word>
+constexpr Word reverse_bits(Word x) {
   x = (x << 16) | (x >> 16);
   x = ((x & 0x00ff00ffU) << 8) | ((x >> 8) & 0x00ff00ffU);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0fU);
@@ -17,7 +18,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
 
 // Owen scrambling of a bit-reversed number: each bit is flipped by a hash of the bits below it, which are the
 // more significant ones before reversal.
-constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+template <typename Word>
+constexpr Word scramble_reversed(Word x, Word seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
   x *= (seed >> 16) | 1U;
@@ -28,7 +30,8 @@ constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
 
 // 32-bit finaliser with low bias (Wellons 2018, "Prospecting for hash functions", triple32 family's two-round
 // form).
-constexpr std::uint32_t hash(std::uint32_t x) {
+template <typename Word>
+constexpr Word hash(Word x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
   x ^= x >> 15;
@@ -38,8 +41,9 @@ constexpr std::uint32_t hash(std::uint32_t x) {
 }
 
 // The seed is well mixed already; one multiplication tells the dimensions apart.
-constexpr std::uint32_t seed_of_dimension(std::uint32_t seed, std::uint32_t dimension) {
-  const std::uint32_t x = (seed + (dimension + 1U) * 0x9e3779b9U) * 0x2c1b3c6dU;
+template <typename Word>
+constexpr Word seed_of_dimension(Word seed, std::uint32_t dimension) {
+  const Word x = (seed + (dimension + 1U) * 0x9e3779b9U) * 0x2c1b3c6dU;
   return x ^ (x >> 15);
 }
 
@@ -103,6 +107,24 @@ std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t 
   // 24 bits: more would round to 1.0f at the top.
   for (std::uint32_t d = 0; d < 4; ++d)
     out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
+  return out;
+}
+
+std::array<Float8, 4> draw(const Word8& block_seeds,
+                           const Word8& indices,
+                           std::uint32_t bounce,
+                           Purpose purpose) {
+  const Word8 seed = hash(block_seeds ^ hash(bounce * 4U + static_cast<std::uint32_t>(purpose) + 1U));
+  const Word8 shuffled = reverse_bits(scramble_reversed(reverse_bits(indices), seed)) & (kBlock - 1);
+  std::array<Word8, 4> bits;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    for (std::size_t d = 0; d < 4; ++d) bits[d][lane] = kTable[shuffled[lane]][d];
+  std::array<Float8, 4> out;
+  for (std::uint32_t d = 0; d < 4; ++d) {
+    const Word8 scrambled = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
+    out[d] =
+        __builtin_convertvector(reinterpret_cast<const Mask8&>(scrambled) >> 8 & 0xffffff, Float8) * 0x1p-24F;
+  }
   return out;
 }
 

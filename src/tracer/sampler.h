@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tracer/lanes.h"
+
 #include <array>
 #include <cstdint>
 
@@ -23,5 +25,11 @@ SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t 
 /// Owen-scrambled and shuffled by the Laine-Karras hash (Laine and Karras 2011, constants of Vegdahl 2021),
 /// after the tabulated form of Burley 2020, "Practical Hash-based Owen Scrambling".
 std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t bounce, Purpose purpose);
+
+/// The same for eight paths: their blocks' seeds and their indices.
+std::array<Float8, 4> draw(const Word8& block_seeds,
+                           const Word8& indices,
+                           std::uint32_t bounce,
+                           Purpose purpose);
 
 }  // namespace orbs::tracer

@@ -48,9 +48,10 @@ inline Vec2f triangle_point(Vec2f uv) {
 
 /// Multiple importance sampling by the power heuristic, exponent 2 (Veach 1997, eq. 9.13), for one sample of
 /// each kind.
-inline float mis_weight(float pdf, float other_pdf) {
-  const float ratio = other_pdf / pdf;
-  return 1 / (1 + ratio * ratio);
+template <typename Real>
+Real mis_weight(Real pdf, Real other_pdf) {
+  const Real ratio = other_pdf / pdf;
+  return 1.0F / (1.0F + ratio * ratio);
 }
 
 }  // namespace orbs::tracer

@@ -8,7 +8,7 @@ namespace {
 
 float size_of(Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
+inline Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
   const auto& corners = mesh.triangles[hit.primitive];
   const float b1 = hit.barycentric.x;
   const float b2 = hit.barycentric.y;

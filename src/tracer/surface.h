@@ -1,8 +1,7 @@
 #pragma once
 
+#include "tracer/lanes.h"
 #include "tracer/world.h"
-
-#include <cmath>
 
 /// Where rays meet meshes.
 namespace orbs::tracer {
@@ -28,12 +27,22 @@ Vec2f texture_coordinates(const World& world, const Hit& hit);
 /// Radiance that an emissive material sends out at these coordinates.
 Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
 
-/// The point's position moved off the surface to the side of `direction`, beyond the error of the position.
-inline Vec3f offset_origin(const SurfacePoint& point, Vec3f direction) {
-  const Vec3f n = point.geometric_normal;
-  // The bound holds for each coordinate; along n it adds up to the 1-norm of n.
-  const float offset = point.position_error * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-  return point.position + n * std::copysign(offset, dot(n, direction));
+/// `position` moved off the surface to the side of `direction`, beyond the error of the position.
+template <typename V, typename Real>
+V offset_origin(V position, Real position_error, V geometric_normal, V direction) {
+  // The bound holds for each coordinate; along the normal it adds up to the normal's 1-norm.
+  const V n = geometric_normal;
+  const Real offset = position_error * (magnitude(n.x) + magnitude(n.y) + magnitude(n.z));
+  return position + n * with_sign_of(offset, dot(n, direction));
+}
+
+/// True where a direction lies on the same side of the real surface as of the shading normal: the others
+/// would pass through an opaque surface, or count as reflection what goes through. For eight paths a mask.
+template <typename V>
+auto sides_agree(V geometric_normal, V shading_normal, V direction) {
+  using Real = decltype(direction.x);
+  const Real same_side = with_sign_of(Real{} + 1.0F, dot(geometric_normal, shading_normal));
+  return dot(geometric_normal, direction) * same_side * dot(shading_normal, direction) > 0.0F;
 }
 
 }  // namespace orbs::tracer

@@ -68,7 +68,7 @@ void ask_for_eye(LightWave<T>& wave,
   const Vec3f to_light = -path.ray.direction;
   const Vec3f to_eye = normalised(world.camera.position - point.position);
   const float side = dot(point.shading_normal, to_eye);
-  if (side == 0 || !sides_agree(point, point.shading_normal, to_light)) return;
+  if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f wo = frame.to_local(to_eye);
   const Vec3f wi = frame.to_local(to_light);
@@ -83,7 +83,8 @@ void ask_for_eye(LightWave<T>& wave,
         const float factor =
             view.importance * surface_cosine(point, to_eye) / surface_cosine(point, to_light);
         const auto through = T::chain(T::scaled(T::depolarising(value.f_cos), factor), path.weight);
-        const Vec3f origin = offset_origin(point, to_eye);
+        const Vec3f origin =
+            offset_origin(point.position, point.position_error, point.geometric_normal, to_eye);
         wave.eye_rays.push_back({origin, world.camera.position - origin, 1});
         wave.queries.push_back(
             {view.pixel, events.index(), T::to_rgb(T::contribute(through, path.emitted), path.lambda)});
@@ -111,7 +112,7 @@ bool scatter_light(LightPath<T>& path,
                    const Hit& hit) {
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_light);
-  if (side == 0 || !sides_agree(point, point.shading_normal, to_light)) return false;
+  if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return false;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f from = frame.to_local(to_light);
   if (!(from.z > 0)) return false;
@@ -129,7 +130,8 @@ bool scatter_light(LightPath<T>& path,
             (std::abs(chosen->wi.z) * surface_cosine(point, to_light) * chosen->radiance_scale);
         path.weight = T::chain(T::scaled(T::depolarising(chosen->weight), adjoint), path.weight);
         path.events.add_before(B::kEvent, chosen->is_transmitted);
-        path.ray = {offset_origin(point, direction), direction};
+        path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
+                    direction};
         ++path.scatterings;
         return survives_light_roulette<T>(path, u[3]);
       },

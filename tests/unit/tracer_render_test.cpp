@@ -167,7 +167,8 @@ TEST(TracerPaths, LayersAddUpToThePicture) {
                                               "triangle_materials": [{"material": "m", "count": 8}, {"material": "s", "count": 4}]}],
                                   "instances": [{"mesh": "c"}],
                                   "lights": [{"type": "rect", "half_width": 0.5, "half_length": 0.5, "radiance": [9, 9, 9],
-                                              "matrix": [{"translate": [0, 1.9, 0]}]}])");
+                                              "matrix": [{"translate": [0, 1.9, 0]}]}])",
+                 "60");
   const auto rendering = render_text(text, {.samples_per_pixel = 16, .split_paths = true});
   const auto& picture = rendering.picture;
   ASSERT_GT(picture.channel_count(), 6U);

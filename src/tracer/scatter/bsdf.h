@@ -25,6 +25,16 @@ using Bsdf = std::variant<LambertBsdf<Value>,
                           RoughGlassBsdf<Value>>;
 
 template <typename Value>
+bool is_delta(const Bsdf<Value>& bsdf) {
+  return std::visit([](const auto& b) { return b.kIsDelta; }, bsdf);
+}
+
+template <typename Value>
+Event event_of(const Bsdf<Value>& bsdf) {
+  return std::visit([](const auto& b) { return b.kEvent; }, bsdf);
+}
+
+template <typename Value>
 BsdfValue<Value> evaluate(const Bsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
   return std::visit([&](const auto& b) { return evaluate(b, wo, wi); }, bsdf);
 }

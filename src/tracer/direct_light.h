@@ -1,0 +1,33 @@
+#pragma once
+
+#include "tracer/surface.h"
+
+#include <optional>
+
+/// Light that a path meets, and light that it asks for.
+namespace orbs::tracer {
+
+/// Radiance that the surface met by the path's ray sends back along it, and the chance per solid angle that
+/// light sampling at the ray's origin would have picked that direction.
+struct MetEmission {
+  Vec3f radiance;
+  float light_pdf = 0;
+};
+
+MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit);
+MetEmission met_emissive_surface(const World& world,
+                                 const SurfacePoint& point,
+                                 const SurfaceMaterial& material,
+                                 const Ray& ray,
+                                 const Hit& hit);
+
+/// A light sample as the shading point sees it.
+struct DirectLight {
+  Vec3f radiance;
+  Vec3f target;   // end of the shadow ray, off the light's surface
+  float pdf = 0;  // per solid angle, choice of the light included
+};
+
+std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v);
+
+}  // namespace orbs::tracer

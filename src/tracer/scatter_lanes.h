@@ -1,0 +1,172 @@
+#pragma once
+
+#include "tracer/bsdf_at.h"
+#include "tracer/direct_light.h"
+#include "tracer/frame.h"
+#include "tracer/sampling.h"
+#include "tracer/wave.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+/// Eight paths scatter together: their geometry in vector registers, what they carry one by one.
+namespace orbs::tracer {
+
+template <Transport T>
+struct VertexLanes {
+  Vec8 position{};
+  Vec8 geometric_normal{};
+  Vec8 shading_normal{};  // turned to the viewer
+  Vec8 to_viewer{};
+  Float8 position_error{};
+  Word8 block{};  // of the samples
+  Word8 index{};
+  std::array<std::uint32_t, kLanes> path{};
+  std::array<Bsdf<typename T::Value>, kLanes> bsdf;
+  std::array<bool, kLanes> wants_light{};
+  std::size_t count = 0;  // lanes in use; the others compute with what they held before, for nobody
+};
+
+/// Light that comes out of a sharp surface and reaches the camera from one that is not: light paths bring it
+/// (see World::light_path_targets).
+template <Transport T>
+bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
+  return path.last_is_sharp && !path.first_is_sharp && !world.light_path_targets.empty();
+}
+
+/// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position:
+/// stratifying the four together is what keeps the fast convergence of direct light.
+template <Transport T>
+std::array<Float8, 3> light_numbers(const Wave<T>& wave,
+                                    const World& world,
+                                    const VertexLanes<T>& vertices,
+                                    int bounce) {
+  if (bounce > 0) {
+    const auto u = draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), Purpose::Light);
+    return {u[0], u[1], u[2]};
+  }
+  std::array<Float8, 3> out{};
+  if (world.emitters.size() > 1) out[0] = draw(vertices.block, vertices.index, 0, Purpose::LightPick)[0];
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    const Vec2f first = wave.paths[vertices.path[lane]].first_light;
+    out[1][lane] = first.x;
+    out[2][lane] = first.y;
+  }
+  return out;
+}
+
+/// Light samples of eight vertices; pdf = 0 where there is none.
+struct LightLanes {
+  Vec8 target{};
+  Float8 pdf{};
+  std::array<Vec3f, kLanes> radiance;
+};
+
+template <Transport T>
+LightLanes sample_lights(const Wave<T>& wave,
+                         const World& world,
+                         const VertexLanes<T>& vertices,
+                         int bounce) {
+  LightLanes out;
+  const auto numbers = light_numbers(wave, world, vertices, bounce);
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (!vertices.wants_light[lane]) continue;
+    const auto light = sample_light(world, lane_of(vertices.position, lane), numbers[0][lane],
+                                    numbers[1][lane], numbers[2][lane]);
+    if (!light) continue;
+    set_lane(out.target, lane, light->target);
+    out.pdf[lane] = light->pdf;
+    out.radiance[lane] = light->radiance;
+  }
+  return out;
+}
+
+template <Transport T>
+void ask_for_direct_light(Wave<T>& wave,
+                          const World& world,
+                          const VertexLanes<T>& vertices,
+                          const FrameOf<Vec8>& frame,
+                          Vec8 wo,
+                          int bounce) {
+  const LightLanes light = sample_lights(wave, world, vertices, bounce);
+  const Vec8 direction = normalised(light.target - vertices.position);
+  const Vec8 wi = frame.to_local(direction);
+  std::array<typename T::Value, kLanes> f_cos;
+  Float8 pdf{};
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (!(light.pdf[lane] > 0)) continue;
+    const auto value = evaluate(vertices.bsdf[lane], lane_of(wo, lane), lane_of(wi, lane));
+    f_cos[lane] = value.f_cos;
+    pdf[lane] = value.pdf;
+  }
+  const Float8 share = mis_weight(light.pdf, pdf) / light.pdf;
+  const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
+  const Vec8 origin =
+      offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (!(pdf[lane] > 0) || agree[lane] == 0) continue;
+    const PathState<T>& path = wave.paths[vertices.path[lane]];
+    PathClass events = path.events;
+    events.add(event_of(vertices.bsdf[lane]), wi.z[lane] < 0);
+    const auto emitted = T::unpolarised(T::from_rgb(light.radiance[lane] * share[lane], path.lambda));
+    const auto through = T::chain(path.weight, T::depolarising(f_cos[lane]));
+    const Vec3f from = lane_of(origin, lane);
+    wave.shadow_rays.push_back({from, lane_of(light.target, lane) - from, 1});
+    wave.shadows.push_back({T::contribute(through, emitted), vertices.path[lane], events.index()});
+  }
+}
+
+/// From the second scattering on, the path continues with a chance of the square root of its weight, and
+/// carries the share of those that do not. The weight itself as the chance ends so many paths in rooms of
+/// medium albedo that the noise grows by more than the time saved: by 0.4 to 1 dB at equal time on scenes
+/// 101, 201 and 224.
+template <Transport T>
+bool survives_roulette(PathState<T>& path, float u) {
+  if (path.scatterings < 2) return true;
+  const float chance = std::sqrt(T::magnitude(path.weight) / path.radiance_scale);
+  if (chance >= 1) return true;
+  if (u >= chance) return false;
+  path.weight = T::scaled(path.weight, 1 / chance);
+  return true;
+}
+
+/// Gives the paths their next rays; those that go on are appended to wave.survivors.
+template <Transport T>
+void scatter(Wave<T>& wave, const VertexLanes<T>& vertices, const FrameOf<Vec8>& frame, Vec8 wo, int bounce) {
+  const auto u = draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), Purpose::Scatter);
+  std::array<std::optional<BsdfSample<typename T::Value>>, kLanes> chosen;
+  Vec8 wi{};
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    chosen[lane] =
+        sample(vertices.bsdf[lane], lane_of(wo, lane), {u[0][lane], u[1][lane], u[2][lane], u[3][lane]});
+    if (chosen[lane]) set_lane(wi, lane, chosen[lane]->wi);
+  }
+  const Vec8 direction = frame.to_world(wi);
+  const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
+  const Vec8 origin =
+      offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (!chosen[lane] || agree[lane] == 0) continue;
+    PathState<T>& path = wave.paths[vertices.path[lane]];
+    path.weight = T::chain(path.weight, T::depolarising(chosen[lane]->weight));
+    path.radiance_scale *= chosen[lane]->radiance_scale;
+    path.scatter_pdf = is_delta(vertices.bsdf[lane]) ? 0 : chosen[lane]->pdf;
+    path.events.add(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
+    path.ray.origin = lane_of(origin, lane);
+    path.ray.direction = lane_of(direction, lane);
+    ++path.scatterings;
+    if (survives_roulette<T>(path, u[3][lane])) wave.survivors.push_back(vertices.path[lane]);
+  }
+}
+
+/// All paths of the lanes have scattered `bounce` times before.
+template <Transport T>
+void scatter_lanes(Wave<T>& wave, const World& world, const VertexLanes<T>& vertices, int bounce) {
+  const auto frame = frame_around(vertices.shading_normal);
+  const Vec8 wo = frame.to_local(vertices.to_viewer);
+  ask_for_direct_light(wave, world, vertices, frame, wo, bounce);
+  scatter(wave, vertices, frame, wo, bounce);
+}
+
+}  // namespace orbs::tracer

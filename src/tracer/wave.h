@@ -1,0 +1,84 @@
+#pragma once
+
+#include "tracer/path_class.h"
+#include "tracer/ray.h"
+#include "tracer/sampler.h"
+#include "tracer/transport.h"
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+/// What the path tracer keeps of its paths.
+namespace orbs::tracer {
+
+/// One camera sample.
+struct Sample {
+  int x = 0;
+  int y = 0;
+  SampleBlock block;
+  std::uint32_t index = 0;  // within the block
+};
+
+/// Where a part of a sample's radiance came from, for --split-paths.
+struct ClassedLight {
+  std::uint32_t sample = 0;
+  int path_class = 0;
+  Vec3f radiance;
+};
+
+template <Transport T>
+struct PathState {
+  typename T::Weight weight = T::one();
+  typename T::Light light{};
+  [[no_unique_address]] typename T::Lambda lambda{};
+  Ray ray;
+  std::uint32_t sample = 0;
+  float scatter_pdf = 0;  // of ray.direction; 0 where light sampling could not have found what the ray meets
+  float radiance_scale = 1;  // see BsdfSample
+  int scatterings = 0;
+  bool first_is_sharp = false;  // of the surfaces that the path has scattered at
+  bool last_is_sharp = false;
+  PathClass events;
+  Vec2f first_light;  // the half of the first set of numbers that the pixel position leaves
+};
+
+template <Transport T>
+struct ShadowQuery {
+  typename T::Light light{};  // arrives when nothing is in between
+  std::uint32_t path = 0;
+  int path_class = 0;
+};
+
+/// Scratch memory of a wave, reused from wave to wave.
+template <Transport T>
+struct Wave {
+  std::vector<PathState<T>> paths;
+  std::vector<std::uint32_t> active;
+  std::vector<std::uint32_t> survivors;  // of the present scattering
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  std::vector<Ray> shadow_rays;
+  std::vector<ShadowQuery<T>> shadows;
+  std::vector<std::uint8_t> blocked;
+  std::vector<ClassedLight> classed;  // filled when split_paths
+  bool split_paths = false;
+  double traversal_seconds = 0;  // spent inside the accelerator, all waves together
+};
+
+template <Transport T>
+void add_light(Wave<T>& wave, PathState<T>& path, const typename T::Light& light, int path_class) {
+  path.light = T::add(path.light, light);
+  if (wave.split_paths) wave.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
+}
+
+/// Runs a traversal and adds its time: twice per wave and bounce, for hundreds of rays at a time, so that the
+/// clock costs nothing.
+template <typename W, typename F>
+void timed_traversal(W& wave, const F& traverse) {
+  const auto start = std::chrono::steady_clock::now();
+  traverse();
+  wave.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace orbs::tracer

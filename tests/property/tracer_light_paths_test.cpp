@@ -1,0 +1,176 @@
+// Paths from the lights against camera paths alone, and against the mirrored light.
+#include "tracer/choose_light_paths.h"
+#include "unit/tracer_scenes.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+using tests::error_of_mean;
+using tests::mean_of_channel;
+using tests::scene_text;
+
+tracer::World world_of(const std::string& text, bool light_paths) {
+  return tracer::make_world(scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR),
+                            {.light_paths = light_paths});
+}
+
+image::Image picture_of(const tracer::World& world, const tracer::RenderSettings& settings) {
+  const std::atomic<bool> never{false};
+  return tracer::render(world, settings, never, [](const tracer::Progress&) {}).picture;
+}
+
+const char* const kRectLight =
+    R"({"type": "rect", "half_width": 0.3, "half_length": 0.3, "radiance": [8, 8, 8], "matrix": [{"translate": [0.5, 3, 0.2]}]})";
+
+// A floor, and a ball of `material` over it; the camera sees both.
+std::string ball_over_floor(const std::string& material, const std::string& light) {
+  return scene_text("[0, 2.5, 6]", "[0, 0.7, 0]", 24, 6,
+                    R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.8, 0.6, 0.4]},
+                                     {"name": "ball", )" +
+                        material + R"(}, {"name": "glow", "type": "emission", "radiance": [6, 6, 6]}],
+                       "meshes": [{"name": "p", "generator": "plane", "half_size": 6, "material": "floor"},
+                                  {"name": "s", "generator": "sphere", "radius": 0.8, "segments": 24, "material": "ball"},
+                                  {"name": "lamp", "generator": "plane", "half_size": 0.3, "material": "glow"}],
+                       "instances": [{"mesh": "p"}, {"mesh": "s", "matrix": [{"translate": [0, 1, 0]}]})" +
+                        light,
+                    "40");
+}
+
+std::string with_light(const std::string& light) { return "], \"lights\": [" + light + "]"; }
+
+const char* const kGlass = R"("type": "glass", "colour": [1, 0.9, 1], "ior": 1.5)";
+
+struct Scene {
+  const char* name;
+  std::string text;
+};
+
+std::vector<Scene> caustic_scenes() {
+  return {
+      {"mirror",
+       ball_over_floor(R"("type": "mirror", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight))},
+      {"glass", ball_over_floor(kGlass, with_light(kRectLight))},
+      {"glossy",
+       ball_over_floor(R"("type": "ggx", "colour": [0.9, 0.8, 0.7], "alpha": 0.1)", with_light(kRectLight))},
+      {"rough_glass",
+       ball_over_floor(R"("type": "rough_glass", "colour": [1, 1, 1], "ior": 1.5, "alpha": 0.1)",
+                       with_light(kRectLight))},
+      {"disk", ball_over_floor(kGlass, with_light(R"({"type": "disk", "radius": 0.4, "radiance": [8, 8, 8],
+          "matrix": [{"translate": [0.5, 3, 0.2]}, {"scale": [1, 1, 0.5]}]})"))},
+      {"ellipsoid",
+       ball_over_floor(kGlass, with_light(R"({"type": "sphere", "radius": 0.3, "radiance": [8, 8, 8],
+          "matrix": [{"translate": [0.5, 3, 0.2]}, {"rotate_x": 30}, {"scale": [1, 2, 0.5]}]})"))},
+      {"emissive_mesh",
+       ball_over_floor(kGlass,
+                       R"(, {"mesh": "lamp", "matrix": [{"translate": [0.5, 3, 0.2]}, {"rotate_x": 20}]}])")},
+      {"lamp_inside",
+       ball_over_floor(kGlass, with_light(R"({"type": "sphere", "radius": 0.2, "radiance": [8, 8, 8],
+          "matrix": [{"translate": [0, 1, 0]}]})"))},
+  };
+}
+
+class TracerCaustics : public testing::TestWithParam<Scene> {};
+
+}  // namespace
+
+// Four standard errors of the whole picture, and of each of its quarters.
+TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
+  const auto with_world = world_of(GetParam().text, true);
+  ASSERT_FALSE(with_world.light_path_targets.empty());
+  const auto with = picture_of(with_world, {.samples_per_pixel = 256, .seed = 1});
+  const auto without = picture_of(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
+  const auto channels = with.channel_count();
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    double difference = 0;
+    double variance = 0;
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 12; ++x) {
+        const auto pixel = static_cast<std::size_t>((y + quarter / 2 * 12) * 24 + x + quarter % 2 * 12);
+        difference += with.pixels[pixel * channels] - without.pixels[pixel * channels];
+        variance += with.pixels[pixel * channels + 3] + without.pixels[pixel * channels + 3];
+      }
+    EXPECT_NEAR(difference, 0, 4 * std::sqrt(variance)) << "quarter " << quarter;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scenes()), [](const auto& scene) {
+  return std::string(scene.param.name);
+});
+
+// What a flat mirror adds to a floor is what the light behind the mirror, at its image's place, would send.
+TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
+  const auto scene = [](const std::string& mirror, const std::string& lamp_x, const std::string& turn) {
+    return scene_text("[0.7, 4, 0.3]", "[1, 0, 0]", 8, 2,
+                      R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]},
+                          {"name": "mirror", "type": "mirror", "reflectance": [1, 1, 1]}],
+                         "meshes": [{"name": "p", "generator": "plane", "half_size": 20, "material": "floor"},
+                          {"name": "m", "generator": "plane", "half_size": 20, "material": "mirror"}],
+                         "instances": [{"mesh": "p"})" +
+                          mirror + R"(], "lights": [{"type": "rect", "half_width": 0.2, "half_length": 0.2,
+                          "radiance": [50, 50, 50], "matrix": [{"translate": [)" +
+                          lamp_x + R"(, 2, 0]}, {"rotate_z": )" + turn + "}]}]",
+                      "20");
+  };
+  // The lamp faces the mirror at x = -1 and lights the floor through it alone.
+  const std::string mirror = R"(, {"mesh": "m", "matrix": [{"translate": [-1, 0, 0]}, {"rotate_z": 90}]})";
+  const auto world = world_of(scene(mirror, "0", "-60"), true);
+  ASSERT_FALSE(world.light_path_targets.empty());
+  const std::atomic<bool> never{false};
+  const auto seen = tracer::render(world, {.samples_per_pixel = 1024, .split_paths = true}, never,
+                                   [](const tracer::Progress&) {})
+                        .picture;
+  const auto channel =
+      std::find(seen.channels.begin(), seen.channels.end(), "path.EDSL.R") - seen.channels.begin();
+  ASSERT_LT(channel, static_cast<std::ptrdiff_t>(seen.channel_count()));
+  const auto image_of_lamp = picture_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
+  const double expected = mean_of_channel(image_of_lamp, 0);
+  EXPECT_GT(expected, 0.01);
+  EXPECT_NEAR(mean_of_channel(seen, static_cast<std::size_t>(channel)), expected,
+              4 * error_of_mean(seen, 0) + 1e-3 * expected);
+}
+
+TEST(TracerLightPaths, DoNotDependOnTheThreads) {
+  const auto world = world_of(caustic_scenes()[1].text, true);
+  const auto one = picture_of(world, {.samples_per_pixel = 8, .threads = 1});
+  EXPECT_EQ(one.pixels, picture_of(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
+}
+
+TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
+  auto caustic = world_of(caustic_scenes()[0].text, true);
+  EXPECT_TRUE(tracer::choose_light_paths(caustic));
+  EXPECT_FALSE(caustic.light_path_targets.empty());
+  auto plain = world_of(
+      ball_over_floor(R"("type": "lambert", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight)), true);
+  EXPECT_FALSE(tracer::choose_light_paths(plain));
+}
+
+TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
+  auto text = caustic_scenes()[0].text;
+  const std::string fov = R"("fov_y": 40)";
+  text.replace(text.find(fov), fov.size(), R"("fov_y": 0.05)");
+  auto world = world_of(text, true);
+  EXPECT_FALSE(tracer::choose_light_paths(world));
+}
+
+// The density of a mixture of cones is one over the solid angle that they cover together, where they do not
+// overlap, and the mean of 1 / pdf is that solid angle in any case.
+TEST(SharpTargets, DirectionsFillTheConesOfAllTargets) {
+  const std::vector<tracer::BoundingSphere> targets{{{0, 0, 5}, 1}, {{5, 0, 0}, 2}};
+  const auto cone = [](double sine) { return 2 * std::numbers::pi * (1 - std::sqrt(1 - sine * sine)); };
+  double sum = 0;
+  constexpr int kSide = 64;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const float pick = i % 2 == 0 ? 0.25F : 0.75F;
+      const auto to = tracer::sample_towards_targets(targets, {}, {0, 1, 0}, pick,
+                                                     (static_cast<float>(i / 2) + 0.5F) / (kSide / 2),
+                                                     (static_cast<float>(j) + 0.5F) / kSide);
+      ASSERT_GT(to.pdf, 0);
+      sum += 1 / static_cast<double>(to.pdf);
+    }
+  EXPECT_NEAR(sum / (kSide * kSide), cone(1.0 / 5) + cone(2.0 / 5), 1e-4);
+}
