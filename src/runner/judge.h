@@ -7,7 +7,7 @@
 #include "results/record.h"
 
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +18,9 @@ namespace orbs::runner {
 /// size and channels are the caller's promise. Attributes are those of `of`.
 image::Image difference_of(const image::Image& of, const image::Image& minus);
 
-/// The reference of a picture of the case: its file, or the difference of two.
+/// The reference of a picture of the case: its file, or the difference of two. `scene_hashes` holds by scene
+/// what the passport of its reference must say, if it says anything: after a change of the scene its
+/// reference is none any more.
 struct Reference {
   std::filesystem::path file;           // of the scene, or of the difference's `of`
   std::optional<image::Image> picture;  // nothing when it is missing
@@ -26,7 +28,8 @@ struct Reference {
 };
 Reference load_reference(const registry::Case& one_case,
                          const std::string& picture,
-                         const std::filesystem::path& references);
+                         const std::filesystem::path& references,
+                         const std::map<std::string, std::string>& scene_hashes = {});
 
 /// The passport in a picture's attributes "orbs.<key>", without the prefix.
 std::map<std::string, std::string> passport_of(const image::Image& picture);

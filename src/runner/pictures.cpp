@@ -33,21 +33,6 @@ image::Image difference_of(const image::Image& of, const image::Image& minus) {
 
 namespace {
 
-// The picture, or why there is none.
-std::string read_reference(const std::filesystem::path& file, std::optional<image::Image>& picture) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
-    return fmt::format("there is no reference {}; 'orbs reference' renders it", file.string());
-  try {
-    picture = image::read_image(file);
-    image::select_rgb(*picture, "");
-    return "";
-  } catch (const InputError& e) {
-    picture.reset();
-    return fmt::format("the reference cannot be used: {}", e.what());
-  }
-}
-
 // Of a scene of the case.
 std::filesystem::path reference_file(const registry::Case& one_case,
                                      const std::string& name,
@@ -57,20 +42,54 @@ std::filesystem::path reference_file(const registry::Case& one_case,
   return references / ((scene == one_case.scenes.end() ? name : registry::reference_name(*scene)) + ".exr");
 }
 
+bool is_of_another_version(const image::Image& picture,
+                           const std::string& scene,
+                           const std::map<std::string, std::string>& scene_hashes) {
+  const auto said = picture.attributes.find("orbs.scene_hash");
+  const auto now = scene_hashes.find(scene);
+  return said != picture.attributes.end() && now != scene_hashes.end() && said->second != now->second;
+}
+
+// The picture, or why there is none.
+std::string read_reference(const std::filesystem::path& file,
+                           const std::string& scene,
+                           const std::map<std::string, std::string>& scene_hashes,
+                           std::optional<image::Image>& picture) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    return fmt::format("there is no reference {}; 'orbs reference' renders it", file.string());
+  std::string problem;
+  try {
+    picture = image::read_image(file);
+    image::select_rgb(*picture, "");
+    if (is_of_another_version(*picture, scene, scene_hashes))
+      problem = fmt::format(
+          "the reference {} is of another version of its scene; 'orbs reference --accept' renders it again",
+          file.string());
+  } catch (const InputError& e) {
+    problem = fmt::format("the reference cannot be used: {}", e.what());
+  }
+  if (!problem.empty()) picture.reset();
+  return problem;
+}
+
 }  // namespace
 
 Reference load_reference(const registry::Case& one_case,
                          const std::string& picture,
-                         const std::filesystem::path& references) {
+                         const std::filesystem::path& references,
+                         const std::map<std::string, std::string>& scene_hashes) {
   Reference reference;
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
                                        [&](const auto& d) { return d.name == picture; });
   const bool is_difference = difference != one_case.differences.end();
-  reference.file = reference_file(one_case, is_difference ? difference->of : picture, references);
-  reference.problem = read_reference(reference.file, reference.picture);
+  const auto& scene = is_difference ? difference->of : picture;
+  reference.file = reference_file(one_case, scene, references);
+  reference.problem = read_reference(reference.file, scene, scene_hashes, reference.picture);
   if (!is_difference || !reference.picture) return reference;
   std::optional<image::Image> minus;
-  reference.problem = read_reference(reference_file(one_case, difference->minus, references), minus);
+  reference.problem = read_reference(reference_file(one_case, difference->minus, references),
+                                     difference->minus, scene_hashes, minus);
   if (minus && (minus->width != reference.picture->width || minus->height != reference.picture->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);

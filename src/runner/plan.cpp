@@ -7,6 +7,7 @@
 #include "metrics/table.h"
 #include "runner/choose.h"
 #include "runner/judge.h"
+#include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 
 #include <algorithm>
@@ -20,19 +21,37 @@ namespace orbs::runner {
 
 namespace {
 
-void load_scenes(Plan& plan) {
-  std::map<std::string, std::shared_ptr<const scene::Scene>> by_file;
+using ScenesByFile = std::map<std::string, std::shared_ptr<const scene::Scene>>;
+
+const scene::Scene& loaded(const registry::CaseScene& wanted, ScenesByFile& by_file) {
+  auto& scene = by_file[wanted.file.string()];
+  if (!scene)
+    scene = with_note(fmt::format("reading scene '{}'", wanted.name),
+                      [&] { return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file)); });
+  return *scene;
+}
+
+// `all` holds the scenes of cases that are not chosen, too: a scene may be judged by the reference of one.
+std::string reference_hash(const registry::CaseScene& judged,
+                           const std::vector<registry::Case>& all,
+                           ScenesByFile& by_file) {
+  for (const auto& one_case : all)
+    for (const auto& scene : one_case.scenes)
+      if (scene.name == registry::reference_name(judged))
+        return hash_text(scene_content_hash(loaded(scene, by_file), scene.file));
+  return "";  // load_cases has seen to it that there is one
+}
+
+void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
+  ScenesByFile by_file;
   for (const auto& one_case : plan.cases)
     for (const auto& wanted : one_case.scenes) {
       const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
                                      [&](const auto& scene) { return scene.name == wanted.name; });
       if (known) continue;
-      auto& scene = by_file[wanted.file.string()];
-      if (!scene)
-        scene = with_note(fmt::format("reading scene '{}' of {}", wanted.name, one_case.file.string()), [&] {
-          return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file));
-        });
-      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, scene});
+      with_note(fmt::format("reading {}", one_case.file.string()), [&] { loaded(wanted, by_file); });
+      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()]});
+      plan.reference_hashes[wanted.name] = reference_hash(wanted, all, by_file);
     }
 }
 
@@ -120,8 +139,9 @@ Plan make_plan(const registry::Configuration& configuration,
   plan.suite = registry::find_suite(configuration, settings.suite);
   plan.threads = threads_per_job(settings);
   choose_renderers(configuration, plan);
-  plan.cases = choose_cases(registry::load_cases(plan.suite), settings);
-  load_scenes(plan);
+  const auto all = registry::load_cases(plan.suite);
+  plan.cases = choose_cases(all, settings);
+  load_scenes(plan, all);
   for (const auto& one_case : plan.cases) {
     with_note(fmt::format("reading the gate of {}", one_case.file.string()),
               [&] { metrics::find_metric(one_case.gate.metric); });

@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,8 @@ struct Plan {
   std::vector<ChosenRenderer> renderers;
   std::vector<results::LeftOut> left_out;
   std::vector<PlannedScene> scenes;
+  std::map<std::string, std::string>
+      reference_hashes;  // by scene: hash of the one by whose reference it is judged
   std::vector<PlannedJob> jobs;
   std::vector<PlannedPicture> pictures;
 };

@@ -58,7 +58,8 @@ void judge_picture(const Plan& plan,
                    const std::filesystem::path& folder,
                    PictureRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
-  const auto reference = load_reference(one_case, planned.picture, plan.suite.references);
+  const auto reference =
+      load_reference(one_case, planned.picture, plan.suite.references, plan.reference_hashes);
   const auto comparison = judge(one_case, result, reference, plan.threads, record);
   if (!comparison) return;
   const auto relative = std::filesystem::path(record.renderer) / record.picture;

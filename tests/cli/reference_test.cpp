@@ -120,6 +120,18 @@ TEST(Reference, IsNotRenderedForASceneThatIsAnotherOneByDefinition) {
   EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-s", "mirror"}).status, 0);
 }
 
+TEST(Reference, IsNoneAnyMoreWhenItsSceneHasChanged) {
+  const Sandbox sandbox;
+  sandbox.orbs({"reference", "-s", "v1.5", "--spp", "4", "--accept", "test"});
+  EXPECT_FALSE(contains(sandbox.orbs({"run", "-r", "good", "-s", "v1.5"}).text, "another version"));
+  auto text = sandbox.read("cases/m1_grey/grey.json");
+  sandbox.write("cases/m1_grey/grey.json", text.replace(text.find("[0,4,1]"), 7, "[0,4,2]"));
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-s", "v1.5"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_TRUE(contains(answer.text, "missing reference")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "is of another version of its scene")) << answer.text;
+}
+
 // The file serves both cases, so the layers that one of them needs are rendered whoever is chosen.
 TEST(Reference, IsMadeForAllCasesThatLookAtIt) {
   const Sandbox sandbox;

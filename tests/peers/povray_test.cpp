@@ -1,17 +1,15 @@
-#include "peers/povray_scenes.h"
+#include "peers/povray_render.h"
+#include "peers/scenes.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-/// The exporter on the real POV-Ray: pictures whose values are known in closed form. POV-Ray writes half
-/// floats, which round by up to 2^-11 = 4.9e-4 of the value.
+/// The exporter on the real POV-Ray: pictures whose values are known in closed form.
 namespace {
 
 using namespace orbs;
 using namespace orbs::peers;
-
-constexpr double kHalf = 4.9e-4;
 
 double value(const image::Image& image, int x, int y, std::size_t c = 0) {
   return static_cast<double>(image.at(x, y, c));

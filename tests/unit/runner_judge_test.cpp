@@ -183,6 +183,21 @@ TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
   EXPECT_EQ(runner::load_reference(sharing, "d", scratch.path()).picture->at(0, 0, 0), 0.25F);
 }
 
+TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
+  const structure::ScratchFolder scratch("runner-version");
+  scratch.write("keep", "");
+  auto picture = grey(0.75F);
+  image::write_exr(picture, scratch.path() / "b.exr");
+  picture.attributes["orbs.scene_hash"] = "1234";
+  image::write_exr(picture, scratch.path() / "a.exr");
+  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path(), {{"a", "1234"}}).picture);
+  const auto old = runner::load_reference(one_case(), "a", scratch.path(), {{"a", "5678"}});
+  EXPECT_FALSE(old.picture);
+  EXPECT_NE(old.problem.find("another version of its scene"), std::string::npos) << old.problem;
+  // One without a passport is taken at its word.
+  EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).picture);
+}
+
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
   const structure::ScratchFolder scratch("runner-maps");
   scratch.write("keep", "");

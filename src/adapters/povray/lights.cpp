@@ -18,6 +18,9 @@ namespace {
 constexpr double kFadePerSize = 1e-5;
 // Between the bright side and the black one behind it, in units of the lamp's local size.
 constexpr double kGap = 1e-4;
+// POV-Ray adds 0.001 to both coordinates of a circular grid, as shares of its axes, before it bends the grid
+// into rings; on average over the disc asinh(1) of that remains.
+constexpr double kCircularShift = 0.001 * 0.8814;
 
 /// A flat piece of a lamp in the world: centre, two edge vectors (or conjugate diameters), the way it faces.
 struct Panel {
@@ -37,13 +40,15 @@ std::string panel_light(const Panel& panel, scene::Rgb radiance, int grid, const
   const double fade_m = kFadePerSize * std::sqrt(panel.area_m2);
   const scene::Rgb intensity = radiance * (panel.area_m2 / (2 * std::numbers::pi * fade_m * fade_m));
   const double to_centres = static_cast<double>(grid - 1) / grid;
+  const Vec3d axis_u = panel.axis_u * to_centres;
+  const Vec3d axis_v = panel.axis_v * to_centres;
+  const Vec3d centre = panel.is_round ? panel.centre - (axis_u + axis_v) * kCircularShift : panel.centre;
   return fmt::format(
       "light_source {{ {}, {}\n  spotlight point_at {} radius 90 falloff 90 tightness 1\n"
       "  area_light {}, {}, {}, {}{} area_illumination on adaptive {}\n  fade_distance {} fade_power "
       "2{}\n}}\n",
-      vector(panel.centre), colour(intensity), vector(panel.centre + panel.facing),
-      vector(panel.axis_u * to_centres), vector(panel.axis_v * to_centres), grid, grid,
-      panel.is_round ? " circular" : "", settings.area_adaptive, fade_m,
+      vector(centre), colour(intensity), vector(centre + panel.facing), vector(axis_u), vector(axis_v), grid,
+      grid, panel.is_round ? " circular" : "", settings.area_adaptive, fade_m,
       settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
 }
 

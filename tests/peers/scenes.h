@@ -1,13 +1,12 @@
 #pragma once
 
-#include "adapters/povray/povray.h"
-#include "image/image_io.h"
 #include "scene/generators.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
-/// Small scenes for the real POV-Ray, built without a file.
+/// Small scenes for real renderers, built without a file, and what they must look like.
 namespace orbs::peers {
 
 /// Camera at the origin looking along -Z, one material per call of add_material.
@@ -28,6 +27,7 @@ inline int add_material(scene::Scene& scene, const scene::MaterialModel& model) 
 
 inline void add_instance(scene::Scene& scene, scene::Mesh mesh, int material, const Mat4& matrix = {}) {
   mesh.triangle_materials.assign(mesh.triangles.size(), material);
+  mesh.name = "mesh" + std::to_string(scene.meshes.size());
   scene.meshes.push_back(std::move(mesh));
   const int index = static_cast<int>(scene.meshes.size()) - 1;
   scene.instances.push_back({"i" + std::to_string(index), index, matrix, {}});
@@ -51,11 +51,15 @@ inline scene::Mesh quad(Vec3d corner, Vec3d edge_u, Vec3d edge_v, double low = 0
 /// Unit direction through the centre of a pixel, as gluLookAt and glFrustum put it.
 Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px);
 
-/// Writes the scene, starts POV-Ray in a folder of its own, reads the picture. One ray through each pixel's
-/// centre. std::runtime_error with a clear sentence when POV-Ray is not installed or fails.
-image::Image render_with_povray(const scene::Scene& scene,
-                                const std::string& name,
-                                const adapters::PovraySettings& settings = {},
-                                const std::vector<std::string>& options = {"-A"});
+/// A Lambert floor of albedo 0.5 at y = 0, seen from 0.5 m above; 24 x 24 pixels of it, 1 m wide. No light.
+scene::Scene floor_scene();
+inline constexpr double kFloorAlbedo = 0.5;
+
+/// The floor's point in the middle of a pixel.
+Vec3d floor_point(const scene::Scene& scene, int x_px, int y_px);
+
+/// Form factor of a quad at a point of a floor whose normal is +Y, by Lambert's polygon formula: a Lambert
+/// floor shows albedo * radiance * factor. The quad lies above the horizon.
+double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners);
 
 }  // namespace orbs::peers

@@ -1,26 +1,14 @@
-#include "peers/povray_scenes.h"
+#include "peers/povray_render.h"
 
 #include "adapters/process.h"
 #include "adapters/programs.h"
 
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 namespace orbs::peers {
-
-Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px) {
-  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
-  const Vec3d right = normalised(cross(forward, camera.up));
-  const Vec3d up = cross(right, forward);
-  const double half = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
-  const double x = (2 * (x_px + 0.5) / camera.width_px - 1) * half * camera.width_px / camera.height_px;
-  const double y = (1 - 2 * (y_px + 0.5) / camera.height_px) * half;
-  return normalised(forward + right * x + up * y);
-}
 
 image::Image render_with_povray(const scene::Scene& scene,
                                 const std::string& name,

@@ -1,0 +1,44 @@
+#include "peers/cycles_render.h"
+
+#include "adapters/export.h"
+#include "adapters/job.h"
+#include "adapters/process.h"
+#include "adapters/programs.h"
+#include "registry/configuration.h"
+#include "runner/outcome.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace orbs::peers {
+
+image::Image render_with_cycles(const scene::Scene& scene, const std::string& name, int spp) {
+  const auto configuration = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json");
+  const auto renderer = std::find_if(configuration.renderers.begin(), configuration.renderers.end(),
+                                     [](const auto& entry) { return entry.name == "cycles"; });
+  const auto program = adapters::find_program(renderer->executable);
+  if (!program)
+    throw std::runtime_error(
+        "blender is not on PATH; the adapter is tested on the real program: install the package blender");
+  const auto folder = std::filesystem::path(ORBS_BINARY_DIR) / "cycles tests" / name;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto prepared = adapters::prepare_scene(*renderer, scene);
+  const auto job = adapters::make_job(*renderer, scene,
+                                      {spp, 1, 1, configuration.root, ORBS_BINARY_DIR, *program}, folder);
+  adapters::export_scene(*renderer, std::get<scene::Scene>(prepared), job.scene_file);
+  adapters::ProcessRequest request;
+  request.argv = job.argv;
+  request.folder = folder;
+  request.environment = adapters::child_environment(renderer->environment);
+  const auto process = adapters::run_process(request);
+  auto outcome = runner::classify(process, job, request.time_limit_seconds);
+  if (!outcome.picture)
+    throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.sentence, process.output));
+  return std::move(*outcome.picture);
+}
+
+}  // namespace orbs::peers

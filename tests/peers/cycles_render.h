@@ -1,0 +1,14 @@
+#pragma once
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+#include <string>
+
+namespace orbs::peers {
+
+/// Lowers the scene, runs the renderer "cycles" of our configuration.json in a folder of its own, reads the
+/// picture. std::runtime_error with a clear sentence when Blender is not installed or gives no picture.
+image::Image render_with_cycles(const scene::Scene& scene, const std::string& name, int spp);
+
+}  // namespace orbs::peers

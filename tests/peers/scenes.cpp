@@ -1,0 +1,46 @@
+#include "peers/scenes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace orbs::peers {
+
+Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px) {
+  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
+  const Vec3d right = normalised(cross(forward, camera.up));
+  const Vec3d up = cross(right, forward);
+  const double half = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
+  const double x = (2 * (x_px + 0.5) / camera.width_px - 1) * half * camera.width_px / camera.height_px;
+  const double y = (1 - 2 * (y_px + 0.5) / camera.height_px) * half;
+  return normalised(forward + right * x + up * y);
+}
+
+scene::Scene floor_scene() {
+  auto scene = empty_scene(24, 24, 90);
+  scene.camera.position_m = {0, 0.5, 0};
+  scene.camera.look_at_m = {0, 0, 0};
+  scene.camera.up = {0, 0, -1};
+  add_instance(scene, quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}),
+               add_material(scene, scene::Lambert{{kFloorAlbedo, kFloorAlbedo, kFloorAlbedo}, {}}));
+  return scene;
+}
+
+Vec3d floor_point(const scene::Scene& scene, int x, int y) {
+  const Vec3d direction = pixel_direction(scene.camera, x, y);
+  return scene.camera.position_m + direction * (scene.camera.position_m.y / -direction.y);
+}
+
+// F = 1/(2 pi) |sum of angle(v_i, v_i+1) n .
+// unit(v_i x v_i+1)|.
+double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3d a = normalised(corners[i] - receiver);
+    const Vec3d b = normalised(corners[(i + 1) % 4] - receiver);
+    const Vec3d across = cross(a, b);
+    sum += std::atan2(length(across), dot(a, b)) * across.y / length(across);
+  }
+  return std::abs(sum) / (2 * std::numbers::pi);
+}
+
+}  // namespace orbs::peers
