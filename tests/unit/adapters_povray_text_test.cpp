@@ -123,8 +123,8 @@ TEST_F(PovrayText, RectBecomesAreaLightsOfItsPower) {
 }
 
 TEST_F(PovrayText, LightKeepsFacingDownItsOwnMinusYWhateverTheMatrix) {
-  scene_.lights.push_back({"lamp", scene::DiskShape{1}, {1, 1, 1}, scaling({1, -2, 1}), {}});
-  EXPECT_TRUE(holds(written(), "point_at <0,1,0>"));  // mirrored: local -Y is world +Y
+  scene_.lights.push_back({"lamp", scene::RectShape{1, 1}, {1, 1, 1}, scaling({1, -2, 1}), {}});
+  EXPECT_TRUE(holds(written(), "point_at <0.5,1,0.5>"));  // mirrored: local -Y is world +Y
 }
 
 TEST_F(PovrayText, NamesCannotBreakOutOfTheirComment) {
