@@ -34,7 +34,7 @@ struct BenchRender {
   int spp = 0;
   double cpu_seconds = 0;  // user and system
   double wall_seconds = 0;
-  std::optional<double> traversal_share;  // of its own CPU time; only the built-in tracer measures it
+  std::optional<double> traversal_share;  // of its threads' time; only the built-in tracer says it
 };
 
 /// Two renders of one seed right after each other. They differ in their samples alone, so the difference of

@@ -71,7 +71,7 @@ void put_definitions(json::Writer& out) {
       .member("start_cpu_seconds",
               "what is left of the large render's CPU time when its samples are taken off")
       .member("traversal_share",
-              "seconds of all threads inside the accelerator over the CPU seconds of the rendering")
+              "wall clock of all threads inside the accelerator over that of the rendering times its threads")
       .member("relative_mse", kRelativeMseDefinition)
       .member("psnr_srgb8_db", kSeedPsnrDefinition)
       .member("noise_in_equal_cpu_time",

@@ -14,14 +14,15 @@ namespace orbs::studies {
 
 namespace {
 
-// From the last line of the tracer's --json report.
-std::optional<double> traversal_share(const std::string& output) {
+// From the last line of the tracer's --json report. It clocks traversal by the wall in each thread, so the
+// whole is the wall clock of all threads: on a machine that others use, CPU time would be less than the part.
+std::optional<double> traversal_share(const std::string& output, int threads) {
   for (const auto& line : split(output, '\n')) {
     if (!line.starts_with('{') || line.find("\"traversal_seconds\"") == std::string::npos) continue;
     const auto document = json::parse("the report of orbs-tracer", line);
     json::ObjectReader report(document);
-    const double cpu_seconds = report.number("cpu_seconds", json::kNotNegative);
-    if (cpu_seconds > 0) return report.number("traversal_seconds", json::kNotNegative) / cpu_seconds;
+    const double whole = report.number("render_seconds", json::kNotNegative) * threads;
+    if (whole > 0) return report.number("traversal_seconds", json::kNotNegative) / whole;
   }
   return std::nullopt;
 }
@@ -73,7 +74,7 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
         fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));
   BenchPicture made;
   made.render = {settings.spp, process.user_seconds + process.system_seconds, process.wall_seconds,
-                 subject.is_built_in ? traversal_share(process.output) : std::nullopt};
+                 subject.is_built_in ? traversal_share(process.output, settings.threads) : std::nullopt};
   made.picture = std::move(*outcome.picture);
   return made;
 }
