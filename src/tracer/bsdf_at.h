@@ -26,7 +26,7 @@ void place_bsdf(Bsdf<typename T::Value>& out,
   const float eta = is_outside ? material.ior : 1 / material.ior;
   switch (material.model) {
     case Model::Lambert:
-      out.template emplace<LambertBsdf<Value>>(colour);
+      out = LambertBsdf<Value>{colour};
       return;
     case Model::OrenNayar:
       out = make_oren_nayar(colour, material.roughness);

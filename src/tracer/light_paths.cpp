@@ -55,7 +55,7 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
   for (int first = 0; first < chunks; first += kChunksAtOnce) {
     const int count = std::min(kChunksAtOnce, chunks - first);
     for_each_index(count, pass.threads, [&](int i) {
-      const auto chunk = static_cast<std::size_t>(first + i);
+      const auto chunk = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
       const auto block =
           sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk), pass.number);
       const auto left = std::min<std::size_t>(kBlock, paths - chunk * kBlock);
