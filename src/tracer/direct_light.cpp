@@ -24,20 +24,22 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
                      point->pdf * chance};
 }
 
-MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit) {
+MetEmission met_light(
+    const World& world, const Part& part, const Ray& ray, const Hit& hit, Vec3f asked_from) {
   const AreaLight& light = world.lights[part.light];
   const Vec3f position = ray.origin + ray.direction * hit.distance;
   const Vec3f radiance = radiance_towards(light, position, ray.origin);
   if (radiance == Vec3f{}) return {};
-  return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, ray.origin, position)};
+  return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, asked_from, position)};
 }
 
 MetEmission met_emissive_surface(const World& world,
                                  const SurfacePoint& point,
                                  const SurfaceMaterial& material,
                                  const Ray& ray,
-                                 const Hit& hit) {
-  const Vec3f d = point.position - ray.origin;
+                                 const Hit& hit,
+                                 Vec3f asked_from) {
+  const Vec3f d = point.position - asked_from;
   const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
   return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, hit))),
           cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};

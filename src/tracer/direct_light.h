@@ -8,18 +8,20 @@
 namespace orbs::tracer {
 
 /// Radiance that the surface met by the path's ray sends back along it, and the chance per solid angle that
-/// light sampling at the ray's origin would have picked that direction.
+/// light sampling at `asked_from` would have picked that direction: at the ray's origin, or at its image
+/// behind a flat mirror.
 struct MetEmission {
   Vec3f radiance;
   float light_pdf = 0;
 };
 
-MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit);
+MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit, Vec3f asked_from);
 MetEmission met_emissive_surface(const World& world,
                                  const SurfacePoint& point,
                                  const SurfaceMaterial& material,
                                  const Ray& ray,
-                                 const Hit& hit);
+                                 const Hit& hit,
+                                 Vec3f asked_from);
 
 /// A light sample as the shading point sees it.
 struct DirectLight {

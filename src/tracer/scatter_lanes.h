@@ -25,6 +25,7 @@ struct VertexLanes {
   std::array<std::uint32_t, kLanes> path{};
   std::array<Bsdf<typename T::Value>, kLanes> bsdf;
   std::array<bool, kLanes> wants_light{};
+  std::array<int, kLanes> mirror_plane{};  // of the surface, or -1
   std::size_t count = 0;  // lanes in use; the others compute with what they held before, for nobody
 };
 
@@ -131,9 +132,31 @@ bool survives_roulette(PathState<T>& path, float u) {
   return true;
 }
 
+/// What multiple importance sampling needs to know when the next ray meets a light.
+template <Transport T>
+void remember_scattering(
+    PathState<T>& path, const World& world, const VertexLanes<T>& vertices, std::size_t lane, float pdf) {
+  const bool could_have_asked =
+      path.scatter_pdf > 0 && !path.came_by_mirror;  // the point before, by this mirror
+  path.came_by_mirror = could_have_asked && vertices.mirror_plane[lane] >= 0;
+  if (path.came_by_mirror) {
+    const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(vertices.mirror_plane[lane])];
+    const int count = planes_before(world.mirror_planes, path.ray.origin);
+    path.mirror_chance = is_before(plane, path.ray.origin) ? 1 / static_cast<float>(count) : 0;
+    path.mirror_image = mirrored(plane, path.ray.origin);
+    return;
+  }
+  path.scatter_pdf = is_delta(vertices.bsdf[lane]) ? 0 : pdf;
+}
+
 /// Gives the paths their next rays; those that go on are appended to wave.survivors.
 template <Transport T>
-void scatter(Wave<T>& wave, const VertexLanes<T>& vertices, const FrameOf<Vec8>& frame, Vec8 wo, int bounce) {
+void scatter(Wave<T>& wave,
+             const World& world,
+             const VertexLanes<T>& vertices,
+             const FrameOf<Vec8>& frame,
+             Vec8 wo,
+             int bounce) {
   const auto u = draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), Purpose::Scatter);
   std::array<std::optional<BsdfSample<typename T::Value>>, kLanes> chosen;
   Vec8 wi{};
@@ -151,22 +174,13 @@ void scatter(Wave<T>& wave, const VertexLanes<T>& vertices, const FrameOf<Vec8>&
     PathState<T>& path = wave.paths[vertices.path[lane]];
     path.weight = T::chain(path.weight, T::depolarising(chosen[lane]->weight));
     path.radiance_scale *= chosen[lane]->radiance_scale;
-    path.scatter_pdf = is_delta(vertices.bsdf[lane]) ? 0 : chosen[lane]->pdf;
+    remember_scattering<T>(path, world, vertices, lane, chosen[lane]->pdf);
     path.events.add(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
     path.ray.origin = lane_of(origin, lane);
     path.ray.direction = lane_of(direction, lane);
     ++path.scatterings;
     if (survives_roulette<T>(path, u[3][lane])) wave.survivors.push_back(vertices.path[lane]);
   }
-}
-
-/// All paths of the lanes have scattered `bounce` times before.
-template <Transport T>
-void scatter_lanes(Wave<T>& wave, const World& world, const VertexLanes<T>& vertices, int bounce) {
-  const auto frame = frame_around(vertices.shading_normal);
-  const Vec8 wo = frame.to_local(vertices.to_viewer);
-  ask_for_direct_light(wave, world, vertices, frame, wo, bounce);
-  scatter(wave, vertices, frame, wo, bounce);
 }
 
 }  // namespace orbs::tracer

@@ -26,6 +26,7 @@ struct LightPath {
   Ray ray;
   std::uint32_t index = 0;  // within the block
   int scatterings = 0;
+  bool began_at_flat_mirror = false;
   PathClass events;
 };
 
@@ -152,7 +153,11 @@ bool advance_light(
     const Vec3f radiance = emitted_towards(world, path.start, point.position);
     if (radiance == Vec3f{}) return false;
     path.emitted = T::unpolarised(T::from_rgb(radiance * path.start.weight, path.lambda));
+    path.began_at_flat_mirror = mirror_plane_of(world, hit.part, hit.primitive) >= 0;
   }
+  // Camera paths ask flat mirrors for light from wherever they can (mirrored_light.h).
+  const bool is_specular = material.model == Model::Mirror || material.model == Model::Glass;
+  if (path.scatterings == 1 && path.began_at_flat_mirror && !is_specular) return false;
   if (!material.is_sharp) ask_for_eye<T>(wave, world, path, point, material, hit);
   return scatter_light<T>(path, block, world, point, material, hit);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/scatter_lanes.h"
+#include "tracer/mirrored_light.h"
 
 #include <span>
 
@@ -12,8 +12,10 @@ namespace orbs::tracer {
 
 template <Transport T>
 void add_emission(Wave<T>& wave, const World& world, PathState<T>& path, const MetEmission& met) {
-  if (met.radiance == Vec3f{} || is_left_to_light_paths<T>(world, path)) return;
-  const float weight = path.scatter_pdf > 0 ? mis_weight(path.scatter_pdf, met.light_pdf) : 1;
+  if (met.radiance == Vec3f{}) return;
+  if (is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
+  const float light_pdf = path.came_by_mirror ? met.light_pdf * path.mirror_chance : met.light_pdf;
+  const float weight = path.scatter_pdf > 0 ? mis_weight(path.scatter_pdf, light_pdf) : 1;
   const auto light = T::unpolarised(T::from_rgb(met.radiance * weight, path.lambda));
   add_light(wave, path, T::contribute(path.weight, light), path.events.index());
 }
@@ -23,6 +25,12 @@ void add_environment(Wave<T>& wave, const World& world, PathState<T>& path) {
   if (world.environment == Vec3f{}) return;
   const auto light = T::unpolarised(T::from_rgb(world.environment, path.lambda));
   add_light(wave, path, T::contribute(path.weight, light), path.events.index());
+}
+
+/// Where the light that the path's ray meets was asked for, if it was.
+template <Transport T>
+Vec3f pdf_origin(const PathState<T>& path) {
+  return path.came_by_mirror ? path.mirror_image : path.ray.origin;
 }
 
 /// Handles what the path's ray has met. A path that is to scatter takes a lane; the others have ended.
@@ -40,13 +48,14 @@ void meet(Wave<T>& wave,
   }
   const Part& part = world.parts[hit.part];
   if (part.kind == PartKind::Light) {
-    add_emission<T>(wave, world, path, met_light(world, part, path.ray, hit));
+    add_emission<T>(wave, world, path, met_light(world, part, path.ray, hit, pdf_origin(path)));
     return;
   }
   const SurfacePoint point = surface_point(world, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
   if (material.model == Model::Emission) {
-    add_emission<T>(wave, world, path, met_emissive_surface(world, point, material, path.ray, hit));
+    add_emission<T>(wave, world, path,
+                    met_emissive_surface(world, point, material, path.ray, hit, pdf_origin(path)));
     return;
   }
   if (path.scatterings == world.trace_depth) return;
@@ -64,6 +73,8 @@ void meet(Wave<T>& wave,
   vertices.block[lane] = sample.block.seed;
   vertices.index[lane] = sample.index;
   vertices.path[lane] = index;
+  vertices.mirror_plane[lane] =
+      world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.part, hit.primitive);
   place_bsdf<T>(vertices.bsdf[lane], world, material, hit, side > 0, path.lambda);
   vertices.wants_light[lane] =
       !world.emitters.empty() && !is_delta(vertices.bsdf[lane]) && !is_left_to_light_paths<T>(world, path);
@@ -95,6 +106,16 @@ void settle_shadows(Wave<T>& wave, const World& world) {
       add_light(wave, wave.paths[wave.shadows[i].path], wave.shadows[i].light, wave.shadows[i].path_class);
 }
 
+/// All paths of the lanes have scattered `bounce` times before.
+template <Transport T>
+void scatter_lanes(Wave<T>& wave, const World& world, const VertexLanes<T>& vertices, int bounce) {
+  const auto frame = frame_around(vertices.shading_normal);
+  const Vec8 wo = frame.to_local(vertices.to_viewer);
+  ask_for_direct_light(wave, world, vertices, frame, wo, bounce);
+  ask_for_mirrored_light(wave, world, vertices, frame, bounce);
+  scatter(wave, world, vertices, frame, wo, bounce);
+}
+
 /// What the rays of all active paths have met, eight scatterings at a time.
 template <Transport T>
 void advance_all(Wave<T>& wave, const World& world, std::span<const Sample> samples, int bounce) {
@@ -122,6 +143,7 @@ void trace_wave(Wave<T>& wave, const World& world, std::span<const Sample> sampl
     wave.survivors.clear();
     advance_all(wave, world, samples, bounce);
     wave.active.swap(wave.survivors);
+    reflect_mirror_queries(wave, world);
     settle_shadows(wave, world);
   }
 }

@@ -39,6 +39,12 @@ struct PathState {
   int scatterings = 0;
   bool first_is_sharp = false;  // of the surfaces that the path has scattered at
   bool last_is_sharp = false;
+  /// Of the last scattering at a flat mirror, where the one before was not specular: the image of the point
+  /// where that happened, and the chance with which it asks this mirror for light. scatter_pdf is then of
+  /// that point.
+  bool came_by_mirror = false;
+  float mirror_chance = 0;
+  Vec3f mirror_image;
   PathClass events;
   Vec2f first_light;  // the half of the first set of numbers that the pixel position leaves
 };
@@ -46,6 +52,17 @@ struct PathState {
 template <Transport T>
 struct ShadowQuery {
   typename T::Light light{};  // arrives when nothing is in between
+  std::uint32_t path = 0;
+  int path_class = 0;
+};
+
+/// Light on its way by a flat mirror, see mirrored_light.h.
+template <Transport T>
+struct MirrorQuery {
+  typename T::Weight weight = T::one();  // up to the mirror
+  typename T::Light emitted{};
+  Vec3f target;  // on the light
+  int plane = 0;
   std::uint32_t path = 0;
   int path_class = 0;
 };
@@ -58,6 +75,9 @@ struct Wave {
   std::vector<std::uint32_t> survivors;  // of the present scattering
   std::vector<Ray> rays;
   std::vector<Hit> hits;
+  std::vector<Ray> mirror_rays;
+  std::vector<Hit> mirror_hits;
+  std::vector<MirrorQuery<T>> mirror_queries;
   std::vector<Ray> shadow_rays;
   std::vector<ShadowQuery<T>> shadows;
   std::vector<std::uint8_t> blocked;

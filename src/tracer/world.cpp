@@ -245,6 +245,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   }
   build_emitters(world);
   for (TriangleMesh& mesh : world.meshes) prepare_faces(mesh);
+  if (settings.mirrored_light) find_mirror_planes(world);
   if (settings.light_paths && !world.emitters.empty()) world.light_path_targets = sharp_targets(world);
   world.accel = std::make_unique<Accel>(world);
   return world;

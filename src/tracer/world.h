@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 #include "tracer/accel.h"
 #include "tracer/emitter.h"
+#include "tracer/mirror_planes.h"
 #include "tracer/scatter/bsdf.h"
 #include "tracer/sharp_targets.h"
 #include "tracer/texture.h"
@@ -57,7 +58,8 @@ struct Part {
   std::size_t light = 0;  // of lights
   Affine to_world;        // InstancedMesh only
   Affine normal_to_world;
-  std::vector<int> material_of;  // material of the mesh -> material shown (remap list applied)
+  std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
+  std::vector<int> mirror_planes;  // per triangle, see mirror_planes.h; empty where there is none
 };
 
 enum class Model { Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission };
@@ -97,6 +99,7 @@ struct World {
   /// Empty unless light paths are traced: then they carry all light that leaves its source towards a sharp
   /// surface and reaches the camera from a surface that is not sharp, and camera paths leave it to them.
   std::vector<BoundingSphere> light_path_targets;
+  std::vector<MirrorPlane> mirror_planes;
   std::unique_ptr<Accel> accel;
 };
 
@@ -106,6 +109,8 @@ struct WorldSettings {
   std::size_t most_copied_triangles = 500'000;
   /// Off: camera paths find all light by themselves. The picture is the same but for its noise.
   bool light_paths = true;
+  /// Off: no light is asked for by way of flat mirrors. The picture is the same but for its noise.
+  bool mirrored_light = true;
 };
 
 /// InputError when a texture cannot be read.

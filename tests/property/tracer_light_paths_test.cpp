@@ -15,7 +15,7 @@ using tests::scene_text;
 
 tracer::World world_of(const std::string& text, bool light_paths) {
   return tracer::make_world(scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR),
-                            {.light_paths = light_paths});
+                            {.light_paths = light_paths, .mirrored_light = light_paths});
 }
 
 image::Image picture_of(const tracer::World& world, const tracer::RenderSettings& settings) {
@@ -34,6 +34,8 @@ std::string ball_over_floor(const std::string& material, const std::string& ligh
                         material + R"(}, {"name": "glow", "type": "emission", "radiance": [6, 6, 6]}],
                        "meshes": [{"name": "p", "generator": "plane", "half_size": 6, "material": "floor"},
                                   {"name": "s", "generator": "sphere", "radius": 0.8, "segments": 24, "material": "ball"},
+                                  {"name": "flat", "generator": "plane", "half_size": 2, "material": "ball"},
+                                  {"name": "cube", "generator": "cube", "half_size": 0.5, "material": "ball"},
                                   {"name": "lamp", "generator": "plane", "half_size": 0.3, "material": "glow"}],
                        "instances": [{"mesh": "p"}, {"mesh": "s", "matrix": [{"translate": [0, 1, 0]}]})" +
                         light,
@@ -43,6 +45,13 @@ std::string ball_over_floor(const std::string& material, const std::string& ligh
 std::string with_light(const std::string& light) { return "], \"lights\": [" + light + "]"; }
 
 const char* const kGlass = R"("type": "glass", "colour": [1, 0.9, 1], "ior": 1.5)";
+
+const char* const kMirror = R"("type": "mirror", "reflectance": [0.9, 0.8, 0.9])";
+const std::string kWall =
+    R"(, {"mesh": "flat", "matrix": [{"translate": [-1.5, 1.5, 0]}, {"rotate_z": 80}]})";
+const std::string kCube =
+    R"(, {"mesh": "cube", "matrix": [{"translate": [1.6, 0.8, 0.5]}, {"rotate_x": 25}, {"rotate_y": 40}]})" +
+    kWall;
 
 struct Scene {
   const char* name;
@@ -67,6 +76,14 @@ std::vector<Scene> caustic_scenes() {
       {"emissive_mesh",
        ball_over_floor(kGlass,
                        R"(, {"mesh": "lamp", "matrix": [{"translate": [0.5, 3, 0.2]}, {"rotate_x": 20}]}])")},
+      {"flat_mirror", ball_over_floor(kMirror, kWall + with_light(kRectLight))},
+      {"mirror_cube", ball_over_floor(kMirror, kCube + with_light(kRectLight))},
+      {"glossy_wall_and_cube", ball_over_floor(R"("type": "ggx", "colour": [0.9, 0.8, 0.7], "alpha": 0.1)",
+                                               kCube + with_light(kRectLight))},
+      {"mirror_wall_emissive_mesh",
+       ball_over_floor(
+           kMirror,
+           kWall + R"(, {"mesh": "lamp", "matrix": [{"translate": [0.5, 3, 0.2]}, {"rotate_x": 20}]}])")},
       {"lamp_inside",
        ball_over_floor(kGlass, with_light(R"({"type": "sphere", "radius": 0.2, "radiance": [8, 8, 8],
           "matrix": [{"translate": [0, 1, 0]}]})"))},

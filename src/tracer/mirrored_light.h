@@ -1,0 +1,87 @@
+#pragma once
+
+#include "tracer/scatter_lanes.h"
+
+#include <algorithm>
+
+/// Next-event estimation by way of one flat mirror: seen from a point, a lamp in the mirror is the lamp seen
+/// from the point's image behind the mirror.
+namespace orbs::tracer {
+
+/// The path that one lane's vertex asks for light by way of the mirror.
+template <Transport T>
+void ask_for_mirrored_light(Wave<T>& wave,
+                            const World& world,
+                            const VertexLanes<T>& vertices,
+                            std::size_t lane,
+                            const FrameOf<Vec3f>& frame,
+                            const std::array<float, 4>& u) {
+  const PathState<T>& path = wave.paths[vertices.path[lane]];
+  const Vec3f position = lane_of(vertices.position, lane);
+  const int count = planes_before(world.mirror_planes, position);
+  if (count == 0) return;
+  const int chosen = plane_before(world.mirror_planes, position,
+                                  std::min(count - 1, static_cast<int>(u[3] * static_cast<float>(count))));
+  const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(chosen)];
+  const Vec3f image = mirrored(plane, position);
+  const auto light = sample_light(world, image, u[0], u[1], u[2]);
+  if (!light || !(height_over(plane, light->target) > 0)) return;
+  const Vec3f from_image = normalised(light->target - image);
+  const Vec3f direction = mirrored_direction(plane, from_image);
+  const Vec3f wo = frame.to_local(lane_of(vertices.to_viewer, lane));
+  const auto value = evaluate(vertices.bsdf[lane], wo, frame.to_local(direction));
+  const Vec3f geometric_normal = lane_of(vertices.geometric_normal, lane);
+  if (!(value.pdf > 0) || !sides_agree(geometric_normal, frame.z, direction)) return;
+  const float pdf = light->pdf / static_cast<float>(count);
+  PathClass events = path.events;
+  events.add(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
+  events.add(Event::Specular, false);
+  const auto emitted =
+      T::unpolarised(T::from_rgb(light->radiance * (mis_weight(pdf, value.pdf) / pdf), path.lambda));
+  wave.mirror_rays.push_back(
+      {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});
+  wave.mirror_queries.push_back({T::chain(path.weight, T::depolarising(value.f_cos)), emitted, light->target,
+                                 chosen, vertices.path[lane], events.index()});
+}
+
+template <Transport T>
+void ask_for_mirrored_light(Wave<T>& wave,
+                            const World& world,
+                            const VertexLanes<T>& vertices,
+                            const FrameOf<Vec8>& frame,
+                            int bounce) {
+  if (world.mirror_planes.empty() || bounce + 2 > world.trace_depth) return;
+  const auto u =
+      draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), Purpose::MirroredLight);
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (is_delta(vertices.bsdf[lane])) continue;
+    const FrameOf<Vec3f> own{lane_of(frame.x, lane), lane_of(frame.y, lane), lane_of(frame.z, lane)};
+    ask_for_mirrored_light(wave, world, vertices, lane, own,
+                           {u[0][lane], u[1][lane], u[2][lane], u[3][lane]});
+  }
+}
+
+/// The queries whose ray meets the mirror go on from there as shadow rays.
+template <Transport T>
+void reflect_mirror_queries(Wave<T>& wave, const World& world) {
+  wave.mirror_hits.resize(wave.mirror_rays.size());
+  timed_traversal(wave, [&] { world.accel->intersect(wave.mirror_rays, wave.mirror_hits); });
+  for (std::size_t i = 0; i < wave.mirror_queries.size(); ++i) {
+    const Hit& hit = wave.mirror_hits[i];
+    const MirrorQuery<T>& query = wave.mirror_queries[i];
+    if (hit.part == kNothing || mirror_plane_of(world, hit.part, hit.primitive) != query.plane) continue;
+    const SurfacePoint point = surface_point(world, hit);
+    const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+    const auto bsdf = bsdf_at<T>(world, material, hit, true, wave.paths[query.path].lambda);
+    const auto through =
+        T::chain(query.weight, T::depolarising(std::get<MirrorBsdf<typename T::Value>>(bsdf).reflectance));
+    const Vec3f origin = offset_origin(point.position, point.position_error, point.geometric_normal,
+                                       query.target - point.position);
+    wave.shadow_rays.push_back({origin, query.target - origin, 1});
+    wave.shadows.push_back({T::contribute(through, query.emitted), query.path, query.path_class});
+  }
+  wave.mirror_rays.clear();
+  wave.mirror_queries.clear();
+}
+
+}  // namespace orbs::tracer
