@@ -194,6 +194,18 @@ void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
   out.end_array();
 }
 
+// The metric that most conditions are on, the first by name among equals; "" when there is none.
+std::string main_metric(const RunRecord& run) {
+  std::map<std::string, int> counts;
+  for (const auto& picture : run.pictures)
+    for (const auto& check : picture.checks)
+      for (const auto& measure : picture.measures)
+        if (measure.name == check.what) ++counts[check.what];
+  const auto most = std::max_element(counts.begin(), counts.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? "" : most->first;
+}
+
 }  // namespace
 
 std::string overview_json(const RunView& view) {
@@ -217,6 +229,7 @@ std::string overview_json(const RunView& view) {
         .member("lower_is_better", metric->lower_is_better)
         .end_object();
   out.end_array();
+  out.member("main_metric", main_metric(run));
   out.member("pictures", columns.pictures.list).member("sentences", columns.sentences.list);
   for (auto& [name, values] : columns.measures) values.resize(run.pictures.size(), kNone);
   write_columns(out, "cells", columns.cells);
