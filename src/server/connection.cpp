@@ -107,6 +107,11 @@ void close_gently(int sock) {
 }  // namespace
 
 GatedServer::GatedServer(GateSettings gate, ConnectionLimits limits) : gate_(gate), limits_(limits) {
+  // httplib's own options let a second program share the port, and each would get some of the clients.
+  set_socket_options([](socket_t sock) {
+    const int yes = 1;
+    ::setsockopt(sock, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  });
   new_task_queue = [this] { return new httplib::ThreadPool(limits_.threads); };  // httplib deletes it
 }
 

@@ -49,7 +49,9 @@ void serve(const ServeSettings& settings,
   site.stop = &stop;
   site.bundle = load_bundle(settings.bundle);
   for (const auto& folder : settings.runs) site.runs.push_back(std::make_unique<ServedRun>(folder));
-  GatedServer server({is_loopback_address(settings.address)}, {});
+  ConnectionLimits limits;
+  limits.head_time = settings.head_time;
+  GatedServer server({is_loopback_address(settings.address)}, limits);
   server.Get(".*", [&](const httplib::Request& request, httplib::Response& response) {
     answer(site, request, response);
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -12,7 +13,8 @@ struct ServeSettings {
   std::vector<std::filesystem::path> runs;  // at least one; the first is what the page opens with
   std::filesystem::path bundle;             // folder of the built page
   std::string address = "127.0.0.1";
-  int port = 0;  // 0: any that is free
+  int port = 0;                               // 0: any that is free
+  std::chrono::milliseconds head_time{5000};  // that a client has for its request
 };
 
 /// True for the addresses that only this machine reaches: 127.0.0.0/8 and ::1.
