@@ -1,6 +1,7 @@
 #include "report/packed_image.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "image/half.h"
 #include "json/writer.h"
 #include "report/gzip.h"
@@ -27,11 +28,15 @@ struct Plane {
   std::string bytes;
 };
 
-template <typename Value>
-void append(std::string& bytes, Value value) {
-  std::array<char, sizeof(Value)> raw{};
-  std::memcpy(raw.data(), &value, sizeof(Value));
-  bytes.append(raw.data(), raw.size());
+// The values of a channel, one behind the other, as `stored` makes them.
+template <typename Value, typename Stored>
+std::string bytes_of(const image::Image& picture, std::size_t channel, Stored stored) {
+  std::string bytes(picture.pixel_count() * sizeof(Value), '\0');
+  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {
+    const Value value = stored(picture.pixels[pixel * picture.channel_count() + channel]);
+    std::memcpy(bytes.data() + pixel * sizeof(Value), &value, sizeof(Value));
+  }
+  return bytes;
 }
 
 // What the rounding to half would do to a channel.
@@ -59,13 +64,10 @@ Plane plane_of(const image::Image& picture, std::size_t channel, Rounding roundi
   plane.name = picture.channels[channel].substr(picture.channels[channel].rfind('.') + 1);
   plane.is_half = loss.is_exact || (rounding == Rounding::Rounded && !loss.overflows);
   plane.is_exact = loss.is_exact || !plane.is_half;
-  plane.bytes.reserve(picture.pixel_count() * (plane.is_half ? 2 : 4));
-  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count()) {
-    if (plane.is_half) {
-      append(plane.bytes, image::half_bits(picture.pixels[i]));
-    } else {
-      append(plane.bytes, picture.pixels[i]);
-    }
+  if (plane.is_half) {
+    plane.bytes = bytes_of<std::uint16_t>(picture, channel, image::half_bits);
+  } else {
+    plane.bytes = bytes_of<float>(picture, channel, [](float value) { return value; });
   }
   return plane;
 }
@@ -107,17 +109,23 @@ std::string packed_image(const image::Image& picture,
                          std::string_view layer,
                          Rounding rounding,
                          int gzip_level) {
-  std::vector<Plane> planes;
+  std::vector<std::size_t> channels;
   for (std::size_t c = 0; c < picture.channel_count(); ++c)
-    if (layer_of(picture.channels[c]) == layer) planes.push_back(plane_of(picture, c, rounding));
-  if (planes.empty())
+    if (layer_of(picture.channels[c]) == layer) channels.push_back(c);
+  if (channels.empty())
     throw InputError(fmt::format("the picture has no layer '{}'; it has '{}'", layer,
                                  fmt::join(layers_of(picture), "', '")));
+  std::vector<Plane> planes(channels.size());
+  for_each_index(static_cast<int>(channels.size()), 0, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    planes[at] = plane_of(picture, channels[at], rounding);
+  });
   auto header = header_text(picture, layer, planes);
   constexpr std::size_t kAlignment = 8;
   while ((4 + header.size()) % kAlignment != 0) header += ' ';
-  std::string bytes;
-  append(bytes, static_cast<std::uint32_t>(header.size()));
+  const auto length = static_cast<std::uint32_t>(header.size());
+  std::string bytes(sizeof(length), '\0');
+  std::memcpy(bytes.data(), &length, sizeof(length));
   bytes += header;
   for (auto& plane : planes) {
     bytes += plane.bytes;

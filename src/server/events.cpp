@@ -1,4 +1,3 @@
-#include "json/writer.h"
 #include "server/site.h"
 
 #include <memory>

@@ -24,12 +24,12 @@ after(async () => {
 const values = "#/case/m1_values/values/one";
 
 test("the overview shows each state by symbol and word, failures first", async () => {
-  const { page, errors } = await open(browser, url);
-  await page.waitForSelector(".grid .row.requirement");
+  const { page, errors } = await open(browser, `${url}#/?by=picture`);
+  await page.waitForSelector(".grid .row.picture");
   const words = await page.locator(".cell a").allInnerTexts();
   for (const word of ["pass", "fail", "crash", "timeout", "missing reference", "unsupported", "invalid pixels"])
     assert.ok(words.some((text) => text.includes(word)), word);
-  const first = await page.locator(".row.requirement").first().innerText();
+  const first = await page.locator(".row.picture").first().innerText();
   assert.match(first, /crash/);
   assert.match(await page.locator(".renderers").innerText(), /G5\/M8\/L4\/A4\s+G0\/M1\/L0\/A0/);
   assert.deepEqual(errors, []);
@@ -38,6 +38,7 @@ test("the overview shows each state by symbol and word, failures first", async (
 
 test("filter box, chips and the address say the same", async () => {
   const { page } = await open(browser, url);
+  await page.locator(".search").waitFor();
   await page.keyboard.press("/");
   await page.keyboard.type("known values");
   await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);

@@ -22,6 +22,7 @@ function isTyping(target: EventTarget | null): boolean {
 
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
+  if (document.querySelector("dialog[open]")) return; // its own keys are the browser's
   // Space and Enter on a button press that button.
   const onButton = event.target instanceof HTMLElement && event.target.closest("button, a, summary, [role=slider]");
   if (onButton && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow"))) return;
