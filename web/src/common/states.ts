@@ -16,7 +16,7 @@ const known: Record<string, Look> = {
   inconclusive: { symbol: "?", tone: "unsure" },
   "missing reference": { symbol: "∅", tone: "unsure" },
   crash: { symbol: "⚡", tone: "broken" },
-  timeout: { symbol: "⧗", tone: "broken" },
+  timeout: { symbol: "◔", tone: "broken" },
 };
 
 export function lookOf(state: State | undefined): Look {

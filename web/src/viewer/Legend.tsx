@@ -44,7 +44,7 @@ export function Legend({ image, settings, onEnd, onLog }: {
         ))}
       </div>
       <figcaption>
-        <span class="quiet">{image.definition ?? image.name}</span>
+        <span><b>{image.name}</b> <span class="quiet">{image.definition ?? ""}</span></span>
         <span class="scale-buttons">
           <label>
             ends at{" "}
