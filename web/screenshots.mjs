@@ -13,7 +13,8 @@ const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(proc
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args });
 const page = await browser.newPage({ viewport: { width: 1200, height: 760 } });
 
-async function take(name, address, ready) {
+async function take(name, height, address, ready) {
+  await page.setViewportSize({ width: 1200, height });
   await page.goto("about:blank");
   await page.goto(url + address);
   await page.locator(ready).first().waitFor();
@@ -23,10 +24,10 @@ async function take(name, address, ready) {
   await page.screenshot({ path: join(output, `${name}.png`) });
 }
 
-await take("overview", "", ".cell a");
+await take("overview", 530, "", ".cell a");
 const cell = page.locator(".cell a.tone-bad, .cell a.tone-unsure, .cell a.tone-good").first();
 const link = new URL(await cell.getAttribute("href"), page.url()).hash;
-await take("case", `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`, ".stage canvas[data-drawn]");
-await take("chart", "#/charts", ".plot canvas");
+await take("case", 960, `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`, ".stage canvas[data-drawn]");
+await take("chart", 630, "#/charts", ".plot canvas");
 await browser.close();
 server.kill("SIGTERM");

@@ -1,4 +1,4 @@
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 
 /** One thing that can be done: by its key, by its button, and listed on the '?' sheet. */
 export interface Action {
@@ -40,7 +40,8 @@ addEventListener("keydown", (event) => {
 
 /** Makes actions reachable by key while the component is there. */
 export function useActions(actions: Action[]): void {
-  useEffect(() => {
+  // Before the next key can come: an action of an earlier render would act on what was true then.
+  useLayoutEffect(() => {
     sets.push(actions);
     return () => void sets.splice(sets.indexOf(actions), 1);
   });
