@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// A run as the page reads it (format "orbs-page/1"). The page knows no metric, map, suite or verdict by
 /// name: all that it shows stands here.
@@ -27,6 +29,6 @@ std::string progress_json(const results::RunView& view);
 std::string shell_text(const std::vector<std::string>& words);
 
 /// `json` for the inside of an HTML script element: nothing in it can end the element.
-std::string script_text(std::string json);
+std::string script_text(std::string_view json);
 
 }  // namespace orbs::report

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/files_inside.h"
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/gzip.h"
@@ -46,21 +47,24 @@ std::string data_element(const std::string& id, const std::string& type, const s
   return fmt::format("<script type=\"{}\" id=\"{}\">{}</script>\n", type, id, content);
 }
 
-std::string png_element(const fs::path& file, std::size_t index) {
-  return data_element(fmt::format("thumbnail-{}", index), "image/png;base64", base64(read_file(file)));
+// The whole of a file of the run. InputError when it does not lie in the run's folder, whatever results.json
+// says.
+std::string file_of(const RunView& view, const std::string& name) {
+  const auto file = open_inside(view.run.folder, name);
+  if (!file) throw InputError(fmt::format("{}: there is no such file in the folder of the run", name));
+  return file->read(0, static_cast<std::size_t>(file->size()));
 }
 
 // Puts pictures into `page` while there is room and returns which file is which element.
 std::string add_images(const RunView& view, const PageFileSettings& settings, PageFile& page) {
   constexpr int kSmall = 9;
-  const fs::path folder = view.run.folder;
   std::size_t used = 0;
   json::Writer names;
   names.begin_object();
   for (const auto& file : wanted_images(view)) {
     try {
       const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
-      auto bytes = base64(packed_image(image::read_image(folder / file), "", rounding, kSmall));
+      auto bytes = base64(packed_image(image::read_exr(file, file_of(view, file)), "", rounding, kSmall));
       if (used + bytes.size() > settings.most_bytes) {
         page.left_out.push_back(file);
         continue;
@@ -70,7 +74,7 @@ std::string add_images(const RunView& view, const PageFileSettings& settings, Pa
       names.member(file, id);
       page.text += data_element(id, "application/octet-stream;base64", bytes);
     } catch (const InputError& e) {
-      page.left_out.push_back(e.what());
+      page.left_out.emplace_back(e.what());
     }
   }
   return names.end_object().text();
@@ -82,9 +86,10 @@ void add_thumbnails(const RunView& view, PageFile& page) {
   const auto& pictures = view.run.pictures;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pictures.size() && count < kMost; ++i) {
-    const auto file = (fs::path(view.run.folder) / pictures[i].image).parent_path() / "result.png";
-    if (pictures[i].image.empty() || !fs::exists(file)) continue;
-    page.text += png_element(file, i);
+    const auto name = (fs::path(pictures[i].image).parent_path() / "result.png").string();
+    if (pictures[i].image.empty() || !open_inside(view.run.folder, name)) continue;
+    page.text +=
+        data_element(fmt::format("thumbnail-{}", i), "image/png;base64", base64(file_of(view, name)));
     ++count;
   }
 }

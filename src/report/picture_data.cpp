@@ -1,13 +1,10 @@
-#include "base/error.h"
-#include "base/files.h"
+#include "base/files_inside.h"
 #include "json/writer.h"
 #include "report/page_data.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,19 +20,15 @@ using results::PictureRecord;
 using results::RunRecord;
 using results::RunView;
 
-constexpr std::uintmax_t kLogTail_bytes = 8192;
+constexpr std::uint64_t kLogTail_bytes = 8192;
 
-// The end of a log from the start of a line; "" when there is none.
-std::string log_tail(const std::filesystem::path& file) {
-  std::error_code failed;
-  const auto size = std::filesystem::file_size(file, failed);
-  if (failed || !std::filesystem::is_regular_file(std::filesystem::symlink_status(file, failed))) return "";
-  std::ifstream in(file, std::ios::binary);
-  const auto begin = size > kLogTail_bytes ? size - kLogTail_bytes : 0;
-  in.seekg(static_cast<std::streamoff>(begin));
-  std::string text(static_cast<std::size_t>(size - begin), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+// The end of a log from the start of a line; "" when the run's folder has no such file: what results.json
+// names need not lie there.
+std::string log_tail(const RunRecord& run, const std::string& name) {
+  const auto file = open_inside(run.folder, name);
+  if (!file) return "";
+  const auto begin = file->size() > kLogTail_bytes ? file->size() - kLogTail_bytes : 0;
+  const auto text = file->read(begin, kLogTail_bytes);
   return begin > 0 ? text.substr(std::min(text.find('\n') + 1, text.size())) : text;
 }
 
@@ -48,7 +41,7 @@ void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
   if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
   out.member("exit_code", job.exit_code).member("signal", job.signal).member("log_file", job.log);
-  out.member("log", job.log.empty() ? "" : log_tail(std::filesystem::path(run.folder) / job.log));
+  out.member("log", log_tail(run, job.log));
   out.end_object();
 }
 
@@ -142,7 +135,7 @@ std::string shell_text(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
-std::string script_text(std::string json) {
+std::string script_text(std::string_view json) {
   std::string out;
   out.reserve(json.size());
   for (const char c : json) {

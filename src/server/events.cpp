@@ -29,7 +29,7 @@ class Listener {
 };
 
 // One line of data: the JSON of our writer has line breaks between members only.
-std::string event_text(std::uint64_t version, std::string json) {
+std::string event_text(std::uint64_t version, const std::string& json) {
   std::string line;
   for (const char c : json)
     if (c != '\n') line += c;

@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/files_inside.h"
 #include "base/text.h"
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
-#include "server/files_inside.h"
 #include "server/request_gate.h"
 
 #include <algorithm>

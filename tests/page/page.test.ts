@@ -129,8 +129,8 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
   assert.notDeepEqual(await colourAt(page, x - 20, y), [255, 0, 255]);
   assert.match(await page.locator(".statistics").first().innerText(), /NaN\s+1\s+0\s+0/);
   assert.match(await page.locator(".statistics").first().innerText(), /Inf\s+1\s+0\s+0/);
+  await page.goto("about:blank");
   await page.goto(`${url}${values}?zoom=0.25&x=32&y=24`);
-  await page.waitForTimeout(0);
   await drawn(page, "result");
   const small = await page.evaluate(() => {
     const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas");

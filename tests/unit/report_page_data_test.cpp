@@ -124,6 +124,27 @@ TEST(PageData, SaysWhatThePageShowsInColumns) {
       << picture;
 }
 
+// Somebody else's results.json may name any file of this machine.
+TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
+  const structure::ScratchFolder scratch("page-outside");
+  scratch.write("secret.txt", "secret");
+  scratch.write("web/single.html", "<!--orbs-data-->");
+  scratch.write("run/x", "");
+  for (const auto& name : {(scratch.path() / "secret.txt").string(), std::string("../secret.txt")}) {
+    results::RunView view;
+    view.run.folder = (scratch.path() / "run").string();
+    view.run.jobs.resize(1);
+    view.run.jobs[0].log = name;
+    view.run.pictures.resize(1);
+    view.run.pictures[0].jobs = {""};
+    view.run.pictures[0].image = name;
+    EXPECT_FALSE(holds(report::picture_json(view, 0), "\"log\": \"secret")) << name;
+    const auto page = report::page_file(view, {scratch.path() / "web", 1000, true});
+    EXPECT_EQ(page.pictures, 0U) << name;
+    EXPECT_EQ(page.left_out.size(), 1U) << name;
+  }
+}
+
 TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
   const structure::ScratchFolder scratch("page-file");
   page_tests::write_small_run(scratch.path() / "run");

@@ -8,7 +8,9 @@ export function Help({ onClose }: { onClose: () => void }) {
   const groups = new Map<string, { keys: string; label: string }[]>();
   for (const action of allActions()) {
     const list = groups.get(action.group) ?? [];
-    list.push({ keys: action.keyName ?? action.key, label: action.label });
+    const keys = action.keyName ?? action.key;
+    // The four arrows are one line.
+    if (!list.some((known) => known.keys === keys && known.label === action.label)) list.push({ keys, label: action.label });
     groups.set(action.group, list);
   }
   return (

@@ -1,4 +1,4 @@
-#include "server/files_inside.h"
+#include "base/files_inside.h"
 
 #include "base/text.h"
 
@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace orbs::server {
+namespace orbs {
 
 OpenFile::~OpenFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -52,4 +52,4 @@ std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::st
   return OpenFile(at, static_cast<std::uint64_t>(status.st_size));
 }
 
-}  // namespace orbs::server
+}  // namespace orbs

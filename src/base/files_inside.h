@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace orbs::server {
+namespace orbs {
 
 /// A regular file that lies in a folder, opened; what happens to its name afterwards changes nothing.
 class OpenFile {
@@ -32,4 +32,4 @@ class OpenFile {
 /// regular file there.
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative);
 
-}  // namespace orbs::server
+}  // namespace orbs
