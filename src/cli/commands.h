@@ -32,6 +32,22 @@ void add_doctor_command(CLI::App& app, const Program& program, Action& action);
 void add_compare_command(CLI::App& app, const Program& program, Action& action);
 void add_reference_command(CLI::App& app, const Program& program, Action& action);
 void add_bench_command(CLI::App& app, const Program& program, Action& action);
+void add_serve_command(CLI::App& app, const Program& program, Action& action);
+void add_report_command(CLI::App& app, const Program& program, Action& action);
+
+/// Folders outputs-* of the working folder that hold a run, the newest first. InputError when there is none.
+std::vector<std::filesystem::path> newest_runs();
+
+struct ShowSettings {
+  std::string address = "127.0.0.1";
+  int port = 0;
+  bool open = false;  // in the browser
+};
+
+/// Serves runs until the user interrupts.
+void show_runs(const std::vector<std::filesystem::path>& runs,
+               const Program& program,
+               const ShowSettings& settings);
 
 /// --configuration FILE; the text that it fills.
 std::shared_ptr<std::string> add_configuration_option(CLI::App& command);

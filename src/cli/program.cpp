@@ -47,6 +47,8 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   add_compare_command(app, program, action);
   add_reference_command(app, program, action);
   add_bench_command(app, program, action);
+  add_serve_command(app, program, action);
+  add_report_command(app, program, action);
   refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);

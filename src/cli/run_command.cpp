@@ -27,6 +27,7 @@ struct RunOptions {
   double spp_scale = 1;
   bool log = true;
   bool dry_run = false;
+  bool view = false;
 };
 
 void add_options(CLI::App& command, RunOptions& options) {
@@ -50,6 +51,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(CLI::PositiveNumber);
   command.add_flag("-l,--log,!--no-log", options.log,
                    "keep log.txt of every render; without, only where one goes wrong");
+  command.add_flag("-v,--view", options.view,
+                   "at the end, serve the results as a page and open it in the browser");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
                    "print the renders and their commands, do nothing");
 }
@@ -110,7 +113,7 @@ std::string progress_line(std::size_t done,
   return line;
 }
 
-int run_plan(const runner::Plan& plan, const Program& program) {
+int run_plan(const runner::Plan& plan, const Program& program, bool view) {
   constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
   runner::RunContext context;
@@ -126,6 +129,7 @@ int run_plan(const runner::Plan& plan, const Program& program) {
   fmt::print("\n{}\n{:.1f} s in all; results: {}\n",
              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
              folder.string());
+  if (view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
 
@@ -144,7 +148,7 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
       const auto read = read_configuration(*configuration, program);
       const auto settings = settings_of(*command, *options, read.defaults);
       const auto plan = runner::make_plan(read, settings, program.folder);
-      if (!settings.dry_run) return run_plan(plan, program);
+      if (!settings.dry_run) return run_plan(plan, program, options->view);
       fmt::print("{}", runner::plan_text(plan));
       return 0;
     };

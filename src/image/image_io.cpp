@@ -189,15 +189,34 @@ void encode_and_write(const char* format,
 
 }  // namespace
 
+namespace {
+
+Image read_pixels(OIIO::ImageInput& input, const std::filesystem::path& file) {
+  const OIIO::ImageSpec& spec = input.spec();
+  Image image = make_image(spec.width, spec.height, spec.channelnames);
+  image.attributes = text_attributes(spec);
+  if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
+    refuse(file, fmt::format("the pixels cannot be read: {}", reason_of(input.geterror())));
+  return image;
+}
+
+}  // namespace
+
 Image read_image(const std::filesystem::path& file) {
-  return guarded(file, [&] {
-    const auto input = open_picture(file);
-    const OIIO::ImageSpec& spec = input->spec();
-    Image image = make_image(spec.width, spec.height, spec.channelnames);
-    image.attributes = text_attributes(spec);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
-      refuse(file, fmt::format("the pixels cannot be read: {}", reason_of(input->geterror())));
-    return image;
+  return guarded(file, [&] { return read_pixels(*open_picture(file), file); });
+}
+
+Image read_exr(const std::string& name, std::string_view bytes) {
+  return guarded(name, [&] {
+    if (bytes.empty()) refuse(name, "is empty, expected a picture");
+    // The library's reader takes bytes that it does not change as ones that it could.
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    auto input = OIIO::ImageInput::create("exr");
+    OIIO::ImageSpec ignored;
+    if (!input || !input->set_ioproxy(&memory) || !input->open("memory.exr", ignored))
+      refuse(name, fmt::format("is no readable .exr picture: {}", reason_of(input ? input->geterror() : "")));
+    check_size(input->spec(), name);
+    return read_pixels(*input, name);
   });
 }
 

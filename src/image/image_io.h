@@ -3,6 +3,8 @@
 #include "image/image.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace orbs::image {
 
@@ -15,6 +17,9 @@ enum class Precision { Half, Float };
 /// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
 /// the file is missing, torn, too large to be meant, cropped, or no picture; nothing is printed.
 Image read_image(const std::filesystem::path& file);
+
+/// An EXR file whose bytes are at hand, read as read_image does; `name` is for messages.
+Image read_exr(const std::string& name, std::string_view bytes);
 
 /// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place. Equal pictures
 /// give equal files. InputError when two channels share a name, a finite value is beyond the largest half, or

@@ -211,6 +211,8 @@ bool ObjectReader::holds_text(const std::string& key) { return required(key).is_
 
 bool ObjectReader::holds_array(const std::string& key) { return required(key).is_array(); }
 
+bool ObjectReader::holds_number(const std::string& key) { return required(key).is_number(); }
+
 std::vector<std::string> ObjectReader::keys() const {
   std::vector<std::string> out;
   for (const auto& item : value_->items()) out.push_back(item.key());

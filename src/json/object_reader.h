@@ -76,6 +76,8 @@ class ObjectReader {
   bool holds_objects(const std::string& key);
   bool holds_text(const std::string& key);
   bool holds_array(const std::string& key);
+  /// False for null, which stands for a number that JSON cannot hold.
+  bool holds_number(const std::string& key);
   /// Keys of this object in file order of nlohmann (sorted): for objects that are dictionaries.
   std::vector<std::string> keys() const;
 

@@ -1,12 +1,10 @@
 #include "report/files.h"
 
 #include "base/files.h"
-#include "results/record_json.h"
 
 namespace orbs::report {
 
 void write_reports(const results::RunRecord& run, const std::filesystem::path& folder) {
-  write_file(folder / "results.json", results::run_json(run));
   write_file(folder / "results.csv", results_csv(run));
   write_file(folder / "junit.xml", junit_xml(run));
 }

@@ -19,7 +19,7 @@ std::string junit_xml(const results::RunRecord& run);
 /// XML cannot hold and bytes that are not UTF-8 replaced by U+FFFD.
 std::string xml_text(std::string_view text);
 
-/// Writes results.json, results.csv and junit.xml into `folder`.
+/// Writes results.csv and junit.xml into `folder`.
 void write_reports(const results::RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace orbs::report

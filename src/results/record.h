@@ -18,6 +18,16 @@ struct Measure {
   double value = 0;  // infinite for equal pictures under a ratio in dB
   std::string unit;
   std::string definition;
+  bool lower_is_better = false;
+};
+
+/// A picture of the error that lies beside the result.
+struct MapRecord {
+  std::string name;   // "l1"
+  std::string image;  // EXR of the raw numbers
+  std::string definition;
+  bool is_signed = false;
+  double scale_maximum = 1;  // where its colour scale ends; the same for every renderer
 };
 
 /// One condition that a picture had to meet.
@@ -25,6 +35,8 @@ struct Check {
   std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
   bool passed = false;
   std::string sentence;
+  std::optional<double> min;  // what the number may be, where the condition is on a number
+  std::optional<double> max;
 };
 
 /// One render: what was started, what it cost, how it ended.
@@ -68,7 +80,18 @@ struct PictureRecord {
   std::string reference;                                  // absolute
   std::map<std::string, std::string> reference_passport;  // "program", "spp", ...
   std::string image;
-  std::vector<std::string> maps;
+  std::string reference_image;  // the copy of the reference in the run's folder; "" when there is none
+  std::vector<MapRecord> maps;
+};
+
+/// What a case is about, in the words of its case.json.
+struct CaseRecord {
+  std::string suite;
+  std::string name;
+  std::string requirement;
+  std::string title;
+  std::string tests;
+  std::string typical_mistake;
 };
 
 /// A cell of the table: the worst picture of a requirement.
@@ -117,6 +140,8 @@ struct RunRecord {
   std::vector<std::string> command_line;
   Host host;
   bool interrupted = false;
+  bool finished = true;  // false while the run goes on, and for ever after it was killed
+  std::vector<CaseRecord> cases;
   std::vector<RendererRecord> renderers;
   std::vector<LeftOut> left_out;
   std::vector<RequirementRecord> requirements;

@@ -40,7 +40,22 @@ void write_job(Writer& out, const JobRecord& job) {
 void write_measure(Writer& out, const Measure& measure) {
   out.begin_object().member("name", measure.name).member("value", measure.value);
   if (std::isinf(measure.value)) out.member("infinite", true);
-  out.member("unit", measure.unit).member("definition", measure.definition).end_object();
+  out.member("unit", measure.unit).member("definition", measure.definition);
+  out.member("lower_is_better", measure.lower_is_better).end_object();
+}
+
+void write_check(Writer& out, const Check& check) {
+  out.begin_object().member("what", check.what).member("passed", check.passed);
+  out.member("sentence", check.sentence);
+  if (check.min) out.member("min", *check.min);
+  if (check.max) out.member("max", *check.max);
+  out.end_object();
+}
+
+void write_map(Writer& out, const MapRecord& map) {
+  out.begin_object().member("name", map.name).member("image", map.image);
+  out.member("definition", map.definition).member("is_signed", map.is_signed);
+  out.member("scale_maximum", map.scale_maximum).end_object();
 }
 
 void write_picture(Writer& out, const PictureRecord& picture) {
@@ -52,14 +67,10 @@ void write_picture(Writer& out, const PictureRecord& picture) {
   out.key("measures").begin_array();
   for (const auto& measure : picture.measures) write_measure(out, measure);
   out.end_array().key("checks").begin_array();
-  for (const auto& check : picture.checks)
-    out.begin_object()
-        .member("what", check.what)
-        .member("passed", check.passed)
-        .member("sentence", check.sentence)
-        .end_object();
-  out.end_array().member("jobs", picture.jobs).member("image", picture.image).member("maps", picture.maps);
-  out.member("reference", picture.reference);
+  for (const auto& check : picture.checks) write_check(out, check);
+  out.end_array().member("jobs", picture.jobs).member("image", picture.image).key("maps").begin_array();
+  for (const auto& map : picture.maps) write_map(out, map);
+  out.end_array().member("reference", picture.reference).member("reference_image", picture.reference_image);
   write_texts(out, "reference_passport", picture.reference_passport);
   out.end_object();
 }
@@ -77,6 +88,12 @@ void write_requirement(Writer& out, const RequirementRecord& requirement) {
     out.member("sentence", cell.sentence).end_object();
   }
   out.end_object().end_object();
+}
+
+void write_case(Writer& out, const CaseRecord& one_case) {
+  out.begin_object().member("suite", one_case.suite).member("name", one_case.name);
+  out.member("requirement", one_case.requirement).member("title", one_case.title);
+  out.member("tests", one_case.tests).member("typical_mistake", one_case.typical_mistake).end_object();
 }
 
 void write_renderer(Writer& out, const RendererRecord& renderer) {
@@ -113,9 +130,10 @@ std::string run_json(const RunRecord& run) {
   out.member("started", run.started)
       .member("wall_seconds", run.wall_seconds)
       .member("interrupted", run.interrupted);
-  out.member("exit_status", exit_status(run));
+  out.member("exit_status", exit_status(run)).member("finished", run.finished);
   out.key("host").begin_object().member("name", run.host.name).member("cpu", run.host.cpu);
   out.member("cores", run.host.cores).member("system", run.host.system).end_object();
+  write_array(out, "cases", run.cases, write_case);
   write_array(out, "renderers", run.renderers, write_renderer);
   write_array(out, "left_out", run.left_out, [](Writer& w, const LeftOut& left) {
     w.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();

@@ -34,6 +34,12 @@ std::string_view verdict_name(Verdict verdict) {
   return {};
 }
 
+std::optional<Verdict> verdict_named(std::string_view name) {
+  for (const auto verdict : kVerdicts)
+    if (verdict_name(verdict) == name) return verdict;
+  return std::nullopt;
+}
+
 Verdict worse(Verdict a, Verdict b) { return std::max(a, b); }
 
 bool counts_as_failure(Verdict verdict) {

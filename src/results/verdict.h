@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace orbs::results {
@@ -29,6 +30,9 @@ inline constexpr std::array kVerdicts{Verdict::Pass,          Verdict::Unsupport
 
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);
+
+/// The verdict of that name; nothing when there is none.
+std::optional<Verdict> verdict_named(std::string_view name);
 
 Verdict worse(Verdict a, Verdict b);
 

@@ -114,7 +114,9 @@ Execution execute(const Plan& plan,
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;
   record.rendered = outcome.verdict == Verdict::Pass;
-  if (record.rendered) record.image = (planned.folder / job.image.filename()).string();
+  // A picture that cannot be judged can still be looked at.
+  if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize)
+    record.image = (planned.folder / job.image.filename()).string();
   const bool keep_log = plan.settings.log || !record.rendered;
   if (keep_log) record.log = (planned.folder / "log.txt").string();
   std::error_code ignored;

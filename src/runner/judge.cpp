@@ -79,7 +79,7 @@ std::array<double, 3> mean_of_region(const image::Image& picture, const registry
 
 Check check_pixels(const registry::PixelCheck& check, const image::Image& picture) {
   const auto mean = mean_of_region(picture, check.region);
-  Check out{fmt::format("pixels [{}]", fmt::join(check.region, ",")), true, ""};
+  Check out{fmt::format("pixels [{}]", fmt::join(check.region, ",")), true, "", {}, {}};
   for (std::size_t c = 0; c < 3; ++c)
     out.passed = out.passed && std::fabs(mean.at(c) - check.expected.at(c)) <= check.tolerance;
   out.sentence =
@@ -89,7 +89,7 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& pictur
 }
 
 Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& passport) {
-  Check out{fmt::format("paths {}", share.path_class), false, ""};
+  Check out{fmt::format("paths {}", share.path_class), false, "", share.min_share, {}};
   const auto found = passport.find("path." + share.path_class);
   const auto value = found == passport.end() ? std::nullopt : to_number(found->second);
   out.passed = value && *value >= share.min_share;
@@ -103,9 +103,9 @@ Check check_share(const registry::PathShare& share, const std::map<std::string, 
 void add_measures(const metrics::Comparison& comparison, PictureRecord& record) {
   for (const auto& measurement : comparison.measurements)
     if (measurement.value)
-      record.measures.push_back({std::string(measurement.metric->name), *measurement.value,
-                                 std::string(measurement.metric->unit),
-                                 std::string(measurement.metric->definition)});
+      record.measures.push_back(
+          {std::string(measurement.metric->name), *measurement.value, std::string(measurement.metric->unit),
+           std::string(measurement.metric->definition), measurement.metric->lower_is_better});
 }
 
 // A worse verdict takes over, with its sentence.
@@ -174,7 +174,8 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   add_measures(comparison, record);
   const auto gate = check_gate(one_case.gate, metrics::value_of(comparison, one_case.gate.metric),
                                noise_psnr(result, *reference.picture, mask));
-  record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence});
+  record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence,
+                           one_case.gate.min, one_case.gate.max});
   take(record, gate.verdict, gate.sentence);
   check_conditions(one_case, result, record);
   return comparison;

@@ -31,6 +31,13 @@ Reference load_reference(const registry::Case& one_case,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes = {});
 
+/// Puts the reference of each picture of the cases that has a usable one into `folder` as <picture>.exr:
+/// files of scenes as they are, differences computed. With them the folder of a run can be looked at on its
+/// own.
+void copy_references(const std::vector<registry::Case>& cases,
+                     const std::filesystem::path& references,
+                     const std::filesystem::path& folder);
+
 /// The passport in a picture's attributes "orbs.<key>", without the prefix.
 std::map<std::string, std::string> passport_of(const image::Image& picture);
 
@@ -46,9 +53,9 @@ std::optional<metrics::Comparison> judge(const registry::Case& one_case,
                                          results::PictureRecord& record);
 
 /// Writes result.png and the error maps as error-<name>.exr and .png (with a colour scale) into `folder`;
-/// returns the names of the maps.
-std::vector<std::string> write_maps(const image::Image& result,
-                                    const metrics::Comparison& comparison,
-                                    const std::filesystem::path& folder);
+/// returns the maps, their files relative to `folder`.
+std::vector<results::MapRecord> write_maps(const image::Image& result,
+                                           const metrics::Comparison& comparison,
+                                           const std::filesystem::path& folder);
 
 }  // namespace orbs::runner

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/files.h"
 #include "image/colour.h"
 #include "image/false_colour.h"
 #include "image/image_io.h"
@@ -101,19 +102,38 @@ Reference load_reference(const registry::Case& one_case,
   return reference;
 }
 
-std::vector<std::string> write_maps(const image::Image& result,
-                                    const metrics::Comparison& comparison,
-                                    const std::filesystem::path& folder) {
+void copy_references(const std::vector<registry::Case>& cases,
+                     const std::filesystem::path& references,
+                     const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  for (const auto& one_case : cases) {
+    for (const auto& scene : one_case.scenes) {
+      const auto name = scene.name + ".exr";
+      if (!std::filesystem::exists(folder / name, ignored) &&
+          std::filesystem::exists(references / name, ignored))
+        write_file(folder / name, read_file(references / name));
+    }
+    for (const auto& difference : one_case.differences)
+      if (const auto reference = load_reference(one_case, difference.name, references); reference.picture)
+        image::write_exr(*reference.picture, folder / (difference.name + ".exr"));
+  }
+}
+
+std::vector<results::MapRecord> write_maps(const image::Image& result,
+                                           const metrics::Comparison& comparison,
+                                           const std::filesystem::path& folder) {
   image::write_png(image::display_picture(result), folder / "result.png");
-  std::vector<std::string> names;
+  std::vector<results::MapRecord> maps;
   for (const auto& map : comparison.maps) {
     const auto stem = fmt::format("error-{}", map.info.name);
     const auto scale = map.info.is_signed ? image::ColourScale::Diverging : image::ColourScale::Sequential;
     image::write_exr(map.image, folder / (stem + ".exr"));
     image::write_png(image::false_colour(map.image, scale, map.info.scale_maximum), folder / (stem + ".png"));
-    names.push_back(stem);
+    maps.push_back({std::string(map.info.name), stem + ".exr", std::string(map.info.definition),
+                    map.info.is_signed, static_cast<double>(map.info.scale_maximum)});
   }
-  return names;
+  return maps;
 }
 
 }  // namespace orbs::runner

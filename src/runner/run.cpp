@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "image/image_io.h"
 #include "results/record_json.h"
+#include "results/run_folder.h"
 #include "runner/execute.h"
 #include "runner/judge.h"
 #include "runner/summary.h"
@@ -24,7 +25,11 @@ using results::JobRecord;
 using results::PictureRecord;
 using results::Verdict;
 
-PictureRecord blank_picture(const Plan& plan, const PlannedPicture& planned) {
+constexpr const char* kReferences = "references";
+
+PictureRecord blank_picture(const Plan& plan,
+                            const PlannedPicture& planned,
+                            const std::filesystem::path& folder) {
   const auto& one_case = plan.cases[planned.one_case];
   PictureRecord record;
   record.requirement = one_case.requirement;
@@ -33,11 +38,15 @@ PictureRecord blank_picture(const Plan& plan, const PlannedPicture& planned) {
   record.renderer = plan.renderers[planned.renderer].entry.name;
   record.declared = planned.declared;
   for (const auto job : planned.jobs) record.jobs.push_back(plan.jobs[job].id);
+  const auto reference = std::filesystem::path(kReferences) / (planned.picture + ".exr");
+  if (std::filesystem::exists(folder / reference)) record.reference_image = reference.string();
   return record;
 }
 
-PictureRecord undeclared_picture(const Plan& plan, const PlannedPicture& planned) {
-  auto record = blank_picture(plan, planned);
+PictureRecord undeclared_picture(const Plan& plan,
+                                 const PlannedPicture& planned,
+                                 const std::filesystem::path& folder) {
+  auto record = blank_picture(plan, planned, folder);
   record.verdict = Verdict::Unsupported;
   record.sentence = fmt::format("{} does not declare {}", record.renderer, record.requirement);
   if (const auto reason = registry::limit_reason(plan.renderers[planned.renderer].entry, record.requirement))
@@ -63,8 +72,8 @@ void judge_picture(const Plan& plan,
   const auto comparison = judge(one_case, result, reference, plan.threads, record);
   if (!comparison) return;
   const auto relative = std::filesystem::path(record.renderer) / record.picture;
-  for (const auto& name : write_maps(result, *comparison, folder / relative))
-    record.maps.push_back((relative / name).string());
+  record.maps = write_maps(result, *comparison, folder / relative);
+  for (auto& map : record.maps) map.image = (relative / map.image).string();
 }
 
 // All pictures that this render alone makes: one for each case that looks at it.
@@ -75,7 +84,7 @@ std::vector<PictureRecord> judge_scene(const Plan& plan,
   std::vector<PictureRecord> records;
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != job) continue;
-    auto& record = records.emplace_back(blank_picture(plan, planned));
+    auto& record = records.emplace_back(blank_picture(plan, planned, folder));
     record.image = execution.record.image;
     if (execution.picture) {
       judge_picture(plan, planned, *execution.picture, folder, record);
@@ -90,7 +99,7 @@ PictureRecord judge_difference(const Plan& plan,
                                const PlannedPicture& planned,
                                const std::vector<JobRecord>& jobs,
                                const std::filesystem::path& folder) {
-  auto record = blank_picture(plan, planned);
+  auto record = blank_picture(plan, planned, folder);
   for (const auto job : planned.jobs)
     if (!jobs[job].rendered) {
       take_job_verdict(jobs[job], record);
@@ -146,6 +155,9 @@ Work render_all(const Plan& plan,
     const auto& job = plan.jobs[i];
     auto execution = execute_or_say_why(plan, job, versions[job.renderer], folder, context);
     work.pictures[i] = judge_scene(plan, i, execution, folder);
+    // What cannot be prepared for its renderer made no folder, but whoever watches waits for its file.
+    if (execution.record.verdict == Verdict::Unsupported)
+      std::filesystem::create_directories(folder / job.folder);
     if (std::filesystem::is_directory(folder / job.folder))
       write_file(folder / job.folder / "job.json", results::job_json(execution.record, work.pictures[i]));
     work.jobs[i] = std::move(execution.record);
@@ -161,7 +173,7 @@ std::vector<PictureRecord> all_pictures(const Plan& plan, Work& work, const std:
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.empty()) {
-      records.push_back(undeclared_picture(plan, planned));
+      records.push_back(undeclared_picture(plan, planned, folder));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
       records.push_back(work.pictures[job][taken[job]++]);
@@ -203,8 +215,13 @@ std::filesystem::path make_run_folder(const std::string& wanted) {
   }
 }
 
-results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context) {
-  const auto start = std::chrono::steady_clock::now();
+namespace {
+
+// The record before anything is rendered: every picture that can be rendered waits for its turn.
+results::RunRecord record_at_start(const Plan& plan,
+                                   const std::vector<std::string>& versions,
+                                   const std::filesystem::path& folder,
+                                   const RunContext& context) {
   results::RunRecord record;
   record.suite = plan.suite.name;
   record.folder = folder.string();
@@ -213,14 +230,42 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   record.command_line = context.command_line;
   record.host = this_host();
   record.left_out = plan.left_out;
+  record.finished = false;
+  for (const auto& one_case : plan.cases)
+    record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
+                            one_case.tests, one_case.typical_mistake});
+  for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
+  for (const auto& planned : plan.pictures) {
+    if (planned.jobs.empty()) {
+      record.pictures.push_back(undeclared_picture(plan, planned, folder));
+    } else {
+      record.pictures.push_back(blank_picture(plan, planned, folder));
+      take_job_verdict(record.jobs[planned.jobs.front()], record.pictures.back());
+    }
+  }
+  summarise(plan, versions, record);
+  return record;
+}
+
+}  // namespace
+
+results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const results::RunLock lock(folder);
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) versions.push_back(renderer_version(renderer, plan));
+  copy_references(plan.cases, plan.suite.references, folder / kReferences);
+  auto record = record_at_start(plan, versions, folder, context);
+  write_file(folder / "results.json", results::run_json(record));
   auto work = render_all(plan, versions, folder, context);
   record.pictures = all_pictures(plan, work, folder);
   record.jobs = std::move(work.jobs);
   record.interrupted = is_stopped(context);
+  record.finished = true;
   summarise(plan, versions, record);
   record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  // Before the lock is released: whoever sees that nothing runs any more must find the end of it.
+  write_file(folder / "results.json", results::run_json(record));
   return record;
 }
 

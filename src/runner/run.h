@@ -27,9 +27,10 @@ struct RunContext {
 /// path.
 std::filesystem::path make_run_folder(const std::string& wanted);
 
-/// Carries out the plan in `folder`: renders, judges, and leaves in each job's folder the scene, result.exr,
-/// log.txt, job.json and the error maps. What a renderer does wrong is in the record; InputError only when we
-/// cannot write.
+/// Carries out the plan in `folder`: leaves there results.json of what will be rendered and the references,
+/// renders, judges, and leaves in each job's folder the scene, result.exr, log.txt, job.json and the error
+/// maps. Ends with the final results.json. What a renderer does wrong is in the record; InputError only when
+/// we cannot write.
 results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context);
 
 }  // namespace orbs::runner

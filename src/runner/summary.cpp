@@ -78,6 +78,8 @@ std::string measured_features(const std::vector<results::RequirementRecord>& req
 }
 
 void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record) {
+  record.requirements.clear();
+  record.renderers.clear();
   fill_requirements(plan, record);
   for (std::size_t i = 0; i < plan.renderers.size(); ++i)
     record.renderers.push_back(renderer_record(plan.renderers[i], versions[i], record));

@@ -108,3 +108,23 @@ TEST(Help, NamesTheCommandsAndTheExitStatus) {
   EXPECT_TRUE(contains(sandbox.orbs({"run", "--help"}).text, "Exit status: 0"));
   EXPECT_TRUE(sandbox.orbs({"--version"}).text.starts_with("orbs "));
 }
+
+TEST(Serve, RefusesWhatIsNoRunAndAddressesThatOthersReach) {
+  const Sandbox sandbox;
+  auto answer = sandbox.orbs({"serve", "cases"});
+  EXPECT_EQ(answer.status, 2);
+  answer = sandbox.orbs({"serve"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("no outputs-* folder of a run"), std::string::npos) << answer.text;
+  answer = sandbox.orbs({"serve", "--address", "0.0.0.0", "cases"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("--allow-network"), std::string::npos) << answer.text;
+}
+
+TEST(Report, NamesAFolderThatIsNoRun) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"report", "cases", "-o", "page.html"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("holds no results.json"), std::string::npos) << answer.text;
+  EXPECT_FALSE(sandbox.has("page.html"));
+}

@@ -225,3 +225,18 @@ TEST(Run, UndeclaredRequirementsAreUnsupportedWithTheReasonAndNoFailure) {
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "good does not declare M3: it has no mirrors")) << answer.text;
 }
+
+// The page needs nothing but the run's folder: not the suite, not the references of this machine.
+TEST(Run, LeavesAFolderThatCanBeShownOnItsOwn) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good,nan", "-o", "out"}).status, 1);
+  for (const char* file : {"references/grey.exr", "references/mirror.exr", "references/rest.exr"})
+    EXPECT_TRUE(sandbox.has(std::string("out/") + file)) << file;
+  EXPECT_FALSE(sandbox.has("out/run.lock"));
+  const auto json = sandbox.read("out/results.json");
+  EXPECT_EQ(member(json, "finished"), "true");
+  EXPECT_TRUE(contains(json, R"("reference_image": "references/rest.exr")")) << json;
+  EXPECT_TRUE(contains(json, R"("image": "good/grey/error-l1.exr")"));
+  EXPECT_TRUE(contains(json, R"("image": "nan/grey/result.exr")")) << "NaN cannot be judged, but looked at";
+  EXPECT_TRUE(contains(json, R"("title": "Mirror & co")"));
+}

@@ -14,9 +14,9 @@ namespace {
 
 bool is_left_out(const fs::path& folder) {
   const std::string name = folder.filename().string();
-  return name.starts_with(".")
-             ? name != ".ci"
-             : name.starts_with("build") || name.starts_with("outputs-") || name == "__pycache__";
+  return name.starts_with(".") ? name != ".ci"
+                               : name.starts_with("build") || name.starts_with("outputs-") ||
+                                     name == "__pycache__" || name == "node_modules";
 }
 
 }  // namespace

@@ -202,10 +202,11 @@ TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
   const structure::ScratchFolder scratch("runner-maps");
   scratch.write("keep", "");
   const auto comparison = metrics::compare(grey(0.5F), grey(0.25F));
-  const auto names = runner::write_maps(grey(0.5F), comparison, scratch.path());
-  EXPECT_FALSE(names.empty());
-  for (const auto& name : names) {
-    EXPECT_TRUE(std::filesystem::exists(scratch.path() / (name + ".exr"))) << name;
-    EXPECT_TRUE(std::filesystem::exists(scratch.path() / (name + ".png"))) << name;
+  const auto maps = runner::write_maps(grey(0.5F), comparison, scratch.path());
+  EXPECT_FALSE(maps.empty());
+  for (const auto& map : maps) {
+    EXPECT_FALSE(map.definition.empty()) << map.name;
+    EXPECT_TRUE(std::filesystem::exists(scratch.path() / map.image)) << map.name;
+    EXPECT_TRUE(std::filesystem::exists(scratch.path() / fmt::format("error-{}.png", map.name)));
   }
 }

@@ -1,0 +1,241 @@
+#include "json/writer.h"
+#include "report/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace orbs::report {
+
+namespace {
+
+using json::Writer;
+using results::JobRecord;
+using results::JobState;
+using results::PictureRecord;
+using results::RunRecord;
+using results::RunView;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // null in JSON
+
+// Names, each once, and where each stands.
+struct Names {
+  std::vector<std::string> list;
+  std::map<std::string, std::size_t> index;
+
+  double of(const std::string& name) {
+    const auto [at, is_new] = index.try_emplace(name, list.size());
+    if (is_new) list.push_back(name);
+    return static_cast<double>(at->second);
+  }
+};
+
+// What stands in a cell while its render waits or runs; behind the verdicts in the list of states.
+constexpr std::string_view kWaiting = "waiting";
+constexpr std::string_view kRunning = "running";
+
+double state_of(const PictureRecord& picture,
+                const RunView& view,
+                const std::map<std::string, std::size_t>& jobs) {
+  bool is_waiting = false;
+  bool is_running = false;
+  for (const auto& id : picture.jobs) {
+    const auto job = jobs.find(id);
+    if (!view.is_live || job == jobs.end()) continue;
+    is_waiting = is_waiting || view.states[job->second] == JobState::Waiting;
+    is_running = is_running || view.states[job->second] == JobState::Running;
+  }
+  // A difference of two renders is judged when the run ends.
+  is_waiting = is_waiting || (view.is_live && picture.jobs.size() > 1);
+  if (is_running) return static_cast<double>(results::kVerdicts.size() + 1);
+  if (is_waiting) return static_cast<double>(results::kVerdicts.size());
+  const auto at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), picture.verdict);
+  return static_cast<double>(at - results::kVerdicts.begin());
+}
+
+struct Columns {
+  Names cases, pictures, renderers, sentences;
+  std::map<std::string, std::vector<double>> cells;
+  std::map<std::string, std::vector<double>> measures;
+  std::map<std::string, std::vector<double>> infinite;
+  std::vector<const results::Measure*> metrics;  // each name once
+};
+
+// A picture that is made from two renders costs both; the larger of the two memories.
+void add_cost(const PictureRecord& picture,
+              const RunRecord& run,
+              const std::map<std::string, std::size_t>& jobs,
+              Columns& columns) {
+  double wall = kNone;
+  double cpu = kNone;
+  double own = kNone;
+  double memory = kNone;
+  double spp = kNone;
+  const auto add = [](double& sum, double value) { sum = std::isnan(sum) ? value : sum + value; };
+  for (const auto& id : picture.jobs) {
+    const auto found = jobs.find(id);
+    if (found == jobs.end() || run.jobs[found->second].started.empty()) continue;
+    const JobRecord& job = run.jobs[found->second];
+    add(wall, job.wall_seconds);
+    add(cpu, job.cpu_seconds);
+    if (job.render_seconds) add(own, *job.render_seconds);
+    memory = std::fmax(memory, static_cast<double>(job.peak_rss_bytes));
+    spp = job.spp;
+  }
+  columns.cells["wall_seconds"].push_back(wall);
+  columns.cells["cpu_seconds"].push_back(cpu);
+  columns.cells["render_seconds"].push_back(own);
+  columns.cells["peak_rss_bytes"].push_back(memory);
+  columns.cells["spp"].push_back(spp);
+}
+
+void add_measures(const PictureRecord& picture, std::size_t index, Columns& columns) {
+  for (const auto& measure : picture.measures) {
+    auto& column = columns.measures[measure.name];
+    if (column.empty()) columns.metrics.push_back(&measure);
+    column.resize(index, kNone);
+    column.push_back(measure.value);
+    if (std::isinf(measure.value)) columns.infinite[measure.name].push_back(static_cast<double>(index));
+  }
+}
+
+Columns columns_of(const RunView& view) {
+  const auto& run = view.run;
+  Columns columns;
+  std::map<std::string, std::size_t> jobs;
+  for (std::size_t i = 0; i < run.jobs.size(); ++i) jobs[run.jobs[i].id] = i;
+  for (const auto& one_case : run.cases) columns.cases.of(one_case.name);
+  for (const auto& renderer : run.renderers) columns.renderers.of(renderer.name);
+  std::error_code ignored;
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const auto& picture = run.pictures[i];
+    columns.cells["case"].push_back(columns.cases.of(picture.case_name));
+    columns.cells["picture"].push_back(columns.pictures.of(picture.picture));
+    columns.cells["renderer"].push_back(columns.renderers.of(picture.renderer));
+    columns.cells["state"].push_back(state_of(picture, view, jobs));
+    columns.cells["declared"].push_back(picture.declared ? 1 : 0);
+    columns.cells["sentence"].push_back(columns.sentences.of(picture.sentence));
+    const auto folder = std::filesystem::path(run.folder) / picture.image;
+    columns.cells["thumbnail"].push_back(
+        !picture.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
+                                                                                                        : 0);
+    add_cost(picture, run, jobs, columns);
+    add_measures(picture, i, columns);
+  }
+  return columns;
+}
+
+void write_columns(Writer& out,
+                   std::string_view key,
+                   const std::map<std::string, std::vector<double>>& columns) {
+  out.key(key).begin_object();
+  for (const auto& [name, values] : columns) out.key(name).numbers(values);
+  out.end_object();
+}
+
+void write_run(Writer& out, const RunView& view) {
+  const auto& run = view.run;
+  out.key("run").begin_object();
+  out.member("name", std::filesystem::path(run.folder).filename().string()).member("suite", run.suite);
+  out.member("started", run.started).member("wall_seconds", run.wall_seconds);
+  out.member("orbs_version", run.orbs_version).member("command", shell_text(run.command_line));
+  out.member("interrupted", run.interrupted).member("finished", run.finished).member("live", view.is_live);
+  out.key("host").begin_object().member("name", run.host.name).member("cpu", run.host.cpu);
+  out.member("cores", run.host.cores).member("system", run.host.system).end_object().end_object();
+}
+
+void write_states(Writer& out) {
+  out.key("states").begin_array();
+  for (const auto verdict : results::kVerdicts)
+    out.begin_object()
+        .member("name", results::verdict_name(verdict))
+        .member("failure", results::counts_as_failure(verdict))
+        .end_object();
+  for (const auto name : {kWaiting, kRunning})
+    out.begin_object().member("name", name).member("failure", false).end_object();
+  out.end_array();
+}
+
+void write_cases(Writer& out, const RunRecord& run, const Names& names) {
+  out.key("cases").begin_array();
+  for (const auto& name : names.list) {
+    const auto found =
+        std::find_if(run.cases.begin(), run.cases.end(), [&](const auto& c) { return c.name == name; });
+    // Runs from before cases were recorded know no more than what their pictures say.
+    const auto first = std::find_if(run.pictures.begin(), run.pictures.end(),
+                                    [&](const auto& p) { return p.case_name == name; });
+    const bool known = found != run.cases.end();
+    out.begin_object().member("name", name).member("suite", known ? found->suite : run.suite);
+    out.member("requirement", known ? found->requirement : first->requirement);
+    out.member("title", known ? found->title : name).member("tests", known ? found->tests : "");
+    out.member("typical_mistake", known ? found->typical_mistake : "").end_object();
+  }
+  out.end_array();
+}
+
+void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
+  out.key("renderers").begin_array();
+  for (const auto& name : names.list) {
+    const auto found = std::find_if(run.renderers.begin(), run.renderers.end(),
+                                    [&](const auto& renderer) { return renderer.name == name; });
+    out.begin_object().member("name", name);
+    if (found != run.renderers.end())
+      out.member("version", found->version)
+          .member("declared", found->declared)
+          .member("measured", found->measured);
+    out.end_object();
+  }
+  out.end_array().key("left_out").begin_array();
+  for (const auto& left : run.left_out)
+    out.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();
+  out.end_array();
+}
+
+// The metric that most conditions are on, the first by name among equals; "" when there is none.
+std::string main_metric(const RunRecord& run) {
+  std::map<std::string, int> counts;
+  for (const auto& picture : run.pictures)
+    for (const auto& check : picture.checks)
+      for (const auto& measure : picture.measures)
+        if (measure.name == check.what) ++counts[check.what];
+  const auto most = std::max_element(counts.begin(), counts.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? "" : most->first;
+}
+
+}  // namespace
+
+std::string overview_json(const RunView& view) {
+  const auto& run = view.run;
+  auto columns = columns_of(view);
+  Writer out;
+  out.begin_object().member("format", "orbs-page/1");
+  write_run(out, view);
+  write_states(out);
+  write_renderers(out, run, columns.renderers);
+  write_cases(out, run, columns.cases);
+  out.key("requirements").begin_array();
+  for (const auto& requirement : run.requirements)
+    out.begin_object().member("code", requirement.code).member("title", requirement.title).end_object();
+  out.end_array().key("metrics").begin_array();
+  for (const auto* metric : columns.metrics)
+    out.begin_object()
+        .member("name", metric->name)
+        .member("unit", metric->unit)
+        .member("definition", metric->definition)
+        .member("lower_is_better", metric->lower_is_better)
+        .end_object();
+  out.end_array();
+  out.member("main_metric", main_metric(run));
+  out.member("pictures", columns.pictures.list).member("sentences", columns.sentences.list);
+  for (auto& [name, values] : columns.measures) values.resize(run.pictures.size(), kNone);
+  write_columns(out, "cells", columns.cells);
+  write_columns(out, "measures", columns.measures);
+  write_columns(out, "infinite", columns.infinite);
+  return out.end_object().text();
+}
+
+}  // namespace orbs::report

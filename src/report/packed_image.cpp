@@ -1,0 +1,137 @@
+#include "report/packed_image.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "image/half.h"
+#include "json/writer.h"
+#include "report/gzip.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::report {
+
+static_assert(std::endian::native == std::endian::little, "planes are copied as they lie in memory");
+
+namespace {
+
+struct Plane {
+  std::string name;
+  bool is_half = false;
+  bool is_exact = true;
+  std::string bytes;
+};
+
+// The values of a channel, one behind the other, as `stored` makes them.
+template <typename Value, typename Stored>
+std::string bytes_of(const image::Image& picture, std::size_t channel, Stored stored) {
+  std::string bytes(picture.pixel_count() * sizeof(Value), '\0');
+  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {
+    const Value value = stored(picture.pixels[pixel * picture.channel_count() + channel]);
+    std::memcpy(bytes.data() + pixel * sizeof(Value), &value, sizeof(Value));
+  }
+  return bytes;
+}
+
+// What the rounding to half would do to a channel.
+struct HalfLoss {
+  bool is_exact = true;
+  bool overflows = false;
+};
+
+HalfLoss loss_as_half(const image::Image& picture, std::size_t channel) {
+  HalfLoss loss;
+  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count()) {
+    const float value = picture.pixels[i];
+    if (std::isnan(value)) continue;
+    if (image::float_of_half(image::half_bits(value)) == value) continue;
+    loss.is_exact = false;
+    loss.overflows = loss.overflows || std::fabs(value) > image::kLargestHalf;
+    if (loss.overflows) break;
+  }
+  return loss;
+}
+
+Plane plane_of(const image::Image& picture, std::size_t channel, Rounding rounding) {
+  const auto loss = loss_as_half(picture, channel);
+  Plane plane;
+  plane.name = picture.channels[channel].substr(picture.channels[channel].rfind('.') + 1);
+  plane.is_half = loss.is_exact || (rounding == Rounding::Rounded && !loss.overflows);
+  plane.is_exact = loss.is_exact || !plane.is_half;
+  if (plane.is_half) {
+    plane.bytes = bytes_of<std::uint16_t>(picture, channel, image::half_bits);
+  } else {
+    plane.bytes = bytes_of<float>(picture, channel, [](float value) { return value; });
+  }
+  return plane;
+}
+
+std::string layer_of(const std::string& channel) {
+  const auto dot = channel.rfind('.');
+  return dot == std::string::npos ? "" : channel.substr(0, dot);
+}
+
+std::string header_text(const image::Image& picture,
+                        std::string_view layer,
+                        const std::vector<Plane>& planes) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-image/1");
+  out.member("width", picture.width).member("height", picture.height);
+  out.member("layer", layer).member("layers", layers_of(picture)).key("channels").begin_array();
+  for (const auto& plane : planes)
+    out.begin_object()
+        .member("name", plane.name)
+        .member("type", plane.is_half ? "half" : "float")
+        .member("exact", plane.is_exact)
+        .end_object();
+  out.end_array().key("attributes").begin_object();
+  for (const auto& [name, text] : picture.attributes) out.member(name, text);
+  return out.end_object().end_object().text();
+}
+
+}  // namespace
+
+std::vector<std::string> layers_of(const image::Image& picture) {
+  std::vector<std::string> layers;
+  for (const auto& channel : picture.channels)
+    if (const auto layer = layer_of(channel); std::find(layers.begin(), layers.end(), layer) == layers.end())
+      layers.push_back(layer);
+  return layers;
+}
+
+std::string packed_image(const image::Image& picture,
+                         std::string_view layer,
+                         Rounding rounding,
+                         int gzip_level) {
+  std::vector<std::size_t> channels;
+  for (std::size_t c = 0; c < picture.channel_count(); ++c)
+    if (layer_of(picture.channels[c]) == layer) channels.push_back(c);
+  if (channels.empty())
+    throw InputError(fmt::format("the picture has no layer '{}'; it has '{}'", layer,
+                                 fmt::join(layers_of(picture), "', '")));
+  std::vector<Plane> planes(channels.size());
+  for_each_index(static_cast<int>(channels.size()), 0, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    planes[at] = plane_of(picture, channels[at], rounding);
+  });
+  auto header = header_text(picture, layer, planes);
+  constexpr std::size_t kAlignment = 8;
+  while ((4 + header.size()) % kAlignment != 0) header += ' ';
+  const auto length = static_cast<std::uint32_t>(header.size());
+  std::string bytes(sizeof(length), '\0');
+  std::memcpy(bytes.data(), &length, sizeof(length));
+  bytes += header;
+  for (auto& plane : planes) {
+    bytes += plane.bytes;
+    plane.bytes = {};
+  }
+  return gzip(bytes, gzip_level);
+}
+
+}  // namespace orbs::report

@@ -1,0 +1,131 @@
+#include "report/page_file.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/files_inside.h"
+#include "image/image_io.h"
+#include "json/writer.h"
+#include "report/gzip.h"
+#include "report/packed_image.h"
+#include "report/page_data.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+using results::PictureRecord;
+using results::RunView;
+
+// Every file of the run that the page would show, the most useful first, each once.
+std::vector<std::string> wanted_images(const RunView& view) {
+  std::vector<std::string> files;
+  std::set<std::string> seen;
+  const auto add = [&](const std::string& file) {
+    if (!file.empty() && seen.insert(file).second) files.push_back(file);
+  };
+  for (const bool failures : {true, false})
+    for (const bool maps : {false, true})
+      for (const auto& picture : view.run.pictures) {
+        if (results::counts_as_failure(picture.verdict) != failures) continue;
+        if (!maps) {
+          add(picture.image);
+          add(picture.reference_image);
+        } else {
+          for (const auto& map : picture.maps) add(map.image);
+        }
+      }
+  return files;
+}
+
+std::string data_element(const std::string& id, const std::string& type, const std::string& content) {
+  return fmt::format("<script type=\"{}\" id=\"{}\">{}</script>\n", type, id, content);
+}
+
+// The whole of a file of the run. InputError when it does not lie in the run's folder, whatever results.json
+// says.
+std::string file_of(const RunView& view, const std::string& name) {
+  const auto file = open_inside(view.run.folder, name);
+  if (!file) throw InputError(fmt::format("{}: there is no such file in the folder of the run", name));
+  return file->read(0, static_cast<std::size_t>(file->size()));
+}
+
+// Puts pictures into `page` while there is room and returns which file is which element.
+std::string add_images(const RunView& view, const PageFileSettings& settings, PageFile& page) {
+  constexpr int kSmall = 9;
+  std::size_t used = 0;
+  json::Writer names;
+  names.begin_object();
+  for (const auto& file : wanted_images(view)) {
+    try {
+      const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
+      auto bytes = base64(packed_image(image::read_exr(file, file_of(view, file)), "", rounding, kSmall));
+      if (used + bytes.size() > settings.most_bytes) {
+        page.left_out.push_back(file);
+        continue;
+      }
+      used += bytes.size();
+      const auto id = fmt::format("image-{}", page.pictures++);
+      names.member(file, id);
+      page.text += data_element(id, "application/octet-stream;base64", bytes);
+    } catch (const InputError& e) {
+      page.left_out.emplace_back(e.what());
+    }
+  }
+  return names.end_object().text();
+}
+
+// The small pictures of the overview are worth their few bytes only while there are few of them.
+void add_thumbnails(const RunView& view, PageFile& page) {
+  constexpr std::size_t kMost = 200;
+  const auto& pictures = view.run.pictures;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pictures.size() && count < kMost; ++i) {
+    const auto name = (fs::path(pictures[i].image).parent_path() / "result.png").string();
+    if (pictures[i].image.empty() || !open_inside(view.run.folder, name)) continue;
+    page.text +=
+        data_element(fmt::format("thumbnail-{}", i), "image/png;base64", base64(file_of(view, name)));
+    ++count;
+  }
+}
+
+// Splits the template at its mark.
+std::pair<std::string, std::string> template_of(const fs::path& bundle) {
+  constexpr std::string_view kMark = "<!--orbs-data-->";
+  const auto file = bundle / "single.html";
+  if (!fs::exists(file))
+    throw InputError(
+        fmt::format("{}: is missing: the results page has not been built; './bootstrap build' makes it "
+                    "and says what it needs (Node.js 18 or newer and npm)",
+                    file.string()));
+  const auto text = read_file(file);
+  const auto at = text.find(kMark);
+  if (at == std::string::npos)
+    throw InputError(fmt::format("{}: has no {}; build it again", file.string(), kMark));
+  return {text.substr(0, at), text.substr(at + kMark.size())};
+}
+
+}  // namespace
+
+PageFile page_file(const RunView& view, const PageFileSettings& settings) {
+  const auto [before, after] = template_of(settings.bundle);
+  PageFile page;
+  page.text = before;
+  page.text += data_element("orbs-overview", "application/json", script_text(overview_json(view)));
+  std::string pictures = "[";
+  for (std::size_t i = 0; i < view.run.pictures.size(); ++i)
+    pictures += (i == 0 ? "" : ",\n") + picture_json(view, i);
+  page.text += data_element("orbs-pictures", "application/json", script_text(pictures + "]"));
+  const auto names = add_images(view, settings, page);
+  page.text += data_element("orbs-images", "application/json", script_text(names));
+  add_thumbnails(view, page);
+  page.text += after;
+  return page;
+}
+
+}  // namespace orbs::report

@@ -1,0 +1,185 @@
+#include "base/files_inside.h"
+#include "json/writer.h"
+#include "report/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::report {
+
+namespace {
+
+using json::Writer;
+using results::JobRecord;
+using results::JobState;
+using results::PictureRecord;
+using results::RunRecord;
+using results::RunView;
+
+constexpr std::uint64_t kLogTail_bytes = 8192;
+
+// The end of a log from the start of a line; "" when the run's folder has no such file: what results.json
+// names need not lie there.
+std::string log_tail(const RunRecord& run, const std::string& name) {
+  const auto file = open_inside(run.folder, name);
+  if (!file) return "";
+  const auto begin = file->size() > kLogTail_bytes ? file->size() - kLogTail_bytes : 0;
+  const auto text = file->read(begin, kLogTail_bytes);
+  return begin > 0 ? text.substr(std::min(text.find('\n') + 1, text.size())) : text;
+}
+
+void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
+  out.begin_object().member("id", job.id).member("scene", job.scene).member("folder", job.folder);
+  out.member("renderer_version", job.renderer_version).member("command", shell_text(job.argv));
+  out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
+  out.member("started", job.started).member("sentence", job.sentence);
+  out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
+  if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
+  out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
+  out.member("exit_code", job.exit_code).member("signal", job.signal).member("log_file", job.log);
+  out.member("log", log_tail(run, job.log));
+  out.end_object();
+}
+
+Writer& write_image(Writer& out, std::string_view name, std::string_view kind, const std::string& file) {
+  return out.begin_object().member("name", name).member("kind", kind).member("file", file);
+}
+
+void write_images(Writer& out, const PictureRecord& picture) {
+  out.key("images").begin_array();
+  if (!picture.image.empty()) write_image(out, "result", "result", picture.image).end_object();
+  if (!picture.reference_image.empty())
+    write_image(out, "reference", "reference", picture.reference_image).end_object();
+  for (const auto& map : picture.maps)
+    write_image(out, map.name, "map", map.image)
+        .member("definition", map.definition)
+        .member("signed", map.is_signed)
+        .member("scale_maximum", map.scale_maximum)
+        .end_object();
+  out.end_array();
+}
+
+void write_measures(Writer& out, const PictureRecord& picture) {
+  out.key("measures").begin_array();
+  for (const auto& measure : picture.measures) {
+    out.begin_object().member("name", measure.name).member("value", measure.value);
+    if (std::isinf(measure.value)) out.member("infinite", true);
+    out.member("unit", measure.unit).member("definition", measure.definition);
+    out.member("lower_is_better", measure.lower_is_better).end_object();
+  }
+  out.end_array().key("checks").begin_array();
+  for (const auto& check : picture.checks) {
+    out.begin_object().member("what", check.what).member("passed", check.passed);
+    out.member("sentence", check.sentence);
+    if (check.min) out.member("min", *check.min);
+    if (check.max) out.member("max", *check.max);
+    out.end_object();
+  }
+  out.end_array();
+}
+
+// What renders this picture alone once more, and judges it in the same way.
+std::vector<std::string> run_command(const RunRecord& run,
+                                     const PictureRecord& picture,
+                                     const JobRecord* job) {
+  std::vector<std::string> words{
+      "orbs",    "run",           "--suite",    run.suite,       "--case", picture.case_name,
+      "--scene", picture.picture, "--renderer", picture.renderer};
+  if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->seed)});
+  // The scale of the samples stands in no record but in the command line.
+  const auto given = std::find(run.command_line.begin(), run.command_line.end(), "--spp-scale");
+  if (given != run.command_line.end() && given + 1 != run.command_line.end())
+    words.insert(words.end(), {*given, given[1]});
+  return words;
+}
+
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string inner;
+  for (const char c : word) inner += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return fmt::format("'{}'", inner);
+}
+
+// What is left takes as long as what is done took on average, as many at a time as run now; NaN before the
+// first is done.
+double seconds_left(const RunView& view) {
+  double left = std::nan("");
+  double sum = 0;
+  int done = 0;
+  int open = 0;
+  int running = 0;
+  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
+    if (view.states[i] == JobState::Done) {
+      sum += view.run.jobs[i].wall_seconds;
+      ++done;
+    } else {
+      ++open;
+      if (view.states[i] == JobState::Running) ++running;
+    }
+  }
+  if (done > 0) left = sum / done * open / std::max(1, running);
+  return left;
+}
+
+}  // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::vector<std::string> parts;
+  for (const auto& word : words) parts.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+std::string script_text(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string picture_json(const RunView& view, std::size_t index) {
+  const auto& picture = view.run.pictures.at(index);
+  const JobRecord* first = nullptr;
+  Writer out;
+  out.begin_object().member("case", picture.case_name).member("picture", picture.picture);
+  out.member("renderer", picture.renderer).member("requirement", picture.requirement);
+  out.member("sentence", picture.sentence).member("reference", picture.reference);
+  write_measures(out, picture);
+  write_images(out, picture);
+  out.key("reference_passport").begin_object();
+  for (const auto& [name, text] : picture.reference_passport) out.member(name, text);
+  out.end_object().key("jobs").begin_array();
+  for (const auto& job : view.run.jobs) {
+    if (std::find(picture.jobs.begin(), picture.jobs.end(), job.id) == picture.jobs.end()) continue;
+    if (first == nullptr) first = &job;
+    write_job(out, job, view.run);
+  }
+  out.end_array().member("command", shell_text(run_command(view.run, picture, first)));
+  return out.end_object().text();
+}
+
+std::string progress_json(const RunView& view) {
+  int done = 0;
+  Writer out;
+  out.begin_object().member("live", view.is_live).key("running").begin_array();
+  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
+    if (view.states[i] == JobState::Done) ++done;
+    if (view.states[i] == JobState::Running)
+      out.value(fmt::format("{} {}", view.run.jobs[i].renderer, view.run.jobs[i].scene));
+  }
+  out.end_array().member("done", done).member("total", static_cast<int>(view.run.jobs.size()));
+  return out.member("seconds_left", seconds_left(view)).end_object().text();
+}
+
+}  // namespace orbs::report

@@ -1,0 +1,108 @@
+#include "results/run_folder.h"
+
+#include "base/error.h"
+#include "results/read_record.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace orbs::results {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kLockFile = "run.lock";
+
+// Takes over what the job's own file says; false when there is nothing to take, or nothing readable.
+bool take_job_file(RunView& view, std::size_t index) {
+  auto& job = view.run.jobs[index];
+  const auto file = fs::path(view.run.folder) / job.folder / "job.json";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return false;
+  JobFile found;
+  try {
+    found = read_job_file(file);
+  } catch (const InputError&) {
+    return false;  // results.json will say what became of it
+  }
+  if (found.job.id != job.id) return false;
+  job = std::move(found.job);
+  for (auto& picture : found.pictures)
+    for (auto& known : view.run.pictures)
+      if (known.case_name == picture.case_name && known.picture == picture.picture &&
+          known.renderer == picture.renderer)
+        known = picture;
+  return true;
+}
+
+bool update_jobs(RunView& view) {
+  bool changed = false;
+  std::error_code ignored;
+  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
+    if (view.states[i] == JobState::Done) continue;
+    auto state = view.states[i];
+    if (take_job_file(view, i)) {
+      state = JobState::Done;
+    } else if (fs::is_directory(fs::path(view.run.folder) / view.run.jobs[i].folder, ignored)) {
+      state = JobState::Running;
+    }
+    changed = changed || state != view.states[i];
+    view.states[i] = state;
+  }
+  return changed;
+}
+
+}  // namespace
+
+RunLock::RunLock(const fs::path& folder) : file_(folder / kLockFile) {
+  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));
+}
+
+RunLock::~RunLock() {
+  std::error_code ignored;
+  fs::remove(file_, ignored);
+  ::close(descriptor_);
+}
+
+bool is_running(const fs::path& folder) {
+  const int descriptor = ::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return taken;
+}
+
+RunView read_run_folder(const fs::path& folder) {
+  RunView view;
+  const auto file = folder / "results.json";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    throw InputError(fmt::format(
+        "{}: holds no results.json, so it is not the folder of a run; name one that 'orbs run' made",
+        folder.string()));
+  // Asked before the file is read: a run that ends in between is read once more, not taken for a dead one.
+  const bool was_running = is_running(folder);
+  view.run = read_results_file(file);
+  view.is_live = was_running && !view.run.finished;
+  view.states.assign(view.run.jobs.size(), view.run.finished ? JobState::Done : JobState::Waiting);
+  if (!view.run.finished) update_jobs(view);
+  return view;
+}
+
+bool refresh(RunView& view) {
+  if (!view.is_live) return false;
+  if (is_running(view.run.folder)) return update_jobs(view);
+  view = read_run_folder(view.run.folder);
+  return true;
+}
+
+}  // namespace orbs::results

@@ -1,0 +1,77 @@
+#include "server/site.h"
+
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace orbs::server {
+
+namespace {
+
+constexpr int kMostListeners = 64;
+constexpr std::chrono::milliseconds kPause{250};
+constexpr std::chrono::seconds kSignOfLife{10};
+
+// Counts a client for as long as its answer lives.
+class Listener {
+ public:
+  explicit Listener(std::atomic<int>& count) : count_(count) { ++count_; }
+  ~Listener() { --count_; }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  std::uint64_t seen = 0;  // version of the run that the client knows
+  std::chrono::steady_clock::time_point last_word;
+
+ private:
+  std::atomic<int>& count_;
+};
+
+// One line of data: the JSON of our writer has line breaks between members only.
+std::string event_text(std::uint64_t version, const std::string& json) {
+  std::string line;
+  for (const char c : json)
+    if (c != '\n') line += c;
+  return fmt::format("id: {}\nevent: progress\ndata: {}\n\n", version, line);
+}
+
+bool send_next(const Site& site, ServedRun& run, Listener& listener, httplib::DataSink& sink) {
+  const auto version = run.version();
+  const auto now = std::chrono::steady_clock::now();
+  std::string text;
+  if (version != listener.seen) {
+    listener.seen = version;
+    text = event_text(version, run.progress());
+  } else if (now - listener.last_word > kSignOfLife) {
+    text = ":\n\n";  // a comment: keeps the connection, and finds out whether somebody listens
+  }
+  if (!text.empty()) {
+    listener.last_word = now;
+    if (!sink.write(text.data(), text.size())) return false;
+  }
+  if (!run.is_live() || (site.stop != nullptr && site.stop->load())) {
+    sink.done();
+    return true;
+  }
+  std::this_thread::sleep_for(kPause);
+  return sink.is_writable();
+}
+
+}  // namespace
+
+void send_events(Site& site, ServedRun& run, httplib::Response& response) {
+  if (!run.is_live()) {
+    response.status = 204;
+    return;
+  }
+  if (site.listeners >= kMostListeners) return refuse(response, 503, "too many pages follow this run");
+  const auto listener = std::make_shared<Listener>(site.listeners);
+  listener->last_word = std::chrono::steady_clock::now();
+  response.set_chunked_content_provider("text/event-stream",
+                                        [&site, &run, listener](std::size_t, httplib::DataSink& sink) {
+                                          return send_next(site, run, *listener, sink);
+                                        });
+}
+
+}  // namespace orbs::server

@@ -1,0 +1,205 @@
+#include "server/request_gate.h"
+
+#include "base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::server {
+
+namespace {
+
+using Verdict = std::optional<Refusal>;  // nothing: no objection
+
+bool is_token(std::string_view text) {  // RFC 9110, section 5.6.2
+  constexpr std::string_view kMarks = "!#$%&'*+-.^_`|~";
+  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || kMarks.find(c) != std::string_view::npos;
+  });
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+int hex_digit(char c) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto at = kDigits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+  return at == std::string_view::npos ? -1 : static_cast<int>(at);
+}
+
+// RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xc2 ? 0
+                               : first < 0xe0 ? 2
+                               : first < 0xf0 ? 3
+                               : first < 0xf5 ? 4
+                                              : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((static_cast<unsigned char>(text[i + k]) & 0xc0U) != 0x80U) return false;
+    const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    const bool is_bad = (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
+                        (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+    if (is_bad) return false;
+    i += length;
+  }
+  return true;
+}
+
+Verdict check_characters(std::string_view target) {
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const auto c = static_cast<unsigned char>(target[i]);
+    if (c <= 0x20 || c >= 0x7f || std::string_view("\"#<>\\^`{|}").find(target[i]) != std::string_view::npos)
+      return Refusal{400, "the address holds a character that must be percent-encoded"};
+    if (c != '%') continue;
+    if (i + 2 >= target.size() || hex_digit(target[i + 1]) < 0 || hex_digit(target[i + 2]) < 0)
+      return Refusal{400, "the address holds a broken percent code"};
+    const int code = 16 * hex_digit(target[i + 1]) + hex_digit(target[i + 2]);
+    // No program of good faith encodes these; who does hopes that somebody decodes them at the wrong time.
+    if (code < 0x20 || code == 0x7f || code == '/' || code == '\\' || code == '.')
+      return Refusal{400, "the address holds an encoded separator, dot or control character"};
+  }
+  return std::nullopt;
+}
+
+Verdict check_segments(std::string_view path) {
+  if (path == "/") return std::nullopt;
+  for (const auto& segment : split(path.substr(1), '/'))
+    if (segment.empty() || segment == "." || segment == "..")
+      return Refusal{400, "the address holds an empty, '.' or '..' segment"};
+  return std::nullopt;
+}
+
+Verdict check_target(std::string_view target) {
+  if (target.size() > kMostTargetBytes) return Refusal{414, "the address is too long"};
+  if (!target.starts_with('/')) return Refusal{400, "the address is no absolute path"};
+  if (auto refusal = check_characters(target)) return refusal;
+  if (!is_utf8(decoded(target))) return Refusal{400, "the address is not UTF-8"};
+  return check_segments(target.substr(0, target.find('?')));
+}
+
+Verdict check_request_line(const std::vector<std::string>& words) {
+  if (words.size() != 3) return Refusal{400, "the request line is not 'METHOD address version'"};
+  if (!is_token(words[0])) return Refusal{400, "the method is no word"};
+  if (words[2] != "HTTP/1.1" && words[2] != "HTTP/1.0")
+    return words[2].starts_with("HTTP/") ? Refusal{505, "only HTTP/1.0 and HTTP/1.1 are spoken here"}
+                                         : Refusal{400, "the request line names no version of HTTP"};
+  if (words[0] != "GET" && words[0] != "HEAD") return Refusal{405, "only GET and HEAD are answered"};
+  return check_target(words[1]);
+}
+
+bool is_loopback_name(std::string_view host) {
+  const auto name =
+      host.starts_with('[') ? host.substr(0, host.find(']') + 1) : host.substr(0, host.find(':'));
+  const auto port = host.substr(name.size());
+  const bool is_port =
+      port.empty() || (port.size() > 1 && port.size() <= 6 && to_integer(port.substr(1)).value_or(-1) >= 0);
+  const auto known = lower(name);
+  return is_port && (known == "localhost" || known == "127.0.0.1" || known == "[::1]");
+}
+
+Verdict check_header(std::string_view line, std::set<std::string>& seen, const GateSettings& settings) {
+  const auto colon = line.find(':');
+  if (colon == std::string_view::npos || !is_token(line.substr(0, colon)))
+    return Refusal{400, "a header is not 'name: value'"};
+  const auto name = lower(line.substr(0, colon));
+  const auto value = trim(line.substr(colon + 1));
+  for (const char c : value)
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f)
+      return Refusal{400, "a header holds a control character"};
+  const bool is_new = seen.insert(name).second;
+  if (name == "transfer-encoding" || name == "expect" || (name == "content-length" && value != "0"))
+    return Refusal{413, "a request has no body here"};
+  if (name != "host") return std::nullopt;
+  if (!is_new) return Refusal{400, "Host is given twice"};
+  if (settings.only_loopback_names && !is_loopback_name(value))
+    return Refusal{421, "Host is not a name of this machine's loopback"};
+  return std::nullopt;
+}
+
+Verdict check_headers(const std::vector<std::string_view>& lines, const GateSettings& settings) {
+  if (lines.size() - 1 > kMostHeaders) return Refusal{431, "there are too many headers"};
+  std::set<std::string> seen;
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (auto refusal = check_header(lines[i], seen, settings)) return refusal;
+  if (!seen.contains("host")) return Refusal{400, "Host is missing"};
+  return std::nullopt;
+}
+
+// Lines between CR LF; nothing when a CR or LF stands alone or the empty line is not the end.
+std::optional<std::vector<std::string_view>> lines_of(std::string_view head) {
+  if (!head.ends_with("\r\n\r\n")) return std::nullopt;
+  head.remove_suffix(2);
+  std::vector<std::string_view> lines;
+  while (!head.empty()) {
+    const auto end = head.find("\r\n");
+    const auto line = head.substr(0, end);
+    if (line.empty() || line.find_first_of(std::string_view("\r\n\0", 3)) != std::string_view::npos)
+      return std::nullopt;
+    lines.push_back(line);
+    head.remove_prefix(end + 2);
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string decoded(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0) {
+      out += static_cast<char>(16 * hex_digit(text[i + 1]) + hex_digit(text[i + 2]));
+      i += 2;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+std::variant<Admitted, Refusal> check_request(std::string_view head, const GateSettings& settings) {
+  if (head.size() > kMostHeadBytes) return Refusal{431, "the headers are too long"};
+  const auto lines = lines_of(head);
+  if (!lines || lines->empty()) return Refusal{400, "the lines of the request do not end in CR LF"};
+  const auto words = split(lines->front(), ' ');
+  if (auto refusal = check_request_line(words)) return *refusal;
+  if (auto refusal = check_headers(*lines, settings)) return *refusal;
+  return Admitted{
+      fmt::format("{} {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n", words[0], words[1])};
+}
+
+std::string_view status_text(int status) {
+  struct Known {
+    int status;
+    std::string_view text;
+  };
+  constexpr std::array kKnown{Known{400, "400 Bad Request"},
+                              Known{404, "404 Not Found"},
+                              Known{405, "405 Method Not Allowed"},
+                              Known{408, "408 Request Timeout"},
+                              Known{413, "413 Content Too Large"},
+                              Known{414, "414 URI Too Long"},
+                              Known{421, "421 Misdirected Request"},
+                              Known{422, "422 Unprocessable Content"},
+                              Known{431, "431 Request Header Fields Too Large"},
+                              Known{503, "503 Service Unavailable"},
+                              Known{505, "505 HTTP Version Not Supported"}};
+  for (const auto& known : kKnown)
+    if (known.status == status) return known.text;
+  return "500 Internal Server Error";
+}
+
+}  // namespace orbs::server

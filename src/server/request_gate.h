@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+/// What a client may ask, decided on the bytes of its request before anything else sees them.
+namespace orbs::server {
+
+constexpr std::size_t kMostHeadBytes = 16384;
+constexpr std::size_t kMostTargetBytes = 2048;
+constexpr std::size_t kMostHeaders = 64;
+
+struct Refusal {
+  int status = 400;
+  std::string reason;
+};
+
+/// A request that may pass. `head` is written anew from what was understood, with nothing of the client's
+/// headers in it: what is behind reads no byte that the gate has not checked.
+struct Admitted {
+  std::string head;
+};
+
+struct GateSettings {
+  /// Names in Host are compared with those of this machine's loopback. Off when the user binds to another
+  /// address, whose names we do not know.
+  bool only_loopback_names = true;
+};
+
+/// `head` is everything up to and with the empty line. Allowed: GET and HEAD of HTTP/1.0 and 1.1, an absolute
+/// path of printable ASCII whose percent codes hold UTF-8 and no separator, dot or control character, without
+/// empty, "." and
+/// ".." segments; one Host of this machine (a page of another site that points its name at us is refused); no
+/// body.
+std::variant<Admitted, Refusal> check_request(std::string_view head, const GateSettings& settings);
+
+/// The percent codes of an admitted path or query value resolved, once.
+std::string decoded(std::string_view text);
+
+/// "404 Not Found".
+std::string_view status_text(int status);
+
+}  // namespace orbs::server

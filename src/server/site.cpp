@@ -1,0 +1,171 @@
+#include "server/site.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/files_inside.h"
+#include "base/text.h"
+#include "image/image_io.h"
+#include "json/writer.h"
+#include "report/packed_image.h"
+#include "server/request_gate.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace orbs::server {
+
+namespace {
+
+// Only the files of the bundle run, only this server is asked, nothing is framed.
+constexpr const char* kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src "
+    "'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+// What a renderer left in its folder is shown by itself and can do nothing.
+constexpr const char* kFilePolicy = "default-src 'none'; sandbox; frame-ancestors 'none'";
+
+struct BundleEntry {
+  const char* name;
+  const char* type;
+};
+constexpr std::array kBundle{BundleEntry{"index.html", "text/html; charset=utf-8"},
+                             BundleEntry{"page.js", "text/javascript; charset=utf-8"},
+                             BundleEntry{"page.css", "text/css; charset=utf-8"},
+                             BundleEntry{"icon.svg", "image/svg+xml"}};
+
+constexpr const char* kJson = "application/json; charset=utf-8";
+constexpr const char* kText = "text/plain; charset=utf-8";
+
+bool send_bundle_file(const Site& site, std::string_view path, httplib::Response& response) {
+  const auto name = path == "/" ? std::string_view("index.html") : path.substr(1);
+  for (const auto& file : site.bundle) {
+    if (file.name != name) continue;
+    response.set_header("Content-Security-Policy", kPagePolicy);
+    response.set_content(file.bytes, file.type);
+    return true;
+  }
+  return false;
+}
+
+std::string runs_json(Site& site) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-runs/1").key("runs").begin_array();
+  for (const auto& run : site.runs)
+    out.begin_object().member("name", run->name()).member("started", run->started()).end_object();
+  return out.end_array().end_object().text();
+}
+
+std::string type_of(std::string_view path) {
+  if (path.ends_with(".png")) return "image/png";
+  if (path.ends_with(".exr") || path.ends_with(".ply")) return "application/octet-stream";
+  // Also HTML and SVG: what a renderer wrote is never markup here.
+  return kText;
+}
+
+void send_file(const ServedRun& run, const std::string& path, httplib::Response& response) {
+  auto file = open_inside(run.folder(), path);
+  if (!file) return refuse(response, 404, "there is no such file in this run");
+  response.set_header("Content-Security-Policy", kFilePolicy);
+  const auto size = static_cast<std::size_t>(file->size());
+  const auto shared = std::make_shared<OpenFile>(std::move(*file));
+  response.set_content_provider(size, type_of(path),
+                                [shared](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
+                                  constexpr std::size_t kPiece = 1U << 16U;
+                                  const auto bytes = shared->read(offset, std::min(left, kPiece));
+                                  return !bytes.empty() && sink.write(bytes.data(), bytes.size());
+                                });
+}
+
+void send_image(Site& site,
+                const ServedRun& run,
+                const std::string& path,
+                const std::string& layer,
+                httplib::Response& response) {
+  constexpr int kFast = 1;
+  if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR pictures are packed");
+  const auto file = open_inside(run.folder(), path);
+  if (!file) return refuse(response, 404, "there is no such picture in this run");
+  constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
+  if (file->size() > kMostBytes) return refuse(response, 422, "the picture is larger than 2 GiB");
+  // The size stands in the key because the run may go on and write the picture anew.
+  const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->size());
+  const auto bytes = site.images.get(key, [&] {
+    const auto picture = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
+    return report::packed_image(picture, layer, report::Rounding::Exact, kFast);
+  });
+  response.set_content_provider(bytes->size(), "application/octet-stream",
+                                [bytes](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
+                                  constexpr std::size_t kPiece = 1U << 18U;
+                                  return sink.write(bytes->data() + offset, std::min(left, kPiece));
+                                });
+}
+
+void send_picture(ServedRun& run, std::string_view name, httplib::Response& response) {
+  const auto stem = name.ends_with(".json") ? name.substr(0, name.size() - 5) : std::string_view();
+  const auto index = to_integer(stem);
+  const auto text = index && *index >= 0 ? run.picture(static_cast<std::size_t>(*index)) : std::nullopt;
+  if (!text) return refuse(response, 404, "this run has no such picture");
+  response.set_content(*text, kJson);
+}
+
+// `path` without "/data/".
+void send_data(Site& site, const std::string& path, const std::string& layer, httplib::Response& response) {
+  if (path == "runs.json") return response.set_content(runs_json(site), kJson);
+  const auto slash = path.find('/');
+  const auto number = to_integer(path.substr(0, slash));
+  if (slash == std::string::npos || !number || *number < 0 ||
+      static_cast<std::size_t>(*number) >= site.runs.size())
+    return refuse(response, 404, "there is no such run");
+  auto& run = *site.runs[static_cast<std::size_t>(*number)];
+  const auto rest = path.substr(slash + 1);
+  const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
+  if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
+  if (rest == "events") return send_events(site, run, response);
+  if (rest.starts_with("picture/")) return send_picture(run, after("picture/"), response);
+  if (rest.starts_with("image/")) return send_image(site, run, after("image/"), layer, response);
+  if (rest.starts_with("file/")) return send_file(run, after("file/"), response);
+  refuse(response, 404, "there is nothing here");
+}
+
+}  // namespace
+
+void refuse(httplib::Response& response, int status, const std::string& reason) {
+  response.status = status;
+  response.set_content(reason + "\n", kText);
+}
+
+std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
+  std::vector<BundleFile> files;
+  for (const auto& [name, type] : kBundle) {
+    if (!std::filesystem::exists(folder / name))
+      throw InputError(
+          fmt::format("{}: is missing: the results page has not been built; './bootstrap build' makes it "
+                      "and says what it needs (Node.js 18 or newer and npm)",
+                      (folder / name).string()));
+    files.push_back({name, type, read_file(folder / name)});
+  }
+  return files;
+}
+
+void answer(Site& site, const httplib::Request& request, httplib::Response& response) {
+  response.set_header("X-Content-Type-Options", "nosniff");
+  response.set_header("Referrer-Policy", "no-referrer");
+  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
+  response.set_header("Cross-Origin-Opener-Policy", "same-origin");
+  response.set_header("Cache-Control", "no-store");
+  response.status = 200;
+  // The target itself, not httplib's reading of it: the gate has checked how it decodes here.
+  const auto path = decoded(request.target.substr(0, request.target.find('?')));
+  try {
+    if (send_bundle_file(site, path, response)) return;
+    if (path.starts_with("/data/"))
+      return send_data(site, path.substr(6), request.get_param_value("layer"), response);
+    refuse(response, 404, "there is nothing here");
+  } catch (const InputError& e) {
+    refuse(response, 422, e.what());
+  }
+}
+
+}  // namespace orbs::server

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "server/image_cache.h"
+#include "server/served_run.h"
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <httplib.h>
+
+/// What lies behind which address:
+///   /, /page.js, /page.css ...              the bundle
+///   /data/runs.json                          the runs that are served
+///   /data/<run>/overview.json                report::overview_json
+///   /data/<run>/picture/<index>.json         report::picture_json
+///   /data/<run>/image/<path>.exr?layer=...   a picture of the run's folder, packed (report::packed_image)
+///   /data/<run>/file/<path>                  a file of the run's folder as it is
+///   /data/<run>/events                       progress of a run that goes on, as server-sent events
+/// <run> counts from 0.
+namespace orbs::server {
+
+struct BundleFile {
+  std::string name;  // "page.js"
+  std::string type;
+  std::string bytes;
+};
+
+struct Site {
+  std::vector<std::unique_ptr<ServedRun>> runs;
+  std::vector<BundleFile> bundle;
+  ImageCache images{std::size_t{256} << 20U, 2};
+  const std::atomic<bool>* stop = nullptr;
+  std::atomic<int> listeners = 0;  // clients of events
+};
+
+/// Reads the bundle. InputError when it is not there, with what makes it.
+std::vector<BundleFile> load_bundle(const std::filesystem::path& folder);
+
+/// Answers one admitted request.
+void answer(Site& site, const httplib::Request& request, httplib::Response& response);
+
+/// Progress of a run as server-sent events (HTML standard, section 9.2) until it ends; 204 when it has ended,
+/// which tells browsers not to ask again.
+void send_events(Site& site, ServedRun& run, httplib::Response& response);
+
+/// A plain answer with this status.
+void refuse(httplib::Response& response, int status, const std::string& reason);
+
+}  // namespace orbs::server

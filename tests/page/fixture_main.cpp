@@ -1,0 +1,29 @@
+// Makes the runs that the browser tests look at:
+//   orbs-page-fixture small|before|many|huge <folder>   a finished run
+//   orbs-page-fixture live <folder>                      a run that goes on: each line on stdin ends one
+//   render, the
+//                                                        end of stdin ends the run
+#include "base/error.h"
+#include "page/fixture_runs.h"
+
+#include <cstdio>
+#include <string_view>
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const std::string_view what = argv[1];
+  const std::filesystem::path folder = argv[2];
+  std::filesystem::create_directories(folder);
+  using namespace orbs::page_tests;
+  try {
+    if (what == "small") write_small_run(folder);
+    if (what == "before") write_earlier_run(folder);
+    if (what == "many") write_run_of_many_cells(folder);
+    if (what == "huge") write_run_of_huge_pictures(folder);
+    if (what == "live") play_live_run(folder);
+  } catch (const orbs::InputError& e) {
+    std::fputs(e.what(), stderr);
+    return 2;
+  }
+  return 0;
+}

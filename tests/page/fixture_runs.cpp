@@ -1,0 +1,320 @@
+#include "page/fixture_runs.h"
+
+#include "base/files.h"
+#include "image/colour.h"
+#include "image/image_io.h"
+#include "results/record_json.h"
+#include "results/run_folder.h"
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace orbs::page_tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+using results::JobRecord;
+using results::PictureRecord;
+using results::RunRecord;
+using results::Verdict;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+image::Image ramp(int width, int height) {
+  auto picture = image::make_image(width, height, {"R", "G", "B"});
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      picture.at(x, y, 0) = static_cast<float>(x) / static_cast<float>(width);
+      picture.at(x, y, 1) = static_cast<float>(y) / static_cast<float>(height);
+      picture.at(x, y, 2) = 0.25F;
+    }
+  return picture;
+}
+
+image::Image map_of(const image::Image& a, const image::Image& b, bool is_signed) {
+  auto map = image::make_image(a.width, a.height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+    const float d = a.pixels[i] - b.pixels[i];
+    map.pixels[i] = is_signed ? d : std::fabs(d);
+  }
+  return map;
+}
+
+JobRecord job_of(const std::string& scene, const std::string& renderer, double seconds) {
+  JobRecord job;
+  job.id = hash_text(content_hash(scene + "\n" + renderer));
+  job.suite = "alpha";
+  job.scene = scene;
+  job.renderer = renderer;
+  job.renderer_version = renderer + " 1.0";
+  job.argv = {"/opt/" + renderer, "scene.json", "with space", "it's"};
+  job.folder = renderer + "/" + scene;
+  job.spp = 16;
+  job.seed = 1;
+  job.threads = 2;
+  job.started = "2026-01-02T03:04:05";
+  job.wall_seconds = seconds;
+  job.cpu_seconds = 2 * seconds;
+  job.render_seconds = seconds / 2;
+  job.peak_rss_bytes = 123'000'000;
+  job.rendered = true;
+  job.verdict = Verdict::Pass;
+  return job;
+}
+
+PictureRecord picture_of(const std::string& case_name, const JobRecord& job, Verdict verdict) {
+  PictureRecord picture;
+  picture.requirement = {static_cast<char>(std::toupper(case_name[0])), case_name[1]};
+  picture.case_name = case_name;
+  picture.picture = job.scene;
+  picture.renderer = job.renderer;
+  picture.jobs = {job.id};
+  picture.declared = true;
+  picture.verdict = verdict;
+  picture.sentence = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
+  const double psnr = verdict == Verdict::Pass ? 41.5 : 20.25;
+  picture.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
+                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false}};
+  picture.checks = {{"psnr_srgb8", verdict == Verdict::Pass, picture.sentence, 35.0, {}}};
+  return picture;
+}
+
+results::CaseRecord case_of(const std::string& suite, const std::string& name, const std::string& title) {
+  const std::string requirement{static_cast<char>(std::toupper(name[0])), name[1]};
+  return {suite, name, requirement, title, "What " + title + " tests.", "What goes wrong in " + title + "."};
+}
+
+RunRecord blank_run(const std::vector<std::string>& renderers) {
+  RunRecord run;
+  run.suite = "alpha";
+  run.started = "2026-01-02T03:04:05";
+  run.wall_seconds = 12.5;
+  run.orbs_version = "0.0";
+  run.command_line = {"orbs", "run", "--spp-scale", "0.5"};
+  run.host = {"host", "a processor", 2, "Linux"};
+  for (const auto& name : renderers) {
+    results::RendererRecord renderer;
+    renderer.name = name;
+    renderer.version = name + " 1.0";
+    renderer.declared = "G5/M8/L4/A4";
+    renderer.measured = "G0/M1/L0/A0";
+    run.renderers.push_back(renderer);
+  }
+  return run;
+}
+
+void write_exr(const fs::path& folder, const std::string& file, const image::Image& picture) {
+  fs::create_directories((folder / file).parent_path());
+  image::write_exr(picture, folder / file);
+}
+
+// The pictures of m1_values by "one".
+void add_values(const fs::path& folder, PictureRecord& picture) {
+  auto result = ramp(64, 48);
+  const auto plain = result;
+  auto reference = plain;
+  reference.at(40, 20, 0) += 1.0F;
+  reference.at(10, 30, 1) += 0.5F;
+  result.at(5, 7, 0) = kNan;
+  result.at(6, 7, 0) = kInfinity;
+  result.at(8, 9, 0) = 70000.0F;
+  result.at(9, 9, 0) = -0.5F;
+  result.attributes["orbs.program"] = "one <b>1.0</b>";
+  auto wobble = image::make_image(64, 48, {"Y"});
+  wobble.at(3, 4, 0) = 0.75F;
+  picture.image = "one/values/result.exr";
+  picture.reference_image = "references/values.exr";
+  write_exr(folder, picture.image, result);
+  image::write_png(image::display_picture(result), folder / "one/values/result.png");
+  write_exr(folder, picture.reference_image, reference);
+  write_exr(folder, "one/values/error-l1.exr", map_of(plain, reference, false));
+  write_exr(folder, "one/values/error-signed.exr", map_of(plain, reference, true));
+  write_exr(folder, "one/values/error-wobble.exr", wobble);
+  picture.maps = {{"l1", "one/values/error-l1.exr", "|result - reference|", false, 0.2},
+                  {"signed", "one/values/error-signed.exr", "result - reference", true, 0.2},
+                  {"wobble", "one/values/error-wobble.exr", "a map that nobody knows", false, 1}};
+  picture.reference_passport = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
+}
+
+void add_stokes(const fs::path& folder, PictureRecord& picture) {
+  std::vector<std::string> channels{"R", "G", "B"};
+  for (const char* layer : {"S0", "S1", "S2", "S3"})
+    for (const char* c : {"R", "G", "B"}) channels.push_back(fmt::format("{}.{}", layer, c));
+  auto result = image::make_image(32, 32, channels);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        result.at(x, y, c) = c < 6 ? 0.5F : static_cast<float>(x - 16) / 16.0F;
+  picture.image = "one/stokes/result.exr";
+  picture.reference_image = "references/stokes.exr";
+  write_exr(folder, picture.image, result);
+  write_exr(folder, picture.reference_image, result);
+}
+
+// Text that would be markup if anybody took it for that.
+void add_markup(const fs::path& folder, RunRecord& run) {
+  const std::string attack =
+      "</script><script>document.title='owned'</script><img src=x onerror=\"document.title='owned'\">";
+  run.cases.push_back(case_of("beta", "e1_markup", "Title " + attack));
+  auto job = job_of("markup", "one", 1);
+  job.log = "one/markup/log.txt";
+  job.exit_code = 3;
+  job.sentence = attack;
+  fs::create_directories(folder / "one/markup");
+  write_file(folder / job.log, "line one\n" + attack + "\n\x1b[31mred\x1b[0m \xff\n");
+  auto picture = picture_of("e1_markup", job, Verdict::Crash);
+  picture.sentence = attack;
+  picture.measures.clear();
+  picture.checks.clear();
+  run.jobs.push_back(job);
+  run.pictures.push_back(picture);
+}
+
+// One picture for each verdict by "two" and "three".
+void add_all_verdicts(RunRecord& run) {
+  for (std::size_t i = 0; i < results::kVerdicts.size(); ++i) {
+    const auto verdict = results::kVerdicts.at(i);
+    const auto name = fmt::format("g{}_verdict", i % 9 + 1);
+    if (i < 9) run.cases.push_back(case_of("alpha", name, fmt::format("Verdict {}", i + 1)));
+    for (const char* renderer : {"two", "three"}) {
+      auto job = job_of(fmt::format("verdict-{}", i), renderer, 0.5 + static_cast<double>(i));
+      run.pictures.push_back(picture_of(name, job, renderer == std::string("two") ? verdict : Verdict::Pass));
+      run.jobs.push_back(std::move(job));
+    }
+  }
+}
+
+void add_requirements(RunRecord& run) {
+  for (const auto& one_case : run.cases)
+    run.requirements.push_back({one_case.requirement, one_case.title, {}});
+}
+
+RunRecord small_run(const fs::path& folder) {
+  auto run = blank_run({"one", "two", "three"});
+  run.cases.push_back(case_of("alpha", "m1_values", "Known values"));
+  const auto values = job_of("values", "one", 2);
+  run.jobs.push_back(values);
+  run.pictures.push_back(picture_of("m1_values", values, Verdict::Fail));
+  add_values(folder, run.pictures.back());
+  const auto by_two = job_of("values", "two", 4);
+  run.jobs.push_back(by_two);
+  run.pictures.push_back(picture_of("m1_values", by_two, Verdict::Pass));
+  run.cases.push_back(case_of("beta", "a1_stokes", "Polarised light"));
+  const auto stokes = job_of("stokes", "one", 3);
+  run.jobs.push_back(stokes);
+  run.pictures.push_back(picture_of("a1_stokes", stokes, Verdict::Pass));
+  add_stokes(folder, run.pictures.back());
+  add_markup(folder, run);
+  add_all_verdicts(run);
+  return run;
+}
+
+void add_case(RunRecord& run, const std::string& name) {
+  run.cases.push_back(case_of("alpha", name, name));
+  const auto job = job_of(name, "one", 1);
+  run.jobs.push_back(job);
+  run.pictures.push_back(picture_of(name, job, Verdict::Pass));
+}
+
+void write_run(RunRecord run, const fs::path& folder) {
+  add_requirements(run);
+  run.folder = folder.string();
+  write_file(folder / "results.json", results::run_json(run));
+}
+
+}  // namespace
+
+void write_small_run(const fs::path& folder) {
+  auto run = small_run(folder);
+  add_case(run, "m9_new");
+  write_run(std::move(run), folder);
+}
+
+void write_earlier_run(const fs::path& folder) {
+  auto run = small_run(folder);
+  run.started = "2026-01-01T00:00:00";
+  for (auto& picture : run.pictures) {
+    if (picture.case_name == "m1_values" && picture.renderer == "two") picture.verdict = Verdict::Fail;
+    if (picture.case_name == "e1_markup") picture.verdict = Verdict::Pass;
+  }
+  add_case(run, "g9_gone");
+  write_run(std::move(run), folder);
+}
+
+void write_run_of_many_cells(const fs::path& folder) {
+  constexpr int kPictures = 1000;
+  constexpr int kRenderers = 10;
+  std::vector<std::string> names;
+  for (int r = 0; r < kRenderers; ++r) names.push_back(fmt::format("renderer{}", r));
+  auto run = blank_run(names);
+  for (int p = 0; p < kPictures; ++p) {
+    run.cases.push_back(
+        case_of("alpha", fmt::format("{}{}_case{}", "gmla"[p % 4], p % 9 + 1, p), fmt::format("Case {}", p)));
+    for (const auto& renderer : names) {
+      const auto job = job_of(fmt::format("scene-{}", p), renderer, 0.1 + p % 17);
+      // Every seventh cell fails, each row at other renderers.
+      const auto hash = content_hash(job.id);
+      run.pictures.push_back(
+          picture_of(run.cases.back().name, job, hash % 7 == 0 ? Verdict::Fail : Verdict::Pass));
+      run.jobs.push_back(job);
+    }
+  }
+  write_run(std::move(run), folder);
+}
+
+void write_run_of_huge_pictures(const fs::path& folder) {
+  auto run = blank_run({"one"});
+  run.cases.push_back(case_of("alpha", "m1_huge", "Huge"));
+  const auto job = job_of("huge", "one", 9);
+  run.jobs.push_back(job);
+  auto picture = picture_of("m1_huge", job, Verdict::Fail);
+  const auto reference = ramp(4096, 4096);
+  auto result = reference;
+  for (int y = 4000; y < 4010; ++y)
+    for (int x = 4000; x < 4010; ++x) result.at(x, y, 2) = 2.0F;
+  picture.image = "one/huge/result.exr";
+  picture.reference_image = "references/huge.exr";
+  write_exr(folder, picture.image, result);
+  write_exr(folder, picture.reference_image, reference);
+  run.pictures.push_back(picture);
+  write_run(std::move(run), folder);
+}
+
+void play_live_run(const fs::path& folder) {
+  const results::RunLock lock(folder);
+  auto run = blank_run({"one"});
+  run.finished = false;
+  run.cases.push_back(case_of("alpha", "m1_live", "Live"));
+  std::vector<JobRecord> done;
+  for (const char* scene : {"first", "second", "third"}) {
+    done.push_back(job_of(scene, "one", 10));
+    auto waiting = done.back();
+    waiting.started.clear();
+    waiting.rendered = false;
+    waiting.verdict = Verdict::Skipped;
+    run.jobs.push_back(waiting);
+    run.pictures.push_back(picture_of("m1_live", waiting, Verdict::Skipped));
+  }
+  write_run(run, folder);
+  std::cout << "ready" << std::endl;
+  std::string line;
+  for (std::size_t i = 0; i < done.size() && std::getline(std::cin, line); ++i) {
+    fs::create_directories(folder / done[i].folder);
+    if (i + 1 < done.size()) fs::create_directories(folder / done[i + 1].folder);
+    const auto picture = picture_of("m1_live", done[i], i == 0 ? Verdict::Pass : Verdict::Fail);
+    write_file(folder / done[i].folder / "job.json", results::job_json(done[i], {picture}));
+    run.jobs[i] = done[i];
+    run.pictures[i] = picture;
+  }
+  while (std::getline(std::cin, line)) continue;
+  run.finished = true;
+  write_run(run, folder);
+}
+
+}  // namespace orbs::page_tests

@@ -1,0 +1,288 @@
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
+import { colourAt, drawn, launch, open, playLive, report, Scratch, serve, type Served } from "./stand";
+
+const scratch = new Scratch();
+let browser: Browser;
+let small: Served;
+let url = "";
+
+before(async () => {
+  browser = await launch();
+  small = await serve(scratch.run("small"), scratch.run("before"));
+  url = small.url;
+});
+
+after(async () => {
+  await browser?.close();
+  small?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+const values = "#/case/m1_values/values/one";
+
+test("the overview shows each state by symbol and word, failures first", async () => {
+  const { page, errors } = await open(browser, `${url}#/?by=picture`);
+  await page.waitForSelector(".grid .row.picture");
+  const words = await page.locator(".cell a").allInnerTexts();
+  for (const word of ["pass", "fail", "crash", "timeout", "missing reference", "unsupported", "invalid pixels"])
+    assert.ok(words.some((text) => text.includes(word)), word);
+  const first = await page.locator(".row.picture").first().innerText();
+  assert.match(first, /crash/);
+  assert.match(await page.locator(".renderers").innerText(), /G5\/M8\/L4\/A4\s+G0\/M1\/L0\/A0/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("filter box, chips and the address say the same", async () => {
+  const { page } = await open(browser, url);
+  await page.locator(".search").waitFor();
+  await page.keyboard.press("/");
+  await page.keyboard.type("known values");
+  await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);
+  assert.match(page.url(), /q=known/);
+  await page.goto(`${url}#/?suite=beta`);
+  await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 2);
+  await page.getByRole("group", { name: "State" }).getByRole("button", { name: /crash/ }).click();
+  await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);
+  assert.match(page.url(), /state=crash/);
+  await page.close();
+});
+
+test("a cell shows a small picture, opens its case, and the back button returns", async () => {
+  const { page, errors } = await open(browser, `${url}#/?q=known`);
+  const cell = page.locator(".cell a").first();
+  await cell.hover();
+  await page.waitForFunction(() => (document.querySelector<HTMLImageElement>(".preview img")?.naturalWidth ?? 0) === 64);
+  await cell.click();
+  await page.waitForSelector(".measures");
+  const text = await page.locator(".facts").innerText();
+  for (const part of ["What Known values tests.", "What goes wrong in Known values.", "10 log10(255^2 / MSE)", "≥ 35", "not met",
+    "orbs run --suite alpha --case m1_values", "--spp-scale 0.5", "'with space' 'it'\\''s'", "reference <i>tracer</i>", "123 MB"])
+    assert.ok((text + (await page.locator(".measures").innerHTML())).includes(part), part);
+  await page.goBack();
+  await page.waitForSelector(".grid");
+  assert.match(page.url(), /q=known/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("digits flip between the pictures, also one that nobody has heard of", async () => {
+  const { page, errors } = await open(browser, url + values);
+  await drawn(page, "result");
+  for (const [key, name] of [["2", "reference"], ["5", "wobble"], ["1", "result"]] as const) {
+    await page.keyboard.press(key);
+    await drawn(page, name);
+  }
+  await page.keyboard.down("Shift");
+  await drawn(page, "reference");
+  await page.keyboard.up("Shift");
+  await drawn(page, "result");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("swipe shows the result left and the reference right of the divider", async () => {
+  // Exposure -1 keeps the extra 1 in R at (40, 20) of the reference below white.
+  const { page } = await open(browser, `${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`);
+  await drawn(page, "result reference");
+  const box = await page.locator(".stage").boundingBox();
+  const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
+  const left = await colourAt(page, x, y);
+  await page.locator(".divider").focus();
+  await page.goto(`${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`);
+  await page.waitForFunction(() => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0");
+  await drawn(page, "result reference");
+  const right = await colourAt(page, x, y);
+  // 40/64 / 2 and (40/64 + 1) / 2 of 255.
+  assert.ok(Math.abs((left[0] ?? 0) - 79.7) < 1.5, String(left));
+  assert.ok(Math.abs((right[0] ?? 0) - 207.2) < 1.5, String(right));
+  await page.close();
+});
+
+test("the read-out has the numbers of the EXR, also those beyond half floats", async () => {
+  const { page } = await open(browser, `${url}${values}?zoom=40&x=8.5&y=9.5`);
+  await drawn(page, "result");
+  const box = await page.locator(".stage").boundingBox();
+  const middle = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
+  const row = () => page.locator(".readout tr", { hasText: "result" }).innerText();
+  await page.mouse.move(middle.x, middle.y);
+  assert.match(await row(), /70000\s+0\.1875\s+0\.25/);
+  await page.mouse.move(middle.x + 40, middle.y);
+  assert.match(await row(), /-0\.5\s+0\.1875\s+0\.25/);
+  await page.mouse.move(middle.x - 120, middle.y - 80);
+  assert.match(await row(), /NaN/);
+  await page.mouse.move(middle.x - 80, middle.y - 80);
+  assert.match(await row(), /\+Inf/);
+  assert.equal(await page.locator(".overlay").getAttribute("data-numbers"), "1", "numbers stand in the pixels");
+  await page.close();
+});
+
+test("NaN and infinite pixels are magenta at any zoom and counted", async () => {
+  const { page } = await open(browser, `${url}${values}?zoom=20&x=5.5&y=7.5`);
+  await drawn(page, "result");
+  const box = await page.locator(".stage").boundingBox();
+  const [x, y] = [Math.floor((box?.width ?? 0) / 2), Math.floor((box?.height ?? 0) / 2)];
+  for (const dx of [0, 20]) assert.deepEqual(await colourAt(page, x + dx, y), [255, 0, 255]);
+  assert.notDeepEqual(await colourAt(page, x - 20, y), [255, 0, 255]);
+  assert.match(await page.locator(".statistics").first().innerText(), /NaN\s+1\s+0\s+0/);
+  assert.match(await page.locator(".statistics").first().innerText(), /Inf\s+1\s+0\s+0/);
+  await page.goto("about:blank");
+  await page.goto(`${url}${values}?zoom=0.25&x=32&y=24`);
+  await drawn(page, "result");
+  const small = await page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas");
+    const copy = document.createElement("canvas");
+    Object.assign(copy, { width: canvas?.width, height: canvas?.height });
+    const pen = copy.getContext("2d");
+    if (canvas) pen?.drawImage(canvas, 0, 0);
+    const data = pen?.getImageData(0, 0, copy.width, copy.height).data ?? [];
+    let magenta = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] === 255 && data[i + 1] === 0 && data[i + 2] === 255) ++magenta;
+    return magenta;
+  });
+  assert.ok(small >= 1, "still seen when 16 pixels share one");
+  await page.close();
+});
+
+test("the worst pixels are found in order, and the view says where", async () => {
+  const { page } = await open(browser, `${url}${values}?img=l1`);
+  await drawn(page, "l1");
+  await page.getByText("2 pixels differ").waitFor();
+  await page.keyboard.press("u");
+  await page.getByRole("button", { name: "1 of 2: 1", exact: true }).waitFor();
+  assert.match(await page.locator(".readout h3").innerText(), /40, 20/);
+  await page.keyboard.press("u");
+  await page.getByRole("button", { name: "2 of 2: 0.5" }).waitFor();
+  assert.match(await page.locator(".readout h3").innerText(), /10, 30/);
+  await page.keyboard.press("w");
+  await page.locator(".region").waitFor();
+  assert.match(await page.locator(".region").innerText(), /Region 32, 0 – 64, 32/);
+  await page.close();
+});
+
+test("a link restores the view, and changes of the view change the link", async () => {
+  const { page } = await open(browser, `${url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`);
+  await drawn(page, "reference");
+  assert.equal(await page.locator(".field", { hasText: "EV" }).locator("input").inputValue(), "1.5");
+  assert.match(await page.locator(".region").innerText(), /10 × 10/);
+  await page.keyboard.press("e");
+  await page.waitForFunction(() => location.hash.includes("ev=2"));
+  for (const part of ["img=reference", "zoom=4", "x=20", "ch=G", "zebra=1"]) assert.ok(page.url().includes(part), part);
+  await page.close();
+});
+
+test("Stokes layers are numbers of both signs and get a diverging scale", async () => {
+  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`);
+  await drawn(page, "result");
+  await page.locator(".statistics").first().waitFor();
+  await page.waitForFunction(() => document.querySelector(".ticks")?.textContent?.includes("−1"));
+  const box = await page.locator(".stage").boundingBox();
+  const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
+  const [negative, positive] = [await colourAt(page, x - 80, y), await colourAt(page, x + 80, y)];
+  assert.ok((negative[2] ?? 0) > (negative[0] ?? 0), `blue ${negative}`);
+  assert.ok((positive[0] ?? 0) > (positive[2] ?? 0), `orange ${positive}`);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("text of cases and logs is never markup", async () => {
+  const { page, errors } = await open(browser, `${url}#/case/e1_markup/markup/one`);
+  await page.locator(".logs pre").waitFor();
+  assert.ok((await page.locator(".logs pre").innerText()).includes("</script><script>document.title='owned'"));
+  assert.ok(!(await page.title()).includes("owned"));
+  assert.equal(await page.locator("img[src=x]").count(), 0);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the one-file page works from file:// and asks for nothing", async () => {
+  const file = join(scratch.folder, "page.html");
+  report(join(scratch.folder, "small"), file);
+  const { page, errors } = await open(browser, `file://${file}${values}?img=wobble`);
+  await drawn(page, "wobble");
+  await page.keyboard.press("1");
+  await drawn(page, "result");
+  await page.goto(`file://${file}#/case/e1_markup/markup/one`);
+  await page.locator(".logs pre").waitFor();
+  assert.ok(!(await page.title()).includes("owned"));
+  await page.goto(`file://${file}#/charts`);
+  await page.locator(".plot canvas").first().waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("two runs: better, worse, new and gone", async () => {
+  const { page } = await open(browser, `${url}#/compare`);
+  const rows = (kind: string) => page.locator(`section[data-kind=${kind}] tbody tr`);
+  await rows("gone").waitFor();
+  assert.match(await rows("better").innerText(), /m1_values\s+values\s+two/);
+  assert.match(await rows("worse").innerText(), /e1_markup\s+markup\s+one/);
+  assert.match(await rows("new").innerText(), /m9_new/);
+  assert.match(await rows("gone").innerText(), /g9_gone/);
+  await page.goto(`${url}#/compare?before=small&after=small&ra=one&rb=two`);
+  await page.waitForFunction(() => document.querySelector("section[data-kind=better]")?.textContent?.includes("one → two"));
+  await page.close();
+});
+
+test("a click on a point opens the picture that made it", async () => {
+  const { page, errors } = await open(browser, `${url}#/charts`);
+  const over = page.locator(".plot .u-over").nth(1);
+  await over.waitFor();
+  const box = await over.boundingBox();
+  assert.ok(box);
+  // Looks for a point from left to right, as somebody who moves the mouse does.
+  for (let i = 1; i < 40 && page.url().endsWith("charts"); ++i)
+    for (let j = 1; j < 12 && page.url().endsWith("charts"); ++j) await page.mouse.click(box.x + (box.width * i) / 40, box.y + (box.height * j) / 12);
+  await page.waitForSelector(".case");
+  assert.match(page.url(), /#\/case\//);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("curves with bands are drawn when the data has some", async () => {
+  const { page, errors } = await open(browser, "about:blank");
+  await page.route("**/overview.json", async (route) => {
+    const overview = (await (await route.fetch()).json()) as Record<string, unknown>;
+    const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
+    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
+    await route.fulfill({ json: { ...overview, charts: [chart] } });
+  });
+  await page.goto(`${url}#/charts`);
+  await page.getByRole("region", { name: "error over time" }).locator("canvas").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the '?' sheet lists the keys, and Escape closes it", async () => {
+  const { page } = await open(browser, url + values);
+  await drawn(page, "result");
+  await page.keyboard.press("?");
+  assert.match(await page.getByRole("dialog").innerText(), /exposure \+½/);
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => !document.querySelector("dialog"));
+  assert.match(page.url(), /case/, "Escape only closed the sheet");
+  await page.close();
+});
+
+test("a run that goes on fills its cells as renders end", async () => {
+  const folder = join(scratch.folder, "live");
+  const run = await playLive(folder);
+  const served = await serve(folder);
+  const { page, errors } = await open(browser, `${served.url}#/?by=picture&order=given`);
+  await page.getByText("0 of 3 renders done").waitFor();
+  run.stdin?.write("one\n");
+  await page.getByText("1 of 3 renders done, 1 running, 1 left, about 20.0 s to go").waitFor();
+  const cells = page.locator(".cell a .word");
+  await page.waitForFunction(() => document.querySelectorAll(".cell a.tone-good").length === 1);
+  assert.deepEqual(await cells.allInnerTexts(), ["pass", "running", "waiting"]);
+  run.stdin?.write("two\nthree\n");
+  run.stdin?.end();
+  await page.waitForFunction(() => !document.querySelector(".live"));
+  assert.deepEqual(await cells.allInnerTexts(), ["pass", "fail", "fail"]);
+  assert.deepEqual(errors, []);
+  served.process.kill("SIGTERM");
+  await page.close();
+});

@@ -1,0 +1,104 @@
+// What the tests stand on: runs made once, orbs serving them, a browser.
+import { spawn, spawnSync, type ChildProcess } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Browser, Page } from "playwright-core";
+
+const source = process.env["ORBS_SOURCE_DIR"] ?? "";
+export const build = process.env["ORBS_BINARY_DIR"] ?? "";
+const { chromium } = createRequire(join(source, "web/package.json"))("playwright-core") as typeof import("playwright-core");
+
+/** Folders that are gone when the tests end. */
+export class Scratch {
+  readonly folder = mkdtempSync(join(tmpdir(), "orbs-page-"));
+  run(kind: string): string {
+    const folder = join(this.folder, kind);
+    const made = spawnSync(join(build, "orbs-page-fixture"), [kind, folder]);
+    if (made.status !== 0) throw new Error(`orbs-page-fixture ${kind}: ${made.stderr}`);
+    return folder;
+  }
+  remove(): void {
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+}
+
+function firstLine(process: ChildProcess): Promise<string> {
+  return new Promise((resolve, reject) => {
+    let text = "";
+    process.stdout?.on("data", (bytes: Buffer) => {
+      text += bytes.toString();
+      if (text.includes("\n")) resolve(text.slice(0, text.indexOf("\n")));
+    });
+    process.on("exit", (code) => reject(new Error(`ended with ${code}: ${text}`)));
+  });
+}
+
+export interface Served {
+  url: string;
+  process: ChildProcess;
+}
+
+export async function serve(...runs: string[]): Promise<Served> {
+  const process = spawn(join(build, "orbs"), ["serve", ...runs], { stdio: ["ignore", "pipe", "inherit"] });
+  const line = await firstLine(process);
+  return { url: /http:\S+\//.exec(line)?.[0] ?? "", process };
+}
+
+/** A run that goes on; a line on its stdin ends a render. */
+export async function playLive(folder: string): Promise<ChildProcess> {
+  const process = spawn(join(build, "orbs-page-fixture"), ["live", folder], { stdio: ["pipe", "pipe", "inherit"] });
+  await firstLine(process);
+  return process;
+}
+
+export function report(run: string, output: string): void {
+  const made = spawnSync(join(build, "orbs"), ["report", run, "-o", output, "--exact"]);
+  if (made.status !== 0) throw new Error(`orbs report: ${made.stderr}`);
+}
+
+export async function launch(): Promise<Browser> {
+  const executablePath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+  if (!executablePath) throw new Error("there is no Chromium; './bootstrap test' installs it");
+  // Drawn in software: the same picture on every machine. Chromium's sandbox does not run as root in a container.
+  const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])];
+  return chromium.launch({ executablePath, args });
+}
+
+/** A page that makes its test fail on every error in the console, and on every request to elsewhere. */
+export async function open(browser: Browser, url: string, options: Parameters<Browser["newPage"]>[0] = {}): Promise<{ page: Page; errors: string[] }> {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  page.setDefaultTimeout(15000);
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error") errors.push(message.text());
+  });
+  page.on("request", (request) => {
+    const { hostname, protocol } = new URL(request.url());
+    if (!["file:", "data:", "blob:"].includes(protocol) && hostname !== "127.0.0.1") errors.push(`asked ${request.url()}`);
+  });
+  await page.goto(url);
+  return { page, errors };
+}
+
+/** Waits until the stage shows exactly these pictures. */
+export async function drawn(page: Page, names: string): Promise<void> {
+  await page.waitForFunction((wanted) => document.querySelector<HTMLCanvasElement>(".stage canvas")?.dataset["drawn"] === wanted, names);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** Colour of the stage at a point of it, 0 to 255. */
+export function colourAt(page: Page, x: number, y: number): Promise<number[]> {
+  return page.evaluate(([px, py]) => {
+    const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas");
+    const copy = document.createElement("canvas");
+    copy.width = copy.height = 1;
+    const pen = copy.getContext("2d");
+    const scale = devicePixelRatio;
+    if (!canvas || !pen) return [];
+    pen.drawImage(canvas, px * scale, py * scale, 1, 1, 0, 0, 1, 1);
+    return [...pen.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  }, [x, y] as const);
+}

@@ -1,0 +1,164 @@
+// What the page reads: packed pictures, the overview, one picture, the one-file page.
+#include "base/files.h"
+#include "image/half.h"
+#include "json/object_reader.h"
+#include "page/fixture_runs.h"
+#include "report/gzip.h"
+#include "report/packed_image.h"
+#include "report/page_data.h"
+#include "report/page_file.h"
+#include "structure/source_files.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+using namespace orbs;
+
+namespace {
+
+std::string unzipped(const std::string& bytes) {
+  std::string out(1U << 20U, '\0');
+  z_stream stream{};
+  inflateInit2(&stream, 15 + 16);
+  std::string in = bytes;
+  stream.next_in = reinterpret_cast<Bytef*>(in.data());
+  stream.avail_in = static_cast<uInt>(in.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
+  out.resize(stream.total_out);
+  inflateEnd(&stream);
+  return out;
+}
+
+image::Image picture_with(std::vector<std::string> channels, const std::vector<float>& pixels) {
+  auto picture = image::make_image(2, 1, std::move(channels));
+  picture.pixels = pixels;
+  return picture;
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  // R: halves, among them NaN and infinity; G: a third is no half; B: beyond the largest half.
+  const auto picture = picture_with({"R", "G", "B"}, {0.5F, 1.0F / 3, 70000.0F, nan, 0.25F, INFINITY});
+  const auto bytes = unzipped(report::packed_image(picture, "", report::Rounding::Exact, 1));
+  EXPECT_TRUE(holds(bytes, R"("name": "R",
+      "type": "half")"));
+  EXPECT_TRUE(holds(bytes, R"("name": "G",
+      "type": "float")"));
+  const auto planes = bytes.substr(bytes.size() - 2 * 2 - 2 * 4 - 2 * 4);
+  std::uint16_t half = 0;
+  std::memcpy(&half, planes.data(), sizeof(half));
+  EXPECT_EQ(image::float_of_half(half), 0.5F);
+  std::memcpy(&half, planes.data() + 2, sizeof(half));
+  EXPECT_TRUE(std::isnan(image::float_of_half(half)));
+  std::array<float, 4> floats{};
+  std::memcpy(floats.data(), planes.data() + 4, sizeof(floats));
+  EXPECT_EQ(floats[0], 1.0F / 3);
+  EXPECT_EQ(floats[2], 70000.0F);
+  EXPECT_EQ(floats[3], INFINITY);
+}
+
+TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
+  const auto picture = picture_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
+  const auto bytes = unzipped(report::packed_image(picture, "", report::Rounding::Rounded, 1));
+  EXPECT_TRUE(holds(bytes, R"("type": "half",
+      "exact": false)"));
+  EXPECT_TRUE(holds(bytes, R"("type": "float",
+      "exact": true)"));
+}
+
+TEST(PackedImage, HasOneLayerAndNamesAll) {
+  const auto picture = picture_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
+  EXPECT_EQ(report::layers_of(picture), (std::vector<std::string>{"", "S1", "path.ESDL"}));
+  EXPECT_TRUE(holds(unzipped(report::packed_image(picture, "path.ESDL", report::Rounding::Exact, 1)),
+                    R"("layers": ["", "S1", "path.ESDL"])"));
+  EXPECT_THROW(report::packed_image(picture, "S2", report::Rounding::Exact, 1), InputError);
+}
+
+TEST(PackedImage, PixelsStartAtAMultipleOfEight) {
+  for (const char* layer : {"", "a", "ab", "abc", "abcd", "abcde", "abcdef", "abcdefg"}) {
+    const auto channel = *layer == '\0' ? "R" : std::string(layer) + ".R";
+    const auto bytes =
+        unzipped(report::packed_image(picture_with({channel}, {1, 2}), layer, report::Rounding::Exact, 1));
+    EXPECT_EQ((bytes.size() - 4) % 8, 0U) << layer;
+  }
+}
+
+TEST(Base64, IsThatOfRfc4648) {
+  EXPECT_EQ(report::base64(""), "");
+  EXPECT_EQ(report::base64("f"), "Zg==");
+  EXPECT_EQ(report::base64("fo"), "Zm8=");
+  EXPECT_EQ(report::base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(report::base64("\xff\xfe"), "//4=");
+}
+
+TEST(ShellText, IsReadBackByAShell) {
+  EXPECT_EQ(report::shell_text({"orbs", "run", "a b", "it's", "", "$(x)"}),
+            "orbs run 'a b' 'it'\\''s' '' '$(x)'");
+}
+
+TEST(PageData, SaysWhatThePageShowsInColumns) {
+  const structure::ScratchFolder scratch("page-data");
+  page_tests::write_small_run(scratch.path());
+  const auto view = results::read_run_folder(scratch.path());
+  const auto text = report::overview_json(view);
+  EXPECT_NO_THROW(json::parse("overview.json", text));
+  EXPECT_TRUE(holds(text, R"("main_metric": "psnr_srgb8")"));
+  EXPECT_TRUE(holds(text, R"("suite": "beta")"));
+  EXPECT_TRUE(holds(text, "\"l1\": [0.02, 0.04,")) << text;
+  EXPECT_EQ(text.size(), report::overview_json(view).size());
+  const auto picture = report::picture_json(view, 0);
+  EXPECT_NO_THROW(json::parse("picture.json", picture));
+  EXPECT_TRUE(holds(picture, R"("name": "wobble")"));
+  EXPECT_TRUE(holds(picture, R"("min": 35)"));
+  EXPECT_TRUE(holds(picture, "--case m1_values --scene values --renderer one --seed 1 --spp-scale 0.5"))
+      << picture;
+}
+
+// Somebody else's results.json may name any file of this machine.
+TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
+  const structure::ScratchFolder scratch("page-outside");
+  scratch.write("secret.txt", "secret");
+  scratch.write("web/single.html", "<!--orbs-data-->");
+  scratch.write("run/x", "");
+  for (const auto& name : {(scratch.path() / "secret.txt").string(), std::string("../secret.txt")}) {
+    results::RunView view;
+    view.run.folder = (scratch.path() / "run").string();
+    view.run.jobs.resize(1);
+    view.run.jobs[0].log = name;
+    view.run.pictures.resize(1);
+    view.run.pictures[0].jobs = {""};
+    view.run.pictures[0].image = name;
+    EXPECT_FALSE(holds(report::picture_json(view, 0), "\"log\": \"secret")) << name;
+    const auto page = report::page_file(view, {scratch.path() / "web", 1000, true});
+    EXPECT_EQ(page.pictures, 0U) << name;
+    EXPECT_EQ(page.left_out.size(), 1U) << name;
+  }
+}
+
+TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
+  const structure::ScratchFolder scratch("page-file");
+  page_tests::write_small_run(scratch.path() / "run");
+  scratch.write("web/single.html", "before<!--orbs-data-->after");
+  const auto view = results::read_run_folder(scratch.path() / "run");
+  const auto all = report::page_file(view, {scratch.path() / "web", 1'000'000, true});
+  EXPECT_EQ(all.text.substr(0, 6), "before");
+  EXPECT_TRUE(all.left_out.empty());
+  EXPECT_FALSE(holds(all.text, "<img")) << "text of the run stands there as markup";
+  EXPECT_EQ(all.pictures, 7U);
+  const auto none = report::page_file(view, {scratch.path() / "web", 0, true});
+  EXPECT_EQ(none.pictures, 0U);
+  EXPECT_EQ(none.left_out.size(), 7U);
+  // What failed comes first.
+  EXPECT_EQ(none.left_out.front(), "one/values/result.exr");
+  EXPECT_THROW(report::page_file(view, {scratch.path() / "nowhere", 0, true}), InputError);
+}

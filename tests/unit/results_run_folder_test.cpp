@@ -1,0 +1,120 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "page/fixture_runs.h"
+#include "results/read_record.h"
+#include "results/record_json.h"
+#include "results/run_folder.h"
+#include "structure/source_files.h"
+
+#include <filesystem>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using namespace orbs::results;
+
+namespace {
+
+JobRecord job_called(const std::string& id, bool done) {
+  JobRecord job;
+  job.id = id;
+  job.scene = id;
+  job.renderer = "r";
+  job.folder = "r/" + id;
+  job.rendered = done;
+  job.verdict = done ? Verdict::Pass : Verdict::Skipped;
+  return job;
+}
+
+PictureRecord picture_of(const JobRecord& job) {
+  PictureRecord picture;
+  picture.requirement = "M1";
+  picture.case_name = "c";
+  picture.picture = job.scene;
+  picture.renderer = job.renderer;
+  picture.jobs = {job.id};
+  picture.verdict = job.verdict;
+  return picture;
+}
+
+// A run of two renders, the first of which is done.
+void write_unfinished(const structure::ScratchFolder& scratch) {
+  RunRecord run;
+  run.finished = false;
+  for (const char* id : {"a", "b"}) {
+    run.jobs.push_back(job_called(id, false));
+    run.pictures.push_back(picture_of(run.jobs.back()));
+  }
+  scratch.write("results.json", run_json(run));
+  const auto done = job_called("a", true);
+  scratch.write("r/a/job.json", job_json(done, {picture_of(done)}));
+}
+
+}  // namespace
+
+TEST(ReadRecord, ReadsBackAllThatWasWritten) {
+  const structure::ScratchFolder scratch("read-record");
+  page_tests::write_small_run(scratch.path());
+  auto run = read_results_file(scratch.path() / "results.json");
+  EXPECT_EQ(run_json(run), read_file(scratch.path() / "results.json"));
+  run.pictures[0].measures[0].value = std::numeric_limits<double>::infinity();
+  run.requirements[0].cells["one"] = {true, Verdict::Pass, std::numeric_limits<double>::infinity(), "s"};
+  run.finished = false;
+  scratch.write("again.json", run_json(run));
+  EXPECT_EQ(run_json(read_results_file(scratch.path() / "again.json")), run_json(run));
+}
+
+TEST(ReadRecord, AnUnknownVerdictIsNamedWithItsPlace) {
+  const structure::ScratchFolder scratch("read-verdict");
+  scratch.write("results.json", R"({"format": "orbs-results/1",
+ "pictures": [{"requirement": "M1", "case": "c", "picture": "p", "renderer": "r", "verdict": "perfect"}]})");
+  try {
+    read_results_file(scratch.path() / "results.json");
+    FAIL() << "was read";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("results.json:2:"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("'perfect' is no verdict"), std::string::npos) << e.what();
+  }
+}
+
+TEST(RunFolder, OfARunThatWasKilledKeepsWhatWasDone) {
+  const structure::ScratchFolder scratch("run-killed");
+  write_unfinished(scratch);
+  const auto view = read_run_folder(scratch.path());
+  EXPECT_FALSE(view.is_live);
+  EXPECT_EQ(view.run.pictures[0].verdict, Verdict::Pass);
+  EXPECT_EQ(view.run.pictures[1].verdict, Verdict::Skipped);
+}
+
+TEST(RunFolder, OfARunThatGoesOnIsFollowed) {
+  const structure::ScratchFolder scratch("run-live");
+  write_unfinished(scratch);
+  const RunLock lock(scratch.path());
+  EXPECT_TRUE(is_running(scratch.path()));
+  auto view = read_run_folder(scratch.path());
+  EXPECT_TRUE(view.is_live);
+  EXPECT_EQ(view.states, (std::vector{JobState::Done, JobState::Waiting}));
+  EXPECT_FALSE(refresh(view));
+  std::filesystem::create_directories(scratch.path() / "r/b");
+  EXPECT_TRUE(refresh(view));
+  EXPECT_EQ(view.states[1], JobState::Running);
+  scratch.write("r/b/job.json", "{ torn");
+  EXPECT_FALSE(refresh(view));
+}
+
+TEST(RunFolder, TheLockEndsWithItsHolder) {
+  const structure::ScratchFolder scratch("run-lock");
+  scratch.write("x", "");
+  {
+    const RunLock lock(scratch.path());
+    EXPECT_THROW(RunLock(scratch.path()), InputError);
+  }
+  EXPECT_FALSE(is_running(scratch.path()));
+}
+
+TEST(RunFolder, WithoutResultsIsRefused) {
+  const structure::ScratchFolder scratch("run-none");
+  scratch.write("x", "");
+  EXPECT_THROW(read_run_folder(scratch.path()), InputError);
+}

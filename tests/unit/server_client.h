@@ -1,0 +1,44 @@
+#pragma once
+
+#include "server/serve.h"
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+namespace orbs::server_tests {
+
+/// The server over one run with a stand-in for the bundle, on a free port, for as long as this lives.
+class RunningServer {
+ public:
+  explicit RunningServer(const std::filesystem::path& run,
+                         std::chrono::milliseconds head_time = server::ServeSettings{}.head_time);
+  ~RunningServer();
+  RunningServer(const RunningServer&) = delete;
+  RunningServer& operator=(const RunningServer&) = delete;
+
+  int port() const { return port_; }
+  /// All that the server sends back on a connection that sends `bytes`, until it closes.
+  std::string talk(const std::string& bytes) const;
+  /// talk with a GET of this target.
+  std::string get(const std::string& target) const;
+
+ private:
+  std::atomic<bool> stop_ = false;
+  std::atomic<int> port_ = 0;
+  std::filesystem::path bundle_;
+  std::thread thread_;
+};
+
+/// 200 of "HTTP/1.1 200 OK..."; 0 for no answer.
+int status_of(const std::string& answer);
+
+/// What follows the empty line.
+std::string body_of(const std::string& answer);
+
+/// A connected socket; the caller closes it.
+int connect_to(int port);
+
+}  // namespace orbs::server_tests

@@ -1,0 +1,92 @@
+import { seconds } from "./common/format";
+import type { Session } from "./common/session";
+import type { Source } from "./data/source";
+import { go, routeText, type Route } from "./route";
+
+interface Props {
+  source: Source;
+  session: Session | string | undefined;
+  route: Route;
+  onHelp: () => void;
+}
+
+export function Header({ source, session, route, onHelp }: Props) {
+  const [view = ""] = route.path;
+  const query: Record<string, string> = route.query["run"] ? { run: route.query["run"] } : {};
+  const link = (path: string[], label: string) => (
+    <a href={routeText({ path, query })} aria-current={view === (path[0] ?? "") ? "page" : undefined}>
+      {label}
+    </a>
+  );
+  const run = typeof session === "object" ? session.overview.run : undefined;
+  return (
+    <header class="top">
+      <nav aria-label="Views">
+        <span class="brand">orbs</span>
+        {link([], "Overview")}
+        {link(["charts"], "Time and memory")}
+        {link(["compare"], "Compare")}
+      </nav>
+      <div class="run">
+        {source.runs.length > 1 ? (
+          <label>
+            <span class="unseen">Run</span>
+            <select
+              value={run?.name ?? ""}
+              onChange={(event) => go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })}
+            >
+              {source.runs.map((name) => (
+                <option key={name}>{name}</option>
+              ))}
+            </select>
+          </label>
+        ) : (
+          <strong>{run?.name}</strong>
+        )}
+        {run ? <span class="quiet">{runText(session as Session)}</span> : null}
+        <button onClick={onHelp} title="Keys (?)" aria-label="Keys">
+          ?
+        </button>
+      </div>
+      {run && (run.live || !run.finished) ? <LiveBar session={session as Session} /> : null}
+    </header>
+  );
+}
+
+function runText({ overview: { run } }: Session): string {
+  const parts = [run.suite, run.started.replace("T", " ")];
+  if (run.wall_seconds > 0) parts.push(seconds(run.wall_seconds));
+  parts.push(`${run.host.name} (${run.host.cores} cores)`, `orbs ${run.orbs_version}`);
+  if (run.interrupted) parts.push("interrupted");
+  return parts.join(" · ");
+}
+
+/** What a run that goes on has done; for one that was killed, that it was. */
+function LiveBar({ session }: { session: Session }) {
+  const { run } = session.overview;
+  const { progress } = session;
+  if (!run.live)
+    return (
+      <p class="live ended" role="status">
+        This run ended before it was finished: what it had rendered until then is shown.
+      </p>
+    );
+  if (!progress)
+    return (
+      <p class="live" role="status">
+        The run goes on …
+      </p>
+    );
+  const left = progress.total - progress.done - progress.running.length;
+  const estimate = progress.seconds_left === null ? "" : `, about ${seconds(progress.seconds_left)} to go`;
+  return (
+    <div class="live" role="status">
+      <progress max={progress.total} value={progress.done} aria-label="Renders done" />
+      <span>
+        <b>{progress.done}</b> of {progress.total} renders done, {progress.running.length} running, {Math.max(0, left)}{" "}
+        left{estimate}
+      </span>
+      <span class="quiet">{progress.running.slice(0, 4).join(", ")}</span>
+    </div>
+  );
+}

@@ -1,0 +1,120 @@
+import { useEffect, useState } from "preact/hooks";
+import { useActions } from "../common/keys";
+import { detailOf, findCell, namesOf, sentenceOf, stateOf, type Session } from "../common/session";
+import { StateMark } from "../common/StateMark";
+import type { Case, PictureDetail } from "../data/types";
+import { cellLink } from "../overview/Grid";
+import { go, parseRoute, type Route } from "../route";
+import { Viewer } from "../viewer/Viewer";
+import { Cost } from "./Cost";
+import { Logs } from "./Logs";
+import { Measures } from "./Measures";
+import { Passports } from "./Passports";
+
+function useDetail(session: Session, index: number): PictureDetail | string | undefined {
+  const [detail, setDetail] = useState<{ key: string; value: PictureDetail | string }>();
+  const key = `${session.run} ${index}`;
+  const state = session.overview.cells.state[index];
+  useEffect(() => {
+    let wanted = true;
+    if (index >= 0)
+      detailOf(session, index).then(
+        (value) => wanted && setDetail({ key, value }),
+        (error: unknown) => wanted && setDetail({ key, value: error instanceof Error ? error.message : String(error) }),
+      );
+    return () => void (wanted = false);
+  }, [key, state]);
+  return detail?.key === key ? detail.value : undefined;
+}
+
+/** Cells of the same renderer before and after this one, and the others of the same picture. */
+function neighbours(session: Session, index: number) {
+  const { cells } = session.overview;
+  const same = cells.renderer.flatMap((renderer, i) => (renderer === cells.renderer[index] ? [i] : []));
+  const at = same.indexOf(index);
+  const siblings = cells.case.flatMap((one, i) =>
+    one === cells.case[index] && cells.picture[i] === cells.picture[index] ? [i] : []);
+  return { previous: same[at - 1], next: same[at + 1], siblings };
+}
+
+/** The address of another case that keeps how pictures are looked at, but not where. */
+function keepLook(link: string): void {
+  const { query } = parseRoute(location.hash);
+  const { x: _x, y: _y, zoom: _zoom, region: _region, ...look } = query;
+  const target = parseRoute(link);
+  go({ path: target.path, query: { ...look, ...target.query } });
+}
+
+export function CasePage({ session, route }: { session: Session; route: Route }) {
+  const [, caseName = "", picture = "", renderer = ""] = route.path;
+  const { overview } = session;
+  const index = findCell(overview, caseName, picture, renderer);
+  const detail = useDetail(session, index);
+  const { previous, next, siblings } = neighbours(session, index);
+  const to = (cell: number | undefined): void => {
+    if (cell !== undefined) keepLook(cellLink(session, cell));
+  };
+  const sibling = (step: number) => siblings[(siblings.indexOf(index) + step + siblings.length) % siblings.length];
+  useActions([
+    { key: "[", label: "previous picture", group: "Case", run: () => to(previous) },
+    { key: "]", label: "next picture", group: "Case", run: () => to(next) },
+    { key: "j", label: "next renderer", group: "Case", run: () => to(sibling(1)) },
+    { key: "k", label: "previous renderer", group: "Case", run: () => to(sibling(-1)) },
+  ]);
+  const one = overview.cases[overview.cells.case[index] ?? -1];
+  if (index < 0 || !one)
+    return <p role="alert">This run has no picture '{picture}' of the case '{caseName}' by '{renderer}'.</p>;
+  return (
+    <article class="case">
+      <header class="verdict">
+        <div class="where">
+          <h1>
+            <span class="code">{one.requirement}</span> {one.title} <span class="quiet">{picture}</span>
+          </h1>
+          <nav aria-label="Neighbours">
+            <button disabled={previous === undefined} onClick={() => to(previous)} title="previous picture ([)">◂ Previous</button>
+            <button disabled={next === undefined} onClick={() => to(next)} title="next picture (])">Next ▸</button>
+          </nav>
+        </div>
+        <div class="renderer-tabs" role="group" aria-label="Renderer">
+          {siblings.map((cell) => (
+            <button key={cell} aria-pressed={cell === index} onClick={() => to(cell)}>
+              {namesOf(overview, cell).renderer} <StateMark state={stateOf(overview, cell)} word={false} />
+            </button>
+          ))}
+        </div>
+        <p class="sentence">
+          <StateMark state={stateOf(overview, index)} /> {sentenceOf(overview, index)}
+        </p>
+        {one.smallest_error_seen ? <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p> : null}
+      </header>
+      {typeof detail === "string" ? <p role="alert">{detail}</p> : null}
+      {detail === undefined ? <p class="loading">Reading …</p> : null}
+      {typeof detail === "object" ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
+    </article>
+  );
+}
+
+function Detail({ session, route, one, detail }: { session: Session; route: Route; one: Case; detail: PictureDetail }) {
+  return (
+    <>
+      <Viewer key={`${detail.case}/${detail.picture}/${detail.renderer}`} session={session} images={detail.images} route={route} />
+      <div class="facts">
+        <section class="about">
+          <h2>What is tested</h2>
+          <p>{one.tests || "The case says nothing about it."}</p>
+          {one.typical_mistake ? (
+            <>
+              <h2>A typical mistake</h2>
+              <p>{one.typical_mistake}</p>
+            </>
+          ) : null}
+        </section>
+        <Measures detail={detail} />
+        <Cost detail={detail} />
+        <Passports session={session} detail={detail} />
+        <Logs session={session} detail={detail} />
+      </div>
+    </>
+  );
+}

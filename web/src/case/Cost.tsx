@@ -1,0 +1,40 @@
+import { bytes, seconds } from "../common/format";
+import { Copyable } from "../common/Copyable";
+import type { PictureDetail } from "../data/types";
+
+/** What the renders cost, and how to do them again. */
+export function Cost({ detail }: { detail: PictureDetail }) {
+  return (
+    <section class="cost">
+      <h2>Time, memory, command</h2>
+      {detail.jobs.length > 0 ? (
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">Render</th>
+              <th scope="col" class="number" title="wall-clock time of the whole process">Wall</th>
+              <th scope="col" class="number" title="user and system time of the process and its children">CPU</th>
+              <th scope="col" class="number" title="what the renderer itself says about its rendering">Its own</th>
+              <th scope="col" class="number" title="largest resident set of one of its processes">Peak memory</th>
+            </tr>
+          </thead>
+          <tbody>
+            {detail.jobs.map((job) => (
+              <tr key={job.id}>
+                <th scope="row">{job.scene}</th>
+                <td class="number">{seconds(job.started ? job.wall_seconds : null)}</td>
+                <td class="number">{seconds(job.started ? job.cpu_seconds : null)}</td>
+                <td class="number">{seconds(job.render_seconds)}</td>
+                <td class="number">{bytes(job.peak_rss_bytes)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      ) : (
+        <p class="quiet">Nothing was rendered for this.</p>
+      )}
+      <Copyable label="Render and judge it again" text={detail.command} />
+      {detail.jobs.map((job) => job.command ? <Copyable key={job.id} label={`The renderer alone, ${job.scene}`} text={job.command} /> : null)}
+    </section>
+  );
+}

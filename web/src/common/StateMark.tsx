@@ -1,0 +1,15 @@
+import type { State } from "../data/types";
+import { lookOf } from "./states";
+
+/** State by symbol, word and colour. */
+export function StateMark({ state, word = true }: { state: State | undefined; word?: boolean }) {
+  const look = lookOf(state);
+  return (
+    <span class={`state tone-${look.tone}`}>
+      <span class="symbol" aria-hidden="true">
+        {look.symbol}
+      </span>
+      <span class={word ? "word" : "unseen"}>{state?.name ?? "not tested"}</span>
+    </span>
+  );
+}

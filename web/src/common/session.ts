@@ -1,0 +1,49 @@
+import type { Source } from "../data/source";
+import type { Overview, PictureDetail, Progress } from "../data/types";
+
+/** The run that is shown, and how to get at the rest. */
+export interface Session {
+  source: Source;
+  run: number;
+  overview: Overview;
+  progress: Progress | undefined;
+}
+
+/** Index of the picture of a case by a renderer, -1 when the run has none. */
+export function findCell(overview: Overview, caseName: string, picture: string, renderer: string): number {
+  const { cells } = overview;
+  const wantedCase = overview.cases.findIndex((one) => one.name === caseName);
+  const wantedPicture = overview.pictures.indexOf(picture);
+  const wantedRenderer = overview.renderers.findIndex((one) => one.name === renderer);
+  return cells.case.findIndex(
+    (one, i) => one === wantedCase && cells.picture[i] === wantedPicture && cells.renderer[i] === wantedRenderer,
+  );
+}
+
+export interface CellNames {
+  case: string;
+  picture: string;
+  renderer: string;
+}
+
+export function namesOf(overview: Overview, index: number): CellNames {
+  const { cells } = overview;
+  return {
+    case: overview.cases[cells.case[index] ?? -1]?.name ?? "",
+    picture: overview.pictures[cells.picture[index] ?? -1] ?? "",
+    renderer: overview.renderers[cells.renderer[index] ?? -1]?.name ?? "",
+  };
+}
+
+export const stateOf = (overview: Overview, index: number) => overview.states[overview.cells.state[index] ?? -1];
+
+export const sentenceOf = (overview: Overview, index: number): string =>
+  overview.sentences[overview.cells.sentence[index] ?? -1] ?? "";
+
+export const isInfinite = (overview: Overview, metric: string, index: number): boolean =>
+  overview.infinite[metric]?.includes(index) ?? false;
+
+/** Details are asked for once, unless the run goes on and they may still change. */
+export function detailOf(session: Session, index: number): Promise<PictureDetail> {
+  return session.source.picture(session.run, index);
+}

@@ -1,0 +1,138 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { number } from "../common/format";
+import type { Session } from "../common/session";
+import { StateMark } from "../common/StateMark";
+import type { Overview } from "../data/types";
+import { cellLink } from "../overview/Grid";
+import { note, type Route } from "../route";
+import { changesOf, stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
+
+const kHeadings: Record<Kind, string> = { worse: "Became worse", better: "Became better", new: "New", gone: "Gone", same: "As before" };
+const kMostRows = 500; // of one heading
+
+function useOverview(session: Session, run: number): Overview | undefined {
+  const [other, setOther] = useState<{ run: number; overview: Overview }>();
+  useEffect(() => {
+    if (run !== session.run) void session.source.overview(run).then((overview) => setOther({ run, overview }));
+  }, [run, session.run, session.source]);
+  if (run === session.run) return session.overview;
+  return other?.run === run ? other.overview : undefined;
+}
+
+function SideChoice({ label, session, run, renderer, overview, runParam, rendererParam }: {
+  label: string;
+  session: Session;
+  run: number;
+  renderer: string;
+  overview: Overview | undefined;
+  runParam: string;
+  rendererParam: string;
+}) {
+  return (
+    <span>
+      <b>{label}</b>{" "}
+      {session.source.runs.length > 1 ? (
+        <select aria-label={`${label}: run`} value={session.source.runs[run]} onChange={(e) => note({ [runParam]: e.currentTarget.value })}>
+          {session.source.runs.map((name) => <option key={name}>{name}</option>)}
+        </select>
+      ) : null}{" "}
+      <select aria-label={`${label}: renderer`} value={renderer} onChange={(e) => note({ [rendererParam]: e.currentTarget.value })}>
+        <option value="">all renderers</option>
+        {overview?.renderers.map(({ name }) => <option key={name}>{name}</option>)}
+      </select>
+    </span>
+  );
+}
+
+function Cell({ overview, cell, metric, link }: { overview: Overview; cell: number; metric: string; link: string }) {
+  if (cell < 0) return <td class="quiet">–</td>;
+  const value = valueOf(overview, metric, cell);
+  return (
+    <td>
+      <a href={link}><StateMark state={stateOf(overview, cell)} /></a>{" "}
+      <span class="quiet">{value === undefined ? "" : number(value, value === Infinity)}</span>
+    </td>
+  );
+}
+
+function Changes({ kind, changes, a, b, metric, links }: {
+  kind: Kind;
+  changes: Change[];
+  a: Side;
+  b: Side;
+  metric: string;
+  links: { a: (cell: number) => string; b: (cell: number) => string };
+}) {
+  if (changes.length === 0) return null;
+  return (
+    <section data-kind={kind}>
+      <details open={kind !== "same"}>
+        <summary>
+          <h2 style={{ display: "inline" }}>{kHeadings[kind]} <span class="count">{changes.length}</span></h2>
+        </summary>
+        <table>
+          <thead>
+            <tr><th scope="col">Case</th><th scope="col">Picture</th><th scope="col">Renderer</th><th scope="col">Before</th><th scope="col">After</th></tr>
+          </thead>
+          <tbody>
+            {changes.slice(0, kMostRows).map((change) => (
+              <tr key={`${change.names.case} ${change.names.picture} ${change.names.renderer}`}>
+                <th scope="row">{change.names.case}</th>
+                <td>{change.names.picture}</td>
+                <td>{a.renderer && b.renderer ? `${a.renderer} → ${b.renderer}` : change.names.renderer}</td>
+                <Cell overview={a.overview} cell={change.before} metric={metric} link={links.a(change.before)} />
+                <Cell overview={b.overview} cell={change.after} metric={metric} link={links.b(change.after)} />
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        {changes.length > kMostRows ? <p class="quiet">… and {changes.length - kMostRows} more.</p> : null}
+      </details>
+    </section>
+  );
+}
+
+/** Two runs, or two renderers: what is better, worse, new and gone. */
+export function ComparePage({ session, route }: { session: Session; route: Route }) {
+  const { source } = session;
+  const runOf = (param: string, usual: number): number => {
+    const named = source.runs.indexOf(route.query[param] ?? "");
+    return named >= 0 ? named : Math.min(usual, source.runs.length - 1);
+  };
+  // The newest run stands first, so the one before it is the next.
+  const [runA, runB] = [runOf("before", 1), runOf("after", 0)];
+  const [overviewA, overviewB] = [useOverview(session, runA), useOverview(session, runB)];
+  const oneRun = source.runs.length < 2;
+  const usual = (i: number): string => (oneRun && session.overview.renderers.length > 1 ? (session.overview.renderers[i]?.name ?? "") : "");
+  const rendererA = route.query["ra"] ?? usual(1);
+  const rendererB = route.query["rb"] ?? usual(0);
+  const metric = route.query["metric"] || session.overview.main_metric;
+  const changes = useMemo(
+    () => overviewA && overviewB &&
+      changesOf({ overview: overviewA, renderer: rendererA }, { overview: overviewB, renderer: rendererB }, metric),
+    [overviewA, overviewB, rendererA, rendererB, metric]);
+  const link = (run: number, overview: Overview | undefined) => (cell: number): string =>
+    overview && cell >= 0 ? cellLink({ ...session, run, overview }, cell) : "";
+  return (
+    <div class="compare">
+      <h1 class="unseen">Compare</h1>
+      <div class="compare-choices">
+        <SideChoice label="Before" session={session} run={runA} renderer={rendererA} overview={overviewA} runParam="before" rendererParam="ra" />
+        <SideChoice label="After" session={session} run={runB} renderer={rendererB} overview={overviewB} runParam="after" rendererParam="rb" />
+        <label>
+          by{" "}
+          <select value={metric} onChange={(e) => note({ metric: e.currentTarget.value })}>
+            {session.overview.metrics.map(({ name }) => <option key={name}>{name}</option>)}
+          </select>
+        </label>
+      </div>
+      {!changes || !overviewA || !overviewB ? <p class="loading">Reading …</p> : (
+        (Object.keys(kHeadings) as Kind[]).map((kind) => (
+          <Changes key={kind} kind={kind} changes={changes.filter((one) => one.kind === kind)} metric={metric}
+            a={{ overview: overviewA, renderer: rendererA }} b={{ overview: overviewB, renderer: rendererB }}
+            links={{ a: link(runA, overviewA), b: link(runB, overviewB) }} />
+        ))
+      )}
+    </div>
+  );
+}

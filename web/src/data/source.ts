@@ -1,0 +1,24 @@
+import { embeddedSource } from "./embedded";
+import type { Raster } from "./raster";
+import { servedSource } from "./served";
+import type { Overview, PictureDetail, Progress } from "./types";
+
+/** Where the page gets its data from: a server, or the file that it is itself. */
+export interface Source {
+  /** Names of the runs that are there, the first to open with. */
+  runs: string[];
+  overview(run: number): Promise<Overview>;
+  picture(run: number, index: number): Promise<PictureDetail>;
+  /** One layer of a picture; fails with an Error that says why. */
+  raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
+  /** Address of the small picture of a cell, undefined when there is none. */
+  thumbnail(run: number, index: number, image: () => Promise<PictureDetail>): Promise<string | undefined>;
+  /** Address of a file of the run, undefined where it cannot be had. */
+  fileAddress(run: number, file: string): string | undefined;
+  /** Calls back on progress of a run that goes on; returns what ends that. */
+  follow(run: number, onProgress: (progress: Progress) => void): () => void;
+}
+
+export async function openSource(): Promise<Source> {
+  return document.getElementById("orbs-overview") ? embeddedSource() : servedSource();
+}

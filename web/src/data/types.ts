@@ -1,0 +1,180 @@
+// What src/report writes for the page (orbs-page/1). No metric, map, suite or state is known here by name.
+
+export interface RunInfo {
+  name: string;
+  suite: string;
+  started: string;
+  wall_seconds: number;
+  orbs_version: string;
+  command: string;
+  interrupted: boolean;
+  finished: boolean;
+  live: boolean;
+  host: { name: string; cpu: string; cores: number; system: string };
+}
+
+export interface State {
+  name: string;
+  failure: boolean;
+}
+
+export interface Renderer {
+  name: string;
+  version?: string;
+  declared?: string;
+  measured?: string;
+}
+
+export interface Case {
+  name: string;
+  suite: string;
+  requirement: string;
+  title: string;
+  tests: string;
+  typical_mistake: string;
+  /** The smallest error that the gate of the case is known to see, in words. */
+  smallest_error_seen?: string;
+}
+
+export interface Metric {
+  name: string;
+  unit: string;
+  definition: string;
+  lower_is_better: boolean;
+}
+
+/** One number per picture of the run; null where there is none. */
+export type Column = (number | null)[];
+
+export interface Cells {
+  case: number[];
+  picture: number[];
+  renderer: number[];
+  state: number[];
+  declared: number[];
+  sentence: number[];
+  thumbnail: number[];
+  wall_seconds: Column;
+  cpu_seconds: Column;
+  render_seconds: Column;
+  peak_rss_bytes: Column;
+  spp: Column;
+}
+
+export interface ChartPoint {
+  x: number;
+  y: number;
+  low?: number;
+  high?: number;
+  /** Index of the picture that a click opens. */
+  cell?: number;
+  label?: string;
+}
+
+export interface ChartSeries {
+  name: string;
+  points: ChartPoint[];
+  /** Points are joined by a line in the order of x. */
+  line?: boolean;
+}
+
+export interface Axis {
+  label: string;
+  log: boolean;
+  /** Names of the positions 0, 1, 2, ... of an axis without numbers. */
+  ticks?: string[];
+}
+
+export interface Chart {
+  title: string;
+  x: Axis;
+  y: Axis;
+  series: ChartSeries[];
+}
+
+export interface Overview {
+  format: string;
+  run: RunInfo;
+  /** From best to worst, then those of renders that are not done. */
+  states: State[];
+  renderers: Renderer[];
+  left_out: { renderer: string; reason: string }[];
+  cases: Case[];
+  requirements: { code: string; title: string }[];
+  metrics: Metric[];
+  /** The metric that most gates look at; "" when no picture was measured. */
+  main_metric: string;
+  pictures: string[];
+  sentences: string[];
+  cells: Cells;
+  measures: Record<string, Column>;
+  infinite: Record<string, number[]>;
+  /** Curves that studies add. */
+  charts?: Chart[];
+}
+
+export interface Measure extends Metric {
+  value: number | null;
+  infinite?: boolean;
+}
+
+export interface Check {
+  what: string;
+  passed: boolean;
+  sentence: string;
+  min?: number;
+  max?: number;
+}
+
+export interface ImageEntry {
+  name: string;
+  kind: string;
+  file: string;
+  definition?: string;
+  signed?: boolean;
+  scale_maximum?: number;
+}
+
+export interface Job {
+  id: string;
+  scene: string;
+  folder: string;
+  renderer_version: string;
+  command: string;
+  spp: number;
+  seed: number;
+  threads: number;
+  started: string;
+  sentence: string;
+  wall_seconds: number;
+  cpu_seconds: number;
+  render_seconds?: number;
+  peak_rss_bytes: number;
+  exit_code: number;
+  signal: string;
+  log_file: string;
+  log: string;
+}
+
+export interface PictureDetail {
+  case: string;
+  picture: string;
+  renderer: string;
+  requirement: string;
+  sentence: string;
+  reference: string;
+  measures: Measure[];
+  checks: Check[];
+  images: ImageEntry[];
+  reference_passport: Record<string, string>;
+  jobs: Job[];
+  command: string;
+}
+
+export interface Progress {
+  live: boolean;
+  running: string[];
+  done: number;
+  total: number;
+  seconds_left: number | null;
+}

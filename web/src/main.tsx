@@ -1,0 +1,21 @@
+import { render } from "preact";
+import "uplot/dist/uPlot.min.css";
+import { App } from "./App";
+import { openSource } from "./data/source";
+import "./style/base.css";
+import "./style/overview.css";
+import "./style/case.css";
+import "./style/viewer.css";
+import "./style/charts.css";
+
+const root = document.getElementById("page");
+if (root)
+  openSource().then(
+    (source) => {
+      root.replaceChildren();
+      render(<App source={source} />, root);
+    },
+    (error: unknown) => {
+      root.textContent = `The run cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+    },
+  );

@@ -1,0 +1,42 @@
+import { useEffect, useState } from "preact/hooks";
+import { bytes, seconds } from "../common/format";
+import { detailOf, namesOf, sentenceOf, type Session } from "../common/session";
+
+export interface Hovered {
+  index: number;
+  box: DOMRect;
+}
+
+/** A small picture of the cell under the pointer or the focus, and what is said about it. */
+export function Preview({ session, hovered }: { session: Session; hovered: Hovered }) {
+  const { overview, source, run } = session;
+  const { index, box } = hovered;
+  const [image, setImage] = useState<string>();
+  useEffect(() => {
+    let wanted = true;
+    setImage(undefined);
+    if (overview.cells.thumbnail[index])
+      source.thumbnail(run, index, () => detailOf(session, index)).then(
+        (address) => wanted && setImage(address),
+        () => undefined, // the sentence says enough
+      );
+    return () => void (wanted = false);
+  }, [index, run]);
+  const names = namesOf(overview, index);
+  const width = 300;
+  const left = Math.min(Math.max(8, box.left), innerWidth - width - 8);
+  const above = box.bottom + 300 > innerHeight && box.top > 300;
+  const place = above ? { bottom: `${innerHeight - box.top + 6}px` } : { top: `${box.bottom + 6}px` };
+  return (
+    <div class="preview" style={{ left: `${left}px`, width: `${width}px`, ...place }} role="presentation">
+      <p>
+        <b>{names.picture}</b> by {names.renderer}
+      </p>
+      {image ? <img src={image} alt="" width={256} /> : null}
+      <p>{sentenceOf(overview, index)}</p>
+      <p class="quiet">
+        {seconds(overview.cells.wall_seconds[index])} · {bytes(overview.cells.peak_rss_bytes[index])}
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,90 @@
+import { bytes, seconds } from "../common/format";
+import { lookOf } from "../common/states";
+import type { Column, Overview } from "../data/types";
+
+interface Totals {
+  states: number[];
+  wall: number;
+  cpu: number;
+  memory: number;
+}
+
+function totalsOf(overview: Overview): Totals[] {
+  const totals = overview.renderers.map(() => ({ states: overview.states.map(() => 0), wall: 0, cpu: 0, memory: 0 }));
+  // A render that several cases look at is counted once: by its picture.
+  const seen = new Set<string>();
+  const { cells } = overview;
+  const at = (column: Column, i: number): number => column[i] ?? 0;
+  for (let i = 0; i < cells.case.length; ++i) {
+    const total = totals[cells.renderer[i] ?? -1];
+    const state = cells.state[i] ?? 0;
+    if (!total) continue;
+    total.states[state] = (total.states[state] ?? 0) + 1;
+    total.memory = Math.max(total.memory, at(cells.peak_rss_bytes, i));
+    const key = `${cells.renderer[i]} ${cells.picture[i]}`;
+    if (seen.has(key)) continue;
+    seen.add(key);
+    total.wall += at(cells.wall_seconds, i);
+    total.cpu += at(cells.cpu_seconds, i);
+  }
+  return totals;
+}
+
+/** One line per renderer: what it claims, what was measured, what it cost. */
+export function RendererTable({ overview }: { overview: Overview }) {
+  const totals = totalsOf(overview);
+  return (
+    <section class="renderers" aria-label="Renderers">
+      <table>
+        <thead>
+          <tr>
+            <th scope="col">Renderer</th>
+            <th scope="col" title="Feature number of ORB.S: the levels that the renderer claims, L4-(2) is L1 to L4 without L2">Declared</th>
+            <th scope="col" title="The levels whose pictures all pass in this run">Measured</th>
+            <th scope="col">Pictures</th>
+            <th scope="col" class="number" title="Sum of the wall-clock time of its renders">Time</th>
+            <th scope="col" class="number" title="Sum of user and system time of its renders">CPU</th>
+            <th scope="col" class="number" title="Largest resident set of one of its renders">Peak memory</th>
+          </tr>
+        </thead>
+        <tbody>
+          {overview.renderers.map((renderer, r) => {
+            const total = totals[r];
+            if (!total) return null;
+            return (
+              <tr key={renderer.name}>
+                <th scope="row">
+                  {renderer.name} <span class="quiet">{renderer.version}</span>
+                </th>
+                <td data-label="Declared" class="features">{renderer.declared || "–"}</td>
+                <td data-label="Measured" class="features">{overview.run.finished ? renderer.measured || "–" : "…"}</td>
+                <td data-label="Pictures">
+                  <ul class="counts">
+                    {total.states.map((count, s) => {
+                      const state = overview.states[s];
+                      if (count === 0 || !state) return null;
+                      const look = lookOf(state);
+                      return (
+                        <li key={state.name} class={`tone-${look.tone}`}>
+                          <span aria-hidden="true">{look.symbol}</span> {count} {state.name}
+                        </li>
+                      );
+                    })}
+                  </ul>
+                </td>
+                <td data-label="Time" class="number">{total.wall ? seconds(total.wall) : "–"}</td>
+                <td data-label="CPU" class="number">{total.cpu ? seconds(total.cpu) : "–"}</td>
+                <td data-label="Peak memory" class="number">{bytes(total.memory)}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+      {overview.left_out.map(({ renderer, reason }) => (
+        <p class="quiet" key={renderer}>
+          Left out: {renderer}: {reason}
+        </p>
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,114 @@
+import type { Overview } from "../data/types";
+
+/** A row of the grid: a requirement with the worst of its pictures, or one picture. */
+export interface Row {
+  key: string;
+  kind: "requirement" | "picture";
+  requirement: string;
+  title: string;
+  suite: string;
+  /** By renderer: the index of the cell that speaks for the row, -1 for none. */
+  cells: number[];
+  /** Pictures below a requirement. */
+  below: number;
+  /** Everything that the filter box searches, in lower case. */
+  text: string;
+}
+
+export interface Filter {
+  text: string;
+  suites: string[];
+  states: string[];
+  renderers: string[];
+  byPicture: boolean;
+  failuresFirst: boolean;
+  open: string[];
+}
+
+const rank = (overview: Overview, cell: number): number => {
+  const state = overview.cells.state[cell] ?? 0;
+  // A failure that nobody promised counts less than any that somebody did.
+  return (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state;
+};
+
+function worseOf(overview: Overview, a: number, b: number): number {
+  if (a < 0) return b;
+  return rank(overview, b) > rank(overview, a) ? b : a;
+}
+
+interface Group {
+  row: Row;
+  pictures: Map<string, Row>;
+}
+
+/** All rows of a run, grouped by requirement, in the order of the run. */
+export function groupsOf(overview: Overview): Group[] {
+  const { cells, cases } = overview;
+  const titles = new Map(overview.requirements.map(({ code, title }) => [code, title]));
+  const groups = new Map<string, Group>();
+  const emptyCells = (): number[] => overview.renderers.map(() => -1);
+  for (let i = 0; i < cells.case.length; ++i) {
+    const one = cases[cells.case[i] ?? -1];
+    const picture = overview.pictures[cells.picture[i] ?? -1] ?? "";
+    const renderer = cells.renderer[i] ?? -1;
+    if (!one || renderer < 0) continue;
+    const groupKey = `${one.suite}\n${one.requirement}`;
+    let group = groups.get(groupKey);
+    if (!group) {
+      const title = titles.get(one.requirement) ?? one.title;
+      const row: Row = { key: groupKey, kind: "requirement", requirement: one.requirement, title, suite: one.suite,
+        cells: emptyCells(), below: 0, text: `${one.requirement} ${title} ${one.suite}`.toLowerCase() };
+      group = { row, pictures: new Map() };
+      groups.set(groupKey, group);
+    }
+    const pictureKey = `${one.name}\n${picture}`;
+    let row = group.pictures.get(pictureKey);
+    if (!row) {
+      row = { key: `${groupKey}\n${pictureKey}`, kind: "picture", requirement: one.requirement,
+        title: picture === one.name ? picture : `${picture}`, suite: one.suite, cells: emptyCells(), below: 0,
+        text: `${one.requirement} ${one.title} ${one.name} ${picture} ${one.suite}`.toLowerCase() };
+      group.pictures.set(pictureKey, row);
+      ++group.row.below;
+      group.row.text += ` ${one.name} ${picture}`.toLowerCase();
+    }
+    row.cells[renderer] = i;
+    group.row.cells[renderer] = worseOf(overview, group.row.cells[renderer] ?? -1, i);
+  }
+  return [...groups.values()];
+}
+
+function worstRank(overview: Overview, row: Row, renderers: number[]): number {
+  return Math.max(-1, ...renderers.map((r) => (row.cells[r] ?? -1) < 0 ? -1 : rank(overview, row.cells[r] ?? 0)));
+}
+
+/** The rows that the filter leaves, in the order of the grid. */
+export function visibleRows(overview: Overview, groups: Group[], filter: Filter): Row[] {
+  const renderers = visibleRenderers(overview, filter);
+  const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean);
+  const keeps = (row: Row): boolean =>
+    words.every((word) => row.text.includes(word)) &&
+    (filter.suites.length === 0 || filter.suites.includes(row.suite)) &&
+    (filter.states.length === 0 ||
+      renderers.some((r) => {
+        const cell = row.cells[r] ?? -1;
+        return cell >= 0 && filter.states.includes(overview.states[overview.cells.state[cell] ?? -1]?.name ?? "");
+      }));
+  const sorted = (rows: Row[]): Row[] => {
+    if (!filter.failuresFirst) return rows;
+    const ranks = new Map(rows.map((row) => [row, worstRank(overview, row, renderers)]));
+    return [...rows].sort((a, b) => (ranks.get(b) ?? 0) - (ranks.get(a) ?? 0));
+  };
+  if (filter.byPicture) return sorted(groups.flatMap((group) => [...group.pictures.values()]).filter(keeps));
+  const kept = new Map(groups.map((group) => [group.row, group]));
+  return sorted([...kept.keys()].filter(keeps)).flatMap((row) => {
+    if (!filter.open.includes(row.requirement)) return [row];
+    return [row, ...sorted([...(kept.get(row)?.pictures.values() ?? [])].filter(keeps))];
+  });
+}
+
+/** Indices of the renderers whose columns are shown. */
+export function visibleRenderers(overview: Overview, filter: Filter): number[] {
+  const all = overview.renderers.map((_, i) => i);
+  if (filter.renderers.length === 0) return all;
+  return all.filter((i) => filter.renderers.includes(overview.renderers[i]?.name ?? ""));
+}

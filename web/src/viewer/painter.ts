@@ -1,0 +1,163 @@
+import { floatsOf, type Raster } from "../data/raster";
+import { scaleBytes } from "./colour_scales";
+import { kFragmentShader, kVertexShader } from "./shader";
+
+/** How one picture is drawn into one pane. */
+export interface Paint {
+  raster: Raster;
+  /** The pane and the part of it that is drawn, in pixels of the canvas from its top left: x, y, width, height. */
+  pane: [number, number, number, number];
+  clip: [number, number, number, number];
+  origin: [number, number];
+  zoom: number;
+  gain: number;
+  offset: number;
+  curve: number;
+  gamma: number;
+  channel: number;
+  falseColour: boolean;
+  diverging: boolean;
+  log: boolean;
+  scaleEnd: number;
+  zebra: boolean;
+}
+
+/** Draws pictures with WebGL2. The numbers stay what they are: all that is changed is how they look. */
+export class Painter {
+  private readonly gl: WebGL2RenderingContext;
+  private readonly program: WebGLProgram;
+  private readonly uniforms = new Map<string, WebGLUniformLocation | null>();
+  private readonly textures = new Map<Raster, WebGLTexture>();
+  private readonly scales: WebGLTexture;
+
+  /** Fails with an Error that says what the browser lacks. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
+    if (!gl) throw new Error("this browser has no WebGL2, which the viewer draws with");
+    this.gl = gl;
+    this.program = this.link();
+    gl.useProgram(this.program);
+    gl.bindVertexArray(gl.createVertexArray());
+    this.scales = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, this.scales);
+    const rows = new Uint8Array([...scaleBytes(false), ...scaleBytes(true)]);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    gl.uniform1i(this.uniform("picture"), 0);
+    gl.uniform1i(this.uniform("scaleColours"), 1);
+  }
+
+  private link(): WebGLProgram {
+    const { gl } = this;
+    const program = gl.createProgram();
+    for (const [type, text] of [[gl.VERTEX_SHADER, kVertexShader], [gl.FRAGMENT_SHADER, kFragmentShader]] as const) {
+      const shader = gl.createShader(type);
+      if (!shader) throw new Error("the graphics driver is gone");
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+        throw new Error(`the viewer's shader does not compile here: ${gl.getShaderInfoLog(shader) ?? ""}`);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error("the viewer's shader does not link here");
+    return program;
+  }
+
+  private uniform(name: string): WebGLUniformLocation | null {
+    if (!this.uniforms.has(name)) this.uniforms.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.uniforms.get(name) ?? null;
+  }
+
+  /** Largest width and height that can be drawn. */
+  get mostPixels(): number {
+    return this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
+  }
+
+  private texture(raster: Raster): WebGLTexture {
+    const known = this.textures.get(raster);
+    if (known) return known;
+    const { gl } = this;
+    const texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
+    const half = isHalf(raster);
+    const { width, height } = raster;
+    const count = shownChannels(raster);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, half ? gl.R16UI : gl.R32UI, width, height, count);
+    for (let c = 0; c < count; ++c) {
+      const plane = half ? (raster.planes[c] as Uint16Array) : floatBits(raster, c);
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, c, width, height, 1, gl.RED_INTEGER,
+        half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, plane);
+    }
+    this.textures.set(raster, texture);
+    return texture;
+  }
+
+  clear(surround: number): void {
+    const { gl } = this;
+    gl.disable(gl.SCISSOR_TEST);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(surround, surround, surround, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+  }
+
+  paint(p: Paint, surround: number): void {
+    const { gl } = this;
+    const texture = this.texture(p.raster);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    const [x, y, width, height] = p.clip.map(Math.round) as [number, number, number, number];
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(x, this.canvas.height - y - height, Math.max(0, width), Math.max(0, height));
+    const set = (name: string, value: number): void => gl.uniform1f(this.uniform(name), value);
+    const setInt = (name: string, value: number): void => gl.uniform1i(this.uniform(name), value);
+    gl.uniform2i(this.uniform("size"), p.raster.width, p.raster.height);
+    gl.uniform2f(this.uniform("paneOrigin"), p.pane[0], p.pane[1]);
+    gl.uniform2f(this.uniform("origin"), p.origin[0], p.origin[1]);
+    gl.uniform3f(this.uniform("surround"), surround, surround, surround);
+    set("canvasHeight", this.canvas.height);
+    set("zoom", p.zoom);
+    set("gain", p.gain);
+    set("offset", p.offset);
+    set("inverseGamma", 1 / p.gamma);
+    set("scaleEnd", p.scaleEnd);
+    setInt("curve", p.curve);
+    setInt("channel", p.channel);
+    setInt("channelCount", shownChannels(p.raster));
+    setInt("isHalf", isHalf(p.raster) ? 1 : 0);
+    setInt("falseColour", p.falseColour ? 1 : 0);
+    setInt("isDiverging", p.diverging ? 1 : 0);
+    setInt("isLog", p.log ? 1 : 0);
+    setInt("zebra", p.zebra ? 1 : 0);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** Frees the textures of all pictures but these. */
+  keepOnly(rasters: Set<Raster>): void {
+    for (const [raster, texture] of this.textures)
+      if (!rasters.has(raster)) {
+        this.gl.deleteTexture(texture);
+        this.textures.delete(raster);
+      }
+  }
+
+  dispose(): void {
+    this.keepOnly(new Set());
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+}
+
+const shownChannels = (raster: Raster): number => (raster.planes.length >= 3 ? 3 : 1);
+
+const isHalf = (raster: Raster): boolean =>
+  raster.planes.slice(0, shownChannels(raster)).every((plane) => plane instanceof Uint16Array);
+
+function floatBits(raster: Raster, channel: number): Uint32Array {
+  const floats = floatsOf(raster, channel, 0, raster.width * raster.height);
+  return new Uint32Array(floats.buffer, floats.byteOffset, floats.length);
+}

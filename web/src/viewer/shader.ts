@@ -1,0 +1,100 @@
+// One pass that turns raw numbers into what is seen. Pictures are integer textures: whether a number is NaN or infinite
+// is read from its bits, because GLSL's isnan may be compiled to "false".
+
+export const kVertexShader = `#version 300 es
+void main() {
+  // One triangle that covers the viewport.
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}`;
+
+export const kFragmentShader = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp usampler2DArray;
+
+uniform usampler2DArray picture;
+uniform sampler2D scaleColours;
+uniform bool isHalf;
+uniform int channelCount;
+uniform ivec2 size;
+uniform vec2 paneOrigin;      // of the pane on the canvas, pixels, from the top left
+uniform float canvasHeight;
+uniform vec2 origin;          // position in the picture at the pane's top left
+uniform float zoom;           // screen pixels per pixel
+uniform float gain;
+uniform float offset;
+uniform int curve;            // 0 sRGB, 1 gamma, 2 linear
+uniform float inverseGamma;
+uniform int channel;          // -1 colour or largest magnitude, -2 luminance, else the index
+uniform bool falseColour;
+uniform bool isDiverging;
+uniform bool isLog;
+uniform float scaleEnd;
+uniform bool zebra;
+uniform vec3 surround;
+out vec4 seen;
+
+const vec3 kBad = vec3(1.0, 0.0, 1.0);
+const float kDecades = 4.0;   // of a logarithmic scale
+
+float numberAt(ivec2 at, int c, inout bool bad) {
+  uint bits = texelFetch(picture, ivec3(at, c), 0).r;
+  uint exponent = isHalf ? (bits >> 10) & 31u : (bits >> 23) & 255u;
+  if (exponent == (isHalf ? 31u : 255u)) { bad = true; return 0.0; }
+  return isHalf ? unpackHalf2x16(bits).x : uintBitsToFloat(bits);
+}
+
+vec3 pixelAt(ivec2 at, inout bool bad) {
+  if (channelCount < 3) return vec3(numberAt(at, 0, bad));
+  return vec3(numberAt(at, 0, bad), numberAt(at, 1, bad), numberAt(at, 2, bad));
+}
+
+float scalarOf(vec3 v) {
+  if (channel == -2) return dot(v, vec3(0.2126, 0.7152, 0.0722));
+  if (channel >= 0) return channel == 0 ? v.r : channel == 1 ? v.g : v.b;
+  float largest = v.r;
+  if (abs(v.g) > abs(largest)) largest = v.g;
+  if (abs(v.b) > abs(largest)) largest = v.b;
+  return largest;
+}
+
+float encoded(float v) {
+  if (curve == 2) return v;
+  if (curve == 1) return sign(v) * pow(abs(v), inverseGamma);
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
+}
+
+bool stripes() { return mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0; }
+
+vec3 colouredScalar(float s) {
+  float t = scaleEnd > 0.0 ? s / scaleEnd : 0.0;
+  bool beyond = abs(t) > 1.0 || (!isDiverging && t < 0.0);
+  if (isLog) t = abs(t) > 0.0 ? sign(t) * max(0.0, 1.0 + log(abs(t)) / (log(10.0) * kDecades)) : 0.0;
+  if (zebra && beyond && stripes()) return vec3(t > 0.0 ? 0.0 : 1.0);
+  float place = isDiverging ? 0.5 + 0.5 * clamp(t, -1.0, 1.0) : clamp(t, 0.0, 1.0);
+  return texture(scaleColours, vec2((place * 255.0 + 0.5) / 256.0, isDiverging ? 0.75 : 0.25)).rgb;
+}
+
+void main() {
+  vec2 onPane = vec2(gl_FragCoord.x, canvasHeight - gl_FragCoord.y) - paneOrigin;
+  vec2 place = origin + onPane / zoom;
+  if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) { seen = vec4(surround, 1.0); return; }
+  // Shown smaller than it is, a pixel of the screen is the mean of up to 4 x 4 pixels, and magenta if one of them is bad.
+  int taps = zoom < 1.0 ? int(min(4.0, ceil(1.0 / zoom))) : 1;
+  bool bad = false;
+  vec3 sum = vec3(0.0);
+  for (int j = 0; j < taps; ++j)
+    for (int i = 0; i < taps; ++i) {
+      vec2 inside = taps == 1 ? vec2(0.0) : (vec2(float(i), float(j)) / float(taps)) / zoom;
+      sum += pixelAt(min(ivec2(place + inside), size - 1), bad);
+    }
+  if (bad) { seen = vec4(kBad, 1.0); return; }
+  vec3 v = sum / float(taps * taps);
+  if (falseColour) { seen = vec4(colouredScalar(scalarOf(v)), 1.0); return; }
+  if (channel != -1) v = vec3(scalarOf(v));
+  v = v * gain + offset;
+  if (zebra && any(greaterThan(v, vec3(1.0))) && stripes()) { seen = vec4(0.0, 0.0, 0.0, 1.0); return; }
+  if (zebra && any(lessThan(v, vec3(0.0))) && stripes()) { seen = vec4(1.0); return; }
+  seen = vec4(encoded(v.r), encoded(v.g), encoded(v.b), 1.0);
+}`;
