@@ -6,7 +6,6 @@
 #include "registry/placeholders.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -119,13 +118,10 @@ std::vector<std::string> load_command(ObjectReader& in) {
 }
 
 SceneFormat load_scene_format(ObjectReader& in) {
-  constexpr std::array kFormats{SceneFormat::OrbsScene, SceneFormat::Povray, SceneFormat::Mitsuba,
-                                SceneFormat::Pbrt};
-  std::set<std::string> names;
-  for (const auto format : kFormats) names.insert(scene_format_name(format));
-  const auto word = in.one_of_or("scene_format", scene_format_name(kFormats.front()), names);
-  return *std::find_if(kFormats.begin(), kFormats.end(),
-                       [&](SceneFormat format) { return scene_format_name(format) == word; });
+  const auto word = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray", "mitsuba", "pbrt"});
+  for (const auto format : {SceneFormat::Povray, SceneFormat::Mitsuba, SceneFormat::Pbrt})
+    if (word == scene_format_name(format)) return format;
+  return SceneFormat::OrbsScene;
 }
 
 Renderer load_renderer(ObjectReader in) {
