@@ -6,10 +6,12 @@
 #include "scene/generators.h"
 #include "scene/load_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 /// Neither renderer is among Debian's packages, so what the exporters write is read back and compared with
@@ -139,7 +141,7 @@ TEST_P(Exported, SuiteScenesReadBackAsTheyWere) {
                                        "g1_primitive_format/g1-attributes",
                                        "g2_single_mesh/g2-camera-wide",
                                        "g3_inst_matrices/g3-matrices",
-                                       "g4_inst_change_material/g4-materials",
+                                       "g5_inst_remaplist/078",
                                        "g5_inst_remaplist/078-remap",
                                        "l1_area_light/246",
                                        "l2_sphere_light/201",
@@ -154,8 +156,7 @@ TEST_P(Exported, SuiteScenesReadBackAsTheyWere) {
     SCOPED_TRACE(name);
     const scene::Scene scene = suite_scene(name);
     const auto limits = GetParam().limits(scene);
-    EXPECT_TRUE(limits.empty()) << limits.front();
-    if (!limits.empty()) continue;
+    ASSERT_TRUE(limits.empty()) << limits.front();
     const tests::ReadScene read = read_back(scene);
     expect_same_camera(scene, read);
     expect_same_lights(scene, read);

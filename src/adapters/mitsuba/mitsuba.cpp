@@ -85,7 +85,7 @@ scene::Mesh flipped_v(scene::Mesh mesh) {
 // Emission follows the normal of the triangles as they stand in the world, so winding has to show outwards
 // there: a mirroring matrix turns it.
 scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
-  if (mitsuba::is_wound_outwards(mesh) == determinant3(place) > 0) return mesh;
+  if (mitsuba::is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   return mesh;
 }
