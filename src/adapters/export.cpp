@@ -1,5 +1,7 @@
 #include "adapters/export.h"
 
+#include "adapters/mitsuba/mitsuba.h"
+#include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -46,6 +48,20 @@ PovraySettings povray_settings(const registry::Renderer& renderer) {
   return settings;
 }
 
+std::vector<std::string> limits_of_format(const registry::Renderer& renderer, const scene::Scene& scene) {
+  switch (renderer.scene_format) {
+    case registry::SceneFormat::OrbsScene:
+      return {};
+    case registry::SceneFormat::Povray:
+      return povray_limits(scene, povray_settings(renderer));
+    case registry::SceneFormat::Mitsuba:
+      return mitsuba_limits(scene);
+    case registry::SceneFormat::Pbrt:
+      return pbrt_limits(scene);
+  }
+  return {};
+}
+
 }  // namespace
 
 void check_scene_settings(const registry::Renderer& renderer) {
@@ -67,19 +83,26 @@ void check_scene_settings(const registry::Renderer& renderer) {
   }
 }
 
+std::string scene_file_name(registry::SceneFormat format) {
+  switch (format) {
+    case registry::SceneFormat::OrbsScene:
+      return "scene.json";
+    case registry::SceneFormat::Povray:
+      return "scene.pov";
+    case registry::SceneFormat::Mitsuba:
+      return "scene.xml";
+    case registry::SceneFormat::Pbrt:
+      return "scene.pbrt";
+  }
+  return {};
+}
+
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene) {
   auto lowered = scene::lower(scene, registry::feature_codes(renderer.declares));
   if (std::holds_alternative<std::string>(lowered)) return lowered;
-  switch (renderer.scene_format) {
-    case registry::SceneFormat::OrbsScene:
-      return lowered;
-    case registry::SceneFormat::Povray:
-      if (const auto limits = povray_limits(std::get<scene::Scene>(lowered), povray_settings(renderer));
-          !limits.empty())
-        return limits.front();
-      return lowered;
-  }
+  if (const auto limits = limits_of_format(renderer, std::get<scene::Scene>(lowered)); !limits.empty())
+    return limits.front();
   return lowered;
 }
 
@@ -92,6 +115,12 @@ void export_scene(const registry::Renderer& renderer,
       return;
     case registry::SceneFormat::Povray:
       write_povray(prepared, povray_settings(renderer), file);
+      return;
+    case registry::SceneFormat::Mitsuba:
+      write_mitsuba(prepared, file);
+      return;
+    case registry::SceneFormat::Pbrt:
+      write_pbrt(prepared, file);
       return;
   }
 }

@@ -1,5 +1,6 @@
 #include "adapters/job.h"
 
+#include "adapters/export.h"
 #include "adapters/povray/povray.h"
 
 #include <algorithm>
@@ -17,8 +18,7 @@ Job make_job(const registry::Renderer& renderer,
              const std::filesystem::path& folder) {
   Job job;
   job.folder = folder;
-  const bool is_povray = renderer.scene_format == registry::SceneFormat::Povray;
-  job.scene_file = folder / (is_povray ? "scene.pov" : "scene.json");
+  job.scene_file = folder / scene_file_name(renderer.scene_format);
   job.image = folder / "result.exr";
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;

@@ -117,6 +117,13 @@ std::vector<std::string> load_command(ObjectReader& in) {
   return command;
 }
 
+SceneFormat load_scene_format(ObjectReader& in) {
+  const auto word = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray", "mitsuba", "pbrt"});
+  for (const auto format : {SceneFormat::Povray, SceneFormat::Mitsuba, SceneFormat::Pbrt})
+    if (word == scene_format_name(format)) return format;
+  return SceneFormat::OrbsScene;
+}
+
 Renderer load_renderer(ObjectReader in) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
@@ -125,8 +132,7 @@ Renderer load_renderer(ObjectReader in) {
   if (in.has("version_command"))
     renderer.version_command = template_texts(in, "version_command", executable_placeholders());
   renderer.version_prefix = in.text_or("version_prefix", "");
-  const auto format = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray"});
-  renderer.scene_format = format == "povray" ? SceneFormat::Povray : SceneFormat::OrbsScene;
+  renderer.scene_format = load_scene_format(in);
   if (in.has("scene_settings")) {
     auto settings = in.object("scene_settings");
     for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
@@ -196,6 +202,10 @@ std::string scene_format_name(SceneFormat format) {
       return "orbs-scene";
     case SceneFormat::Povray:
       return "povray";
+    case SceneFormat::Mitsuba:
+      return "mitsuba";
+    case SceneFormat::Pbrt:
+      return "pbrt";
   }
   return {};
 }

@@ -35,7 +35,7 @@ struct Suite {
   std::filesystem::path references;  // absolute
 };
 
-enum class SceneFormat { OrbsScene, Povray };
+enum class SceneFormat { OrbsScene, Povray, Mitsuba, Pbrt };
 
 /// Requirements that a renderer cannot meet, and why; the reason stands in the report.
 struct KnownLimit {
@@ -79,6 +79,7 @@ const Suite& find_suite(const Configuration& configuration, const std::string& n
 /// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
 
+/// The word for it in configuration.json.
 std::string scene_format_name(SceneFormat format);
 
 /// The nearest configuration.json: in `from` or the folders above it; nothing when there is none up to the

@@ -25,16 +25,6 @@ struct ModelNeed {
   Need operator()(const Emission&) const { return {"M2", "emissive"}; }
 };
 
-std::set<int> visible_materials(const Scene& scene) {
-  std::set<int> visible;
-  for (const auto& instance : scene.instances) {
-    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
-    for (const int material : std::set<int>(materials.begin(), materials.end()))
-      visible.insert(remapped(instance, material));
-  }
-  return visible;
-}
-
 std::optional<TextureUse>* texture_slot(MaterialModel& model) {
   if (auto* lambert = std::get_if<Lambert>(&model)) return &lambert->texture;
   if (auto* oren_nayar = std::get_if<OrenNayar>(&model)) return &oren_nayar->texture;
@@ -83,6 +73,16 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
 }
 
 }  // namespace
+
+std::set<int> visible_materials(const Scene& scene) {
+  std::set<int> visible;
+  for (const auto& instance : scene.instances) {
+    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
+    for (const int material : std::set<int>(materials.begin(), materials.end()))
+      visible.insert(remapped(instance, material));
+  }
+  return visible;
+}
 
 std::vector<CalledFeature> features_of_materials(const Scene& scene) {
   std::vector<CalledFeature> features;

@@ -3,10 +3,13 @@
 #include "scene/lower.h"
 
 #include <optional>
+#include <set>
 
 /// The steps of lower(), and what they share with features_called_for.
 namespace orbs::scene {
 
+/// Indices of the materials that an instance shows, remap lists applied.
+std::set<int> visible_materials(const Scene& scene);
 /// What each material that an instance shows calls for; one material may call for several things.
 std::vector<CalledFeature> features_of_materials(const Scene& scene);
 std::vector<CalledFeature> features_of_lights(const Scene& scene);

@@ -23,8 +23,14 @@ MeshFile read_obj(const std::filesystem::path& file);
 /// vertex_indices (or vertex_index) and optionally an integer `material`. InputError naming what is missing.
 MeshFile read_ply(const std::filesystem::path& file);
 
-/// Binary little-endian PLY with all attributes, material as an int per face.
-void write_ply(const Mesh& mesh, const std::filesystem::path& file);
+/// All attributes, with the material as an int per face; or what every reader of PLY knows: positions,
+/// normals, u and v, and the faces.
+enum class PlyContent { Everything, Common };
+
+/// Binary little-endian PLY.
+void write_ply(const Mesh& mesh,
+               const std::filesystem::path& file,
+               PlyContent content = PlyContent::Everything);
 
 /// The complaint about a mesh that cannot be drawn as given ("" when it can): array lengths, indices beyond
 /// the vertices, numbers that are not finite, normals of length zero.

@@ -210,28 +210,33 @@ void append(std::string& out, T value) {
   out.append(bytes.data(), bytes.size());
 }
 
+void append(std::string& out, Vec3f v) {
+  for (const float x : {v.x, v.y, v.z}) append(out, x);
+}
+
 }  // namespace
 
 MeshFile read_ply(const std::filesystem::path& file) { return PlyReader(file).read(); }
 
-void write_ply(const Mesh& mesh, const std::filesystem::path& file) {
+void write_ply(const Mesh& mesh, const std::filesystem::path& file, PlyContent content) {
+  const bool everything = content == PlyContent::Everything;
   std::string out = "ply\nformat binary_little_endian 1.0\n";
   out += fmt::format("element vertex {}\n", mesh.positions.size());
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "tx", "ty", "tz", "u", "v"})
-    out += fmt::format("property float {}\n", name);
-  out += fmt::format(
-      "element face {}\nproperty list uchar uint vertex_indices\nproperty int material\nend_header\n",
-      mesh.triangles.size());
+    if (everything || *name != 't') out += fmt::format("property float {}\n", name);
+  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\n{}end_header\n",
+                     mesh.triangles.size(), everything ? "property int material\n" : "");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    for (const auto& v : {mesh.positions[i], mesh.normals[i], mesh.tangents[i]})
-      for (const float x : {v.x, v.y, v.z}) append(out, x);
+    append(out, mesh.positions[i]);
+    append(out, mesh.normals[i]);
+    if (everything) append(out, mesh.tangents[i]);
     append(out, mesh.uvs[i].x);
     append(out, mesh.uvs[i].y);
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     append(out, std::uint8_t{3});
     for (const std::uint32_t corner : mesh.triangles[i]) append(out, corner);
-    append(out, std::int32_t{mesh.triangle_materials[i]});
+    if (everything) append(out, std::int32_t{mesh.triangle_materials[i]});
   }
   write_file(file, out);
 }

@@ -1,8 +1,7 @@
 #include "tracer/texture.h"
 
 #include "base/error.h"
-#include "image/colour.h"
-#include "image/image_io.h"
+#include "image/linear_rgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +12,13 @@ namespace orbs::tracer {
 
 TexelGrid load_texels(const scene::Texture& texture) {
   const auto picture = with_note(fmt::format("loading texture '{}'", texture.name),
-                                 [&] { return image::read_image(texture.file); });
-  const bool encoded = image::is_ldr_file(texture.file);
-  const std::size_t channels = picture.channel_count();
-  const std::size_t green = channels >= 3 ? 1 : 0;
-  const std::size_t blue = channels >= 3 ? 2 : 0;
-  const auto linear = [&](float value) { return encoded ? image::srgb_decode(value) : value; };
+                                 [&] { return image::read_linear_rgb(texture.file); });
   TexelGrid grid{picture.width, picture.height, {}, texture.wrap_u, texture.wrap_v, {}};
   grid.texels.reserve(picture.pixel_count());
   Vec3d sum;
   for (int y = picture.height - 1; y >= 0; --y)
     for (int x = 0; x < picture.width; ++x) {
-      const Vec3f texel{linear(picture.at(x, y, 0)), linear(picture.at(x, y, green)),
-                        linear(picture.at(x, y, blue))};
+      const Vec3f texel{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
       grid.texels.push_back(texel);
       sum += cast<double>(texel);
     }

@@ -167,7 +167,10 @@ TEST(Configuration, AnUnknownSuiteIsAnErrorWithTheNearestName) {
 
 TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
-  EXPECT_EQ(configuration.renderers.size(), 3U);
+  std::vector<std::string> formats;
+  for (const auto& renderer : configuration.renderers)
+    formats.push_back(orbs::registry::scene_format_name(renderer.scene_format));
+  EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
 }
 
 TEST(Configuration, IsLookedForInTheFoldersAbove) {

@@ -1,5 +1,6 @@
 #include "adapters/povray/lights.h"
 
+#include "adapters/light_frame.h"
 #include "adapters/povray/sdl.h"
 
 #include <algorithm>
@@ -52,27 +53,10 @@ std::string panel_light(const Panel& panel, scene::Rgb radiance, int grid, const
       settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
 }
 
-struct LocalFrame {
-  Vec3d u;  // image of local X
-  Vec3d v;  // image of local Z
-  Vec3d facing;
-  double area_scale = 1;  // of areas in the local XZ plane
-};
-
-// The normal follows the inverse transpose: perpendicular to both edges, on the side that local -Y goes to.
-LocalFrame local_frame(const Mat4& matrix) {
-  const Vec3d u = transform_direction(matrix, {1, 0, 0});
-  const Vec3d v = transform_direction(matrix, {0, 0, 1});
-  const Vec3d down = transform_direction(matrix, {0, -1, 0});
-  const Vec3d across = cross(u, v);
-  const Vec3d facing = normalised(across) * (dot(across, down) < 0 ? -1.0 : 1.0);
-  return {u, v, facing, length(across)};
-}
-
 std::string rect_sources(const scene::Light& light,
                          const scene::RectShape& rect,
                          const PovraySettings& settings) {
-  const LocalFrame frame = local_frame(light.matrix);
+  const LightFrame frame = light_frame(light.matrix);
   const int split = settings.area_split;
   const double width_m = 2 * rect.half_width_m / split;
   const double length_m = 2 * rect.half_length_m / split;
@@ -93,7 +77,7 @@ std::string rect_sources(const scene::Light& light,
 std::string disk_sources(const scene::Light& light,
                          const scene::DiskShape& disk,
                          const PovraySettings& settings) {
-  const LocalFrame frame = local_frame(light.matrix);
+  const LightFrame frame = light_frame(light.matrix);
   const double diameter_m = 2 * disk.radius_m;
   const double area_m2 = std::numbers::pi * disk.radius_m * disk.radius_m * frame.area_scale;
   const Vec3d u = frame.u * diameter_m;

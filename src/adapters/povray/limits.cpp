@@ -1,6 +1,7 @@
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/povray.h"
+#include "scene/lower_parts.h"
 
 #include <set>
 
@@ -11,16 +12,6 @@ namespace orbs::adapters {
 namespace {
 
 using povray::Surface;
-
-std::set<int> visible_materials(const scene::Scene& scene) {
-  std::set<int> result;
-  for (const scene::Instance& instance : scene.instances) {
-    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
-    for (const int material : std::set<int>(materials.begin(), materials.end()))
-      result.insert(scene::remapped(instance, material));
-  }
-  return result;
-}
 
 struct ModelLimit {
   const std::string& name;
@@ -76,7 +67,7 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
-  const std::set<int> materials = visible_materials(scene);
+  const std::set<int> materials = scene::visible_materials(scene);
   std::set<int> textures;
   for (const int index : materials) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];

@@ -1,5 +1,6 @@
 #include "adapters/povray/povray.h"
 
+#include "adapters/parts.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/meshes.h"
@@ -8,7 +9,6 @@
 #include "base/files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -23,14 +23,6 @@ using povray::colour;
 using povray::vector;
 
 constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
-
-// Names come from the user and end up behind "//": a line break in one would begin a statement.
-std::string comment(const std::string& name) {
-  std::string text = name;
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return text;
-}
 
 // Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
 // has the length of the picture's width, `up` of its height, `direction` of the distance of that window.
@@ -106,7 +98,7 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
   std::set<int> materials;
   std::string objects;
   for (const scene::Instance& instance : scene.instances) {
-    objects += fmt::format("// instance {}\n", comment(instance.name));
+    objects += fmt::format("// instance {}\n", one_line(instance.name));
     for (const auto& part : povray::mesh_parts(scene, instance, text.meshes))
       objects += part_text(scene, instance, part, settings);
     const auto& given = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
@@ -117,14 +109,14 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
                fmt::format("background {{ {} }}\n", colour(scene.environment));
   for (const int index : materials) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
-    text.scene += fmt::format("// material {}\n", comment(material.name)) +
+    text.scene += fmt::format("// material {}\n", one_line(material.name)) +
                   povray::material_declaration(scene, index, stem);
     if (const auto& use = scene::texture_of(material.model)) text.textures.insert(use->texture);
   }
   if (!text.meshes.text.empty()) text.scene += fmt::format("#include \"{}-meshes.inc\"\n", stem);
   text.scene += objects;
   for (const scene::Light& light : scene.lights)
-    text.scene += fmt::format("// light {}\n", comment(light.name)) + povray::light_text(light, settings);
+    text.scene += fmt::format("// light {}\n", one_line(light.name)) + povray::light_text(light, settings);
   return text;
 }
 

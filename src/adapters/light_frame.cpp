@@ -1,0 +1,25 @@
+#include "adapters/light_frame.h"
+
+#include <cmath>
+
+namespace orbs::adapters {
+
+// The normal follows the inverse transpose, which leaves it perpendicular to the images of both edges.
+LightFrame light_frame(const Mat4& matrix) {
+  const Vec3d u = transform_direction(matrix, {1, 0, 0});
+  const Vec3d v = transform_direction(matrix, {0, 0, 1});
+  const Vec3d down = transform_direction(matrix, {0, -1, 0});
+  const Vec3d across = cross(u, v);
+  const double hand = dot(across, down) < 0 ? -1.0 : 1.0;
+  return {transform_point(matrix, {}), u, v * hand, normalised(across) * hand, length(across)};
+}
+
+bool is_round(const LightFrame& frame) {
+  // Rounding of a turn and a uniform scale stays far below this; a scale meant to differ does not.
+  constexpr double kRounding = 1e-6;
+  const double square = dot(frame.u, frame.u);
+  return std::abs(dot(frame.v, frame.v) - square) <= kRounding * square &&
+         std::abs(dot(frame.u, frame.v)) <= kRounding * square;
+}
+
+}  // namespace orbs::adapters

@@ -1,0 +1,68 @@
+#include "adapters/mitsuba/lights.h"
+
+#include "adapters/light_frame.h"
+#include "adapters/mitsuba/xml.h"
+
+namespace orbs::adapters::mitsuba {
+
+namespace {
+
+// Mitsuba's flat shapes lie in XY, [-1, 1]^2 or the unit disk, and face +Z: X goes to the image of local X, Y
+// to that of local Z, Z to where the light shines. The sizes are in the columns; Z's length does not matter.
+std::string flat_shape(const scene::Light& light, const char* type, double size_x, double size_z) {
+  const LightFrame frame = light_frame(light.matrix);
+  const Vec3d x = frame.u * size_x;
+  const Vec3d y = frame.v * size_z;
+  Mat4 m;
+  m.m = {x.x,
+         y.x,
+         frame.facing.x,
+         frame.centre.x,
+         x.y,
+         y.y,
+         frame.facing.y,
+         frame.centre.y,
+         x.z,
+         y.z,
+         frame.facing.z,
+         frame.centre.z,
+         0,
+         0,
+         0,
+         1};
+  return fmt::format("<shape type=\"{}\">{}", type, to_world(m));
+}
+
+struct ShapeWriter {
+  const scene::Light& light;
+
+  std::string operator()(const scene::RectShape& rect) const {
+    return flat_shape(light, "rectangle", rect.half_width_m, rect.half_length_m);
+  }
+  std::string operator()(const scene::DiskShape& disk) const {
+    return flat_shape(light, "disk", disk.radius_m, disk.radius_m);
+  }
+  // lower() lets spheres through with a uniform scale only.
+  std::string operator()(const scene::SphereShape& sphere) const {
+    const double radius_m = sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0}));
+    const Vec3d centre = transform_point(light.matrix, {});
+    return fmt::format(
+        "<shape type=\"sphere\"><point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/><float name=\"radius\" "
+        "value=\"{}\"/>",
+        centre.x, centre.y, centre.z, radius_m);
+  }
+};
+
+}  // namespace
+
+std::string area_emitter(scene::Rgb radiance) {
+  return fmt::format("<emitter type=\"area\">{}</emitter>", rgb("radiance", radiance));
+}
+
+std::string light_text(const scene::Light& light) {
+  return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", comment(light.name),
+                     std::visit(ShapeWriter{light}, light.shape), rgb("reflectance", {}),
+                     area_emitter(light.radiance));
+}
+
+}  // namespace orbs::adapters::mitsuba

@@ -1,0 +1,160 @@
+#include "adapters/mitsuba/mitsuba.h"
+
+#include "adapters/mitsuba/closed_mesh.h"
+#include "adapters/mitsuba/lights.h"
+#include "adapters/mitsuba/materials.h"
+#include "adapters/mitsuba/xml.h"
+#include "adapters/parts.h"
+#include "adapters/tinted_picture.h"
+#include "base/files.h"
+#include "scene/lower_parts.h"
+#include "scene/mesh_files.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace orbs::adapters {
+
+namespace {
+
+using mitsuba::comment;
+using mitsuba::rgb;
+using mitsuba::to_world;
+using mitsuba::vector;
+
+// The largest distance of anything from the camera, at least 1: Mitsuba's planes clip, ORB.S's do not.
+double farthest_m(const scene::Scene& scene, const std::vector<Part>& parts) {
+  double farthest = 1;
+  const auto meet = [&](Vec3d point, double radius_m) {
+    farthest = std::max(farthest, length(point - scene.camera.position_m) + radius_m);
+  };
+  for (const Part& part : parts)
+    for (const Mat4& place : part.places)
+      for (const Vec3f p : part.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
+  for (const scene::Light& light : scene.lights) {
+    const double scale = length(transform_direction(light.matrix, {1, 0, 0})) +
+                         length(transform_direction(light.matrix, {0, 0, 1}));
+    const auto size_m = [](const auto& shape) {
+      if constexpr (requires { shape.radius_m; })
+        return shape.radius_m;
+      else
+        return std::max(shape.half_width_m, shape.half_length_m);
+    };
+    meet(transform_point(light.matrix, {}), scale * std::visit(size_m, light.shape));
+  }
+  return farthest;
+}
+
+// Mitsuba's look-at is right-handed as ours: no flip. `fov` is along x unless said otherwise. A millionth of
+// the scene's depth is as near as float coordinates resolve there.
+std::string sensor_text(const scene::Camera& camera, double farthest) {
+  return fmt::format(
+      "<sensor type=\"perspective\">\n"
+      "  <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n"
+      "  <float name=\"near_clip\" value=\"{}\"/><float name=\"far_clip\" value=\"{}\"/>\n"
+      "  <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n"
+      "  <sampler type=\"independent\"><integer name=\"sample_count\" value=\"$spp\"/>"
+      "<integer name=\"seed\" value=\"$seed\"/></sampler>\n"
+      "  <film type=\"hdrfilm\">\n"
+      "    <integer name=\"width\" value=\"{}\"/><integer name=\"height\" value=\"{}\"/>\n"
+      "    <string name=\"file_format\" value=\"openexr\"/><string name=\"pixel_format\" value=\"rgb\"/>"
+      "<string name=\"component_format\" value=\"float32\"/>\n"
+      "    <rfilter type=\"box\"/>\n"
+      "  </film>\n"
+      "</sensor>\n",
+      camera.fov_y_deg, 2e-6 * farthest, 2 * farthest, vector(camera.position_m), vector(camera.look_at_m),
+      vector(camera.up), camera.width_px, camera.height_px);
+}
+
+// max_depth counts the segments of a path, one more than its scatterings. Roulette would only add noise to
+// paths that are cut off anyway, so it begins behind the last of them.
+std::string integrator_text(int trace_depth) {
+  return fmt::format(
+      "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{0}\"/><integer name=\"rr_depth\" "
+      "value=\"{0}\"/></integrator>\n",
+      trace_depth + 1);
+}
+
+// PLY has its texture rows from the top in Mitsuba, ORB.S from the bottom: v becomes 1 - v here, where the
+// numbers are ours, and not by an option whose default differs between its mesh formats.
+scene::Mesh flipped_v(scene::Mesh mesh) {
+  for (Vec2f& uv : mesh.uvs) uv.y = static_cast<float>(1 - double{uv.y});
+  return mesh;
+}
+
+// Emission follows the normal of the triangles as they stand in the world, so winding has to show outwards
+// there: a mirroring matrix turns it.
+scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
+  if (mitsuba::is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
+  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  return mesh;
+}
+
+class Writer {
+ public:
+  Writer(const scene::Scene& scene, const std::filesystem::path& file)
+      : scene_(scene), folder_(file.parent_path()), stem_(file.stem().string()), parts_(parts_of(scene)) {}
+
+  std::string write() {
+    std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
+    text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
+    text += integrator_text(scene_.trace_depth) + sensor_text(scene_.camera, farthest_m(scene_, parts_));
+    if (scene_.environment != scene::Rgb{})
+      text += fmt::format("<emitter type=\"constant\">{}</emitter>\n", rgb("radiance", scene_.environment));
+    for (const int material : scene::visible_materials(scene_)) text += material_text(material);
+    for (std::size_t i = 0; i < parts_.size(); ++i) text += part_text(parts_[i], i);
+    for (const scene::Light& light : scene_.lights) text += mitsuba::light_text(light);
+    return text + "</scene>\n";
+  }
+
+ private:
+  std::string material_text(int index) {
+    if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
+      write_tinted(scene_, index, folder_ / mitsuba::picture_name(index, stem_));
+    return mitsuba::bsdf_text(scene_, index, stem_);
+  }
+
+  std::string part_text(const Part& part, std::size_t index) {
+    const auto& model = scene_.materials[static_cast<std::size_t>(part.material)].model;
+    std::string text = comment(part.mesh.name);
+    if (const auto* emission = std::get_if<scene::Emission>(&model)) {
+      for (std::size_t i = 0; i < part.places.size(); ++i)
+        text += shape(wound_for(part.mesh, part.places[i]), fmt::format("mesh{}.{}", index, i), part.material,
+                      "<boolean name=\"face_normals\" value=\"true\"/>" +
+                          mitsuba::area_emitter(emission->radiance) + to_world(part.places[i]));
+      return text;
+    }
+    const std::string name = fmt::format("mesh{}", index);
+    if (part.places.size() == 1)
+      return text + shape(flipped_v(part.mesh), name, part.material, to_world(part.places[0]));
+    text += fmt::format("<shape type=\"shapegroup\" id=\"{}\">\n{}</shape>\n", name,
+                        shape(flipped_v(part.mesh), name, part.material, ""));
+    for (const Mat4& place : part.places)
+      text += fmt::format("<shape type=\"instance\"><ref id=\"{}\"/>{}</shape>\n", name, to_world(place));
+    return text;
+  }
+
+  std::string shape(const scene::Mesh& mesh,
+                    const std::string& name,
+                    int material,
+                    const std::string& more) const {
+    const std::string ply = fmt::format("{}-{}.ply", stem_, name);
+    scene::write_ply(mesh, folder_ / ply, scene::PlyContent::Common);
+    return fmt::format(
+        "<shape type=\"ply\"><string name=\"filename\" value=\"{}\"/><ref id=\"material{}\"/>{}</shape>\n",
+        ply, material, more);
+  }
+
+  const scene::Scene& scene_;
+  std::filesystem::path folder_;
+  std::string stem_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+void write_mitsuba(const scene::Scene& scene, const std::filesystem::path& file) {
+  write_file(file, Writer(scene, file).write());
+}
+
+}  // namespace orbs::adapters

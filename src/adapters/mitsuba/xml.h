@@ -1,0 +1,35 @@
+#pragma once
+
+#include "adapters/parts.h"
+#include "base/matrix.h"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+/// Words of Mitsuba's scene description. Numbers are the shortest text that reads back as the same number.
+namespace orbs::adapters::mitsuba {
+
+inline std::string vector(Vec3d v) { return fmt::format("{}, {}, {}", v.x, v.y, v.z); }
+
+inline std::string rgb(std::string_view name, Vec3d colour) {
+  return fmt::format("<rgb name=\"{}\" value=\"{}\"/>", name, vector(colour));
+}
+
+/// 16 numbers row by row, column vectors, as ours.
+inline std::string to_world(const Mat4& matrix) {
+  return fmt::format("<transform name=\"to_world\"><matrix value=\"{}\"/></transform>",
+                     fmt::join(matrix.m, " "));
+}
+
+/// Names come from the user: two hyphens in a row would end the comment (XML 1.0, 2.5), and so would be
+/// taken for markup what follows.
+inline std::string comment(const std::string& name) {
+  std::string text;
+  for (const char c : one_line(name)) text += c == '-' ? '_' : c;
+  return fmt::format("<!-- {} -->\n", text);
+}
+
+}  // namespace orbs::adapters::mitsuba

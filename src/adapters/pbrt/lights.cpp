@@ -1,0 +1,68 @@
+#include "adapters/pbrt/lights.h"
+
+#include "adapters/light_frame.h"
+#include "adapters/parts.h"
+#include "adapters/pbrt/directives.h"
+
+namespace orbs::adapters::pbrt {
+
+namespace {
+
+struct ShapeWriter {
+  const scene::Light& light;
+
+  // A bilinear patch in world space, corners (0,0), (1,0), (0,1), (1,1); its normal is dp/du x dp/dv, and u x
+  // v of the frame is where the light shines.
+  std::string operator()(const scene::RectShape& rect) const {
+    const LightFrame frame = light_frame(light.matrix);
+    const Vec3d u = frame.u * rect.half_width_m;
+    const Vec3d v = frame.v * rect.half_length_m;
+    return fmt::format("  Shape \"bilinearmesh\" \"point3 P\" [{}  {}  {}  {}]\n",
+                       numbers(frame.centre - u - v), numbers(frame.centre + u - v),
+                       numbers(frame.centre - u + v), numbers(frame.centre + u + v));
+  }
+  // pbrt takes the area of disks and spheres from the radius alone, so that the transformation must not
+  // scale. Disks lie in XY and face +Z.
+  std::string operator()(const scene::DiskShape& disk) const {
+    const LightFrame frame = light_frame(light.matrix);
+    const Vec3d x = normalised(frame.u);
+    const Vec3d y = cross(frame.facing, x);
+    Mat4 m;
+    m.m = {x.x,
+           y.x,
+           frame.facing.x,
+           frame.centre.x,
+           x.y,
+           y.y,
+           frame.facing.y,
+           frame.centre.y,
+           x.z,
+           y.z,
+           frame.facing.z,
+           frame.centre.z,
+           0,
+           0,
+           0,
+           1};
+    return fmt::format("  {}  Shape \"disk\" \"float radius\" {}\n", transform(m),
+                       disk.radius_m * length(frame.u));
+  }
+  // lower() lets spheres through with a uniform scale only.
+  std::string operator()(const scene::SphereShape& sphere) const {
+    return fmt::format("  Translate {}\n  Shape \"sphere\" \"float radius\" {}\n",
+                       numbers(transform_point(light.matrix, {})),
+                       sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0})));
+  }
+};
+
+}  // namespace
+
+std::string light_text(const scene::Light& light) {
+  return fmt::format(
+      "# light {}\nAttributeBegin\n  Material \"diffuse\" {}\n  AreaLightSource \"diffuse\" {}\n{}"
+      "AttributeEnd\n",
+      one_line(light.name), rgb("reflectance", {}), rgb("L", light.radiance),
+      std::visit(ShapeWriter{light}, light.shape));
+}
+
+}  // namespace orbs::adapters::pbrt

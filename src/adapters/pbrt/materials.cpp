@@ -1,0 +1,74 @@
+#include "adapters/pbrt/materials.h"
+
+#include "adapters/parts.h"
+#include "adapters/pbrt/directives.h"
+
+namespace orbs::adapters::pbrt {
+
+namespace {
+
+std::string named(const std::string& name, const std::string& type, const std::string& parameters) {
+  return fmt::format("MakeNamedMaterial \"{}\" \"string type\" \"{}\" {}\n", name, type, parameters);
+}
+
+struct MaterialWriter {
+  const scene::Scene& scene;
+  const std::string& name;
+  const std::string& picture;
+
+  // pbrt's v runs up from the bottom row, as ours.
+  std::string diffuse(scene::Rgb reflectance, const std::optional<scene::TextureUse>& use) const {
+    if (!use) return named(name, "diffuse", rgb("reflectance", reflectance));
+    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(use->texture)];
+    return fmt::format(
+               "Texture \"{}-picture\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
+               "filter\" \"bilinear\" \"string wrap\" \"{}\"\n",
+               name, picture, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat") +
+           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-picture\"", name));
+  }
+  // A conductor's reflectance grows towards grazing angles, ORB.S's mirrors have one for all. So a share of
+  // the hits meets a full mirror and the rest meets black, which is right on average for a grey colour. pbrt
+  // takes a reflectance of 1 for 0.9999 (k = 200 with eta 1); over all angles, weighed by the cosine, it then
+  // lacks 16 / (3 k^2) = 1.3e-4.
+  std::string share_of_full(double share, const std::string& roughness) const {
+    return named(name + "-none", "diffuse", rgb("reflectance", {})) +
+           named(name + "-full", "conductor", rgb("reflectance", {1, 1, 1}) + roughness) +
+           named(name, "mix",
+                 fmt::format("\"string materials\" [\"{0}-none\" \"{0}-full\"] \"float amount\" {1}", name,
+                             share));
+  }
+  // Without remapping, pbrt's roughness is alpha.
+  static std::string ggx(double alpha) {
+    return fmt::format(" \"float roughness\" {} \"bool remaproughness\" false", alpha);
+  }
+
+  std::string operator()(const scene::Lambert& m) const { return diffuse(m.reflectance, m.texture); }
+  // pbrt_limits lets it through with roughness 0 only, and there it is Lambert's law.
+  std::string operator()(const scene::OrenNayar& m) const { return diffuse(m.reflectance, m.texture); }
+  std::string operator()(const scene::Emission&) const { return diffuse({}, {}); }
+  std::string operator()(const scene::Mirror& m) const {
+    return share_of_full(m.reflectance.x, " \"float roughness\" 0");
+  }
+  std::string operator()(const scene::Ggx& m) const { return share_of_full(m.colour.x, ggx(m.alpha)); }
+  std::string operator()(const scene::Glass& m) const {
+    return named(name, "dielectric", fmt::format("\"float eta\" {} \"float roughness\" 0", m.ior));
+  }
+  std::string operator()(const scene::RoughGlass& m) const {
+    return named(name, "dielectric", fmt::format("\"float eta\" {}{}", m.ior, ggx(m.alpha)));
+  }
+};
+
+}  // namespace
+
+std::string picture_name(int material, const std::string& stem) {
+  return fmt::format("{}-material{}.exr", stem, material);
+}
+
+std::string material_text(const scene::Scene& scene, int material, const std::string& stem) {
+  const auto& m = scene.materials[static_cast<std::size_t>(material)];
+  const std::string name = fmt::format("material{}", material);
+  return fmt::format("# material {}\n", one_line(m.name)) +
+         std::visit(MaterialWriter{scene, name, picture_name(material, stem)}, m.model);
+}
+
+}  // namespace orbs::adapters::pbrt

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+
+namespace orbs::adapters::pbrt {
+
+/// Name of the picture of a textured material beside a scene file of this stem, its colour multiplied in.
+std::string picture_name(int material, const std::string& stem);
+
+/// Declares the named material "material<i>". An emissive one reflects nothing; what it emits stands with its
+/// shapes.
+std::string material_text(const scene::Scene& scene, int material, const std::string& stem);
+
+}  // namespace orbs::adapters::pbrt

@@ -1,0 +1,109 @@
+#include "adapters/pbrt/pbrt.h"
+
+#include "adapters/parts.h"
+#include "adapters/pbrt/directives.h"
+#include "adapters/pbrt/lights.h"
+#include "adapters/pbrt/materials.h"
+#include "adapters/tinted_picture.h"
+#include "base/files.h"
+#include "scene/lower_parts.h"
+#include "scene/mesh_files.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace orbs::adapters {
+
+namespace {
+
+using pbrt::numbers;
+using pbrt::rgb;
+using pbrt::transform;
+
+// pbrt's field of view is that of the picture's shorter side.
+double fov_of_shorter_side_deg(const scene::Camera& camera) {
+  if (camera.width_px >= camera.height_px) return camera.fov_y_deg;
+  const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
+  return 360 / std::numbers::pi * std::atan(half_height * camera.width_px / camera.height_px);
+}
+
+// pbrt's camera space is left-handed: the mirrored x makes a right-handed picture. Texture filtering off
+// leaves bilinear interpolation; by itself pbrt would take a coarser picture far away. Half floats and the
+// clamp of bright samples would change values.
+std::string head_text(const scene::Scene& scene) {
+  const scene::Camera& camera = scene.camera;
+  return fmt::format(
+      "Option \"bool disabletexturefiltering\" true\n"
+      "Scale -1 1 1\n"
+      "LookAt {}  {}  {}\n"
+      "Camera \"perspective\" \"float fov\" {}\n"
+      "Sampler \"zsobol\" \"integer pixelsamples\" 64\n"
+      "PixelFilter \"box\" \"float xradius\" 0.5 \"float yradius\" 0.5\n"
+      "Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"bool savefp16\" false \"float "
+      "maxcomponentvalue\" 1e30\n"
+      "Integrator \"path\" \"integer maxdepth\" {}\n"  // counts scatterings, as trace_depth
+      "WorldBegin\n",
+      numbers(camera.position_m), numbers(camera.look_at_m), numbers(camera.up),
+      fov_of_shorter_side_deg(camera), camera.width_px, camera.height_px, scene.trace_depth);
+}
+
+class Writer {
+ public:
+  Writer(const scene::Scene& scene, const std::filesystem::path& file)
+      : scene_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
+
+  std::string write() {
+    std::string text = head_text(scene_);
+    if (scene_.environment != scene::Rgb{})
+      text += fmt::format("LightSource \"infinite\" {}\n", rgb("L", scene_.environment));
+    for (const int index : scene::visible_materials(scene_)) {
+      if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
+        write_tinted(scene_, index, folder_ / pbrt::picture_name(index, stem_));
+      text += pbrt::material_text(scene_, index, stem_);
+    }
+    const std::vector<Part> parts = parts_of(scene_);
+    for (std::size_t i = 0; i < parts.size(); ++i) text += part_text(parts[i], i);
+    for (const scene::Light& light : scene_.lights) text += pbrt::light_text(light);
+    return text;
+  }
+
+ private:
+  // pbrt has no lamps in instances. Vertex normals decide about its inside and outside, as in ORB.S.
+  std::string part_text(const Part& part, std::size_t index) const {
+    const std::string name = fmt::format("mesh{}", index);
+    const std::string ply = fmt::format("{}-{}.ply", stem_, name);
+    scene::write_ply(part.mesh, folder_ / ply, scene::PlyContent::Common);
+    const std::string shape =
+        fmt::format("  NamedMaterial \"material{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"\n",
+                    part.material, ply);
+    const auto& model = scene_.materials[static_cast<std::size_t>(part.material)].model;
+    const auto* emission = std::get_if<scene::Emission>(&model);
+    std::string text = fmt::format("# mesh {}\n", one_line(part.mesh.name));
+    if (emission != nullptr || part.places.size() == 1) {
+      const std::string lamp = emission == nullptr
+                                   ? ""
+                                   : fmt::format("  AreaLightSource \"diffuse\" {} \"bool twosided\" true\n",
+                                                 rgb("L", emission->radiance));
+      for (const Mat4& place : part.places)
+        text += fmt::format("AttributeBegin\n{}  {}{}AttributeEnd\n", lamp, transform(place), shape);
+      return text;
+    }
+    text += fmt::format("ObjectBegin \"{}\"\n{}ObjectEnd\n", name, shape);
+    for (const Mat4& place : part.places)
+      text +=
+          fmt::format("AttributeBegin\n  {}  ObjectInstance \"{}\"\nAttributeEnd\n", transform(place), name);
+    return text;
+  }
+
+  const scene::Scene& scene_;
+  std::filesystem::path folder_;
+  std::string stem_;
+};
+
+}  // namespace
+
+void write_pbrt(const scene::Scene& scene, const std::filesystem::path& file) {
+  write_file(file, Writer(scene, file).write());
+}
+
+}  // namespace orbs::adapters

@@ -1,0 +1,40 @@
+#include "adapters/tinted_picture.h"
+
+#include "base/error.h"
+#include "image/image_io.h"
+#include "image/linear_rgb.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters {
+
+namespace {
+
+struct Colour {
+  scene::Rgb operator()(const scene::Lambert& m) const { return m.reflectance; }
+  scene::Rgb operator()(const scene::OrenNayar& m) const { return m.reflectance; }
+  scene::Rgb operator()(const scene::Mirror& m) const { return m.reflectance; }
+  scene::Rgb operator()(const scene::Glass& m) const { return m.colour; }
+  scene::Rgb operator()(const scene::Ggx& m) const { return m.colour; }
+  scene::Rgb operator()(const scene::RoughGlass& m) const { return m.colour; }
+  scene::Rgb operator()(const scene::Emission& m) const { return m.radiance; }
+};
+
+}  // namespace
+
+void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file) {
+  const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
+  const scene::Rgb tint = std::visit(Colour{}, model);
+  const auto& texture = scene.textures[static_cast<std::size_t>(scene::texture_of(model)->texture)];
+  with_note(fmt::format("tinting texture '{}'", texture.name), [&] {
+    image::Image picture = image::read_linear_rgb(texture.file);
+    const std::array factors{tint.x, tint.y, tint.z};
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+      picture.pixels[i] = static_cast<float>(static_cast<double>(picture.pixels[i]) * factors[i % 3]);
+    image::write_exr(picture, file);
+  });
+}
+
+}  // namespace orbs::adapters

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+
+namespace orbs::adapters {
+
+/// Writes the texture of a material (which has one) times the material's colour as a float EXR of linear
+/// Rec.709, for renderers that cannot multiply a texture by a colour. Exact: decoding and tint are per texel,
+/// and filtering, which comes later, is linear. It also leaves no question of encoding to the renderer.
+/// InputError when a file cannot be read or written.
+void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file);
+
+}  // namespace orbs::adapters

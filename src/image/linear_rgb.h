@@ -1,0 +1,14 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <filesystem>
+
+namespace orbs::image {
+
+/// A picture that serves as a texture, as channels R, G, B in linear values: 8- and 16-bit files are sRGB and
+/// decoded per pixel, float files are linear already; a picture with less than three channels is grey.
+/// InputError as read_image.
+Image read_linear_rgb(const std::filesystem::path& file);
+
+}  // namespace orbs::image

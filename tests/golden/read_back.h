@@ -1,0 +1,52 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What an exported scene says, read by a small reader of our own that knows each format's conventions from
+/// its manual, not from the exporter.
+namespace orbs::tests {
+
+/// Sums over the triangles of a material in world space, weighed by area: any wrong matrix, side, normal or
+/// texture coordinate changes one of them.
+struct Moments {
+  double area_m2 = 0;
+  Vec3d centre;  // times area
+  Vec3d normal;  // of the vertices, times area
+  Vec2d uv;      // as the texture sees it (v from the bottom), times area
+};
+
+struct ReadLight {
+  scene::Rgb radiance;
+  double area_m2 = 0;
+  Vec3d centre;
+  Vec3d facing;  // zero for spheres
+};
+
+struct ReadScene {
+  Vec3d eye;
+  Vec3d target;
+  Vec3d up;
+  double fov_y_deg = 0;
+  int width_px = 0;
+  int height_px = 0;
+  int trace_depth = 0;
+  bool mirrored_x = false;  // pbrt's Scale -1 1 1
+  scene::Rgb environment;
+  std::map<std::string, Moments> materials;    // by "material<index>"
+  std::map<std::string, scene::Rgb> emission;  // of those that emit
+  std::vector<ReadLight> lights;
+};
+
+/// Adds a mesh as it stands at `place`. `v_from_top`: the format counts v from the top row.
+void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool v_from_top);
+
+/// Both throw std::runtime_error for a text that is not well-formed or has a word they do not know.
+ReadScene read_mitsuba(const std::filesystem::path& file);
+ReadScene read_pbrt(const std::filesystem::path& file);
+
+}  // namespace orbs::tests

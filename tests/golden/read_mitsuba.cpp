@@ -1,0 +1,230 @@
+#include "base/files.h"
+#include "base/text.h"
+#include "golden/read_back.h"
+#include "scene/mesh_files.h"
+
+#include <numbers>
+#include <stdexcept>
+
+namespace orbs::tests {
+
+namespace {
+
+struct Element {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+  std::vector<Element> children;
+
+  const std::string& at(const std::string& key) const { return attributes.at(key); }
+  // The child that is called `called` by its name attribute.
+  const Element* named(const std::string& called) const {
+    for (const Element& child : children)
+      if (child.attributes.contains("name") && child.at("name") == called) return &child;
+    return nullptr;
+  }
+  const Element* kind(const std::string& tag) const {
+    for (const Element& child : children)
+      if (child.name == tag) return &child;
+    return nullptr;
+  }
+  const std::string& value(const std::string& called) const {
+    if (named(called) == nullptr) throw std::runtime_error(name + " has no " + called);
+    return named(called)->at("value");
+  }
+  double number(const std::string& called) const { return to_number(value(called)).value(); }
+};
+
+// As much of XML as a scene takes: elements, attributes, comments, one declaration.
+class XmlReader {
+ public:
+  explicit XmlReader(std::string text) : text_(std::move(text)) {}
+
+  Element read() {
+    skip();
+    Element root = element();
+    skip();
+    if (at_ != text_.size()) throw std::runtime_error("text after the root element");
+    return root;
+  }
+
+ private:
+  bool comes(const std::string& word) const { return text_.compare(at_, word.size(), word) == 0; }
+  void expect(const std::string& word) {
+    if (!comes(word)) throw std::runtime_error("expected " + word + " before " + text_.substr(at_, 40));
+    at_ += word.size();
+  }
+  void to_end_of(const std::string& word) {
+    at_ = text_.find(word, at_);
+    if (at_ == std::string::npos) throw std::runtime_error("no " + word);
+    at_ += word.size();
+  }
+  void skip() {
+    for (;;) {
+      while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+      if (comes("<?")) {
+        to_end_of("?>");
+      } else if (comes("<!--")) {
+        at_ += 4;
+        to_end_of("--");
+        expect(">");  // "--" may not stand inside of a comment
+      } else {
+        return;
+      }
+    }
+  }
+  std::string until(const std::string& ends) {
+    const auto end = text_.find_first_of(ends, at_);
+    if (end == std::string::npos) throw std::runtime_error("unfinished markup");
+    std::string word = text_.substr(at_, end - at_);
+    at_ = end;
+    return word;
+  }
+  Element element() {
+    Element e;
+    expect("<");
+    e.name = until(" />");
+    for (skip(); !comes("/>") && !comes(">"); skip()) {
+      const std::string key = until("=");
+      expect("=\"");
+      e.attributes[key] = until("\"<&");
+      expect("\"");
+    }
+    if (comes("/>")) {
+      at_ += 2;
+      return e;
+    }
+    expect(">");
+    for (skip(); !comes("</"); skip()) e.children.push_back(element());
+    expect("</" + e.name + ">");
+    return e;
+  }
+
+  std::string text_;
+  std::size_t at_ = 0;
+};
+
+std::vector<double> numbers(std::string text) {
+  for (char& c : text)
+    if (c == ',') c = ' ';
+  std::vector<double> out;
+  for (const std::string& word : split(text, ' '))
+    if (!word.empty()) out.push_back(to_number(word).value());
+  return out;
+}
+
+Vec3d vec3(const std::string& text) {
+  const auto n = numbers(text);
+  if (n.size() != 3) throw std::runtime_error("three numbers expected: " + text);
+  return {n[0], n[1], n[2]};
+}
+
+Mat4 place_of(const Element& shape) {
+  Mat4 m;
+  if (const Element* transform = shape.named("to_world")) {
+    const auto n = numbers(transform->children.at(0).at("value"));
+    if (n.size() != 16) throw std::runtime_error("16 numbers expected");
+    std::copy(n.begin(), n.end(), m.m.begin());
+  }
+  return m;
+}
+
+ReadLight light_of(const Element& shape) {
+  ReadLight light;
+  light.radiance = vec3(shape.kind("emitter")->value("radiance"));
+  if (shape.at("type") == "sphere") {
+    const double r = shape.number("radius");
+    const Element& c = *shape.named("center");
+    light.centre = {to_number(c.at("x")).value(), to_number(c.at("y")).value(), to_number(c.at("z")).value()};
+    light.area_m2 = 4 * std::numbers::pi * r * r;
+    return light;
+  }
+  // Both lie in XY and face +Z; the square has sides of 2, the disk a radius of 1.
+  const Mat4 m = place_of(shape);
+  light.centre = transform_point(m, {});
+  light.facing = normalised(transform_normal(inverse(m).value(), {0, 0, 1}));
+  light.area_m2 = length(cross(transform_direction(m, {1, 0, 0}), transform_direction(m, {0, 1, 0}))) *
+                  (shape.at("type") == "rectangle" ? 4 : std::numbers::pi);
+  return light;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const Element& root, std::filesystem::path folder) : folder_(std::move(folder)) {
+    for (const Element& e : root.children) add(e);
+  }
+  ReadScene scene;
+
+ private:
+  void add(const Element& e) {
+    if (e.name == "sensor") return camera(e);
+    if (e.name == "integrator") {
+      scene.trace_depth = static_cast<int>(e.number("max_depth")) - 1;  // counts the emitter's vertex
+    } else if (e.name == "emitter") {
+      scene.environment = vec3(e.value("radiance"));
+    } else if (e.name == "shape") {
+      shape(e);
+    } else if (e.name != "bsdf" && e.name != "default") {
+      throw std::runtime_error("unknown element " + e.name);
+    }
+  }
+  void camera(const Element& e) {
+    if (e.value("fov_axis") != "y") throw std::runtime_error("fov_axis");
+    const Element& look = e.named("to_world")->children.at(0);
+    scene.eye = vec3(look.at("origin"));
+    scene.target = vec3(look.at("target"));
+    scene.up = vec3(look.at("up"));
+    scene.fov_y_deg = e.number("fov");
+    scene.width_px = static_cast<int>(e.kind("film")->number("width"));
+    scene.height_px = static_cast<int>(e.kind("film")->number("height"));
+  }
+  void shape(const Element& e) {
+    const std::string& type = e.at("type");
+    if (type == "shapegroup") {
+      groups_.emplace(e.at("id"), e.children.at(0));
+    } else if (type == "instance") {
+      mesh(groups_.at(e.kind("ref")->at("id")), place_of(e));
+    } else if (type == "ply") {
+      mesh(e, place_of(e));
+    } else {
+      scene.lights.push_back(light_of(e));
+    }
+  }
+  void mesh(const Element& e, const Mat4& place) {
+    scene::Mesh mesh = scene::read_ply(folder_ / e.value("filename")).mesh;
+    const std::string& material = e.kind("ref")->at("id");
+    const Element* emitter = e.kind("emitter");
+    if (emitter != nullptr) {
+      if (e.value("face_normals") != "true") throw std::runtime_error("an emitter with vertex normals");
+      scene.emission[material] = vec3(emitter->value("radiance"));
+      take_normals_of_faces(mesh, determinant3(place) < 0 ? -1.0F : 1.0F);
+    }
+    add_mesh(scene.materials[material], mesh, place, emitter == nullptr);
+  }
+  // Mitsuba forms them from the corners in the world, where a mirroring matrix has turned them.
+  static void take_normals_of_faces(scene::Mesh& mesh, float sign) {
+    scene::Mesh faces;
+    for (const auto& t : mesh.triangles) {
+      const auto first = static_cast<std::uint32_t>(faces.positions.size());
+      const Vec3f normal =
+          cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+      for (const auto corner : t) {
+        faces.positions.push_back(mesh.positions[corner]);
+        faces.normals.push_back(normal * sign);
+        faces.uvs.push_back(mesh.uvs[corner]);
+      }
+      faces.triangles.push_back({first, first + 1, first + 2});
+    }
+    mesh = std::move(faces);
+  }
+
+  std::filesystem::path folder_;
+  std::map<std::string, Element> groups_;
+};
+
+}  // namespace
+
+ReadScene read_mitsuba(const std::filesystem::path& file) {
+  return SceneReader(XmlReader(read_file(file)).read(), file.parent_path()).scene;
+}
+
+}  // namespace orbs::tests

@@ -1,0 +1,205 @@
+#include "base/files.h"
+#include "base/text.h"
+#include "golden/read_back.h"
+#include "scene/mesh_files.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+namespace orbs::tests {
+
+namespace {
+
+struct State {
+  Mat4 place;
+  std::string material;
+  std::optional<scene::Rgb> lamp;
+  bool two_sided = false;
+};
+
+using Parameters = std::map<std::string, std::vector<std::string>>;  // "rgb L" -> values
+
+class PbrtReader {
+ public:
+  explicit PbrtReader(const std::filesystem::path& file) : folder_(file.parent_path()) {
+    tokenise(read_file(file));
+    while (at_ < tokens_.size()) directive(next());
+    if (!states_.empty()) throw std::runtime_error("AttributeBegin without end");
+  }
+  ReadScene scene;
+
+ private:
+  void tokenise(const std::string& text) {
+    for (const std::string& whole : split(text, '\n')) {
+      const std::string line = whole.substr(0, whole.find('#'));
+      for (std::size_t i = 0; i < line.size();) {
+        if (line[i] == ' ') {
+          ++i;
+        } else if (line[i] == '"') {
+          const auto end = line.find('"', i + 1);
+          if (end == std::string::npos) throw std::runtime_error("unfinished string: " + line);
+          tokens_.push_back(line.substr(i, end - i));  // keeps the first quote as a mark
+          i = end + 1;
+        } else if (line[i] == '[' || line[i] == ']') {
+          tokens_.emplace_back(1, line[i++]);
+        } else {
+          const auto end = std::min(line.find_first_of(" []\"", i), line.size());
+          tokens_.push_back(line.substr(i, end - i));
+          i = end;
+        }
+      }
+    }
+  }
+  std::string next() {
+    if (at_ == tokens_.size()) throw std::runtime_error("the file ends within a directive");
+    return tokens_[at_++];
+  }
+  std::string text() {
+    const std::string token = next();
+    if (token[0] != '"') throw std::runtime_error("a string expected: " + token);
+    return token.substr(1);
+  }
+  double number() { return to_number(next()).value(); }
+  Vec3d vec3() {
+    const double x = number();
+    const double y = number();
+    return {x, y, number()};
+  }
+  Parameters parameters() {
+    Parameters out;
+    while (at_ < tokens_.size() && tokens_[at_][0] == '"') {
+      auto& values = out[text()];
+      if (tokens_.at(at_) != "[") {
+        values.push_back(next());
+        continue;
+      }
+      ++at_;
+      while (tokens_.at(at_) != "]") values.push_back(next());
+      ++at_;
+    }
+    return out;
+  }
+  static double number(const Parameters& given, const std::string& key) {
+    return to_number(given.at(key).at(0)).value();
+  }
+  static Vec3d vec3(const std::vector<std::string>& words, std::size_t first = 0) {
+    return {to_number(words.at(first)).value(), to_number(words.at(first + 1)).value(),
+            to_number(words.at(first + 2)).value()};
+  }
+
+  void directive(const std::string& word) {
+    if (word == "WorldBegin" || word == "ObjectEnd") {
+      object_.clear();
+    } else if (word == "AttributeBegin") {
+      states_.push_back(state_);
+    } else if (word == "AttributeEnd") {
+      state_ = states_.at(states_.size() - 1);
+      states_.pop_back();
+    } else if (word == "Scale") {
+      scene.mirrored_x = vec3() == Vec3d{-1, 1, 1};
+    } else if (word == "LookAt") {
+      if (!scene.mirrored_x) throw std::runtime_error("LookAt before the mirror");
+      scene.eye = vec3();
+      scene.target = vec3();
+      scene.up = vec3();
+    } else if (word == "Translate") {
+      state_.place = state_.place * translation(vec3());
+    } else if (word == "Transform") {
+      next();
+      for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row) state_.place(row, column) = number();
+      if (next() != "]") throw std::runtime_error("16 numbers expected");
+    } else {
+      with_name(word);
+    }
+  }
+  void with_name(const std::string& word) {
+    const bool is_option = word == "Option";
+    const std::string name = is_option ? "" : text();
+    if (word == "Texture") {
+      text();
+      text();
+    }
+    const Parameters given = parameters();
+    if (word == "Camera") {
+      fov_deg_ = number(given, "float fov");
+    } else if (word == "Film") {
+      film(given);
+    } else if (word == "Integrator") {
+      scene.trace_depth = static_cast<int>(number(given, "integer maxdepth"));
+    } else if (word == "LightSource") {
+      scene.environment = vec3(given.at("rgb L"));
+    } else if (word == "AreaLightSource") {
+      state_.lamp = vec3(given.at("rgb L"));
+      state_.two_sided = given.contains("bool twosided");
+    } else if (word == "NamedMaterial") {
+      state_.material = name;
+    } else if (word == "ObjectBegin") {
+      object_ = name;
+    } else if (word == "ObjectInstance") {
+      const auto& [material, mesh] = objects_.at(name);
+      add_mesh(scene.materials[material], mesh, state_.place, false);
+    } else if (word == "Shape") {
+      shape(name, given);
+    } else if (word != "Sampler" && word != "PixelFilter" && word != "MakeNamedMaterial" &&
+               word != "Material" && word != "Texture" && !is_option) {
+      throw std::runtime_error("unknown directive " + word);
+    }
+  }
+  void film(const Parameters& given) {
+    scene.width_px = static_cast<int>(number(given, "integer xresolution"));
+    scene.height_px = static_cast<int>(number(given, "integer yresolution"));
+    const double half = std::tan(fov_deg_ * std::numbers::pi / 360);  // of the shorter side
+    const double half_y = scene.width_px < scene.height_px ? half * scene.height_px / scene.width_px : half;
+    scene.fov_y_deg = 360 / std::numbers::pi * std::atan(half_y);
+  }
+  void shape(const std::string& type, const Parameters& given) {
+    if (type == "plymesh") {
+      const std::string file = given.at("string filename").at(0).substr(1);
+      const scene::Mesh mesh = scene::read_ply(folder_ / file).mesh;
+      if (!object_.empty()) {
+        objects_[object_] = {state_.material, mesh};
+        return;
+      }
+      if (state_.lamp && !state_.two_sided) throw std::runtime_error("a lamp with one side");
+      if (state_.lamp) scene.emission[state_.material] = *state_.lamp;
+      add_mesh(scene.materials[state_.material], mesh, state_.place, false);
+      return;
+    }
+    ReadLight light;
+    light.radiance = state_.lamp.value();
+    light.centre = transform_point(state_.place, {});
+    if (type == "bilinearmesh") {
+      const auto& words = given.at("point3 P");
+      const Vec3d u = vec3(words, 3) - vec3(words);
+      const Vec3d v = vec3(words, 6) - vec3(words);
+      light.centre = (vec3(words) + vec3(words, 9)) * 0.5;
+      light.area_m2 = length(cross(u, v));
+      light.facing = normalised(cross(u, v));
+    } else {
+      const double r = number(given, "float radius");
+      light.area_m2 = (type == "disk" ? 1 : 4) * std::numbers::pi * r * r;
+      // pbrt knows the area from the radius alone.
+      if (std::abs(determinant3(state_.place) - 1) > 1e-9) throw std::runtime_error(type + " is scaled");
+      if (type == "disk") light.facing = transform_direction(state_.place, {0, 0, 1});
+    }
+    scene.lights.push_back(light);
+  }
+
+  std::filesystem::path folder_;
+  std::vector<std::string> tokens_;
+  std::size_t at_ = 0;
+  State state_;
+  std::vector<State> states_;
+  std::string object_;
+  std::map<std::string, std::pair<std::string, scene::Mesh>> objects_;
+  double fov_deg_ = 0;
+};
+
+}  // namespace
+
+ReadScene read_pbrt(const std::filesystem::path& file) { return PbrtReader(file).scene; }
+
+}  // namespace orbs::tests
