@@ -33,7 +33,8 @@ ImageCache::Bytes ImageCache::get(const std::string& key, const std::function<st
   const auto give_back = [&] {
     lock.lock();
     ++free_;
-    freed_.notify_one();
+    // All of them: one that finds its picture kept by now takes no place, and would leave the others waiting.
+    freed_.notify_all();
   };
   try {
     const auto bytes = std::make_shared<const std::string>(pack());
