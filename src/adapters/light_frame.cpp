@@ -14,6 +14,12 @@ LightFrame light_frame(const Mat4& matrix) {
   return {transform_point(matrix, {}), u, v * hand, normalised(across) * hand, length(across)};
 }
 
+Mat4 flat_light_matrix(const LightFrame& frame, Vec3d x, Vec3d y) {
+  const Vec3d z = frame.facing;
+  const Vec3d o = frame.centre;
+  return {{x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z, 0, 0, 0, 1}};
+}
+
 bool is_round(const LightFrame& frame) {
   // Rounding of a turn and a uniform scale stays far below this; a scale meant to differ does not.
   constexpr double kRounding = 1e-6;

@@ -15,6 +15,9 @@ struct LightFrame {
 
 LightFrame light_frame(const Mat4& matrix);
 
+/// Takes x to `x`, y to `y` and z to where the light shines, from the origin to its centre.
+Mat4 flat_light_matrix(const LightFrame& frame, Vec3d x, Vec3d y);
+
 /// A disk stays a disk: u and v are perpendicular and of one length.
 bool is_round(const LightFrame& frame);
 

@@ -23,4 +23,8 @@ std::string closest(const std::string& word, const std::set<std::string>& candid
 /// Shell-like pattern: '*' any run, '?' any one character; the whole text must match.
 bool glob_match(std::string_view pattern, std::string_view text);
 
+/// Length of the UTF-8 sequence that starts `text`, 0 when there is none: RFC 3629, without overlong forms,
+/// surrogates and what lies above U+10FFFF.
+std::size_t utf8_length(std::string_view text);
+
 }  // namespace orbs

@@ -66,6 +66,11 @@ constexpr Real largest(Vec3<Real> a) {
 }
 
 template <typename Real>
+Real largest_magnitude(Vec3<Real> a) {
+  return largest(Vec3<Real>{std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
+template <typename Real>
 bool is_finite(Vec3<Real> a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

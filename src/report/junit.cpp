@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "report/files.h"
 #include "report/table.h"
 
@@ -106,23 +107,6 @@ std::string test_suite(const RunRecord& run, const results::RendererRecord& rend
       "{}  </testsuite>\n",
       xml_text(run.suite + "." + renderer.name), tests, counts[Element::Failure], counts[Element::Error],
       counts[Element::Skipped], renderer.wall_seconds, xml_text(run.started), cases);
-}
-
-// Length of the UTF-8 sequence that starts `text`, 0 when there is none (RFC 3629).
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(0);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xc2 ? 0
-                             : first < 0xe0 ? 2
-                             : first < 0xf0 ? 3
-                             : first < 0xf5 ? 4
-                                            : 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0U) != 0x80U) return 0;
-  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
-  const bool beyond = (first == 0xed && byte(1) > 0x9f) || (first == 0xf4 && byte(1) > 0x8f);
-  return overlong || beyond ? 0 : length;
 }
 
 }  // namespace

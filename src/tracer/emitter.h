@@ -77,8 +77,7 @@ struct EmitterPoint {
 
 /// Interpolation of a point from corners of this size in float, see surface_point.
 inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
-  const auto size = [](Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  return 16 * 0x1p-24F * (size(a) + size(b) + size(c));
+  return 16 * 0x1p-24F * (largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
 }
 
 /// Samples by solid angle where that is worth it (spheres always, rectangles at short distance), else by

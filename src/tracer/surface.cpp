@@ -6,8 +6,6 @@ namespace orbs::tracer {
 
 namespace {
 
-float size_of(Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 inline Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
   const auto& corners = mesh.triangles[hit.primitive];
   const float b1 = hit.barycentric.x;
@@ -38,7 +36,8 @@ void place_on_instance(
   out.geometric_normal = normalised(cross(e1, e2));
   const Vec3f normal = face.has_one_normal ? face.shading_normal : interpolated_normal(mesh, hit);
   out.shading_normal = unit_or(apply_to_direction(part.normal_to_world, normal), out.geometric_normal);
-  out.position_error = kInstanceRounding * std::max({size_of(p0), size_of(p0 + e1), size_of(p0 + e2)});
+  out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
+                                                     largest_magnitude(p0 + e2)});
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ void prepare_faces(TriangleMesh& mesh) {
     face.geometric_normal = unit_or(cross(face.edge1, face.edge2), {});
     face.has_one_normal = n0 == mesh.normals[corners[1]] && n0 == mesh.normals[corners[2]];
     face.shading_normal = unit_or(n0, face.geometric_normal);
-    face.size = std::max({size_of(p0), size_of(p1), size_of(p2)});
+    face.size = std::max({largest_magnitude(p0), largest_magnitude(p1), largest_magnitude(p2)});
   }
 }
 

@@ -56,23 +56,12 @@ void expect_in_quarters(const image::Image& image, const Expected& expected, dou
     }
 }
 
-// A quad that covers exactly the pixels [37, 45) x [2, 9) of a turned and tilted camera.
 TEST(Cycles, CameraMapsEveryPixelOfANonSquarePicture) {
-  auto scene = empty_scene(64, 24, 50);
-  scene.camera.position_m = {1, 2, 3};
-  scene.camera.look_at_m = {-2, 1, 7};
-  scene.camera.up = {0.2, 1, 0.1};
-  const Vec3d forward = normalised(scene.camera.look_at_m - scene.camera.position_m);
-  const auto at = [&](double x, double y) {
-    const Vec3d direction = pixel_direction(scene.camera, x - 0.5, y - 0.5);
-    return scene.camera.position_m + direction * (2 / dot(direction, forward));
-  };
-  add_instance(scene, quad(at(37, 9), at(45, 9) - at(37, 9), at(37, 2) - at(37, 9)),
-               add_material(scene, scene::Emission{{5, 0.25, 1000}, {}}));
+  const auto scene = tilted_camera_before_quad({5, 0.25, 1000});
   const auto image = render_with_cycles(scene, "camera", 16);
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 64; ++x) {
-      const double covered = x >= 37 && x < 45 && y >= 2 && y < 9 ? 1 : 0;
+      const double covered = is_on_tilted_quad(x, y) ? 1 : 0;
       ASSERT_EQ(value(image, x, y, 0), 5 * covered) << x << " " << y;
       ASSERT_EQ(value(image, x, y, 1), 0.25 * covered) << x << " " << y;
       ASSERT_EQ(value(image, x, y, 2), 1000 * covered) << x << " " << y;  // nothing is clamped

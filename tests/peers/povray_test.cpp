@@ -32,23 +32,12 @@ TEST(Povray, EmissionIsShownAsGivenAndNotClamped) {
   EXPECT_EQ(value(image, 4, 4, 2), 1000);
 }
 
-// A quad that covers exactly the pixels [37, 45) x [2, 9) of a turned and tilted camera.
 TEST(Povray, CameraMapsEveryPixelOfANonSquarePicture) {
-  auto scene = empty_scene(64, 24, 50);
-  scene.camera.position_m = {1, 2, 3};
-  scene.camera.look_at_m = {-2, 1, 7};
-  scene.camera.up = {0.2, 1, 0.1};
-  const Vec3d forward = normalised(scene.camera.look_at_m - scene.camera.position_m);
-  const auto at = [&](double x, double y) {
-    const Vec3d direction = pixel_direction(scene.camera, x - 0.5, y - 0.5);
-    return scene.camera.position_m + direction * (2 / dot(direction, forward));
-  };
-  add_instance(scene, quad(at(37, 9), at(45, 9) - at(37, 9), at(37, 2) - at(37, 9)),
-               add_material(scene, scene::Emission{{1, 1, 1}, {}}));
+  const auto scene = tilted_camera_before_quad({1, 1, 1});
   const auto image = render_with_povray(scene, "camera");
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 64; ++x)
-      ASSERT_EQ(value(image, x, y), x >= 37 && x < 45 && y >= 2 && y < 9 ? 1 : 0) << x << " " << y;
+      ASSERT_EQ(value(image, x, y), is_on_tilted_quad(x, y) ? 1 : 0) << x << " " << y;
 }
 
 // L = R L_e exactly; the quad is behind the camera and seen in the mirror, left and right exchanged.

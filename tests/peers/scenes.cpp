@@ -15,6 +15,21 @@ Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px) {
   return normalised(forward + right * x + up * y);
 }
 
+scene::Scene tilted_camera_before_quad(Vec3d radiance) {
+  auto scene = empty_scene(64, 24, 50);
+  scene.camera.position_m = {1, 2, 3};
+  scene.camera.look_at_m = {-2, 1, 7};
+  scene.camera.up = {0.2, 1, 0.1};
+  const Vec3d forward = normalised(scene.camera.look_at_m - scene.camera.position_m);
+  const auto at = [&](double x, double y) {
+    const Vec3d direction = pixel_direction(scene.camera, x - 0.5, y - 0.5);
+    return scene.camera.position_m + direction * (2 / dot(direction, forward));
+  };
+  add_instance(scene, quad(at(37, 9), at(45, 9) - at(37, 9), at(37, 2) - at(37, 9)),
+               add_material(scene, scene::Emission{radiance, {}}));
+  return scene;
+}
+
 scene::Scene floor_scene() {
   auto scene = empty_scene(24, 24, 90);
   scene.camera.position_m = {0, 0.5, 0};

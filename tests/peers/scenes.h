@@ -51,6 +51,11 @@ inline scene::Mesh quad(Vec3d corner, Vec3d edge_u, Vec3d edge_v, double low = 0
 /// Unit direction through the centre of a pixel, as gluLookAt and glFrustum put it.
 Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px);
 
+/// A turned and tilted camera of 64 x 24 pixels before an emitting quad that covers exactly the pixels
+/// [37, 45) x [2, 9).
+scene::Scene tilted_camera_before_quad(Vec3d radiance);
+inline bool is_on_tilted_quad(int x_px, int y_px) { return x_px >= 37 && x_px < 45 && y_px >= 2 && y_px < 9; }
+
 /// A Lambert floor of albedo 0.5 at y = 0, seen from 0.5 m above; 24 x 24 pixels of it, 1 m wide. No light.
 scene::Scene floor_scene();
 inline constexpr double kFloorAlbedo = 0.5;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 constexpr std::size_t kMostLines = 500;
 const std::set<std::string> kCode{".cpp",   ".h",  ".inc", ".py",  ".sh",
@@ -47,7 +47,7 @@ std::vector<std::string> long_files(const fs::path& root) {
   return found;
 }
 
-// An absolute folder counts where a path begins, not in the middle of one ("suite/work/").
+// An absolute folder counts where a path begins, not in the middle of one.
 bool names_place(const std::string& line, std::string_view word) {
   for (auto at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
     const char before = at == 0 ? ' ' : line[at - 1];
@@ -84,7 +84,7 @@ TEST(FileRules, NoFileNamesAFolderOfOneMachine) {
 }
 
 TEST(FileRules, AFileOfFiveHundredAndOneLinesIsNamed) {
-  const ScratchFolder scratch("file-rules-long");
+  const TestFolder scratch("file-rules-long");
   std::string text;
   for (std::size_t i = 0; i < kMostLines; ++i) text += "x\n";
   scratch.write("src/base/fits.h", text);
@@ -94,7 +94,7 @@ TEST(FileRules, AFileOfFiveHundredAndOneLinesIsNamed) {
 }
 
 TEST(FileRules, APrivatePlaceIsNamedWithFileAndLine) {
-  const ScratchFolder scratch("file-rules-private");
+  const TestFolder scratch("file-rules-private");
   const std::string place(kPrivatePlaces[1]);
   scratch.write("README.md", "suite" + place + "x is fine\ncd " + place + "x is not\n");
   EXPECT_EQ(orbs::structure::joined(private_places(scratch.path())),

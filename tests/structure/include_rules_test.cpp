@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 // Large headers stay in one folder each: the preprocessed size of each is above 100 000 lines, and what the
 // rest of the house sees of the library is our own small header.
@@ -112,7 +112,7 @@ std::vector<std::string> breaches(const fs::path& src) {
 }
 
 // A house of three rooms for showing that a breach is seen.
-void write_small_house(const ScratchFolder& scratch) {
+void write_small_house(const TestFolder& scratch) {
   scratch.write(
       "CMakeLists.txt",
       "orbs_module(base PACKAGES Threads::Threads)\norbs_module(json USES base)  # text\n"
@@ -141,13 +141,13 @@ TEST(IncludeRules, EveryModuleIsListedAfterTheModulesItUses) {
 }
 
 TEST(IncludeRules, AHouseThatKeepsTheRulesHasNoBreach) {
-  const ScratchFolder scratch("include-rules-kept");
+  const TestFolder scratch("include-rules-kept");
   write_small_house(scratch);
   EXPECT_EQ(orbs::structure::joined(breaches(scratch.path())), "");
 }
 
 TEST(IncludeRules, EachBreachIsNamedWithFileAndLine) {
-  const ScratchFolder scratch("include-rules-broken");
+  const TestFolder scratch("include-rules-broken");
   write_small_house(scratch);
   scratch.write("base/text.h", "#pragma once\n#include \"json/read.h\"\n");
   scratch.write("tracer/trace.h", "#include <vector>\n#  include <nlohmann/json_fwd.hpp>\n");

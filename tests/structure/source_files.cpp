@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace orbs::structure {
 
@@ -54,19 +53,9 @@ std::string joined(const std::vector<std::string>& complaints) {
   return text;
 }
 
-ScratchFolder::ScratchFolder(const std::string& name)
-    : path_(fs::temp_directory_path() / fmt::format("orbs-{}-{}", name, getpid())) {
-  fs::create_directories(path_);
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-void ScratchFolder::write(const std::string& file, const std::string& text) const {
-  fs::create_directories((path_ / file).parent_path());
-  std::ofstream(path_ / file) << text;
+void TestFolder::write(const std::string& file, const std::string& text) const {
+  fs::create_directories((path() / file).parent_path());
+  std::ofstream(path() / file) << text;
 }
 
 }  // namespace orbs::structure

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/scratch_folder.h"
+
 #include <filesystem>
 #include <set>
 #include <string>
@@ -21,19 +23,16 @@ std::string place(const std::filesystem::path& root, const std::filesystem::path
 /// The complaints one below the other, for a test's message.
 std::string joined(const std::vector<std::string>& complaints);
 
-/// A folder for the made-up sources on which a rule is shown to fail; gone with the object.
-class ScratchFolder {
+/// A folder for the made-up sources on which a rule is shown to fail.
+class TestFolder {
  public:
-  explicit ScratchFolder(const std::string& name);
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  explicit TestFolder(const std::string& name) : folder_("orbs-" + name) {}
+  const std::filesystem::path& path() const { return folder_.path(); }
   /// Writes `text` to a file below the folder; makes the folders on the way.
   void write(const std::string& file, const std::string& text) const;
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder folder_;
 };
 
 }  // namespace orbs::structure

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 TEST(SourceFiles, BuildsAndHiddenFoldersAreNotSearched) {
-  const orbs::structure::ScratchFolder scratch("source-files");
+  const orbs::structure::TestFolder scratch("source-files");
   for (const char* file : {"src/a.h", "build/release/b.h", ".git/c.h", "outputs-1/d.h", "src/picture.png"})
     scratch.write(file, "x\n");
   const auto files = orbs::structure::files_below(scratch.path(), {".h"});

@@ -18,7 +18,7 @@
 
 using orbs::adapters::ProcessRequest;
 using orbs::adapters::run_process;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 namespace {
 
@@ -49,7 +49,7 @@ bool is_running(const std::string& id) {
 }  // namespace
 
 TEST(Process, OutputAndErrorsGoToTheLogInTheirOrder) {
-  const ScratchFolder scratch("process-log");
+  const TestFolder scratch("process-log");
   auto request = shell("echo one; echo two >&2; echo three");
   request.log = scratch.path() / "log.txt";
   const auto result = run_process(request);
@@ -82,7 +82,7 @@ TEST(Process, WhatCannotStartSaysWhy) {
 }
 
 TEST(Process, WhatIsNoProgramSaysWhy) {
-  const ScratchFolder scratch("process-no-program");
+  const TestFolder scratch("process-no-program");
   scratch.write("text", "no program");
   ::chmod((scratch.path() / "text").c_str(), 0755);
   ProcessRequest request;
@@ -93,7 +93,7 @@ TEST(Process, WhatIsNoProgramSaysWhy) {
 TEST(Process, HasNoInput) { EXPECT_EQ(run_process(shell("cat; echo end")).output, "end\n"); }
 
 TEST(Process, StartsInItsFolder) {
-  const ScratchFolder scratch("process-folder");
+  const TestFolder scratch("process-folder");
   auto request = shell("pwd -P");
   request.folder = scratch.path();
   EXPECT_EQ(run_process(request).output, std::filesystem::canonical(scratch.path()).string() + "\n");
@@ -107,7 +107,7 @@ TEST(Process, SeesOnlyTheEnvironmentThatIsGiven) {
 }
 
 TEST(Process, InheritsNoOpenFile) {
-  const ScratchFolder scratch("process-files");
+  const TestFolder scratch("process-files");
   scratch.write("open.txt", "");
   std::FILE* open = std::fopen((scratch.path() / "open.txt").c_str(), "r");
   const auto result = run_process(shell("ls -l /proc/self/fd"));
@@ -163,7 +163,7 @@ TEST(Process, MeasuresItsOwnMemoryAndNotOurs) {
 }
 
 TEST(Programs, AreFoundOnThePathAndMustBeExecutable) {
-  const ScratchFolder scratch("programs");
+  const TestFolder scratch("programs");
   scratch.write("plain.txt", "");
   EXPECT_TRUE(orbs::adapters::find_program("sh").has_value());
   EXPECT_FALSE(orbs::adapters::find_program("no-such-program-at-all").has_value());

@@ -19,10 +19,10 @@ using namespace orbs::image;
 using orbs::InputError;
 using orbs::image_test::png_bytes;
 using orbs::image_test::png_chunk;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 // What reading these bytes under this name says: the error, or "read"; plus whatever landed on stderr.
-std::string outcome_of(const ScratchFolder& folder, const std::string& name, const std::string& bytes) {
+std::string outcome_of(const TestFolder& folder, const std::string& name, const std::string& bytes) {
   const auto file = folder.path() / name;
   orbs::write_file(file, bytes);
   testing::internal::CaptureStderr();
@@ -41,7 +41,7 @@ bool is_quiet_error(const std::string& outcome) {
   return outcome != "read" && outcome.find("; printed: ") == std::string::npos;
 }
 
-std::string exr_bytes(const ScratchFolder& folder, int width, int height) {
+std::string exr_bytes(const TestFolder& folder, int width, int height) {
   Image picture = make_image(width, height, {"R", "G", "B"});
   for (std::size_t i = 0; i < picture.pixels.size(); ++i)
     picture.pixels[i] = static_cast<float>(i * i % 101) * 0.37F;
@@ -67,14 +67,14 @@ std::string with_size(const std::string& exr, std::int32_t width, std::int32_t h
 }  // namespace
 
 TEST(ImageBrokenFiles, AnEmptyFileIsNoPicture) {
-  const ScratchFolder folder("broken-empty");
+  const TestFolder folder("broken-empty");
   for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"})
     EXPECT_EQ(outcome_of(folder, name, ""),
               (folder.path() / name).string() + ": is empty, expected a picture");
 }
 
 TEST(ImageBrokenFiles, TextIsNoPictureUnderAnyName) {
-  const ScratchFolder folder("broken-text");
+  const TestFolder folder("broken-text");
   const std::string text = "Rendering failed: out of memory\n" + std::string(2000, 'x');
   for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"}) {
     const auto outcome = outcome_of(folder, name, text);
@@ -83,7 +83,7 @@ TEST(ImageBrokenFiles, TextIsNoPictureUnderAnyName) {
 }
 
 TEST(ImageBrokenFiles, APictureUnderAnotherFormatsNameIsRefused) {
-  const ScratchFolder folder("broken-name");
+  const TestFolder folder("broken-name");
   const std::string png = png_bytes(1, 1, 8, 0, std::string("\0\x40", 2));
   const auto outcome = outcome_of(folder, "a.exr", png);
   EXPECT_TRUE(is_quiet_error(outcome)) << outcome;
@@ -91,7 +91,7 @@ TEST(ImageBrokenFiles, APictureUnderAnotherFormatsNameIsRefused) {
 }
 
 TEST(ImageBrokenFiles, AnExrTornAnywhereIsRefused) {
-  const ScratchFolder folder("broken-torn");
+  const TestFolder folder("broken-torn");
   const std::string whole = exr_bytes(folder, 24, 40);
   ASSERT_EQ(outcome_of(folder, "whole.exr", whole), "read");
   for (std::size_t length = 1; length < whole.size(); length += 61) {
@@ -102,7 +102,7 @@ TEST(ImageBrokenFiles, AnExrTornAnywhereIsRefused) {
 }
 
 TEST(ImageBrokenFiles, AnExrWithFlippedBytesIsReadOrRefusedButNeverCrashes) {
-  const ScratchFolder folder("broken-flipped");
+  const TestFolder folder("broken-flipped");
   const std::string whole = exr_bytes(folder, 24, 40);
   for (std::size_t at = 0; at < whole.size(); at += 13) {
     std::string flipped = whole;
@@ -113,7 +113,7 @@ TEST(ImageBrokenFiles, AnExrWithFlippedBytesIsReadOrRefusedButNeverCrashes) {
 }
 
 TEST(ImageBrokenFiles, AHeaderThatClaimsAnImpossibleSizeIsRefusedBeforeMemoryIsAskedFor) {
-  const ScratchFolder folder("broken-huge");
+  const TestFolder folder("broken-huge");
   EXPECT_EQ(outcome_of(folder, "a.pfm", "PF\n40000 40000\n-1.0\n0123456789ab"),
             (folder.path() / "a.pfm").string() +
                 ": the header says 40000 x 40000 px with 3 channels; at most 536870912 values are read");
@@ -126,7 +126,7 @@ TEST(ImageBrokenFiles, AHeaderThatClaimsAnImpossibleSizeIsRefusedBeforeMemoryIsA
 }
 
 TEST(ImageBrokenFiles, ACroppedExrIsRefusedBecauseItsPixelsWouldBeShifted) {
-  const ScratchFolder folder("broken-cropped");
+  const TestFolder folder("broken-cropped");
   const auto outcome =
       outcome_of(folder, "a.exr", with_box(exr_bytes(folder, 4, 4), "displayWindow", {-1, 0, 6, 3}));
   EXPECT_NE(outcome.find("the stored pixels (4 x 4 at 0, 0) are not the whole picture (8 x 4 at -1, 0)"),
@@ -135,7 +135,7 @@ TEST(ImageBrokenFiles, ACroppedExrIsRefusedBecauseItsPixelsWouldBeShifted) {
 }
 
 TEST(ImageBrokenFiles, APngTornAnywhereOrWithAFlippedByteIsRefusedQuietly) {
-  const ScratchFolder folder("broken-png");
+  const TestFolder folder("broken-png");
   Image picture = make_image(9, 7, {"R", "G", "B"});
   for (std::size_t i = 0; i < picture.pixels.size(); ++i)
     picture.pixels[i] = static_cast<float>(i % 17) / 17.0F;
@@ -152,7 +152,7 @@ TEST(ImageBrokenFiles, APngTornAnywhereOrWithAFlippedByteIsRefusedQuietly) {
 }
 
 TEST(ImageBrokenFiles, APngWithAnImpossibleHeaderIsRefusedQuietly) {
-  const ScratchFolder folder("broken-png-header");
+  const TestFolder folder("broken-png-header");
   const std::string row("\0\x40", 2);
   EXPECT_EQ(outcome_of(folder, "a.png", png_bytes(2000000000, 2000000000, 8, 0, row)),
             (folder.path() / "a.png").string() + ": the PNG header says 2000000000 x 2000000000 px");
@@ -176,7 +176,7 @@ TEST(ImageBrokenFiles, APngWithoutPixelsIsRefused) {
 }
 
 TEST(ImageBrokenFiles, APngWhosePaletteOrCriticalChunksAreWrongIsRefusedQuietly) {
-  const ScratchFolder folder("broken-png-chunks");
+  const TestFolder folder("broken-png-chunks");
   const std::string row("\0\x00", 2);
   const std::string palette = png_chunk("PLTE", "abc");
   const auto place = (folder.path() / "a.png").string() + ": ";
@@ -192,7 +192,7 @@ TEST(ImageBrokenFiles, APngWhosePaletteOrCriticalChunksAreWrongIsRefusedQuietly)
 }
 
 TEST(ImageBrokenFiles, AJpegWithoutItsEndIsRefused) {
-  const ScratchFolder folder("broken-jpeg");
+  const TestFolder folder("broken-jpeg");
   // Start of image, start of scan and entropy-coded data, then nothing: as much as the check looks at.
   const auto outcome =
       outcome_of(folder, "a.jpg", std::string("\xff\xd8\xff\xda\x00\x08\x12\x34\xff\x00\x56", 11));

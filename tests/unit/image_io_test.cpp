@@ -22,7 +22,7 @@ using namespace orbs::image;
 using orbs::InputError;
 using orbs::image_test::png_bytes;
 using orbs::image_test::png_chunk;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 // Every value differs, is no half and has both signs.
 Image numbered_picture(int width, int height, std::vector<std::string> channels) {
@@ -57,7 +57,7 @@ std::string error_of_reading(const fs::path& file) {
 }  // namespace
 
 TEST(ImageIo, AnExrKeepsEveryChannelByItsName) {
-  const ScratchFolder folder("image-names");
+  const TestFolder folder("image-names");
   const Image picture = numbered_picture(
       5, 3,
       {"R", "G", "B", "variance.R", "variance.G", "variance.B", "path.ESDL.R", "path.ESDL.G", "path.ESDL.B",
@@ -67,7 +67,7 @@ TEST(ImageIo, AnExrKeepsEveryChannelByItsName) {
 }
 
 TEST(ImageIo, AnExrReadsColourChannelsInTheOrderRedGreenBlue) {
-  const ScratchFolder folder("image-order");
+  const TestFolder folder("image-order");
   write_exr(numbered_picture(2, 2, {"B", "variance.B", "R", "variance.R", "G", "variance.G"}),
             folder.path() / "a.exr");
   const Image read = read_image(folder.path() / "a.exr");
@@ -76,14 +76,14 @@ TEST(ImageIo, AnExrReadsColourChannelsInTheOrderRedGreenBlue) {
 }
 
 TEST(ImageIo, AnExrOfOneChannelIsAPicture) {
-  const ScratchFolder folder("image-single");
+  const TestFolder folder("image-single");
   const Image picture = numbered_picture(4, 4, {"Y"});
   write_exr(picture, folder.path() / "a.exr");
   expect_same_channels(read_image(folder.path() / "a.exr"), picture);
 }
 
 TEST(ImageIo, AnExrKeepsTextAttributesAndNothingElse) {
-  const ScratchFolder folder("image-attributes");
+  const TestFolder folder("image-attributes");
   Image picture = numbered_picture(2, 2, {"R", "G", "B"});
   picture.attributes = {{"orbs.seed", "7"},
                         {"orbs.a-name-that-is-longer-than-31-characters", "kept"},
@@ -94,7 +94,7 @@ TEST(ImageIo, AnExrKeepsTextAttributesAndNothingElse) {
 }
 
 TEST(ImageIo, HalfPrecisionRoundsToElevenBitsAndFloatKeepsEveryBit) {
-  const ScratchFolder folder("image-half");
+  const TestFolder folder("image-half");
   const Image picture = numbered_picture(8, 8, {"R", "G", "B"});
   write_exr(picture, folder.path() / "half.exr", Precision::Half);
   const Image half = read_image(folder.path() / "half.exr");
@@ -108,7 +108,7 @@ TEST(ImageIo, HalfPrecisionRoundsToElevenBitsAndFloatKeepsEveryBit) {
 }
 
 TEST(ImageIo, NanAndInfinityComeBackAsTheyWere) {
-  const ScratchFolder folder("image-nan");
+  const TestFolder folder("image-nan");
   Image picture = make_image(2, 1, {"R", "G", "B"});
   picture.pixels = {std::nanf(""), std::numeric_limits<float>::infinity(),
                     0.0F,          -std::numeric_limits<float>::infinity(),
@@ -123,7 +123,7 @@ TEST(ImageIo, NanAndInfinityComeBackAsTheyWere) {
 }
 
 TEST(ImageIo, AValueBeyondTheLargestHalfIsRefusedInsteadOfBecomingInfinite) {
-  const ScratchFolder folder("image-beyond-half");
+  const TestFolder folder("image-beyond-half");
   Image picture = make_image(3, 2, {"R", "G", "B"});
   picture.at(0, 0, 0) = 65519.0F;  // rounds to 65504, the largest half
   write_exr(picture, folder.path() / "a.exr", Precision::Half);
@@ -141,7 +141,7 @@ TEST(ImageIo, AValueBeyondTheLargestHalfIsRefusedInsteadOfBecomingInfinite) {
 
 // A variance may be far above or below what a half holds.
 TEST(ImageIo, BesideHalfColoursVariancesStayFloats) {
-  const ScratchFolder folder("image-variance");
+  const TestFolder folder("image-variance");
   Image picture = make_image(3, 1, {"R", "variance.R"});
   const std::vector<float> variances{1e9F / 3.0F, 1e-20F / 3.0F, 0.0F};
   for (int x = 0; x < 3; ++x) picture.at(x, 0, 1) = variances[static_cast<std::size_t>(x)];
@@ -154,7 +154,7 @@ TEST(ImageIo, BesideHalfColoursVariancesStayFloats) {
 }
 
 TEST(ImageIo, TheSamePictureGivesTheSameBytes) {
-  const ScratchFolder folder("image-bytes");
+  const TestFolder folder("image-bytes");
   const Image picture = numbered_picture(16, 16, {"R", "G", "B"});
   write_exr(picture, folder.path() / "a.exr");
   write_exr(picture, folder.path() / "b.exr");
@@ -165,14 +165,14 @@ TEST(ImageIo, TheSamePictureGivesTheSameBytes) {
 }
 
 TEST(ImageIo, WritingLeavesNothingBesideTheFile) {
-  const ScratchFolder folder("image-beside");
+  const TestFolder folder("image-beside");
   write_exr(numbered_picture(4, 4, {"R", "G", "B"}), folder.path() / "a.exr");
   write_png(numbered_picture(4, 4, {"R", "G", "B"}), folder.path() / "a.exr.png");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2);
 }
 
 TEST(ImageIo, AFailedWriteLeavesTheOldPicture) {
-  const ScratchFolder folder("image-old");
+  const TestFolder folder("image-old");
   const Image old = numbered_picture(4, 4, {"R", "G", "B"});
   write_exr(old, folder.path() / "a.exr");
   EXPECT_THROW(write_exr(numbered_picture(4, 4, {"R", "R", "B"}), folder.path() / "a.exr"), InputError);
@@ -181,7 +181,7 @@ TEST(ImageIo, AFailedWriteLeavesTheOldPicture) {
 }
 
 TEST(ImageIo, APngHoldsTheNearestOf256Steps) {
-  const ScratchFolder folder("image-png");
+  const TestFolder folder("image-png");
   Image picture = make_image(2, 1, {"R", "G", "B", "A"});
   picture.pixels = {0.0F, 1.0F, 100.4F / 255.0F, 0.3F, -0.5F, 7.0F, 100.6F / 255.0F, 0.3F};
   write_png(picture, folder.path() / "a.png");
@@ -192,7 +192,7 @@ TEST(ImageIo, APngHoldsTheNearestOf256Steps) {
 }
 
 TEST(ImageIo, APngOfOneChannelIsGreyAndOneWithNanIsRefused) {
-  const ScratchFolder folder("image-grey");
+  const TestFolder folder("image-grey");
   Image picture = make_image(2, 2, {"Y"});
   picture.at(1, 0, 0) = 1.0F;
   write_png(picture, folder.path() / "a.png");
@@ -202,7 +202,7 @@ TEST(ImageIo, APngOfOneChannelIsGreyAndOneWithNanIsRefused) {
 }
 
 TEST(ImageIo, ColoursBesideAlphaComeBackAsStored) {
-  const ScratchFolder folder("image-alpha");
+  const TestFolder folder("image-alpha");
   orbs::write_file(folder.path() / "a.png", png_bytes(1, 1, 8, 6, std::string("\0\xff\x80\x40\x33", 5)));
   const Image read = read_image(folder.path() / "a.png");
   ASSERT_EQ(read.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
@@ -211,7 +211,7 @@ TEST(ImageIo, ColoursBesideAlphaComeBackAsStored) {
 }
 
 TEST(ImageIo, ADoubtfulColourProfileIsReadWithoutAWord) {
-  const ScratchFolder folder("image-profile");
+  const TestFolder folder("image-profile");
   orbs::write_file(folder.path() / "a.png", png_bytes(1, 1, 8, 2, std::string("\0\x0a\x14\x1e", 4),
                                                       png_chunk("iCCP", "no profile at all")));
   testing::internal::CaptureStderr();
@@ -221,7 +221,7 @@ TEST(ImageIo, ADoubtfulColourProfileIsReadWithoutAWord) {
 }
 
 TEST(ImageIo, APortableFloatMapIsReadFromItsLastRowUp) {
-  const ScratchFolder folder("image-pfm");
+  const TestFolder folder("image-pfm");
   // The format stores the bottom row first; scale -1 means little-endian.
   const std::vector<float> values{0, 1, 2, 3, 4, 5};
   std::string bytes = "PF\n1 2\n-1.0\n";
@@ -233,7 +233,7 @@ TEST(ImageIo, APortableFloatMapIsReadFromItsLastRowUp) {
 }
 
 TEST(ImageIo, OnlyIntegerPixelsCountAsDisplayEncoded) {
-  const ScratchFolder folder("image-ldr");
+  const TestFolder folder("image-ldr");
   write_png(numbered_picture(2, 2, {"R", "G", "B"}), folder.path() / "eight.png");
   orbs::write_file(folder.path() / "sixteen.png", png_bytes(1, 1, 16, 0, std::string("\0\x80\x00", 3)));
   write_exr(numbered_picture(2, 2, {"R", "G", "B"}), folder.path() / "half.exr", Precision::Half);
@@ -248,7 +248,7 @@ TEST(ImageIo, OnlyIntegerPixelsCountAsDisplayEncoded) {
 }
 
 TEST(ImageIo, AMissingFileAFolderAndAnUnknownEndingAreSaidPlainly) {
-  const ScratchFolder folder("image-missing");
+  const TestFolder folder("image-missing");
   fs::create_directories(folder.path() / "folder.exr");
   folder.write("notes.txt", "text");
   EXPECT_EQ(error_of_reading(folder.path() / "none.exr"),

@@ -8,7 +8,7 @@
 
 using orbs::registry::load_case;
 using orbs::registry::load_cases;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string case_text(
 }
 
 std::string message_of(const std::string& text) {
-  const ScratchFolder scratch("registry-case");
+  const TestFolder scratch("registry-case");
   scratch.write("m2/1.json", "{}");
   scratch.write("m2/2.json", "{}");
   scratch.write("m2/case.json", text);
@@ -48,7 +48,7 @@ class SuiteOfTwo {
   orbs::registry::Suite suite() const { return {"s", scratch_.path(), scratch_.path() / "references"}; }
 
  private:
-  ScratchFolder scratch_;
+  TestFolder scratch_;
 };
 
 std::string suite_message(const SuiteOfTwo& folders) {
@@ -63,7 +63,7 @@ std::string suite_message(const SuiteOfTwo& folders) {
 }  // namespace
 
 TEST(Cases, TheGateIsTheOneOfTheSpecificationUnlessTheCaseSaysOtherwise) {
-  const ScratchFolder scratch("registry-gate");
+  const TestFolder scratch("registry-gate");
   scratch.write("m2/1.json", "{}");
   scratch.write("m2/case.json", case_text("", R"([{"name": "1", "file": "1.json", "spp": 7}])"));
   const auto one_case = load_case(scratch.path() / "m2" / "case.json");
@@ -165,7 +165,7 @@ TEST(Cases, ADifferenceMayNotHaveTheNameOfASceneOfAnotherCase) {
 }
 
 TEST(Cases, AFolderWithoutCasesIsAnError) {
-  const ScratchFolder scratch("registry-empty");
+  const TestFolder scratch("registry-empty");
   EXPECT_THROW(load_cases({"s", scratch.path(), scratch.path()}), orbs::InputError);
   EXPECT_THROW(load_cases({"s", scratch.path() / "absent", scratch.path()}), orbs::InputError);
 }

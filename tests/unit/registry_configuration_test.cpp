@@ -8,7 +8,7 @@
 
 using orbs::registry::Configuration;
 using orbs::registry::load_configuration;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 namespace {
 
@@ -23,7 +23,7 @@ const std::string kRenderer =
     R"("name": "a", "executable": "{build}/a", "declares": "G1/M2", "command": ["{executable}", "{scene}", "-o{output}"])";
 
 Configuration load(const std::string& text) {
-  const ScratchFolder scratch("registry-configuration");
+  const TestFolder scratch("registry-configuration");
   scratch.write("configuration.json", text);
   return load_configuration(scratch.path() / "configuration.json");
 }
@@ -174,7 +174,7 @@ TEST(Configuration, TheOneOfTheRepositoryIsRight) {
 }
 
 TEST(Configuration, IsLookedForInTheFoldersAbove) {
-  const ScratchFolder scratch("registry-nearest");
+  const TestFolder scratch("registry-nearest");
   scratch.write("configuration.json", "{}");
   scratch.write("a/b/c.txt", "");
   EXPECT_EQ(orbs::registry::nearest_configuration(scratch.path() / "a" / "b"),

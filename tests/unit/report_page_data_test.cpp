@@ -107,7 +107,7 @@ TEST(ShellText, IsReadBackByAShell) {
 }
 
 TEST(PageData, SaysWhatThePageShowsInColumns) {
-  const structure::ScratchFolder scratch("page-data");
+  const structure::TestFolder scratch("page-data");
   page_tests::write_small_run(scratch.path());
   const auto view = results::read_run_folder(scratch.path());
   const auto text = report::overview_json(view);
@@ -126,7 +126,7 @@ TEST(PageData, SaysWhatThePageShowsInColumns) {
 
 // Somebody else's results.json may name any file of this machine.
 TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
-  const structure::ScratchFolder scratch("page-outside");
+  const structure::TestFolder scratch("page-outside");
   scratch.write("secret.txt", "secret");
   scratch.write("web/single.html", "<!--orbs-data-->");
   scratch.write("run/x", "");
@@ -146,7 +146,7 @@ TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
 }
 
 TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
-  const structure::ScratchFolder scratch("page-file");
+  const structure::TestFolder scratch("page-file");
   page_tests::write_small_run(scratch.path() / "run");
   scratch.write("web/single.html", "before<!--orbs-data-->after");
   const auto view = results::read_run_folder(scratch.path() / "run");

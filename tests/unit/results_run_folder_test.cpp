@@ -39,7 +39,7 @@ PictureRecord picture_of(const JobRecord& job) {
 }
 
 // A run of two renders, the first of which is done.
-void write_unfinished(const structure::ScratchFolder& scratch) {
+void write_unfinished(const structure::TestFolder& scratch) {
   RunRecord run;
   run.finished = false;
   for (const char* id : {"a", "b"}) {
@@ -54,7 +54,7 @@ void write_unfinished(const structure::ScratchFolder& scratch) {
 }  // namespace
 
 TEST(ReadRecord, ReadsBackAllThatWasWritten) {
-  const structure::ScratchFolder scratch("read-record");
+  const structure::TestFolder scratch("read-record");
   page_tests::write_small_run(scratch.path());
   auto run = read_results_file(scratch.path() / "results.json");
   EXPECT_EQ(run_json(run), read_file(scratch.path() / "results.json"));
@@ -66,7 +66,7 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
 }
 
 TEST(ReadRecord, AnUnknownVerdictIsNamedWithItsPlace) {
-  const structure::ScratchFolder scratch("read-verdict");
+  const structure::TestFolder scratch("read-verdict");
   scratch.write("results.json", R"({"format": "orbs-results/1",
  "pictures": [{"requirement": "M1", "case": "c", "picture": "p", "renderer": "r", "verdict": "perfect"}]})");
   try {
@@ -79,7 +79,7 @@ TEST(ReadRecord, AnUnknownVerdictIsNamedWithItsPlace) {
 }
 
 TEST(RunFolder, OfARunThatWasKilledKeepsWhatWasDone) {
-  const structure::ScratchFolder scratch("run-killed");
+  const structure::TestFolder scratch("run-killed");
   write_unfinished(scratch);
   const auto view = read_run_folder(scratch.path());
   EXPECT_FALSE(view.is_live);
@@ -88,7 +88,7 @@ TEST(RunFolder, OfARunThatWasKilledKeepsWhatWasDone) {
 }
 
 TEST(RunFolder, OfARunThatGoesOnIsFollowed) {
-  const structure::ScratchFolder scratch("run-live");
+  const structure::TestFolder scratch("run-live");
   write_unfinished(scratch);
   const RunLock lock(scratch.path());
   EXPECT_TRUE(is_running(scratch.path()));
@@ -104,7 +104,7 @@ TEST(RunFolder, OfARunThatGoesOnIsFollowed) {
 }
 
 TEST(RunFolder, TheLockEndsWithItsHolder) {
-  const structure::ScratchFolder scratch("run-lock");
+  const structure::TestFolder scratch("run-lock");
   scratch.write("x", "");
   {
     const RunLock lock(scratch.path());
@@ -114,7 +114,7 @@ TEST(RunFolder, TheLockEndsWithItsHolder) {
 }
 
 TEST(RunFolder, WithoutResultsIsRefused) {
-  const structure::ScratchFolder scratch("run-none");
+  const structure::TestFolder scratch("run-none");
   scratch.write("x", "");
   EXPECT_THROW(read_run_folder(scratch.path()), InputError);
 }

@@ -157,7 +157,7 @@ TEST(Judge, ADifferenceMayBeNegative) {
 }
 
 TEST(Reference, OfADifferenceIsTheDifferenceOfTheReferences) {
-  const structure::ScratchFolder scratch("runner-reference");
+  const structure::TestFolder scratch("runner-reference");
   scratch.write("keep", "");
   auto subtracting = one_case();
   subtracting.differences = {{"d", "a", "b"}};
@@ -170,7 +170,7 @@ TEST(Reference, OfADifferenceIsTheDifferenceOfTheReferences) {
 }
 
 TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
-  const structure::ScratchFolder scratch("runner-same-reference");
+  const structure::TestFolder scratch("runner-same-reference");
   scratch.write("keep", "");
   auto sharing = one_case();
   sharing.scenes[0].reference = "elsewhere";
@@ -184,7 +184,7 @@ TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
 }
 
 TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
-  const structure::ScratchFolder scratch("runner-version");
+  const structure::TestFolder scratch("runner-version");
   scratch.write("keep", "");
   auto picture = grey(0.75F);
   image::write_exr(picture, scratch.path() / "b.exr");
@@ -199,7 +199,7 @@ TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
 }
 
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
-  const structure::ScratchFolder scratch("runner-maps");
+  const structure::TestFolder scratch("runner-maps");
   scratch.write("keep", "");
   const auto comparison = metrics::compare(grey(0.5F), grey(0.25F));
   const auto maps = runner::write_maps(grey(0.5F), comparison, scratch.path());

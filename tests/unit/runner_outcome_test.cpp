@@ -10,7 +10,7 @@
 using orbs::adapters::ProcessResult;
 using orbs::results::Verdict;
 using orbs::runner::classify;
-using orbs::structure::ScratchFolder;
+using orbs::structure::TestFolder;
 
 namespace {
 
@@ -31,7 +31,7 @@ class OutcomeTest : public testing::Test {
     return classify(process, job_, 9);
   }
 
-  ScratchFolder scratch_;
+  TestFolder scratch_;
   orbs::adapters::Job job_;
 };
 

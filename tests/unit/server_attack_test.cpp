@@ -21,7 +21,7 @@ constexpr const char* kSecret = "nobody may read this";
 
 // A run with a secret beside its folder, and ways to it inside.
 struct Target {
-  orbs::structure::ScratchFolder scratch{"server-attack"};
+  orbs::structure::TestFolder scratch{"server-attack"};
   fs::path run = scratch.path() / "run";
 
   Target() {

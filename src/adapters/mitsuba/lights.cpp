@@ -11,26 +11,8 @@ namespace {
 // to that of local Z, Z to where the light shines. The sizes are in the columns; Z's length does not matter.
 std::string flat_shape(const scene::Light& light, const char* type, double size_x, double size_z) {
   const LightFrame frame = light_frame(light.matrix);
-  const Vec3d x = frame.u * size_x;
-  const Vec3d y = frame.v * size_z;
-  Mat4 m;
-  m.m = {x.x,
-         y.x,
-         frame.facing.x,
-         frame.centre.x,
-         x.y,
-         y.y,
-         frame.facing.y,
-         frame.centre.y,
-         x.z,
-         y.z,
-         frame.facing.z,
-         frame.centre.z,
-         0,
-         0,
-         0,
-         1};
-  return fmt::format("<shape type=\"{}\">{}", type, to_world(m));
+  return fmt::format("<shape type=\"{}\">{}", type,
+                     to_world(flat_light_matrix(frame, frame.u * size_x, frame.v * size_z)));
 }
 
 struct ShapeWriter {

@@ -26,25 +26,8 @@ struct ShapeWriter {
   std::string operator()(const scene::DiskShape& disk) const {
     const LightFrame frame = light_frame(light.matrix);
     const Vec3d x = normalised(frame.u);
-    const Vec3d y = cross(frame.facing, x);
-    Mat4 m;
-    m.m = {x.x,
-           y.x,
-           frame.facing.x,
-           frame.centre.x,
-           x.y,
-           y.y,
-           frame.facing.y,
-           frame.centre.y,
-           x.z,
-           y.z,
-           frame.facing.z,
-           frame.centre.z,
-           0,
-           0,
-           0,
-           1};
-    return fmt::format("  {}  Shape \"disk\" \"float radius\" {}\n", transform(m),
+    return fmt::format("  {}  Shape \"disk\" \"float radius\" {}\n",
+                       transform(flat_light_matrix(frame, x, cross(frame.facing, x))),
                        disk.radius_m * length(frame.u));
   }
   // lower() lets spheres through with a uniform scale only.
