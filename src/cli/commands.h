@@ -31,6 +31,7 @@ void add_list_command(CLI::App& app, const Program& program, Action& action);
 void add_doctor_command(CLI::App& app, const Program& program, Action& action);
 void add_compare_command(CLI::App& app, const Program& program, Action& action);
 void add_reference_command(CLI::App& app, const Program& program, Action& action);
+void add_probe_command(CLI::App& app, const Program& program, Action& action);
 void add_bench_command(CLI::App& app, const Program& program, Action& action);
 void add_serve_command(CLI::App& app, const Program& program, Action& action);
 void add_report_command(CLI::App& app, const Program& program, Action& action);

@@ -46,6 +46,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   add_doctor_command(app, program, action);
   add_compare_command(app, program, action);
   add_reference_command(app, program, action);
+  add_probe_command(app, program, action);
   add_bench_command(app, program, action);
   add_serve_command(app, program, action);
   add_report_command(app, program, action);

@@ -1,6 +1,7 @@
 #include "tracer/world.h"
 
 #include "image/colour.h"
+#include "scene/camera_frame.h"
 #include "tracer/frame.h"
 #include "tracer/surface.h"
 
@@ -12,15 +13,13 @@ namespace orbs::tracer {
 namespace {
 
 PinholeCamera prepare_camera(const scene::Camera& camera) {
-  // gluLookAt: side = forward x up, true up = side x forward; glFrustum: half height of the image plane at
-  // distance 1.
-  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
-  const Vec3d side = normalised(cross(forward, camera.up));
-  const Vec3d up = cross(side, forward);
-  const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
-  const double half_width = half_height * camera.width_px / camera.height_px;
-  return {cast<float>(camera.position_m), cast<float>(forward), cast<float>(side * half_width),
-          cast<float>(up * half_height),  camera.width_px,      camera.height_px};
+  const auto frame = scene::camera_frame(camera);
+  return {cast<float>(camera.position_m),
+          cast<float>(frame.forward),
+          cast<float>(frame.right * frame.half_width),
+          cast<float>(frame.up * frame.half_height),
+          camera.width_px,
+          camera.height_px};
 }
 
 SurfaceMaterial prepare_model(const scene::Lambert& m) {

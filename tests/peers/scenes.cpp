@@ -1,18 +1,17 @@
 #include "peers/scenes.h"
 
+#include "scene/camera_frame.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace orbs::peers {
 
 Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px) {
-  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
-  const Vec3d right = normalised(cross(forward, camera.up));
-  const Vec3d up = cross(right, forward);
-  const double half = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
-  const double x = (2 * (x_px + 0.5) / camera.width_px - 1) * half * camera.width_px / camera.height_px;
-  const double y = (1 - 2 * (y_px + 0.5) / camera.height_px) * half;
-  return normalised(forward + right * x + up * y);
+  const auto frame = scene::camera_frame(camera);
+  const double x = (2 * (x_px + 0.5) / camera.width_px - 1) * frame.half_width;
+  const double y = (1 - 2 * (y_px + 0.5) / camera.height_px) * frame.half_height;
+  return normalised(frame.forward + frame.right * x + frame.up * y);
 }
 
 scene::Scene tilted_camera_before_quad(Vec3d radiance) {

@@ -7,6 +7,7 @@
 #include "adapters/povray/sdl.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "scene/camera_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +28,11 @@ constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
 // Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
 // has the length of the picture's width, `up` of its height, `direction` of the distance of that window.
 std::string camera_text(const scene::Camera& camera) {
-  const Vec3d forward = normalised(camera.look_at_m - camera.position_m);
-  const Vec3d right = normalised(cross(forward, camera.up));
-  const Vec3d up = cross(right, forward);
+  const auto frame = scene::camera_frame(camera);
   const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
-  const double distance = 0.5 / std::tan(camera.fov_y_deg * std::numbers::pi / 360);
   return fmt::format("camera {{\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",
-                     vector(camera.position_m), vector(forward * distance), vector(right * aspect),
-                     vector(up));
+                     vector(camera.position_m), vector(frame.forward * (0.5 / frame.half_height)),
+                     vector(frame.right * aspect), vector(frame.up));
 }
 
 std::string radiosity_text(const scene::Scene& scene, const PovrayRadiosity& r) {

@@ -1,0 +1,90 @@
+#include "studies/probe.h"
+
+#include "adapters/export.h"
+#include "base/error.h"
+#include "base/scratch_folder.h"
+#include "base/text.h"
+#include "studies/bench_render.h"
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+struct Stand {
+  const runner::Plan& plan;
+  const ProbeSettings& settings;
+  const ProbeContext& context;
+  const std::filesystem::path& scratch;
+};
+
+bool is_stopped(const ProbeContext& context) { return context.stop != nullptr && context.stop->load(); }
+
+template <typename Compare>
+ProbePicture take_picture(const Stand& stand,
+                          const runner::ChosenRenderer& renderer,
+                          const scene::Scene& scene,
+                          Compare compare) {
+  ProbePicture taken;
+  const auto prepared = adapters::prepare_scene(renderer.entry, scene);
+  if (const auto* reason = std::get_if<std::string>(&prepared)) {
+    taken.unsupported = *reason;
+    return taken;
+  }
+  try {
+    const auto folder = stand.scratch / renderer.entry.name;
+    std::filesystem::remove_all(folder);
+    const auto subject = prepare_subject(renderer, stand.plan, scene, folder);
+    const auto made = render(subject, {stand.settings.spp, 1, stand.settings.threads}, stand.context.stop);
+    if (!made) {
+      taken.no_picture = "was stopped";
+      return taken;
+    }
+    taken.findings = compare(made->picture);
+  } catch (const InputError& e) {
+    taken.no_picture = split(e.what(), '\n').front();
+  }
+  return taken;
+}
+
+void say_record(const Stand& stand, const ProbeRecord& record) {
+  stand.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_sentence(record)));
+}
+
+void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::vector<ProbeRecord>& records) {
+  const auto probe = coloured_by_thing(*planned.scene, stand.settings.most_px);
+  const auto sights = primary_sights(probe.scene, {}, stand.settings.threads);
+  const auto coordinates = coloured_by_coordinates(probe, stand.scratch / "ramp.exr");
+  for (const auto& renderer : stand.plan.renderers) {
+    if (is_stopped(stand.context)) return;
+    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
+    for (const auto& thing : probe.things) record.thing_names.push_back(thing.name);
+    record.things = take_picture(stand, renderer, probe.scene, [&](const image::Image& picture) {
+      return compare_things(probe, sights, picture);
+    });
+    if (record.things.unsupported.empty())
+      record.coordinates = take_picture(stand, renderer, coordinates, [&](const image::Image& picture) {
+        return compare_coordinates(probe, sights, picture);
+      });
+    if (is_stopped(stand.context)) return;
+    say_record(stand, record);
+    records.push_back(std::move(record));
+  }
+}
+
+}  // namespace
+
+std::vector<ProbeRecord> run_probe(const runner::Plan& plan,
+                                   const ProbeSettings& settings,
+                                   const ProbeContext& context) {
+  const ScratchFolder scratch("orbs-probe");
+  write_ramp(scratch.path() / "ramp.exr");
+  const Stand stand{plan, settings, context, scratch.path()};
+  std::vector<ProbeRecord> records;
+  for (const auto& scene : plan.scenes)
+    if (!is_stopped(context)) probe_scene(stand, scene, records);
+  return records;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,194 @@
+#include "studies/probe_compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// Half floats keep 11 bits, 5e-4 of the value; twice that is no other colour yet.
+constexpr double kColourTolerance = 1e-3;
+
+using Rgb = std::array<double, 3>;
+
+Rgb rgb_at(const image::Image& picture, const std::array<int, 3>& channels, int x, int y) {
+  Rgb rgb{};
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = static_cast<double>(picture.at(x, y, static_cast<std::size_t>(channels[c])));
+  return rgb;
+}
+
+Rgb colour_of(const ProbeScene& probe, int thing) {
+  if (thing == kNoThing) return {};
+  const Vec3d c = probe.things[static_cast<std::size_t>(thing)].radiance;
+  return {c.x, c.y, c.z};
+}
+
+double largest_difference(const Rgb& a, const Rgb& b) {
+  double most = 0;
+  for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a[c] - b[c]));
+  return most;
+}
+
+// The thing that all sights see.
+std::optional<int> only_thing(std::span<const Sight> sights) {
+  const auto differs = [&](const Sight& sight) { return sight.thing != sights.front().thing; };
+  return std::any_of(sights.begin(), sights.end(), differs) ? std::nullopt
+                                                            : std::optional(sights.front().thing);
+}
+
+std::string shown(const ProbeScene& probe, const Rgb& colour) {
+  for (int thing = kNoThing; thing < static_cast<int>(probe.things.size()); ++thing)
+    if (largest_difference(colour, colour_of(probe, thing)) <= kColourTolerance)
+      return thing == kNoThing ? "nothing" : probe.things[static_cast<std::size_t>(thing)].name;
+  return "a mixture of colours";
+}
+
+// A pixel that shows something else than all its sights.
+struct Suspect {
+  int thing = kNoThing;  // that is expected
+  Pixel at;
+  std::string instead;
+};
+
+// Leaves and needles are narrower than the grid is wide. Where few pixels do not fit, they are looked at once
+// more with a grid fine enough for 1/64 of a pixel; those in which there is more than one thing drop out.
+void look_again(const ProbeScene& probe, std::vector<Suspect>& suspects) {
+  constexpr std::size_t kFew = 64;
+  constexpr SightGrid kFine{64, 0.02};
+  if (suspects.size() > kFew) return;
+  std::vector<Pixel> pixels;
+  for (const auto& suspect : suspects) pixels.push_back(suspect.at);
+  const auto sights = sights_of_pixels(probe.scene, pixels, kFine, 1);
+  const std::size_t each = kFine.per_side * kFine.per_side;
+  std::vector<Suspect> kept;
+  for (std::size_t i = 0; i < suspects.size(); ++i)
+    if (only_thing(std::span(sights).subspan(i * each, each))) kept.push_back(suspects[i]);
+  suspects = std::move(kept);
+}
+
+// Mismatching pixels put together by thing.
+class Tally {
+ public:
+  void add(const Suspect& suspect) {
+    auto& one = by_thing_[suspect.thing];
+    if (one.mismatch.pixels++ == 0) one.mismatch = {suspect.thing, 1, suspect.at.x, suspect.at.y, {}};
+    ++one.instead[suspect.instead];
+  }
+  std::vector<Mismatch> worst_first() const {
+    std::vector<Mismatch> all;
+    for (const auto& [thing, one] : by_thing_) {
+      all.push_back(one.mismatch);
+      const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
+      all.back().instead = std::max_element(one.instead.begin(), one.instead.end(), fewer)->first;
+    }
+    const auto worse = [](const Mismatch& a, const Mismatch& b) { return a.pixels > b.pixels; };
+    std::stable_sort(all.begin(), all.end(), worse);
+    return all;
+  }
+
+ private:
+  struct OfThing {
+    Mismatch mismatch;
+    std::map<std::string, int> instead;
+  };
+  std::map<int, OfThing> by_thing_;
+};
+
+std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect> suspects) {
+  look_again(probe, suspects);
+  Tally tally;
+  for (const auto& suspect : suspects) tally.add(suspect);
+  return tally.worst_first();
+}
+
+template <typename Look>
+void for_each_pixel(const image::Image& picture, const std::vector<Sight>& sights, Look look) {
+  const std::array<int, 3> channels{image::channel_index(picture, "R"), image::channel_index(picture, "G"),
+                                    image::channel_index(picture, "B")};
+  const std::size_t each = sights.size() / picture.pixel_count();
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+      look(x, y, std::span(sights).subspan(pixel * each, each), rgb_at(picture, channels, x, y));
+    }
+}
+
+// What the fraction of a coordinate can be in a pixel; nothing where it wraps around inside, where the ramp's
+// last texel is interpolated with its first, or where a pixel covers so much of the ramp that its filter
+// decides.
+struct Interval {
+  double low = 0;
+  double high = 0;
+};
+std::optional<Interval> fraction(std::span<const Sight> sights, float Sight::*coordinate) {
+  constexpr double kTexel = 1.0 / kRampSize;
+  constexpr double kMostOfRamp = 0.25;
+  const auto [least, most] =
+      std::minmax_element(sights.begin(), sights.end(),
+                          [&](const Sight& a, const Sight& b) { return a.*coordinate < b.*coordinate; });
+  const double whole = std::floor(static_cast<double>(*least.*coordinate));
+  const Interval range{static_cast<double>(*least.*coordinate) - whole,
+                       static_cast<double>(*most.*coordinate) - whole};
+  if (range.low < 2 * kTexel || range.high > 1 - 2 * kTexel || range.high - range.low > kMostOfRamp)
+    return std::nullopt;
+  return range;
+}
+
+bool is_within(double value, const Interval& range) {
+  // A renderer without interpolation between texels is at most half a texel off; the rest is for the filter's
+  // position.
+  constexpr double kTolerance = 1.0 / kRampSize;
+  return value >= range.low - kTolerance && value <= range.high + kTolerance;
+}
+
+}  // namespace
+
+ProbeFindings compare_things(const ProbeScene& probe,
+                             const std::vector<Sight>& sights,
+                             const image::Image& picture) {
+  ProbeFindings findings;
+  std::vector<Suspect> suspects;
+  for_each_pixel(picture, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+    const auto thing = only_thing(here);
+    if (!thing) return;
+    ++findings.compared;
+    if (largest_difference(colour, colour_of(probe, *thing)) > kColourTolerance)
+      suspects.push_back({*thing, {x, y}, shown(probe, colour)});
+  });
+  findings.mismatches = mismatches_of(probe, std::move(suspects));
+  return findings;
+}
+
+ProbeFindings compare_coordinates(const ProbeScene& probe,
+                                  const std::vector<Sight>& sights,
+                                  const image::Image& picture) {
+  const int materials = static_cast<int>(probe.scene.materials.size());
+  ProbeFindings findings;
+  std::vector<Suspect> suspects;
+  for_each_pixel(picture, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+    const auto thing = only_thing(here);
+    if (!thing || *thing == kNoThing || *thing >= materials) return;
+    const auto u = fraction(here, &Sight::u);
+    const auto v = fraction(here, &Sight::v);
+    if (!u || !v) return;
+    ++findings.compared;
+    if (is_within(colour[0], *u) && is_within(colour[1], *v)) return;
+    suspects.push_back({*thing,
+                        {x, y},
+                        fmt::format("({:.3f}, {:.3f}) where it has ({:.3f}, {:.3f})", colour[0], colour[1],
+                                    (u->low + u->high) / 2, (v->low + v->high) / 2)});
+  });
+  findings.mismatches = mismatches_of(probe, std::move(suspects));
+  return findings;
+}
+
+}  // namespace orbs::studies

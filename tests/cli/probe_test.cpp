@@ -1,0 +1,50 @@
+// orbs probe with the built-in tracer, as it is and behind a converter that makes a mistake.
+#include "cli/sandbox.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+// A shell script in place of a renderer: changes the scene by sed and lets the tracer render that.
+std::string configuration_with_mistake(const std::string& sed) {
+  return R"({ "format": "orbs-configuration/1",
+  "suites": [{ "name": "orbs", "cases": ")" ORBS_SOURCE_DIR R"(/data/cases/orbs",
+               "references": ")" ORBS_SOURCE_DIR R"(/data/references/orbs" }],
+  "renderers": [{ "name": "mistaken", "executable": "/bin/sh", "declares": "G5/M8/L4/A4",
+    "command": ["{executable}", "-c", ")" +
+         sed + R"( \"$1\" > wrong.json && exec {build}/orbs-tracer wrong.json -o \"$2\" --spp 1",
+                "converter", "{scene}", "{output}"] }] })";
+}
+
+}  // namespace
+
+TEST(ProbeCommand, FindsTheBuiltInTracersScenesWhereTheyShouldBe) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"probe", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "-r", "orbs", "-s",
+                    "078-remap,113", "--size", "64", "--spp", "4", "-o", "probe.json"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("all 2 are where they should be"), std::string::npos) << answer.text;
+  EXPECT_NE(sandbox.read("probe.json").find("\"ok\": true"), std::string::npos);
+}
+
+TEST(ProbeCommand, NamesWhatAWrongCameraMoved) {
+  const Sandbox sandbox;
+  sandbox.write("configuration.json",
+                configuration_with_mistake("sed -E 's/(\\\"fov_y\\\": *)[0-9.]+/\\\\150/'"));
+  const auto answer = sandbox.orbs({"probe", "-s", "078", "--size", "64"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("scene mapping differs: "), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("1 of 1 are not right"), std::string::npos) << answer.text;
+}
+
+TEST(ProbeCommand, SaysHowARendererFailed) {
+  const Sandbox sandbox;
+  sandbox.write("configuration.json", configuration_with_mistake("exit 3; sed"));
+  const auto answer = sandbox.orbs({"probe", "-s", "078", "--size", "64"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("ended with exit code 3"), std::string::npos) << answer.text;
+}

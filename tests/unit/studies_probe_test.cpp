@@ -1,0 +1,134 @@
+// Painted pictures of a probe: the right one, and what comes of a wrong camera, a lost or exchanged object.
+#include "scene/generators.h"
+#include "scene/load_scene.h"
+#include "scene/lower.h"
+#include "studies/probe_compare.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+scene::Scene two_boxes() {
+  return scene::load_scene_text("boxes.json", R"({
+    "format": "orbs-scene/1", "name": "boxes",
+    "camera": { "position": [0, 1, 6], "look_at": [0, 0, 0], "fov_y": 40, "width": 256, "height": 192 },
+    "materials": [ { "name": "a", "type": "lambert", "reflectance": [0.5, 0.5, 0.5] },
+                   { "name": "b", "type": "lambert", "reflectance": [0.5, 0.5, 0.5] } ],
+    "meshes": [ { "name": "box", "generator": "cube", "half_size": 0.7, "material": "a" } ],
+    "instances": [ { "name": "left", "mesh": "box", "matrix": [1,0,0,-1.2, 0,1,0,0, 0,0,1,0, 0,0,0,1] },
+                   { "name": "right", "mesh": "box", "matrix": [1,0,0,1.2, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+                     "remap": ["a", "b"] } ],
+    "lights": [ { "name": "lamp", "type": "sphere", "radius": 0.3, "radiance": [1, 1, 1],
+                  "matrix": [1,0,0,0, 0,1,0,1, 0,0,1,0, 0,0,0,1] } ]
+  })",
+                                ".");
+}
+
+// What a renderer with a box filter would make of it.
+image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen) {
+  constexpr studies::SightGrid kGrid{8, -1.0 / 16};
+  auto picture = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
+  const auto sights = studies::primary_sights(seen, kGrid, 1);
+  for (std::size_t i = 0; i < sights.size(); ++i) {
+    if (sights[i].thing == studies::kNoThing) continue;
+    const Vec3d c = probe.things[static_cast<std::size_t>(sights[i].thing)].radiance / 64.0;
+    float* const pixel = &picture.pixels[i / 64 * 3];
+    pixel[0] += static_cast<float>(c.x);
+    pixel[1] += static_cast<float>(c.y);
+    pixel[2] += static_cast<float>(c.z);
+  }
+  return picture;
+}
+
+studies::ProbeFindings findings(const studies::ProbeScene& probe, const image::Image& picture) {
+  return studies::compare_things(probe, studies::primary_sights(probe.scene, {}, 1), picture);
+}
+
+}  // namespace
+
+TEST(Probe, GivesEveryMaterialOfEveryInstanceAndEveryLightItsColour) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  ASSERT_EQ(probe.things.size(), 3U);
+  EXPECT_EQ(probe.things[0].name, "instance 'left', material 'a'");
+  EXPECT_EQ(probe.things[1].name, "instance 'right', material 'b'");
+  EXPECT_EQ(probe.things[2].name, "light 'lamp'");
+  EXPECT_NE(probe.things[0].radiance, probe.things[1].radiance);
+  EXPECT_EQ(probe.scene.camera.width_px, 128);
+  EXPECT_EQ(probe.scene.camera.height_px, 96);
+}
+
+TEST(Probe, TheRightPictureHasNoMismatch) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto found = findings(probe, painted(probe, probe.scene));
+  EXPECT_TRUE(found.mismatches.empty());
+  EXPECT_GT(found.compared, 128 * 96 * 3 / 4);
+}
+
+TEST(Probe, ACameraThatIsOffByHalfAPixelIsSeen) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  auto shifted = probe.scene;
+  const double half_pixel_m = 0.5 * 2 * 6.08 * 0.364 / 96;  // at the boxes' distance
+  shifted.camera.position_m.x += half_pixel_m;
+  shifted.camera.look_at_m.x += half_pixel_m;
+  const auto found = findings(probe, painted(probe, shifted));
+  ASSERT_FALSE(found.mismatches.empty());
+  EXPECT_GT(found.mismatches[0].pixels, 10);
+}
+
+TEST(Probe, AnObjectThatIsNotThereIsNamed) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  auto without = probe.scene;
+  without.instances.pop_back();
+  const auto found = findings(probe, painted(probe, without));
+  ASSERT_EQ(found.mismatches.size(), 1U);
+  EXPECT_EQ(found.mismatches[0].thing, 1);
+  EXPECT_EQ(found.mismatches[0].instead, "nothing");
+}
+
+TEST(Probe, ARemapListThatIsNotAppliedIsNamed) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  auto ignored = probe.scene;
+  for (auto& instance : ignored.instances) instance.remap.clear();
+  const auto found = findings(probe, painted(probe, ignored));
+  ASSERT_EQ(found.mismatches.size(), 1U);
+  EXPECT_EQ(found.mismatches[0].thing, 1);
+  EXPECT_EQ(found.mismatches[0].instead, "instance 'left', material 'a'");
+}
+
+TEST(Probe, IsTheSameForARendererThatGetsItLowered) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto lowered = scene::lower(probe.scene, {"G1", "G2", "L1", "L2", "L3", "M1", "M2"});
+  ASSERT_TRUE(std::holds_alternative<scene::Scene>(lowered)) << std::get<std::string>(lowered);
+  EXPECT_TRUE(findings(probe, painted(probe, std::get<scene::Scene>(lowered))).mismatches.empty());
+}
+
+namespace {
+
+image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
+  constexpr studies::SightGrid kGrid{2, -0.25};
+  auto picture = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
+  const auto sights = studies::primary_sights(seen, kGrid, 1);
+  for (std::size_t i = 0; i < sights.size(); ++i) {
+    float* const pixel = &picture.pixels[i / 4 * 3];
+    pixel[0] += (swapped ? sights[i].v : sights[i].u) / 4;
+    pixel[1] += (swapped ? sights[i].u : sights[i].v) / 4;
+  }
+  return picture;
+}
+
+}  // namespace
+
+TEST(Probe, ExchangedTextureCoordinatesAreSeen) {
+  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto sights = studies::primary_sights(probe.scene, {}, 1);
+  const auto right = studies::compare_coordinates(probe, sights, painted_coordinates(probe.scene, false));
+  EXPECT_TRUE(right.mismatches.empty());
+  EXPECT_GT(right.compared, 1000);
+  const auto wrong = studies::compare_coordinates(probe, sights, painted_coordinates(probe.scene, true));
+  ASSERT_EQ(wrong.mismatches.size(), 2U);
+  EXPECT_NE(wrong.mismatches[0].instead.find("where it has"), std::string::npos);
+}
