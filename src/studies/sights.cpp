@@ -199,10 +199,12 @@ void look_at_pixel(const Stage& stage, const SightGrid& grid, Pixel pixel, std::
   const double step = (1 + 2 * grid.margin_px) / (grid.per_side - 1);
   const auto& frame = stage.view.frame;
   std::vector<Vec3d> directions;
-  for (std::size_t k = 0; k < side * side; ++k)
+  for (std::size_t k = 0; k < side * side; ++k) {
+    const std::size_t row = k / side;
     directions.push_back(
         stage.view.camera_direction(pixel.x - grid.margin_px + step * static_cast<double>(k % side),
-                                    pixel.y - grid.margin_px + step * static_cast<double>(k / side)));
+                                    pixel.y - grid.margin_px + step * static_cast<double>(row)));
+  }
   std::vector<Sighted> seen(side * side);
   for (const std::size_t index : stage.near_row[static_cast<std::size_t>(pixel.y)]) {
     const auto& triangle = stage.triangles[index];
@@ -223,7 +225,8 @@ std::vector<Sight> sights_of_pixels(const scene::Scene& scene,
                                     const SightGrid& grid,
                                     int threads) {
   const Stage stage = stage_of(scene);
-  const auto each = static_cast<std::size_t>(grid.per_side * grid.per_side);
+  const auto side = static_cast<std::size_t>(grid.per_side);
+  const std::size_t each = side * side;
   std::vector<Sight> sights(pixels.size() * each);
   for_each_index(static_cast<int>(pixels.size()), threads, [&](int i) {
     const auto index = static_cast<std::size_t>(i);
