@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct Job {
   std::filesystem::path image;
   int width_px = 0;
   int height_px = 0;
+  bool may_be_negative = false;  // its pixels
+  // What proves that a picture is of this render; nothing is asked where they are empty.
+  std::string id;                                             // given to the renderer as ORBS_JOB
+  std::string scene_file_hash;                                // hash_text of scene_file's bytes
+  std::optional<std::filesystem::file_time_type> ready_since;  // by the clock of the disk
 };
 
 struct JobSettings {

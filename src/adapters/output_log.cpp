@@ -15,13 +15,14 @@ OutputLog::OutputLog(const std::filesystem::path& file, std::size_t most_bytes)
   if (path_.empty()) return;
   file_.open(path_, std::ios::binary);
   if (!file_)
-    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
 }
 
 void OutputLog::append(std::string_view bytes) {
   const auto to_head = std::min(bytes.size(), half_ - head_.size());
   head_ += bytes.substr(0, to_head);
-  if (!path_.empty()) file_ << bytes.substr(0, to_head) << std::flush;
+  if (!path_.empty() && !(file_ << bytes.substr(0, to_head) << std::flush))
+    throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
   tail_ += bytes.substr(to_head);
   // Cut at twice the allowance only, so that each byte is moved once on average.
   if (tail_.size() <= 2 * half_) return;
@@ -38,7 +39,7 @@ std::string OutputLog::finish() {
   if (!path_.empty()) {
     file_ << rest << std::flush;
     if (!file_)
-      throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+      throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
   }
   return head_ + rest;
 }

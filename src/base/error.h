@@ -22,6 +22,12 @@ class InputError : public std::runtime_error {
   std::string text_;
 };
 
+/// The disk refuses what we write: the surroundings, and nobody's input, so nothing else is worth trying.
+class WriteError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Runs f; an InputError that passes through gains a "while <doing>" line.
 template <typename F>
 decltype(auto) with_note(const std::string& doing, F&& f) {

@@ -1,5 +1,6 @@
 #include "metrics/alignment.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -58,6 +59,13 @@ std::string describe_pixel(const std::array<float, 3>& rgb,
   return {};
 }
 
+void stretch(std::array<int, 4>& box, std::size_t pixel, int width) {
+  const int x = static_cast<int>(pixel % static_cast<std::size_t>(width));
+  const int y = static_cast<int>(pixel / static_cast<std::size_t>(width));
+  if (box[2] == 0) box = {x, y, x + 1, y + 1};
+  box = {std::min(box[0], x), box[1], std::max(box[2], x + 1), y + 1};
+}
+
 PixelFaults count_faults(const Image& picture, NegativePixels negatives) {
   const auto index = colour_indices(picture);
   PixelFaults faults;
@@ -68,7 +76,10 @@ PixelFaults count_faults(const Image& picture, NegativePixels negatives) {
     for (const float value : rgb) good = good && value >= 0.0F && value <= kLargestFinite;
     if (good) continue;
     count_pixel(rgb, faults);
-    if (faults.first.empty()) faults.first = describe_pixel(rgb, pixel, picture.width, negatives);
+    const auto described = describe_pixel(rgb, pixel, picture.width, negatives);
+    if (described.empty()) continue;
+    if (faults.first.empty()) faults.first = described;
+    stretch(faults.box, pixel, picture.width);
   }
   return faults;
 }

@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -18,6 +19,7 @@ struct PixelFaults {
   std::size_t nan = 0;
   std::size_t infinite = 0;
   std::size_t negative = 0;
+  std::array<int, 4> box{};  // [x0, y0, x1, y1) around the faulty ones
   std::string first;  // "(12, 7), channel G, value nan", first by rows; empty when there are none
 };
 

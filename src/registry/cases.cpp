@@ -188,6 +188,17 @@ void refuse_conflicts(const std::vector<Case>& cases) {
                                    one_case->file.string(), name, scenes[name].first->file.string()));
 }
 
+// After symbolic links: a case must not reach into what is none of the suite's business.
+void refuse_outside(const std::filesystem::path& file,
+                    const std::filesystem::path& folder,
+                    const Case& one_case) {
+  const auto inside = std::filesystem::weakly_canonical(folder);
+  const auto meant = std::filesystem::weakly_canonical(file);
+  if (const auto relative = meant.lexically_relative(inside); relative.empty() || *relative.begin() == "..")
+    throw InputError(fmt::format("{}: the scene {} lies outside the suite's cases in {}; copy it there",
+                                 one_case.file.string(), meant.string(), inside.string()));
+}
+
 void check_references(const std::vector<Case>& cases) {
   std::set<std::string> with_reference;
   for (const auto& one_case : cases)
@@ -218,6 +229,10 @@ Case load_case(const std::filesystem::path& file) {
   one_case.gate.min = 35;  // ORB.S section 2: PSNR above 35 if otherwise is not specified
   if (in.has("gate")) one_case.gate = load_gate(in.object("gate"));
   load_scenes(in, one_case);
+  if (in.has("negative_values")) {
+    one_case.negative_values = in.text("negative_values");
+    if (one_case.negative_values.empty()) in.fail("negative_values", "must say why they are right here");
+  }
   in.finish();
   return one_case;
 }
@@ -233,6 +248,8 @@ std::vector<Case> load_cases(const Suite& suite) {
   std::sort(folders.begin(), folders.end());
   std::vector<Case> cases;
   for (const auto& folder : folders) cases.push_back(load_case(folder / "case.json"));
+  for (const auto& one_case : cases)
+    for (const auto& scene : one_case.scenes) refuse_outside(scene.file, suite.cases, one_case);
   if (cases.empty())
     throw InputError(fmt::format("{}: suite '{}' has no case there", suite.cases.string(), suite.name));
   std::stable_sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) {

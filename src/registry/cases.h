@@ -71,6 +71,7 @@ struct Case {
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;
+  std::string negative_values;  // why pictures may hold negative values; "" when they may not
 };
 
 /// Reads and checks one case.json. InputError with file, line and key.

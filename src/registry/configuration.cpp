@@ -17,6 +17,7 @@ namespace {
 using json::ObjectReader;
 
 constexpr int kMostJobs = 1024;
+constexpr double kMostMegabytes = 1 << 30;
 
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
@@ -124,7 +125,22 @@ SceneFormat load_scene_format(ObjectReader& in) {
   return SceneFormat::OrbsScene;
 }
 
-Renderer load_renderer(ObjectReader in) {
+// What is not named stays as it is.
+void load_limits(ObjectReader in, warden::Limits& limits) {
+  constexpr double kMegabyte = 1 << 20;
+  const auto bytes = [&](const char* key) {
+    return static_cast<std::size_t>(in.number(key, {0, kMostMegabytes}) * kMegabyte);
+  };
+  limits.wall_seconds = in.number_or("wall_seconds", limits.wall_seconds, json::kPositive);
+  limits.grace_seconds = in.number_or("grace_seconds", limits.grace_seconds, json::kNotNegative);
+  if (in.has("cpu_seconds")) limits.cpu_seconds = in.number("cpu_seconds", json::kPositive);
+  if (in.has("memory_megabytes")) limits.memory_bytes = bytes("memory_megabytes");
+  if (in.has("output_megabytes")) limits.output_bytes = bytes("output_megabytes");
+  if (in.has("log_megabytes")) limits.log_bytes = bytes("log_megabytes");
+  in.finish();
+}
+
+Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
   const std::set<std::string> places{"root", "build"};
@@ -141,8 +157,8 @@ Renderer load_renderer(ObjectReader in) {
   for (auto& limit : in.objects_or_none("known_limits"))
     renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));
   renderer.command = load_command(in);
-  renderer.time_limit_seconds =
-      in.number_or("time_limit_seconds", renderer.time_limit_seconds, json::kPositive);
+  renderer.limits = limits;
+  if (in.has("limits")) load_limits(in.object("limits"), renderer.limits);
   renderer.spp_scale = in.number_or("spp_scale", renderer.spp_scale, json::kPositive);
   renderer.render_seconds_prefix = in.text_or("render_seconds_prefix", "");
   renderer.environment = load_environment(in);
@@ -171,9 +187,11 @@ Configuration load_configuration(const std::filesystem::path& file) {
   refuse_doubles(in.objects("suites"));
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));
+  warden::Limits limits;
+  if (in.has("limits")) load_limits(in.object("limits"), limits);
   refuse_doubles(in.objects("renderers"));
   for (auto& entry : in.objects("renderers"))
-    configuration.renderers.push_back(load_renderer(std::move(entry)));
+    configuration.renderers.push_back(load_renderer(std::move(entry), limits));
   in.finish();
   return configuration;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "registry/features.h"
+#include "warden/limits.h"
 
 #include <filesystem>
 #include <map>
@@ -55,7 +56,7 @@ struct Renderer {
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
-  double time_limit_seconds = 600;
+  warden::Limits limits;              // those of the file, with the entry's own in their place
   double spp_scale = 1;               // samples of this renderer for one sample of the case
   std::string render_seconds_prefix;  // what its output says before its own render time; "" when it says none
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value

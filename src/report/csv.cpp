@@ -77,13 +77,14 @@ std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
   std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
-  text += ",wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image\r\n";
+  text += ",wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
   for (const auto& picture : run.pictures) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
                         csv_field(picture.case_name), csv_field(picture.picture), csv_field(picture.renderer),
                         picture.declared, verdict_name(picture.verdict), csv_field(picture.sentence));
     for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(picture, metric));
-    text += fmt::format(",{},{}\r\n", cost_fields(cost_of(run, picture)), csv_field(picture.image));
+    text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, picture)), csv_field(picture.image),
+                        csv_field(results::command_of(run, picture)));
   }
   return text;
 }

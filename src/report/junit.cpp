@@ -29,12 +29,16 @@ Element element_of(const Cell& cell) {
     case Verdict::Inconclusive:
     case Verdict::MissingReference:
     case Verdict::Fail:
+    case Verdict::ConstantImage:
     case Verdict::InvalidPixels:
+    case Verdict::WrongChannels:
     case Verdict::WrongSize:
       return Element::Failure;
     case Verdict::Stale:
+    case Verdict::Unreadable:
     case Verdict::NoOutput:
     case Verdict::Timeout:
+    case Verdict::OutOfMemory:
     case Verdict::Crash:
       return Element::Error;
   }
@@ -70,7 +74,8 @@ std::string details(const RunRecord& run, const std::string& requirement, const 
   std::string text;
   for (const auto& picture : run.pictures)
     if (picture.requirement == requirement && picture.renderer == renderer)
-      text += fmt::format("{}: {}: {}\n", picture.picture, verdict_name(picture.verdict), picture.sentence);
+      text += fmt::format("{}: {}: {}\n  {}\n", picture.picture, verdict_name(picture.verdict),
+                          picture.sentence, results::command_of(run, picture));
   return text;
 }
 

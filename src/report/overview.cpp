@@ -1,3 +1,4 @@
+#include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
 

@@ -25,8 +25,6 @@ std::string picture_json(const results::RunView& view, std::size_t index);
 /// seconds (null where there is none): an event of a run that goes on.
 std::string progress_json(const results::RunView& view);
 
-/// A command line that a POSIX shell splits into `words` again.
-std::string shell_text(const std::vector<std::string>& words);
 
 /// `json` for the inside of an HTML script element: nothing in it can end the element.
 std::string script_text(std::string_view json);

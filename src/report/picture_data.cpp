@@ -1,4 +1,5 @@
 #include "base/files_inside.h"
+#include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
 
@@ -34,13 +35,14 @@ std::string log_tail(const RunRecord& run, const std::string& name) {
 
 void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
   out.begin_object().member("id", job.id).member("scene", job.scene).member("folder", job.folder);
-  out.member("renderer_version", job.renderer_version).member("command", shell_text(job.argv));
+  out.member("renderer_version", job.renderer_version).member("command", job.command.empty() ? shell_text(job.argv) : job.command);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
   out.member("started", job.started).member("sentence", job.sentence);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
-  out.member("exit_code", job.exit_code).member("signal", job.signal).member("log_file", job.log);
+  out.member("exit_code", job.exit_code).member("signal", job.signal);
+  out.member("core_dumped", job.core_dumped).member("log_file", job.log);
   out.member("log", log_tail(run, job.log));
   out.end_object();
 }
@@ -97,15 +99,6 @@ std::vector<std::string> run_command(const RunRecord& run,
   return words;
 }
 
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string inner;
-  for (const char c : word) inner += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return fmt::format("'{}'", inner);
-}
-
 // What is left takes as long as what is done took on average, as many at a time as run now; NaN before the
 // first is done.
 double seconds_left(const RunView& view) {
@@ -128,12 +121,6 @@ double seconds_left(const RunView& view) {
 }
 
 }  // namespace
-
-std::string shell_text(const std::vector<std::string>& words) {
-  std::vector<std::string> parts;
-  for (const auto& word : words) parts.push_back(quoted(word));
-  return fmt::format("{}", fmt::join(parts, " "));
-}
 
 std::string script_text(std::string_view json) {
   std::string out;

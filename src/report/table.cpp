@@ -29,11 +29,15 @@ std::string_view ansi_colour(Verdict verdict) {
       return "\x1b[33m";
     case Verdict::MissingReference:
     case Verdict::Fail:
+    case Verdict::ConstantImage:
     case Verdict::InvalidPixels:
+    case Verdict::WrongChannels:
     case Verdict::WrongSize:
     case Verdict::Stale:
+    case Verdict::Unreadable:
     case Verdict::NoOutput:
     case Verdict::Timeout:
+    case Verdict::OutOfMemory:
     case Verdict::Crash:
       return "\x1b[31m";
   }

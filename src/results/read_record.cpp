@@ -54,7 +54,11 @@ JobRecord read_job(ObjectReader& in) {
   job.renderer = in.text("renderer");
   job.renderer_version = in.text_or("renderer_version", "");
   job.argv = texts_or_none(in, "argv");
+  job.command = in.text_or("command", "");
   job.folder = in.text_or("folder", "");
+  job.scene_hash = in.text_or("scene_hash", "");
+  job.settings_hash = in.text_or("settings_hash", "");
+  job.judged_hash = in.text_or("judged_hash", "");
   job.spp = in.integer_or("spp", 0, 0, kAnyInteger);
   job.seed = in.integer_or("seed", 0, -kAnyInteger, kAnyInteger);
   job.threads = in.integer_or("threads", 0, 0, kAnyInteger);
@@ -65,6 +69,7 @@ JobRecord read_job(ObjectReader& in) {
   job.peak_rss_bytes = static_cast<std::size_t>(in.number_or("peak_rss_bytes", 0, json::kNotNegative));
   job.exit_code = in.integer_or("exit_code", 0, -kAnyInteger, kAnyInteger);
   job.signal = in.text_or("signal", "");
+  job.core_dumped = in.boolean_or("core_dumped", false);
   job.rendered = in.boolean_or("rendered", false);
   job.verdict = job.rendered ? Verdict::Pass : read_verdict(in, "outcome");
   job.sentence = in.text_or("sentence", "");

@@ -4,6 +4,14 @@
 
 namespace orbs::results {
 
+std::string command_of(const RunRecord& run, const PictureRecord& picture) {
+  std::string commands;
+  for (const auto& id : picture.jobs)
+    for (const auto& job : run.jobs)
+      if (job.id == id && !job.command.empty()) commands += (commands.empty() ? "" : " ; ") + job.command;
+  return commands;
+}
+
 int exit_status(const RunRecord& run) {
   const bool failed = std::any_of(run.pictures.begin(), run.pictures.end(), [](const PictureRecord& picture) {
     return picture.declared && counts_as_failure(picture.verdict);

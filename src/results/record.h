@@ -47,6 +47,10 @@ struct JobRecord {
   std::string renderer;
   std::string renderer_version;
   std::vector<std::string> argv;
+  std::string command;        // for a shell: the same render again, in the same place
+  std::string scene_hash;     // of the scene that was rendered
+  std::string settings_hash;  // of what else makes the picture: command, environment, limits, threads
+  std::string judged_hash;    // of what its pictures were judged by: cases, references, this program
   std::string folder;
   int spp = 0;
   int seed = 0;
@@ -58,6 +62,7 @@ struct JobRecord {
   std::size_t peak_rss_bytes = 0;
   int exit_code = 0;
   std::string signal;                  // "SIGSEGV", "" for none
+  bool core_dumped = false;
   bool rendered = false;               // there is a usable picture
   Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable picture", nothing about it being right
   std::string sentence;
@@ -148,6 +153,9 @@ struct RunRecord {
   std::vector<PictureRecord> pictures;
   std::vector<JobRecord> jobs;
 };
+
+/// The shell commands of the renders that the picture is made from, joined by " ; ".
+std::string command_of(const RunRecord& run, const PictureRecord& picture);
 
 /// 0 when nothing that counts failed, else 1: a failure counts when the renderer declares the requirement.
 int exit_status(const RunRecord& run);

@@ -24,13 +24,16 @@ void write_texts(Writer& out, std::string_view key, const std::map<std::string, 
 void write_job(Writer& out, const JobRecord& job) {
   out.member("id", job.id).member("suite", job.suite).member("scene", job.scene);
   out.member("renderer", job.renderer).member("renderer_version", job.renderer_version);
-  out.member("argv", job.argv).member("folder", job.folder);
+  out.member("argv", job.argv).member("command", job.command).member("folder", job.folder);
+  out.member("scene_hash", job.scene_hash).member("settings_hash", job.settings_hash);
+  out.member("judged_hash", job.judged_hash);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
   out.member("started", job.started);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   write_optional(out, "render_seconds", job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
   out.member("exit_code", job.exit_code).member("signal", job.signal);
+  out.member("core_dumped", job.core_dumped);
   out.member("rendered", job.rendered);
   // A usable picture is no verdict about it: that stands with the pictures.
   out.member("outcome", job.rendered ? std::string_view("rendered") : verdict_name(job.verdict));

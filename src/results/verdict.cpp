@@ -18,16 +18,24 @@ std::string_view verdict_name(Verdict verdict) {
       return "missing reference";
     case Verdict::Fail:
       return "fail";
+    case Verdict::ConstantImage:
+      return "constant image";
     case Verdict::InvalidPixels:
       return "invalid pixels";
+    case Verdict::WrongChannels:
+      return "wrong channels";
     case Verdict::WrongSize:
       return "wrong size";
     case Verdict::Stale:
       return "stale";
+    case Verdict::Unreadable:
+      return "unreadable";
     case Verdict::NoOutput:
       return "no output";
     case Verdict::Timeout:
       return "timeout";
+    case Verdict::OutOfMemory:
+      return "out of memory";
     case Verdict::Crash:
       return "crash";
   }
@@ -51,11 +59,15 @@ bool counts_as_failure(Verdict verdict) {
     case Verdict::Inconclusive:
     case Verdict::MissingReference:
     case Verdict::Fail:
+    case Verdict::ConstantImage:
     case Verdict::InvalidPixels:
+    case Verdict::WrongChannels:
     case Verdict::WrongSize:
     case Verdict::Stale:
+    case Verdict::Unreadable:
     case Verdict::NoOutput:
     case Verdict::Timeout:
+    case Verdict::OutOfMemory:
     case Verdict::Crash:
       return true;
   }

@@ -15,18 +15,23 @@ enum class Verdict {
   Inconclusive,      // the gate cannot tell: too much noise, or a reference that does not show its subject
   MissingReference,  // nothing to compare with, which is never a pass
   Fail,              // a picture, but not the right one
-  InvalidPixels,     // NaN or infinite
-  WrongSize,         // another width, height or set of channels
-  Stale,             // the picture was there before the renderer started
-  NoOutput,          // the renderer ended well but left no readable picture
-  Timeout,
+  ConstantImage,     // every pixel is the same, which the reference's are not
+  InvalidPixels,     // NaN, infinite, or negative where the case does not allow it
+  WrongChannels,     // R, G or B is missing
+  WrongSize,         // another width or height
+  Stale,             // the picture is older than its render, or of another scene or render
+  Unreadable,        // what should be the picture cannot be read as one
+  NoOutput,          // the renderer ended well but left no picture
+  Timeout,           // of the clock, or of processor time
+  OutOfMemory,       // beyond its memory limit
   Crash,  // could not start, was killed by a signal, or ended with an exit code
 };
 
-inline constexpr std::array kVerdicts{Verdict::Pass,          Verdict::Unsupported,      Verdict::Skipped,
-                                      Verdict::Inconclusive,  Verdict::MissingReference, Verdict::Fail,
-                                      Verdict::InvalidPixels, Verdict::WrongSize,        Verdict::Stale,
-                                      Verdict::NoOutput,      Verdict::Timeout,          Verdict::Crash};
+inline constexpr std::array kVerdicts{
+    Verdict::Pass,          Verdict::Unsupported,   Verdict::Skipped,     Verdict::Inconclusive,
+    Verdict::MissingReference, Verdict::Fail,       Verdict::ConstantImage, Verdict::InvalidPixels,
+    Verdict::WrongChannels, Verdict::WrongSize,     Verdict::Stale,       Verdict::Unreadable,
+    Verdict::NoOutput,      Verdict::Timeout,       Verdict::OutOfMemory, Verdict::Crash};
 
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);

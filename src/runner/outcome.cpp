@@ -1,9 +1,11 @@
 #include "runner/outcome.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "image/image_io.h"
 #include "metrics/alignment.h"
 
+#include <csignal>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -13,32 +15,102 @@ namespace orbs::runner {
 
 namespace {
 
+namespace fs = std::filesystem;
 using results::Verdict;
+using warden::Cause;
 
-Outcome process_outcome(const adapters::ProcessResult& process, double time_limit_seconds) {
-  if (!process.start_error.empty())
-    return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (process.timed_out)
-    return {Verdict::Timeout, fmt::format("was ended after its time limit of {} s", time_limit_seconds), {}};
-  if (process.stopped) return {Verdict::Skipped, "was ended because the run was interrupted", {}};
-  if (process.signal != 0)
-    return {Verdict::Crash, fmt::format("was killed by {}", adapters::signal_name(process.signal)), {}};
-  if (process.exit_code != 0)
-    return {Verdict::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
+// The last line that says anything, shortened, for the end of a sentence.
+std::string last_words(const std::string& output) {
+  constexpr std::size_t kMost = 200;
+  std::string words;
+  for (const auto& line : split(output, '\n'))
+    if (const auto text = trim(line); !text.empty()) words = text.substr(0, kMost);
+  return words.empty() ? "" : fmt::format("; its last words: {}", words);
+}
+
+std::string megabytes(std::size_t bytes) {
+  return fmt::format("{:.6g} MB", static_cast<double>(bytes) / (1 << 20));
+}
+
+Outcome limit_outcome(Cause cause, const warden::Limits& limits) {
+  switch (cause) {
+    case Cause::Nothing:
+      break;
+    case Cause::WallTime:
+      return {Verdict::Timeout, fmt::format("was ended after its time limit of {} s", limits.wall_seconds),
+              {}};
+    case Cause::CpuTime:
+      return {Verdict::Timeout,
+              fmt::format("was ended after {} s of processor time, its limit", limits.cpu_seconds.value_or(0)),
+              {}};
+    case Cause::Memory:
+      return {Verdict::OutOfMemory,
+              fmt::format("was ended because it took more than its {} of memory",
+                          megabytes(limits.memory_bytes.value_or(0))),
+              {}};
+    case Cause::Output:
+      return {Verdict::Crash,
+              fmt::format("was ended because it wrote more than its {} of files",
+                          megabytes(limits.output_bytes.value_or(0))),
+              {}};
+    case Cause::Stopped:
+      return {Verdict::Skipped, "was ended because the run was interrupted", {}};
+  }
   return {};
 }
 
-Outcome picture_outcome(const adapters::Job& job) {
-  const auto name = job.image.filename().string();
+std::string signal_sentence(const adapters::ProcessResult& process) {
+  auto text = fmt::format("was killed by {}{}", adapters::signal_name(process.signal),
+                          process.core_dumped ? " (core dumped)" : "");
+  if (process.signal == SIGKILL) text += ", not by orbs: the kernel does that when memory runs out";
+  return text;
+}
+
+Outcome process_outcome(const adapters::ProcessResult& process, const warden::Limits& limits) {
+  if (!process.start_error.empty())
+    return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
+  auto outcome = limit_outcome(process.cause, limits);
+  if (process.cause == Cause::Nothing && process.signal != 0)
+    outcome = {Verdict::Crash, signal_sentence(process), {}};
+  if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
+    outcome = {Verdict::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
+  if (outcome.verdict != Verdict::Pass && outcome.verdict != Verdict::Skipped)
+    outcome.sentence += last_words(process.output);
+  return outcome;
+}
+
+// Whether there is a file to be read at all. A symbolic link could show any file of the machine as a picture.
+Outcome file_outcome(const adapters::Job& job, const std::string& name) {
   std::error_code ignored;
-  if (!std::filesystem::exists(job.image, ignored))
-    return {Verdict::NoOutput, fmt::format("wrote no {}", name), {}};
-  image::Image picture;
-  try {
-    picture = image::read_image(job.image);
-  } catch (const InputError& e) {
-    return {Verdict::NoOutput, e.what(), {}};
-  }
+  const auto type = fs::symlink_status(job.image, ignored).type();
+  if (type == fs::file_type::not_found) return {Verdict::NoOutput, fmt::format("wrote no {}", name), {}};
+  if (type != fs::file_type::regular)
+    return {Verdict::NoOutput,
+            fmt::format("{} is no file of its own but {}", name,
+                        type == fs::file_type::symlink ? "a symbolic link" : "a folder or a device"),
+            {}};
+  if (job.ready_since && fs::last_write_time(job.image, ignored) < *job.ready_since)
+    return {Verdict::Stale, fmt::format("{} is older than its render", name), {}};
+  if (fs::file_size(job.image, ignored) == 0)
+    return {Verdict::Unreadable, fmt::format("{} is empty", name), {}};
+  return {};
+}
+
+// What the picture says about itself must be about this render. Most renderers say nothing.
+Outcome passport_outcome(const adapters::Job& job, const image::Image& picture, const std::string& name) {
+  const auto differs = [&](const char* key, const std::string& expected) {
+    const auto said = picture.attributes.find(key);
+    return !expected.empty() && said != picture.attributes.end() && said->second != expected;
+  };
+  if (differs("orbs.scene_hash", job.scene_file_hash))
+    return {Verdict::Stale, fmt::format("{} is a picture of another scene, says its orbs.scene_hash", name),
+            {}};
+  if (differs("orbs.job", job.id))
+    return {Verdict::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
+  return {};
+}
+
+Outcome pixels_outcome(const adapters::Job& job, const image::Image& picture, const std::string& name) {
   if (picture.width != job.width_px || picture.height != job.height_px)
     return {Verdict::WrongSize,
             fmt::format("{} is {} x {} pixels, expected {} x {}", name, picture.width, picture.height,
@@ -47,15 +119,32 @@ Outcome picture_outcome(const adapters::Job& job) {
   for (const char* channel : {"R", "G", "B"})
     if (image::channel_index(picture, channel) < 0)
       return {
-          Verdict::WrongSize,
+          Verdict::WrongChannels,
           fmt::format("{} has the channels {}, expected R, G, B", name, fmt::join(picture.channels, ", ")),
           {}};
-  const auto faults = metrics::check_alignment(picture, picture).result;
+  const auto negatives =
+      job.may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
+  const auto faults = metrics::check_alignment(picture, picture, negatives).result;
   if (!faults.first.empty())
     return {Verdict::InvalidPixels,
-            fmt::format("{} pixels are NaN, {} infinite, {} negative; the first is {}", faults.nan,
-                        faults.infinite, faults.negative, faults.first),
+            fmt::format("{} pixels are NaN, {} infinite, {} negative; the first is {}; all lie in [{}]",
+                        faults.nan, faults.infinite, faults.negative, faults.first,
+                        fmt::join(faults.box, ",")),
             {}};
+  return {};
+}
+
+Outcome picture_outcome(const adapters::Job& job) {
+  const auto name = job.image.filename().string();
+  if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
+  image::Image picture;
+  try {
+    picture = image::read_image(job.image);
+  } catch (const InputError& e) {
+    return {Verdict::Unreadable, e.what(), {}};
+  }
+  if (auto outcome = passport_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
+  if (auto outcome = pixels_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
   return {Verdict::Pass, "", std::move(picture)};
 }
 
@@ -63,8 +152,8 @@ Outcome picture_outcome(const adapters::Job& job) {
 
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
-                 double time_limit_seconds) {
-  auto outcome = process_outcome(process, time_limit_seconds);
+                 const warden::Limits& limits) {
+  auto outcome = process_outcome(process, limits);
   return outcome.verdict == Verdict::Pass ? picture_outcome(job) : outcome;
 }
 

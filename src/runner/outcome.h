@@ -17,8 +17,11 @@ struct Outcome {
   std::optional<image::Image> picture;  // with Pass
 };
 
-/// Asks in this fixed order, and the first that applies is the answer: could not start, timeout, signal, exit
-/// code, no output, unreadable, wrong size, wrong channels, invalid pixels.
-Outcome classify(const adapters::ProcessResult& process, const adapters::Job& job, double time_limit_seconds);
+/// Asks in this fixed order, and the first that applies is the answer: could not start, ended by us (a limit,
+/// an interrupt), signal, exit code, no output, stale, unreadable, of another scene or job, wrong size, wrong
+/// channels, invalid pixels. A sentence about the process ends with its last words.
+Outcome classify(const adapters::ProcessResult& process,
+                 const adapters::Job& job,
+                 const warden::Limits& limits);
 
 }  // namespace orbs::runner

@@ -35,10 +35,10 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
                   std::to_string(settings.threads)};
   if (wanted.split_paths) request.argv.emplace_back("--split-paths");
   request.environment = adapters::child_environment({});
-  request.time_limit_seconds = kDay_seconds;
+  request.limits.wall_seconds = kDay_seconds;
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
-  if (process.stopped) return std::nullopt;
+  if (process.cause == warden::Cause::Stopped) return std::nullopt;
   if (!process.start_error.empty())
     throw InputError(fmt::format("{}: {}", context.tracer.string(), process.start_error));
   if (process.signal != 0 || process.exit_code != 0)

@@ -64,11 +64,11 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
   if (subject.is_built_in) request.argv.emplace_back("--json");
   request.folder = job.folder;
   request.environment = adapters::child_environment(entry.environment);
-  request.time_limit_seconds = entry.time_limit_seconds;
+  request.limits = entry.limits;
   request.stop = stop;
   const auto process = adapters::run_process(request);
-  if (process.stopped) return std::nullopt;
-  auto outcome = runner::classify(process, job, entry.time_limit_seconds);
+  if (process.cause == warden::Cause::Stopped) return std::nullopt;
+  auto outcome = runner::classify(process, job, entry.limits);
   if (!outcome.picture)
     throw InputError(
         fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));

@@ -35,7 +35,7 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   request.folder = folder;
   request.environment = adapters::child_environment(renderer->environment);
   const auto process = adapters::run_process(request);
-  auto outcome = runner::classify(process, job, request.time_limit_seconds);
+  auto outcome = runner::classify(process, job, request.limits);
   if (!outcome.picture)
     throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.sentence, process.output));
   return std::move(*outcome.picture);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace orbs {
+
+/// A command line that a POSIX shell splits into `words` again.
+std::string shell_text(const std::vector<std::string>& words);
+
+/// A line for a POSIX shell that runs `argv` in `folder` with exactly the variables NAME=value of
+/// `environment`.
+std::string shell_command(const std::filesystem::path& folder,
+                          std::vector<std::string> environment,
+                          const std::vector<std::string>& argv);
+
+}  // namespace orbs

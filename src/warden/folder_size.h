@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+namespace orbs::warden {
+
+/// Bytes of all regular files in the folder and the folders in it; symbolic links are not followed. What
+/// disappears meanwhile counts nothing.
+std::size_t folder_size(const std::filesystem::path& folder);
+
+}  // namespace orbs::warden
