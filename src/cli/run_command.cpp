@@ -3,7 +3,9 @@
 #include "cli/commands.h"
 #include "report/files.h"
 #include "report/table.h"
+#include "runner/execute.h"
 #include "runner/run.h"
+#include "runner/run_file.h"
 
 #include <algorithm>
 
@@ -21,6 +23,7 @@ struct RunOptions {
   std::vector<std::string> cases, scenes, requirements, renderers;
   std::string executable;
   std::string output;
+  std::string resume;
   int jobs = 1;
   int threads = 0;
   int seed = 1;
@@ -43,6 +46,10 @@ void add_options(CLI::App& command, RunOptions& options) {
                      "program to start instead of the chosen renderer's own");
   command.add_option("-o,--output", options.output,
                      "new folder for the results (default: outputs-YYMMDD-HHMMSS)");
+  auto* resume = command.add_option("--resume", options.resume,
+                                    "go on with the run in this folder: render what is missing or outdated");
+  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
+    resume->excludes(command.get_option(choice));
   command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
   command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
       ->check(CLI::Range(0, kMost));
@@ -113,7 +120,28 @@ std::string progress_line(std::size_t done,
   return line;
 }
 
-int run_plan(const runner::Plan& plan, const Program& program, bool view) {
+// What the folder of the run says about it; the folder is made when it is a new one.
+runner::RunFile run_file_of(const registry::Configuration& configuration,
+                            const runner::Plan& plan,
+                            const std::string& resumed,
+                            std::filesystem::path& folder) {
+  if (!resumed.empty()) {
+    folder = std::filesystem::absolute(resumed).lexically_normal();
+    auto file = runner::read_run_file(folder);
+    file.settings = plan.settings;
+    return file;
+  }
+  folder = runner::make_run_folder(plan.settings.output);
+  runner::RunFile file{configuration.file, plan.settings, runner::local_time_now()};
+  if (file.settings.executable.find('/') != std::string::npos)
+    file.settings.executable = std::filesystem::absolute(file.settings.executable).lexically_normal();
+  return file;
+}
+
+int run_plan(const registry::Configuration& configuration,
+             const runner::Plan& plan,
+             const Program& program,
+             const RunOptions& options) {
   constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
   runner::RunContext context;
@@ -123,13 +151,21 @@ int run_plan(const runner::Plan& plan, const Program& program, bool view) {
   context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& pictures) {
     fmt::print(stderr, "{}\n", progress_line(done, count, job, pictures));
   };
-  const auto folder = runner::make_run_folder(plan.settings.output);
-  const auto record = runner::run(plan, folder, context);
-  report::write_reports(record, folder);
+  context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  std::filesystem::path folder;
+  const auto file = run_file_of(configuration, plan, options.resume, folder);
+  const auto record =
+      with_note(fmt::format("running in {0}; 'orbs run --resume {0}' goes on there", folder.string()), [&] {
+        runner::write_run_file(file, folder);
+        context.started = file.started;
+        auto made = runner::run(plan, folder, context);
+        report::write_reports(made, folder);
+        return made;
+      });
   fmt::print("\n{}\n{:.1f} s in all; results: {}\n",
              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
              folder.string());
-  if (view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
+  if (options.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
 
@@ -145,10 +181,17 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
       "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run.");
   command->callback([=, &program, &action] {
     action = [=, &program] {
-      const auto read = read_configuration(*configuration, program);
-      const auto settings = settings_of(*command, *options, read.defaults);
+      auto from = *configuration;
+      std::optional<registry::Defaults> resumed;
+      if (!options->resume.empty()) {
+        const auto file = runner::read_run_file(options->resume);
+        if (from.empty()) from = file.configuration.string();
+        resumed = file.settings;
+      }
+      const auto read = read_configuration(from, program);
+      const auto settings = settings_of(*command, *options, resumed.value_or(read.defaults));
       const auto plan = runner::make_plan(read, settings, program.folder);
-      if (!settings.dry_run) return run_plan(plan, program, options->view);
+      if (!settings.dry_run) return run_plan(read, plan, program, *options);
       fmt::print("{}", runner::plan_text(plan));
       return 0;
     };

@@ -3,10 +3,10 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "json/object_reader.h"
+#include "registry/defaults.h"
 #include "registry/placeholders.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,7 +16,6 @@ namespace {
 
 using json::ObjectReader;
 
-constexpr int kMostJobs = 1024;
 constexpr double kMostMegabytes = 1 << 30;
 
 // `known`: what may stand in braces.
@@ -44,25 +43,6 @@ std::string plain_name(ObjectReader& in, const std::string& key) {
       !name.empty() && name.front() != '.' && name.find_first_of("/\\,*? \t\n") == std::string::npos;
   if (!plain) in.fail(key, fmt::format("'{}' is no name: use letters, digits, '-', '_' and '.'", name));
   return name;
-}
-
-Defaults load_defaults(ObjectReader in) {
-  Defaults d;
-  d.suite = in.text_or("suite", d.suite);
-  d.cases = in.text_or("case", d.cases);
-  d.scenes = in.text_or("scene", d.scenes);
-  d.requirements = in.text_or("requirement", d.requirements);
-  d.renderers = in.text_or("renderer", d.renderers);
-  d.executable = in.text_or("exec", d.executable);
-  d.output = in.text_or("output", d.output);
-  d.jobs = in.integer_or("jobs", d.jobs, 1, kMostJobs);
-  d.threads = in.integer_or("threads", d.threads, 0, kMostJobs);
-  d.seed = in.integer_or("seed", d.seed, 0, std::numeric_limits<int>::max());
-  d.spp_scale = in.number_or("spp_scale", d.spp_scale, json::kPositive);
-  d.log = in.boolean_or("log", d.log);
-  d.dry_run = in.boolean_or("dry_run", d.dry_run);
-  in.finish();
-  return d;
 }
 
 Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
@@ -183,7 +163,7 @@ Configuration load_configuration(const std::filesystem::path& file) {
   Configuration configuration;
   configuration.file = std::filesystem::absolute(file).lexically_normal();
   configuration.root = configuration.file.parent_path();
-  if (in.has("defaults")) configuration.defaults = load_defaults(in.object("defaults"));
+  if (in.has("defaults")) configuration.defaults = read_defaults(in.object("defaults"));
   refuse_doubles(in.objects("suites"));
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));

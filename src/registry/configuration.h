@@ -1,5 +1,6 @@
 #pragma once
 
+#include "registry/defaults.h"
 #include "registry/features.h"
 #include "warden/limits.h"
 
@@ -12,23 +13,6 @@
 /// configuration.json (format "orbs-configuration/1") as plain data: the only file a user edits to add a
 /// renderer.
 namespace orbs::registry {
-
-/// What each command-line flag is when it is not given. Lists are comma-separated patterns, "*" for all.
-struct Defaults {
-  std::string suite = "orbs";
-  std::string cases = "*";
-  std::string scenes = "*";
-  std::string requirements = "*";
-  std::string renderers = "*";
-  std::string executable;  // of the one renderer that is chosen; "" for its own
-  std::string output;      // folder of the run; "" for outputs-YYMMDD-HHMMSS in the current folder
-  int jobs = 1;            // renders at a time
-  int threads = 0;         // of one render; 0: the machine's cores divided by jobs
-  int seed = 1;
-  double spp_scale = 1;
-  bool log = true;  // keep log.txt of renders that passed, too
-  bool dry_run = false;
-};
 
 struct Suite {
   std::string name;

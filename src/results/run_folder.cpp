@@ -1,15 +1,19 @@
 #include "results/run_folder.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "results/read_record.h"
+#include "results/work_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace orbs::results {
@@ -44,13 +48,12 @@ bool take_job_file(RunView& view, std::size_t index) {
 
 bool update_jobs(RunView& view) {
   bool changed = false;
-  std::error_code ignored;
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
     if (view.states[i] == JobState::Done) continue;
     auto state = view.states[i];
     if (take_job_file(view, i)) {
       state = JobState::Done;
-    } else if (fs::is_directory(fs::path(view.run.folder) / view.run.jobs[i].folder, ignored)) {
+    } else if (is_unfinished(view.run.folder, view.run.jobs[i].folder)) {
       state = JobState::Running;
     }
     changed = changed || state != view.states[i];
@@ -61,10 +64,40 @@ bool update_jobs(RunView& view) {
 
 }  // namespace
 
+namespace {
+
+// The file may have been removed by its last holder between our opening and our locking it.
+bool is_file(int descriptor, const fs::path& file) {
+  struct stat ours {};
+  struct stat there {};
+  return ::fstat(descriptor, &ours) == 0 && ::stat(file.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
+}
+
+[[noreturn]] void refuse_locked(const fs::path& file, int descriptor, int error) {
+  std::array<char, 32> holder{};
+  const auto length = descriptor < 0 ? 0 : ::pread(descriptor, holder.data(), holder.size(), 0);
+  if (descriptor >= 0) ::close(descriptor);
+  if (error != EWOULDBLOCK)
+    throw InputError(fmt::format("{}: cannot be locked: {}", file.string(), std::strerror(error)));
+  throw InputError(fmt::format(
+      "{}: a run of process {} goes on in this folder; wait for its end, or stop it",
+      file.parent_path().string(),
+      trim(std::string_view(holder.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))))));
+}
+
+}  // namespace
+
 RunLock::RunLock(const fs::path& folder) : file_(folder / kLockFile) {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-    throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));
+  for (;;) {
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+      refuse_locked(file_, descriptor_, errno);
+    if (is_file(descriptor_, file_)) break;
+    ::close(descriptor_);
+  }
+  const auto holder = fmt::format("{}\n", ::getpid());
+  if (::ftruncate(descriptor_, 0) != 0 || ::write(descriptor_, holder.data(), holder.size()) < 0)
+    refuse_locked(file_, descriptor_, errno);
 }
 
 RunLock::~RunLock() {

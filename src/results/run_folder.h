@@ -13,7 +13,7 @@ namespace orbs::results {
 /// Held by a run for as long as it lives; the system lets go of it however the run ends.
 class RunLock {
  public:
-  /// InputError when the folder cannot be written to.
+  /// InputError when another process holds it, which is named, or the folder cannot be written to.
   explicit RunLock(const std::filesystem::path& folder);
   ~RunLock();
   RunLock(const RunLock&) = delete;

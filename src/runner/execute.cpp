@@ -4,10 +4,13 @@
 #include "adapters/process.h"
 #include "adapters/programs.h"
 #include "base/error.h"
+#include "base/files.h"
+#include "base/shell.h"
 #include "base/text.h"
 #include "registry/placeholders.h"
 #include "runner/outcome.h"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 
@@ -27,11 +30,46 @@ adapters::ProcessRequest process_request(const registry::Renderer& renderer,
   request.argv = job.argv;
   request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
   request.folder = job.folder;
-  request.environment = adapters::child_environment(renderer.environment);
+  auto allowed = renderer.environment;
+  allowed.push_back(fmt::format("ORBS_JOB={}", job.id));
+  request.environment = adapters::child_environment(allowed);
   request.log = job.folder / "log.txt";
-  request.time_limit_seconds = renderer.time_limit_seconds;
+  request.limits = renderer.limits;
   request.stop = stop;
   return request;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+}
+
+// Whether some case that looks at the picture allows negative values in it.
+bool may_be_negative(const Plan& plan, const PlannedJob& job) {
+  const auto& scene = plan.scenes[job.scene].name;
+  return std::any_of(plan.cases.begin(), plan.cases.end(), [&](const registry::Case& one_case) {
+    return !one_case.negative_values.empty() &&
+           std::any_of(one_case.scenes.begin(), one_case.scenes.end(),
+                       [&](const auto& looked_at) { return looked_at.name == scene; });
+  });
+}
+
+// The job in its folder, with the scene written there and all that will prove its picture to be its own.
+adapters::Job prepare_job(const Plan& plan,
+                          const PlannedJob& planned,
+                          const scene::Scene& prepared,
+                          const std::filesystem::path& folder) {
+  auto job = job_in(plan, planned, folder);
+  make_folder(job.folder);
+  adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, job.scene_file);
+  job.id = planned.id;
+  job.scene_file_hash = hash_text(content_hash(read_file(job.scene_file)));
+  // By the clock of that disk, as the picture will be.
+  job.ready_since = std::filesystem::last_write_time(job.scene_file);
+  job.may_be_negative = may_be_negative(plan, planned);
+  return job;
 }
 
 void note_process(const adapters::ProcessResult& process,
@@ -41,16 +79,10 @@ void note_process(const adapters::ProcessResult& process,
   record.cpu_seconds = process.user_seconds + process.system_seconds;
   record.peak_rss_bytes = process.peak_rss_bytes;
   record.exit_code = process.exit_code;
+  record.core_dumped = process.core_dumped;
   if (process.signal != 0) record.signal = adapters::signal_name(process.signal);
   if (!renderer.render_seconds_prefix.empty())
     record.render_seconds = seconds_in(process.output, renderer.render_seconds_prefix);
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
-    throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
 }  // namespace
@@ -91,7 +123,7 @@ JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
 Execution execute(const Plan& plan,
                   const PlannedJob& planned,
                   const std::string& version,
-                  const std::filesystem::path& run_folder,
+                  const WorkFolders& folders,
                   const std::atomic<bool>* stop) {
   const auto& renderer = plan.renderers[planned.renderer].entry;
   Execution execution{skipped_record(plan, planned), {}};
@@ -103,19 +135,21 @@ Execution execute(const Plan& plan,
     record.sentence = *reason;
     return execution;
   }
-  const auto job = job_in(plan, planned, run_folder);
-  make_folder(job.folder);
-  adapters::export_scene(renderer, std::get<scene::Scene>(prepared), job.scene_file);
-  record.argv = job.argv;
+  const auto job = prepare_job(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
+  const auto request = process_request(renderer, job, stop);
+  // As it can be repeated once the folder is in its place.
+  record.argv = job_in(plan, planned, folders.run).argv;
+  record.command = shell_command(folders.run / planned.folder, request.environment, record.argv);
   record.started = local_time_now();
-  const auto process = adapters::run_process(process_request(renderer, job, stop));
+  const auto process = adapters::run_process(request);
   note_process(process, renderer, record);
-  auto outcome = classify(process, job, renderer.time_limit_seconds);
+  auto outcome = classify(process, job, renderer.limits);
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;
   record.rendered = outcome.verdict == Verdict::Pass;
   // A picture that cannot be judged can still be looked at.
-  if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize)
+  if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize ||
+      record.verdict == Verdict::Stale)
     record.image = (planned.folder / job.image.filename()).string();
   const bool keep_log = plan.settings.log || !record.rendered;
   if (keep_log) record.log = (planned.folder / "log.txt").string();
@@ -137,9 +171,9 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   if (!program) return fmt::format("unknown: there is no program '{}'", request.argv[0]);
   request.argv[0] = program->string();
   request.environment = adapters::child_environment(renderer.entry.environment);
-  request.time_limit_seconds = kLimit_seconds;
+  request.limits.wall_seconds = kLimit_seconds;
   const auto process = adapters::run_process(request);
-  if (process.timed_out)
+  if (process.cause == warden::Cause::WallTime)
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
   for (const auto& line : split(process.output, '\n'))
     if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))

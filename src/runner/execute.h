@@ -11,17 +11,25 @@
 
 namespace orbs::runner {
 
+/// A render lies in `unfinished` until it is whole, then it takes its place in `run`: below both under the
+/// job's own folder.
+struct WorkFolders {
+  std::filesystem::path run;
+  std::filesystem::path unfinished;
+};
+
 struct Execution {
   results::JobRecord record;
   std::optional<image::Image> picture;
 };
 
-/// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's folder, which it
-/// makes.
+/// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's unfinished
+/// folder, which it makes. InputError when the scene cannot be written for its renderer, WriteError when the
+/// disk refuses.
 Execution execute(const Plan& plan,
                   const PlannedJob& planned,
                   const std::string& version,
-                  const std::filesystem::path& run_folder,
+                  const WorkFolders& folders,
                   const std::atomic<bool>* stop);
 
 /// The record of a job that is not run any more.

@@ -110,8 +110,7 @@ void copy_references(const std::vector<registry::Case>& cases,
   for (const auto& one_case : cases) {
     for (const auto& scene : one_case.scenes) {
       const auto name = scene.name + ".exr";
-      if (!std::filesystem::exists(folder / name, ignored) &&
-          std::filesystem::exists(references / name, ignored))
+      if (std::filesystem::exists(references / name, ignored))
         write_file(folder / name, read_file(references / name));
     }
     for (const auto& difference : one_case.differences)

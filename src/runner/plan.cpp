@@ -4,6 +4,7 @@
 #include "adapters/programs.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/shell.h"
 #include "metrics/table.h"
 #include "runner/choose.h"
 #include "runner/judge.h"
@@ -179,7 +180,7 @@ std::string plan_text(const Plan& plan) {
     if (const auto* reason = std::get_if<std::string>(&prepared)) {
       text += fmt::format("    unsupported: {}\n", *reason);
     } else {
-      text += fmt::format("    {}\n", fmt::join(job_in(plan, job, "OUTPUT").argv, " "));
+      text += fmt::format("    {}\n", shell_text(job_in(plan, job, "OUTPUT").argv));
     }
   }
   for (const auto& left : plan.left_out)

@@ -18,19 +18,18 @@ using Progress = std::function<void(
 struct RunContext {
   std::string orbs_version;
   std::vector<std::string> command_line;
-  const std::atomic<bool>* stop = nullptr;  // set when the user wants no more
-  Progress progress;
+  const std::atomic<bool>* stop = nullptr;           // set when the user wants no more
+  std::string started;                               // local time, ISO 8601: of the run's first start
+  Progress progress;                                 // not called for what is there already
+  std::function<void(const std::string&)> say = {};  // why something is rendered again
 };
-
-/// Makes the folder of a run: `wanted`, which must not exist or be empty, or "" for outputs-YYMMDD-HHMMSS
-/// (local time) in the current folder, with -2, -3, ... behind it where that is taken. Returns the absolute
-/// path.
-std::filesystem::path make_run_folder(const std::string& wanted);
 
 /// Carries out the plan in `folder`: leaves there results.json of what will be rendered and the references,
 /// renders, judges, and leaves in each job's folder the scene, result.exr, log.txt, job.json and the error
-/// maps. Ends with the final results.json. What a renderer does wrong is in the record; InputError only when
-/// we cannot write.
+/// maps. Ends with the final results.json. What is there already and not outdated is kept as it is: the same
+/// call resumes a run that was killed, and only writes results.json anew for one that was finished. What a
+/// renderer does wrong is in the record; InputError when another process has the folder, WriteError when the
+/// disk refuses.
 results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context);
 
 }  // namespace orbs::runner

@@ -43,7 +43,7 @@ struct Watch {
   bool has_ended = false;    // the command itself
   bool has_children = true;  // anything at all below us
   double terminated_at = -1;
-  double look_at = 0;
+  double look_at = kShortestWait_seconds;
   std::size_t folder_at_start = 0;
   Report report = {};
 
@@ -116,8 +116,7 @@ void forget_signals(int signals) {
 bool wait_for_news(const Watch& watch, int control, int signals) {
   const auto& limits = watch.order.limits;
   double until = std::min(watch.look_at, limits.wall_seconds);
-  if (watch.terminated_at >= 0)
-    until = std::min(watch.look_at, watch.terminated_at + limits.grace_seconds);
+  if (watch.terminated_at >= 0) until = std::min(watch.look_at, watch.terminated_at + limits.grace_seconds);
   const double wait_ms = std::ceil(1000 * std::max(0.0, until - watch.now()));
   std::array<pollfd, 2> files{{{control, POLLIN, 0}, {signals, POLLIN, 0}}};
   // Once asked to stop there is nothing more to hear from the other side.

@@ -1,0 +1,153 @@
+#include "runner/judge_pictures.h"
+
+#include "base/files.h"
+#include "image/image_io.h"
+#include "image/linear_rgb.h"
+#include "metrics/alignment.h"
+#include "runner/judge.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+using results::JobRecord;
+using results::PictureRecord;
+using results::Verdict;
+
+PictureRecord blank_picture(const Plan& plan,
+                            const PlannedPicture& planned,
+                            const std::filesystem::path& folder) {
+  const auto& one_case = plan.cases[planned.one_case];
+  PictureRecord record;
+  record.requirement = one_case.requirement;
+  record.case_name = one_case.name;
+  record.picture = planned.picture;
+  record.renderer = plan.renderers[planned.renderer].entry.name;
+  record.declared = planned.declared;
+  for (const auto job : planned.jobs) record.jobs.push_back(plan.jobs[job].id);
+  const auto reference = std::filesystem::path(kReferenceFolder) / (planned.picture + ".exr");
+  if (std::filesystem::exists(folder / reference)) record.reference_image = reference.string();
+  return record;
+}
+
+PictureRecord undeclared_picture(const Plan& plan,
+                                 const PlannedPicture& planned,
+                                 const std::filesystem::path& folder) {
+  auto record = blank_picture(plan, planned, folder);
+  record.verdict = Verdict::Unsupported;
+  record.sentence = fmt::format("{} does not declare {}", record.renderer, record.requirement);
+  if (const auto reason = registry::limit_reason(plan.renderers[planned.renderer].entry, record.requirement))
+    record.sentence += fmt::format(": {}", *reason);
+  return record;
+}
+
+void take_job_verdict(const JobRecord& job, PictureRecord& record) {
+  record.verdict = job.verdict;
+  record.sentence = job.sentence;
+}
+
+namespace {
+
+bool is_difference(const registry::Case& one_case, const std::string& picture) {
+  return std::any_of(one_case.differences.begin(), one_case.differences.end(),
+                     [&](const auto& difference) { return difference.name == picture; });
+}
+
+// Another case may allow what this one does not, so this is asked for each. Counts them where they are
+// allowed.
+bool refuse_negative(const registry::Case& one_case, const image::Image& result, PictureRecord& record) {
+  if (is_difference(one_case, record.picture)) return false;
+  const auto faults = metrics::check_alignment(result, result).result;
+  if (faults.negative == 0) return false;
+  if (one_case.negative_values.empty()) {
+    record.verdict = Verdict::InvalidPixels;
+    record.sentence = fmt::format("{} pixels are negative, which its case does not allow; the first is {}",
+                                  faults.negative, faults.first);
+    return true;
+  }
+  record.measures.push_back(
+      {"negative_pixels", static_cast<double>(faults.negative), "1",
+       fmt::format("pixels with a negative R, G or B, allowed here: {}", one_case.negative_values), true});
+  return false;
+}
+
+bool is_constant(const image::Image& picture) {
+  const auto colours = image::select_rgb(picture, "").pixels;
+  for (std::size_t i = 3; i < colours.size(); ++i)
+    if (colours[i] != colours[i - 3]) return false;
+  return true;
+}
+
+// One colour all over is what a renderer leaves that found no light or no scene, and a small or dark picture
+// may measure well all the same.
+void refuse_constant(const image::Image& result, const image::Image& reference, PictureRecord& record) {
+  if (!is_constant(result) || is_constant(reference)) return;
+  record.verdict = results::worse(record.verdict, Verdict::ConstantImage);
+  if (record.verdict == Verdict::ConstantImage)
+    record.sentence = "every pixel has the same colour, which the reference's have not";
+}
+
+// Judges one picture that is there, and writes its maps unless another case has done so.
+void judge_picture(const Plan& plan,
+                   const PlannedPicture& planned,
+                   const image::Image& result,
+                   const std::filesystem::path& folder,
+                   PictureRecord& record) {
+  const auto& one_case = plan.cases[planned.one_case];
+  const auto reference =
+      load_reference(one_case, planned.picture, plan.suite.references, plan.reference_hashes);
+  if (refuse_negative(one_case, result, record)) return;
+  const auto comparison = judge(one_case, result, reference, plan.threads, record);
+  if (!comparison) return;
+  refuse_constant(result, *reference.picture, record);
+  const auto relative = std::filesystem::path(record.renderer) / record.picture;
+  record.maps = write_maps(result, *comparison, folder / relative);
+  for (auto& map : record.maps) map.image = (relative / map.image).string();
+}
+
+}  // namespace
+
+std::vector<PictureRecord> judge_scene(const Plan& plan,
+                                       std::size_t job,
+                                       const Execution& execution,
+                                       const WorkFolders& folders) {
+  std::vector<PictureRecord> records;
+  for (const auto& planned : plan.pictures) {
+    if (planned.jobs.size() != 1 || planned.jobs.front() != job) continue;
+    auto& record = records.emplace_back(blank_picture(plan, planned, folders.run));
+    record.image = execution.record.image;
+    if (execution.picture) {
+      judge_picture(plan, planned, *execution.picture, folders.unfinished, record);
+    } else {
+      take_job_verdict(execution.record, record);
+    }
+  }
+  return records;
+}
+
+PictureRecord judge_difference(const Plan& plan,
+                               const PlannedPicture& planned,
+                               const std::vector<JobRecord>& jobs,
+                               const WorkFolders& folders) {
+  auto record = blank_picture(plan, planned, folders.run);
+  for (const auto job : planned.jobs)
+    if (!jobs[job].rendered) {
+      take_job_verdict(jobs[job], record);
+      record.sentence = fmt::format("its scene '{}': {}", jobs[job].scene, jobs[job].sentence);
+      return record;
+    }
+  const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].image);
+  const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].image);
+  const auto result = difference_of(of, minus);
+  const auto relative = std::filesystem::path(record.renderer) / record.picture;
+  std::filesystem::create_directories(folders.unfinished / relative);
+  image::write_exr(result, folders.unfinished / relative / "result.exr");
+  record.image = (relative / "result.exr").string();
+  judge_picture(plan, planned, result, folders.unfinished, record);
+  put_in_place(folders.unfinished / relative, folders.run / relative);
+  return record;
+}
+
+}  // namespace orbs::runner

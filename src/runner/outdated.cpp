@@ -1,0 +1,68 @@
+#include "runner/outdated.h"
+
+#include "base/files.h"
+#include "runner/scene_hash.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::runner {
+
+std::string scene_hash(const Plan& plan, const PlannedJob& job) {
+  const auto& scene = plan.scenes[job.scene];
+  return hash_text(scene_content_hash(*scene.scene, scene.file));
+}
+
+std::string settings_hash(const Plan& plan, const PlannedJob& job) {
+  const auto& chosen = plan.renderers[job.renderer];
+  const auto& entry = chosen.entry;
+  const auto& limits = entry.limits;
+  std::string text =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(entry.command, "\n"),
+                  fmt::join(entry.environment, "\n"), registry::scene_format_name(entry.scene_format),
+                  plan.threads, entry.render_seconds_prefix);
+  for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
+  text += fmt::format("{} {} {} {} {} {}", limits.wall_seconds, limits.cpu_seconds.value_or(0),
+                      limits.memory_bytes.value_or(0), limits.output_bytes.value_or(0), limits.log_bytes,
+                      limits.grace_seconds);
+  return hash_text(content_hash(text));
+}
+
+std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version) {
+  auto hash = content_hash(orbs_version);
+  for (const auto& planned : plan.pictures) {
+    if (planned.jobs.size() != 1 || planned.jobs.front() != index) continue;
+    const auto& one_case = plan.cases[planned.one_case];
+    hash = content_hash(planned.picture, content_hash(read_file(one_case.file), hash));
+    for (const auto& scene : one_case.scenes) {
+      if (scene.name != planned.picture) continue;
+      const auto reference = plan.suite.references / (registry::reference_name(scene) + ".exr");
+      std::error_code ignored;
+      hash = content_hash(plan.reference_hashes.at(scene.name), hash);
+      if (std::filesystem::exists(reference, ignored)) hash = content_hash(read_file(reference), hash);
+    }
+  }
+  return hash_text(hash);
+}
+
+void note_hashes(const Plan& plan,
+                 std::size_t index,
+                 const std::string& orbs_version,
+                 results::JobRecord& record) {
+  record.scene_hash = scene_hash(plan, plan.jobs[index]);
+  record.settings_hash = settings_hash(plan, plan.jobs[index]);
+  record.judged_hash = judged_hash(plan, index, orbs_version);
+}
+
+std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now) {
+  if (found.id != now.id) return "its samples or its seed have changed";
+  if (found.scene_hash != now.scene_hash) return "its scene has changed";
+  if (found.renderer_version != now.renderer_version)
+    return fmt::format("it was rendered by '{}', now there is '{}'", found.renderer_version,
+                       now.renderer_version);
+  if (found.settings_hash != now.settings_hash)
+    return "its program, command, environment, limits or threads have changed";
+  return std::nullopt;
+}
+
+}  // namespace orbs::runner

@@ -1,0 +1,186 @@
+#include "runner/render_jobs.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/parallel.h"
+#include "image/image_io.h"
+#include "results/read_record.h"
+#include "results/record_json.h"
+#include "runner/judge_pictures.h"
+#include "runner/outdated.h"
+
+#include <mutex>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+namespace {
+
+namespace fs = std::filesystem;
+using results::JobFile;
+using results::JobRecord;
+using results::Verdict;
+
+bool is_stopped(const RunContext& context) { return context.stop != nullptr && context.stop->load(); }
+
+// What an earlier run left of this render; nothing when there is nothing, or nothing whole.
+std::optional<JobFile> found_job(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / "job.json", ignored)) return std::nullopt;
+  try {
+    return results::read_job_file(folder / "job.json");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// On a full disk a renderer fails, too, and that is not its fault.
+void refuse_full_disk(const fs::path& folder) {
+  constexpr std::uintmax_t kLeast_bytes = 1 << 20;
+  std::error_code failed;
+  const auto space = fs::space(folder, failed);
+  if (!failed && space.available < kLeast_bytes)
+    throw WriteError(fmt::format("{}: the disk is full", folder.string()));
+}
+
+// A scene that cannot be written for its renderer spoils that job alone.
+Execution execute_or_say_why(const Plan& plan,
+                             const PlannedJob& job,
+                             const std::string& version,
+                             const WorkFolders& folders,
+                             const RunContext& context) {
+  Execution execution{skipped_record(plan, job), {}};
+  try {
+    return execute(plan, job, version, folders, context.stop);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const InputError& e) {
+    refuse_full_disk(folders.run);
+    execution.record.renderer_version = version;
+    execution.record.verdict = Verdict::Crash;
+    execution.record.sentence = fmt::format("could not start: {}", e.what());
+    return execution;
+  }
+}
+
+// The render of an earlier run in an unfinished folder of its own, to be judged by what has changed.
+Execution take_over(const JobRecord& found, const fs::path& folder, const WorkFolders& folders) {
+  const auto unfinished = folders.unfinished / folder;
+  fs::create_directories(unfinished);
+  for (const auto& entry : fs::directory_iterator(folders.run / folder))
+    if (entry.is_regular_file() && entry.path().filename() != "job.json")
+      fs::copy_file(entry.path(), unfinished / entry.path().filename());
+  Execution execution{found, {}};
+  if (found.rendered) execution.picture = image::read_image(folders.run / found.image);
+  return execution;
+}
+
+class Renders {
+ public:
+  Renders(const Plan& plan,
+          const std::vector<std::string>& versions,
+          const WorkFolders& folders,
+          const RunContext& context)
+      : plan_(plan),
+        versions_(versions),
+        folders_(folders),
+        context_(context),
+        work_{std::vector<JobRecord>(plan.jobs.size()),
+              std::vector<std::vector<results::PictureRecord>>(plan.jobs.size())} {}
+
+  void one(std::size_t index) {
+    const auto& job = plan_.jobs[index];
+    auto now = skipped_record(plan_, job);
+    now.renderer_version = versions_[job.renderer];
+    note_hashes(plan_, index, context_.orbs_version, now);
+    auto found = found_job(folders_.run / job.folder);
+    auto reason = found ? why_outdated(found->job, now) : std::nullopt;
+    if (found && !reason && found->job.judged_hash == now.judged_hash) {
+      keep(index, std::move(*found));
+      return;
+    }
+    if (is_stopped(context_)) {
+      skip(index, now);
+      return;
+    }
+    if (reason) say(fmt::format("{} {}: {}", now.renderer, now.scene, *reason));
+    auto execution = found && !reason
+                         ? take_over(found->job, job.folder, folders_)
+                         : execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
+    finish(index, std::move(execution), now);
+  }
+
+  Work take() { return std::move(work_); }
+
+ private:
+  void keep(std::size_t index, JobFile found) {
+    work_.jobs[index] = std::move(found.job);
+    work_.pictures[index] = std::move(found.pictures);
+    const std::lock_guard lock(mutex_);
+    ++done_;
+  }
+
+  // Leaves nothing on disk, so that a resumed run renders it.
+  void skip(std::size_t index, const JobRecord& record) {
+    work_.pictures[index] = judge_scene(plan_, index, {record, {}}, folders_);
+    work_.jobs[index] = record;
+    report(index);
+  }
+
+  void finish(std::size_t index, Execution execution, const JobRecord& now) {
+    const auto& folder = plan_.jobs[index].folder;
+    if (execution.record.verdict == Verdict::Skipped) {
+      fs::remove_all(folders_.unfinished / folder);
+      skip(index, execution.record);
+      return;
+    }
+    if (!execution.record.rendered && execution.record.verdict != Verdict::Unsupported)
+      refuse_full_disk(folders_.run);
+    execution.record.scene_hash = now.scene_hash;
+    execution.record.settings_hash = now.settings_hash;
+    execution.record.judged_hash = now.judged_hash;
+    fs::create_directories(folders_.unfinished / folder);
+    work_.pictures[index] = judge_scene(plan_, index, execution, folders_);
+    write_file(folders_.unfinished / folder / "job.json",
+               results::job_json(execution.record, work_.pictures[index]));
+    put_in_place(folders_.unfinished / folder, folders_.run / folder);
+    work_.jobs[index] = std::move(execution.record);
+    report(index);
+  }
+
+  void report(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (context_.progress)
+      context_.progress(done_, plan_.jobs.size(), work_.jobs[index], work_.pictures[index]);
+  }
+
+  void say(const std::string& line) {
+    const std::lock_guard lock(mutex_);
+    if (context_.say) context_.say(line);
+  }
+
+  const Plan& plan_;
+  const std::vector<std::string>& versions_;
+  const WorkFolders& folders_;
+  const RunContext& context_;
+  Work work_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Work render_jobs(const Plan& plan,
+                 const std::vector<std::string>& versions,
+                 const WorkFolders& folders,
+                 const RunContext& context) {
+  Renders renders(plan, versions, folders, context);
+  for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs,
+                 [&](int index) { renders.one(static_cast<std::size_t>(index)); });
+  return renders.take();
+}
+
+}  // namespace orbs::runner

@@ -1,0 +1,71 @@
+#include "runner/run_file.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "json/object_reader.h"
+
+#include <array>
+#include <ctime>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+namespace {
+
+constexpr const char* kRunFile = "run.json";
+
+}  // namespace
+
+std::filesystem::path make_run_folder(const std::string& wanted) {
+  std::error_code failed;
+  if (!wanted.empty()) {
+    const auto folder = std::filesystem::absolute(wanted).lexically_normal();
+    const bool is_taken = std::filesystem::exists(folder) && !(std::filesystem::is_directory(folder) &&
+                                                               std::filesystem::is_empty(folder, failed));
+    if (is_taken)
+      throw InputError(
+          fmt::format("{}: exists already; name a new or empty folder with -o", folder.string()));
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+      throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+    return folder;
+  }
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  std::array<char, 32> stamp{};
+  std::strftime(stamp.data(), stamp.size(), "outputs-%y%m%d-%H%M%S", &local);
+  for (int number = 1;; ++number) {
+    const auto name = number == 1 ? std::string(stamp.data()) : fmt::format("{}-{}", stamp.data(), number);
+    const auto folder = std::filesystem::absolute(name);
+    // False when it exists: two runs that start in the same second take different names.
+    if (std::filesystem::create_directory(folder, failed)) return folder;
+    if (failed)
+      throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+  }
+}
+
+RunFile read_run_file(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder / kRunFile, ignored))
+    throw InputError(
+        fmt::format("{}: holds no {}, so there is no run to resume; name the folder that 'orbs run' made",
+                    folder.string(), kRunFile));
+  const auto document = json::parse_file(folder / kRunFile);
+  json::ObjectReader in(document);
+  in.one_of("format", {"orbs-run/1"});
+  RunFile file{in.text("configuration"), registry::read_defaults(in.object("settings")), in.text("started")};
+  in.finish();
+  return file;
+}
+
+void write_run_file(const RunFile& file, const std::filesystem::path& folder) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-run/1").member("configuration", file.configuration.string());
+  out.member("started", file.started).key("settings");
+  registry::write_defaults(out, file.settings);
+  write_file(folder / kRunFile, out.end_object().text());
+}
+
+}  // namespace orbs::runner

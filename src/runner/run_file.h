@@ -1,0 +1,27 @@
+#pragma once
+
+#include "registry/defaults.h"
+
+#include <filesystem>
+#include <string>
+
+namespace orbs::runner {
+
+/// What a run was asked for, in its folder as run.json (format "orbs-run/1"): all that --resume needs.
+struct RunFile {
+  std::filesystem::path configuration;  // absolute
+  registry::Defaults settings;          // after the command line
+  std::string started;                  // local time, ISO 8601
+};
+
+/// Makes the folder of a run: `wanted`, which must not exist or be empty, or "" for outputs-YYMMDD-HHMMSS
+/// (local time) in the current folder, with -2, -3, ... behind it where that is taken. Returns the absolute
+/// path.
+std::filesystem::path make_run_folder(const std::string& wanted);
+
+/// InputError when the folder is not that of a run, or its run.json is broken.
+RunFile read_run_file(const std::filesystem::path& folder);
+
+void write_run_file(const RunFile& file, const std::filesystem::path& folder);
+
+}  // namespace orbs::runner
