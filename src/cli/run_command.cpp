@@ -153,11 +153,9 @@ int run_plan(const registry::Configuration& configuration,
   };
   context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   std::filesystem::path folder;
-  const auto file = run_file_of(configuration, plan, options.resume, folder);
+  context.file = run_file_of(configuration, plan, options.resume, folder);
   const auto record =
       with_note(fmt::format("running in {0}; 'orbs run --resume {0}' goes on there", folder.string()), [&] {
-        runner::write_run_file(file, folder);
-        context.started = file.started;
         auto made = runner::run(plan, folder, context);
         report::write_reports(made, folder);
         return made;

@@ -10,7 +10,6 @@
 #include "registry/placeholders.h"
 #include "runner/outcome.h"
 
-#include <algorithm>
 #include <array>
 #include <ctime>
 
@@ -46,16 +45,6 @@ void make_folder(const std::filesystem::path& folder) {
     throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
-// Whether some case that looks at the picture allows negative values in it.
-bool may_be_negative(const Plan& plan, const PlannedJob& job) {
-  const auto& scene = plan.scenes[job.scene].name;
-  return std::any_of(plan.cases.begin(), plan.cases.end(), [&](const registry::Case& one_case) {
-    return !one_case.negative_values.empty() &&
-           std::any_of(one_case.scenes.begin(), one_case.scenes.end(),
-                       [&](const auto& looked_at) { return looked_at.name == scene; });
-  });
-}
-
 // The job in its folder, with the scene written there and all that will prove its picture to be its own.
 adapters::Job prepare_job(const Plan& plan,
                           const PlannedJob& planned,
@@ -68,7 +57,7 @@ adapters::Job prepare_job(const Plan& plan,
   job.scene_file_hash = hash_text(content_hash(read_file(job.scene_file)));
   // By the clock of that disk, as the picture will be.
   job.ready_since = std::filesystem::last_write_time(job.scene_file);
-  job.may_be_negative = may_be_negative(plan, planned);
+  job.may_be_negative = planned.may_be_negative;
   return job;
 }
 

@@ -122,6 +122,13 @@ void plan_pictures(Plan& plan) {
     }
 }
 
+bool may_be_negative(const Plan& plan, const PlannedJob& job) {
+  return std::any_of(plan.pictures.begin(), plan.pictures.end(), [&](const PlannedPicture& picture) {
+    return picture.renderer == job.renderer && picture.picture == plan.scenes[job.scene].name &&
+           !plan.cases[picture.one_case].negative_values.empty();
+  });
+}
+
 int threads_per_job(const registry::Defaults& settings) {
   if (settings.threads > 0) return settings.threads;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -149,6 +156,7 @@ Plan make_plan(const registry::Configuration& configuration,
     check_regions(plan, one_case);
   }
   plan_pictures(plan);
+  for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {
     const auto& program = renderer.entry.command.front();
     if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))

@@ -34,6 +34,7 @@ struct PlannedJob {
   std::size_t renderer = 0;      // of Plan::renderers
   int spp = 64;                  // that the renderer gets
   std::filesystem::path folder;  // relative to the run's
+  bool may_be_negative = false;  // its pixels: some case that looks at it allows that
 };
 
 /// One picture to judge: a picture of a case, by one renderer.

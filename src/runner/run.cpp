@@ -46,7 +46,7 @@ results::RunRecord record_at_start(const Plan& plan,
   results::RunRecord record;
   record.suite = plan.suite.name;
   record.folder = folder.string();
-  record.started = context.started;
+  record.started = context.file.started;
   record.orbs_version = context.orbs_version;
   record.command_line = context.command_line;
   record.host = this_host();
@@ -73,6 +73,7 @@ results::RunRecord record_at_start(const Plan& plan,
 results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context) {
   const auto begin = std::chrono::steady_clock::now();
   const results::RunLock lock(folder);
+  write_run_file(context.file, folder);
   const results::WorkFolder work_folder(folder);
   const WorkFolders folders{folder, work_folder.path()};
   std::vector<std::string> versions;

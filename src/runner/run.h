@@ -2,6 +2,7 @@
 
 #include "results/record.h"
 #include "runner/plan.h"
+#include "runner/run_file.h"
 
 #include <atomic>
 #include <functional>
@@ -19,7 +20,7 @@ struct RunContext {
   std::string orbs_version;
   std::vector<std::string> command_line;
   const std::atomic<bool>* stop = nullptr;           // set when the user wants no more
-  std::string started;                               // local time, ISO 8601: of the run's first start
+  RunFile file;                                      // written into the folder once it is ours
   Progress progress;                                 // not called for what is there already
   std::function<void(const std::string&)> say = {};  // why something is rendered again
 };

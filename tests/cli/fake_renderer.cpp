@@ -6,14 +6,19 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
@@ -50,34 +55,123 @@ void hang_with_child() {
   hang();
 }
 
+// One that has left for a session of its own, as a daemon would.
+void leave_child_in_own_session() {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setsid();
+    if (::fork() == 0) {
+      std::ofstream("child.txt") << ::getpid();
+      hang();
+    }
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+}
+
 void print_much() {
   for (int line = 0; line < 200000; ++line) fmt::print("line {} of much too much output\n", line);
+}
+
+// Bounded, should nobody stop it.
+void leak_memory() {
+  constexpr std::size_t kPart = 16 << 20;
+  std::vector<std::string> parts;
+  for (int part = 0; part < 64; ++part) parts.emplace_back(kPart, 'x');
+  hang();
+}
+
+void burn_processor_time() {
+  while (std::clock() < 60 * CLOCKS_PER_SEC) {
+  }
+}
+
+void fill_disk(int files, std::size_t bytes_each) {
+  for (int file = 0; file < files; ++file)
+    std::ofstream(fmt::format("junk-{}", file)) << std::string(bytes_each, 'x');
+}
+
+// To our parent's parent: the harness, which talks to us through its warden.
+void interrupt_harness() {
+  std::ifstream stat(fmt::format("/proc/{}/stat", ::getppid()));
+  std::string text;
+  std::getline(stat, text);
+  ::kill(std::stoi(text.substr(text.rfind(')') + 4)), SIGINT);
+}
+
+void write_half(const Image& picture, const std::string& output) {
+  orbs::image::write_exr(picture, output);
+  std::filesystem::resize_file(output, std::filesystem::file_size(output) / 2);
+}
+
+void write_elsewhere(const Image& picture, const std::string& output) {
+  const auto outside = std::filesystem::path(output).parent_path() / ".." / "outside.exr";
+  orbs::image::write_exr(picture, outside);
+  std::filesystem::create_symlink(outside, output);
+}
+
+void write_old(const Image& picture, const std::string& output) {
+  orbs::image::write_exr(picture, output);
+  std::filesystem::last_write_time(output,
+                                   std::filesystem::last_write_time(output) - std::chrono::seconds(1));
+}
+
+// Ends the process, or returns when the mode is about the picture.
+void misbehave(const std::string& mode) {
+  if (mode == "segfault") std::raise(SIGSEGV);
+  if (mode == "abort") std::abort();
+  if (mode == "exit3") {
+    fmt::print(stderr, "fake: cannot find the sun\n");
+    std::exit(3);
+  }
+  if (mode == "hang") hang();
+  if (mode == "ignore-term") {
+    std::signal(SIGTERM, SIG_IGN);
+    hang();
+  }
+  if (mode == "hang-with-child") hang_with_child();
+  if (mode == "leave-child") leave_child_in_own_session();
+  if (mode == "leak") leak_memory();
+  if (mode == "burn") burn_processor_time();
+  if (mode == "fill-file") fill_disk(1, 8 << 20);
+  if (mode == "fill-files") fill_disk(64, 1 << 17);
+  if (mode == "interrupt") {
+    interrupt_harness();
+    hang();
+  }
+  if (mode == "much") print_much();
+  if (mode == "complain") fmt::print(stderr, "fake: something is odd\n");
+  if (mode == "read-input")
+    fmt::print("read {} characters\n", std::string(std::istreambuf_iterator(std::cin), {}).size());
+  if (mode == "environment")
+    for (char** entry = environ; *entry != nullptr; ++entry) fmt::print("{}\n", *entry);
+}
+
+// True when it has left what the mode wants in place of a picture.
+bool write_no_picture(const std::string& mode, const Image& picture, const std::string& output) {
+  if (mode == "nothing") return true;
+  if (mode == "garbage") return std::ofstream(output) << "this is no picture", true;
+  if (mode == "empty") return std::ofstream(output) << "", true;
+  if (mode == "half") return write_half(picture, output), true;
+  if (mode == "elsewhere") return write_elsewhere(picture, output), true;
+  if (mode == "old") return write_old(picture, output), true;
+  return false;
 }
 
 int behave(const std::string& mode, const Arguments& arguments) {
   const std::string output = arguments.at("--output");
   auto picture = grey_picture(arguments);
-  if (mode == "segfault") std::raise(SIGSEGV);
-  if (mode == "exit3") return 3;
-  if (mode == "hang") hang();
-  if (mode == "hang-with-child") hang_with_child();
-  if (mode == "interrupt") {
-    ::kill(::getppid(),
-           SIGINT);  // as Ctrl-C in the terminal of the harness, which is another session than ours
-    hang();
-  }
-  if (mode == "nothing") return 0;
-  if (mode == "garbage") return std::ofstream(output) << "this is no picture", 0;
-  if (mode == "much") print_much();
-  if (mode == "complain") fmt::print(stderr, "fake: something is odd\n");
+  misbehave(mode);
+  if (write_no_picture(mode, picture, output)) return 0;
   if (mode == "wrong-size")
     picture = orbs::image::make_image(picture.width / 2, picture.height, {"R", "G", "B"});
   if (mode == "wrong-channels") picture = orbs::image::make_image(picture.width, picture.height, {"Y"});
   if (mode == "nan") picture.at(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
   if (mode == "infinite") picture.at(5, 1, 0) = std::numeric_limits<float>::infinity();
+  if (mode == "negative") picture.at(4, 3, 2) = picture.at(6, 5, 0) = -0.001F;
+  if (mode == "other-scene") picture.attributes["orbs.scene_hash"] = "0123456789abcdef";
+  if (mode == "other-job") picture.attributes["orbs.job"] = "0123456789abcdef";
   if (mode == "exit3-after-picture") return orbs::image::write_exr(picture, output), 3;
-  if (mode == "environment")
-    for (char** entry = environ; *entry != nullptr; ++entry) fmt::print("{}\n", *entry);
   orbs::image::write_exr(picture, output);
   fmt::print("fake: render_seconds 0.25\n");
   return 0;

@@ -18,18 +18,48 @@ namespace orbs::cli_tests {
 
 namespace {
 
-const std::vector<std::string> kModes{
-    "good",    "dark",      "segfault", "exit3",       "hang",
-    "nothing", "garbage",   "much",     "wrong-size",  "wrong-channels",
-    "nan",     "interrupt", "complain", "environment", "exit3-after-picture"};
+// What each mode of the fake renderer is allowed beyond the entry's own time limit.
+const std::vector<std::pair<std::string, std::string>> kModes{
+    {"good", ""},
+    {"dark", ""},
+    {"segfault", ""},
+    {"abort", ""},
+    {"exit3", ""},
+    {"exit3-after-picture", ""},
+    {"hang", R"("wall_seconds": 0.3)"},
+    {"ignore-term", R"("wall_seconds": 0.3, "grace_seconds": 0.1)"},
+    {"hang-with-child", R"("wall_seconds": 0.3, "grace_seconds": 0.1)"},
+    {"leave-child", ""},
+    {"leak", R"("memory_megabytes": 200)"},
+    {"burn", R"("cpu_seconds": 0.3)"},
+    {"fill-file", R"("output_megabytes": 4)"},
+    {"fill-files", R"("output_megabytes": 4)"},
+    {"nothing", ""},
+    {"garbage", ""},
+    {"empty", ""},
+    {"half", ""},
+    {"elsewhere", ""},
+    {"old", ""},
+    {"other-scene", ""},
+    {"other-job", ""},
+    {"much", ""},
+    {"wrong-size", ""},
+    {"wrong-channels", ""},
+    {"nan", ""},
+    {"infinite", ""},
+    {"negative", ""},
+    {"interrupt", ""},
+    {"complain", ""},
+    {"read-input", ""},
+    {"environment", ""}};
 
-std::string renderer_entry(const std::string& mode) {
+std::string renderer_entry(const std::string& mode, const std::string& limits) {
   return fmt::format(
       R"({{"name": "{0}", "executable": "{{build}}/orbs-fake-renderer", "version_command": ["{{executable}}", "--version"],
-  "declares": "G5/M8", "time_limit_seconds": {1}, "render_seconds_prefix": "fake: render_seconds ",
+  "declares": "G5/M8", "limits": {{{1}}}, "render_seconds_prefix": "fake: render_seconds ",
   "command": ["{{executable}}", "--mode", "{0}", "--output", "{{output}}", "--scene", "{{scene}}", "--width", "{{width}}", "--height", "{{height}}",
               "--grey", "{2}", "--threads", "{{threads}}", "--spp", "{{spp}}", "--seed", "{{seed}}"]}})",
-      mode, mode == "hang" ? "0.5" : "60", mode == "dark" ? "0.2" : "0.5");
+      mode, limits, mode == "dark" ? "0.2" : "0.5");
 }
 
 std::string scene_text(const std::string& material) {
@@ -49,13 +79,14 @@ std::string case_text(const std::string& requirement, const std::string& title, 
 
 std::string configuration_with(const std::string& defaults) {
   std::vector<std::string> renderers;
-  for (const auto& mode : kModes) renderers.push_back(renderer_entry(mode));
+  for (const auto& [mode, limits] : kModes) renderers.push_back(renderer_entry(mode, limits));
   renderers.emplace_back(
       R"({"name": "absent", "executable": "/nowhere/at/all", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]})");
-  return fmt::format(R"({{"format": "orbs-configuration/1", "defaults": {{"suite": "t"{}{}}},
+  return fmt::format(
+      R"({{"format": "orbs-configuration/1", "defaults": {{"suite": "t"{}{}}}, "limits": {{"wall_seconds": 60}},
 "suites": [{{"name": "t", "cases": "cases", "references": "references"}}],
 "renderers": [{}]}})",
-                     defaults.empty() ? "" : ", ", defaults, fmt::join(renderers, ",\n"));
+      defaults.empty() ? "" : ", ", defaults, fmt::join(renderers, ",\n"));
 }
 
 Sandbox::Sandbox() {
@@ -103,15 +134,44 @@ std::vector<std::string> Sandbox::runs() const {
   return names;
 }
 
-Answer Sandbox::orbs(const std::vector<std::string>& arguments) const {
-  adapters::ProcessRequest request;
-  request.argv = {ORBS_BINARY_DIR "/orbs"};
-  request.argv.insert(request.argv.end(), arguments.begin(), arguments.end());
-  request.folder = folder_;
+namespace {
+
+Answer answer_of(adapters::ProcessRequest request) {
   request.environment = adapters::child_environment({"ASAN_OPTIONS", "UBSAN_OPTIONS"});
   const auto result = adapters::run_process(request);
   if (!result.start_error.empty()) return {-1, result.start_error};
   return {result.signal == 0 ? result.exit_code : -result.signal, result.output};
+}
+
+std::vector<std::string> orbs_with(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{ORBS_BINARY_DIR "/orbs"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+}  // namespace
+
+Answer Sandbox::orbs(const std::vector<std::string>& arguments) const {
+  adapters::ProcessRequest request;
+  request.argv = orbs_with(arguments);
+  request.folder = folder_;
+  return answer_of(std::move(request));
+}
+
+Answer Sandbox::orbs_with_small_files(const std::vector<std::string>& arguments,
+                                      std::size_t most_bytes) const {
+  adapters::ProcessRequest request;
+  request.argv = {"/usr/bin/prlimit", fmt::format("--fsize={}", most_bytes)};
+  for (const auto& word : orbs_with(arguments)) request.argv.push_back(word);
+  request.folder = folder_;
+  return answer_of(std::move(request));
+}
+
+Answer Sandbox::shell(const std::string& line) const {
+  adapters::ProcessRequest request;
+  request.argv = {"/bin/sh", "-c", line};
+  request.folder = folder_;
+  return answer_of(std::move(request));
 }
 
 }  // namespace orbs::cli_tests

@@ -33,6 +33,10 @@ class Sandbox {
 
   /// Runs orbs in the folder.
   Answer orbs(const std::vector<std::string>& arguments) const;
+  /// Likewise, with no file that it or what it starts writes larger than that.
+  Answer orbs_with_small_files(const std::vector<std::string>& arguments, std::size_t most_bytes) const;
+  /// Runs a line of the shell.
+  Answer shell(const std::string& line) const;
 
  private:
   std::filesystem::path folder_;

@@ -1,6 +1,7 @@
 #include "adapters/process.h"
 #include "adapters/programs.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "structure/source_files.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 using orbs::adapters::ProcessRequest;
 using orbs::adapters::run_process;
 using orbs::structure::TestFolder;
+using orbs::warden::Cause;
 
 namespace {
 
@@ -27,8 +29,8 @@ ProcessRequest shell(const std::string& script) {
   ProcessRequest request;
   request.argv = {"/bin/sh", "-c", script};
   request.environment = {"PATH=/usr/bin:/bin"};
-  request.time_limit_seconds = 60;
-  request.grace_seconds = 0.1;
+  request.limits.wall_seconds = 60;
+  request.limits.grace_seconds = 0.1;
   return request;
 }
 
@@ -60,7 +62,7 @@ TEST(Process, OutputAndErrorsGoToTheLogInTheirOrder) {
 
 TEST(Process, OutputBeyondTheAllowanceIsLeftOutOfTheMiddle) {
   auto request = shell("printf '%0100d' 0 | tr 0 a; printf '%01000d' 0 | tr 0 b; printf '%0100d' 0 | tr 0 c");
-  request.most_log_bytes = 200;
+  request.limits.log_bytes = 200;
   EXPECT_EQ(run_process(request).output,
             fmt::format("{:a>100}\n[orbs: 1000 bytes left out]\n{:c>100}", "", ""));
 }
@@ -119,9 +121,9 @@ TEST(Process, InheritsNoOpenFile) {
 TEST(Process, AtItsTimeLimitItEndsWithAllThatItStarted) {
   auto request =
       shell("trap '' TERM; sh -c 'trap \"\" TERM; echo $$; while :; do sleep 600; done' & wait; wait");
-  request.time_limit_seconds = 0.4;
+  request.limits.wall_seconds = 0.4;
   const auto result = run_process(request);
-  EXPECT_TRUE(result.timed_out);
+  EXPECT_EQ(result.cause, Cause::WallTime);
   EXPECT_EQ(result.signal, SIGKILL);
   EXPECT_GE(result.wall_seconds, 0.4);
   EXPECT_FALSE(is_running(result.output));
@@ -134,13 +136,77 @@ TEST(Process, WhatItLeavesBehindIsEndedWithIt) {
   EXPECT_FALSE(is_running(result.output));
 }
 
+// The first has a session of its own, the second is a grandchild whose parent is gone.
+TEST(Process, WhatFledToAnotherSessionIsEndedWithIt) {
+  const auto result = run_process(
+      shell("(setsid sh -c 'echo $$; sh -c \"echo \\$\\$; exec sleep 600\" & exec sleep 600' &); sleep 0.1"));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_GE(result.left_behind, 2);
+  const auto ids = orbs::split(result.output, '\n');
+  ASSERT_EQ(ids.size(), 3U) << result.output;
+  EXPECT_FALSE(is_running(ids[0]));
+  EXPECT_FALSE(is_running(ids[1]));
+}
+
+// Bounded at 60 s of its own, should nobody stop it.
+TEST(Process, IsEndedAtItsLimitOfProcessorTimeOfAllItsChildren) {
+  auto request = shell("for i in 1 2 3; do timeout 60 sh -c 'while :; do :; done' & done; wait");
+  request.limits.cpu_seconds = 0.2;
+  const auto result = run_process(request);
+  EXPECT_EQ(result.cause, Cause::CpuTime);
+  EXPECT_GE(result.user_seconds + result.system_seconds, 0.2);
+  EXPECT_LT(result.wall_seconds, 30);
+}
+
+TEST(Process, IsEndedAtItsMemoryLimitOfAllItsChildren) {
+  // Each of the two stays below it.
+  auto request =
+      shell("for i in 1 2; do head -c 60000000 /dev/zero | tail -c 60000000 | sleep 60 & done; wait");
+  request.limits.memory_bytes = 90 << 20;
+  const auto result = run_process(request);
+  EXPECT_EQ(result.cause, Cause::Memory);
+  EXPECT_GT(result.peak_rss_bytes, 90U << 20);
+}
+
+TEST(Process, AFileBeyondTheAllowanceIsCutShort) {
+  const TestFolder scratch("process-file");
+  scratch.write("ours.txt", std::string(100000, 'x'));  // does not count
+  auto request = shell("exec head -c 3000000 /dev/zero > large");
+  request.folder = scratch.path();
+  request.limits.output_bytes = 1 << 20;
+  const auto result = run_process(request);
+  EXPECT_EQ(result.cause, Cause::Output);
+  EXPECT_EQ(result.signal, SIGXFSZ);
+  EXPECT_EQ(std::filesystem::file_size(scratch.path() / "large"), 1U << 20);
+}
+
+TEST(Process, ManyFilesBeyondTheAllowanceAreFound) {
+  const TestFolder scratch("process-many-files");
+  scratch.write("ours.txt", "");
+  auto request = shell("mkdir in; for i in 1 2 3; do head -c 500000 /dev/zero > in/$i; done");
+  request.folder = scratch.path();
+  request.limits.output_bytes = 1 << 20;
+  EXPECT_EQ(run_process(request).cause, Cause::Output);
+}
+
+// Whoever starts it holds one end of its string: when the harness is killed, nothing goes on without it.
+TEST(Process, CannotPretendAnInterruptToItsWarden) {
+  const auto result = run_process(shell("kill -INT $PPID; kill -TERM $PPID; kill -HUP $PPID; exit 5"));
+  EXPECT_EQ(result.cause, Cause::Nothing);
+  EXPECT_EQ(result.exit_code, 5);
+}
+
+TEST(Process, ThatKillsItsWardenIsKilledAndReported) {
+  const auto result = run_process(shell("kill -KILL $PPID; sleep 600"));
+  EXPECT_EQ(result.start_error, "its warden was killed by SIGKILL");
+}
+
 TEST(Process, IsEndedWhenTheRunIsInterrupted) {
   const std::atomic<bool> stop{true};
   auto request = shell("sleep 600");
   request.stop = &stop;
   const auto result = run_process(request);
-  EXPECT_TRUE(result.stopped);
-  EXPECT_FALSE(result.timed_out);
+  EXPECT_EQ(result.cause, Cause::Stopped);
 }
 
 // A loop of 300 000 additions takes far more than a millisecond on any machine; the bound above is the wall
@@ -151,8 +217,7 @@ TEST(Process, MeasuresProcessorTime) {
   EXPECT_LE(result.user_seconds + result.system_seconds, result.wall_seconds + 0.1);
 }
 
-// The shell needs a few megabytes. Our own peak, to which a child's ru_maxrss is raised at the start, is made
-// larger first.
+// The shell needs a few megabytes; ours must not be counted as its own.
 TEST(Process, MeasuresItsOwnMemoryAndNotOurs) {
   constexpr std::size_t kOurs = 200 << 20;
   const std::string ours(kOurs, 'x');

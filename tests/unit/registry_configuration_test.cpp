@@ -48,7 +48,8 @@ TEST(Configuration, ASmallEntryIsCompleteAndTheRestHasDefaults) {
   const auto& renderer = configuration.renderers[0];
   EXPECT_EQ(renderer.name, "a");
   EXPECT_EQ(renderer.declares, orbs::registry::parse_features("G1/M2"));
-  EXPECT_EQ(renderer.time_limit_seconds, 600);
+  EXPECT_EQ(renderer.limits.wall_seconds, 600);
+  EXPECT_FALSE(renderer.limits.memory_bytes);
   EXPECT_EQ(renderer.spp_scale, 1);
   EXPECT_EQ(renderer.scene_format, orbs::registry::SceneFormat::OrbsScene);
   EXPECT_EQ(configuration.defaults.suite, "orbs");
@@ -94,9 +95,20 @@ TEST(Configuration, SyntaxErrorsNameLineAndColumn) {
 }
 
 TEST(Configuration, UnknownKeysAreErrorsWithTheNearestWord) {
-  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "time_limit_secnods": 3)")),
-            "configuration.json:3:154: /renderers/0/time_limit_secnods: unknown key (did you mean "
-            "'time_limit_seconds'?)");
+  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "version_comand": ["a"])")),
+            "configuration.json:3:150: /renderers/0/version_comand: unknown key (did you mean "
+            "'version_command'?)");
+}
+
+TEST(Configuration, LimitsOfARendererStandInPlaceOfThoseOfTheFile) {
+  const auto configuration = load(
+      R"({"format": "orbs-configuration/1", "suites": [], "limits": {"wall_seconds": 5, "memory_megabytes": 2}, "renderers": [{)" +
+      kRenderer + R"(, "limits": {"wall_seconds": 7, "cpu_seconds": 3}}]})");
+  const auto& limits = configuration.renderers.at(0).limits;
+  EXPECT_EQ(limits.wall_seconds, 7);
+  EXPECT_EQ(limits.cpu_seconds, 3);
+  EXPECT_EQ(limits.memory_bytes, 2U << 20);
+  EXPECT_FALSE(limits.output_bytes);
 }
 
 TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {

@@ -1,5 +1,6 @@
 // What the page reads: packed pictures, the overview, one picture, the one-file page.
 #include "base/files.h"
+#include "base/shell.h"
 #include "image/half.h"
 #include "json/object_reader.h"
 #include "page/fixture_runs.h"
@@ -102,8 +103,7 @@ TEST(Base64, IsThatOfRfc4648) {
 }
 
 TEST(ShellText, IsReadBackByAShell) {
-  EXPECT_EQ(report::shell_text({"orbs", "run", "a b", "it's", "", "$(x)"}),
-            "orbs run 'a b' 'it'\\''s' '' '$(x)'");
+  EXPECT_EQ(shell_text({"orbs", "run", "a b", "it's", "", "$(x)"}), "orbs run 'a b' 'it'\\''s' '' '$(x)'");
 }
 
 TEST(PageData, SaysWhatThePageShowsInColumns) {

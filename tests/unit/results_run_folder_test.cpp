@@ -4,12 +4,14 @@
 #include "results/read_record.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
+#include "results/work_folder.h"
 #include "structure/source_files.h"
 
 #include <filesystem>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace orbs;
 using namespace orbs::results;
@@ -96,7 +98,8 @@ TEST(RunFolder, OfARunThatGoesOnIsFollowed) {
   EXPECT_TRUE(view.is_live);
   EXPECT_EQ(view.states, (std::vector{JobState::Done, JobState::Waiting}));
   EXPECT_FALSE(refresh(view));
-  std::filesystem::create_directories(scratch.path() / "r/b");
+  const WorkFolder work(scratch.path());
+  std::filesystem::create_directories(work.path() / "r/b");
   EXPECT_TRUE(refresh(view));
   EXPECT_EQ(view.states[1], JobState::Running);
   scratch.write("r/b/job.json", "{ torn");
@@ -108,7 +111,13 @@ TEST(RunFolder, TheLockEndsWithItsHolder) {
   scratch.write("x", "");
   {
     const RunLock lock(scratch.path());
-    EXPECT_THROW(RunLock(scratch.path()), InputError);
+    try {
+      const RunLock second(scratch.path());
+      FAIL() << "was locked twice";
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(fmt::format("process {} goes on", ::getpid())), std::string::npos)
+          << e.what();
+    }
   }
   EXPECT_FALSE(is_running(scratch.path()));
 }

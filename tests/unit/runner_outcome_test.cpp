@@ -2,7 +2,9 @@
 #include "runner/outcome.h"
 #include "structure/source_files.h"
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@ using orbs::adapters::ProcessResult;
 using orbs::results::Verdict;
 using orbs::runner::classify;
 using orbs::structure::TestFolder;
+using orbs::warden::Cause;
 
 namespace {
 
@@ -28,7 +31,12 @@ class OutcomeTest : public testing::Test {
     orbs::image::write_exr(picture, job_.image);
   }
   orbs::runner::Outcome outcome(const ProcessResult& process = {}) const {
-    return classify(process, job_, 9);
+    orbs::warden::Limits limits;
+    limits.wall_seconds = 9;
+    limits.cpu_seconds = 4;
+    limits.memory_bytes = 3 << 20;
+    limits.output_bytes = 1 << 19;
+    return classify(process, job_, limits);
   }
 
   TestFolder scratch_;
@@ -53,7 +61,7 @@ TEST_F(OutcomeTest, TheFirstFaultInTheFixedOrderIsTheAnswer) {
   process.signal = SIGSEGV;
   EXPECT_EQ(outcome(process).sentence, "was killed by SIGSEGV");
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
-  process.timed_out = true;
+  process.cause = Cause::WallTime;
   EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
   EXPECT_EQ(outcome(process).sentence, "was ended after its time limit of 9 s");
   process.start_error = "Permission denied";
@@ -72,9 +80,73 @@ TEST_F(OutcomeTest, NoPictureIsNoOutput) {
   EXPECT_EQ(outcome().sentence, "wrote no result.exr");
 }
 
-TEST_F(OutcomeTest, AnUnreadablePictureIsNoOutput) {
+TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
   scratch_.write("result.exr", "this is no picture");
+  EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
+  scratch_.write("result.exr", "");
+  EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
+  EXPECT_EQ(outcome().sentence, "result.exr is empty");
+}
+
+TEST_F(OutcomeTest, APictureFromElsewhereIsNone) {
+  write(4, 3, {"R", "G", "B"});
+  std::filesystem::rename(job_.image, scratch_.path() / "other.exr");
+  std::filesystem::create_symlink("other.exr", job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
+  EXPECT_EQ(outcome().sentence, "result.exr is no file of its own but a symbolic link");
+}
+
+TEST_F(OutcomeTest, APictureOlderThanItsRenderIsStale) {
+  write(4, 3, {"R", "G", "B"});
+  job_.ready_since = std::filesystem::last_write_time(job_.image);
+  EXPECT_EQ(outcome().verdict, Verdict::Pass);
+  job_.ready_since = *job_.ready_since + std::chrono::milliseconds(1);
+  EXPECT_EQ(outcome().verdict, Verdict::Stale);
+}
+
+TEST_F(OutcomeTest, APictureThatSaysItIsOfSomethingElseIsStale) {
+  job_.id = "a";
+  job_.scene_file_hash = "b";
+  auto picture = orbs::image::make_image(4, 3, {"R", "G", "B"});
+  orbs::image::write_exr(picture, job_.image);
+  EXPECT_EQ(outcome().verdict, Verdict::Pass);  // says nothing
+  picture.attributes = {{"orbs.job", "a"}, {"orbs.scene_hash", "b"}};
+  orbs::image::write_exr(picture, job_.image);
+  EXPECT_EQ(outcome().verdict, Verdict::Pass);
+  picture.attributes["orbs.job"] = "c";
+  orbs::image::write_exr(picture, job_.image);
+  EXPECT_EQ(outcome().verdict, Verdict::Stale);
+}
+
+TEST_F(OutcomeTest, EachLimitHasItsVerdictAndSaysItself) {
+  ProcessResult process;
+  process.signal = SIGKILL;
+  process.cause = Cause::CpuTime;
+  EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
+  EXPECT_EQ(outcome(process).sentence, "was ended after 4 s of processor time, its limit");
+  process.cause = Cause::Memory;
+  EXPECT_EQ(outcome(process).verdict, Verdict::OutOfMemory);
+  EXPECT_EQ(outcome(process).sentence, "was ended because it took more than its 3 MB of memory");
+  process.cause = Cause::Output;
+  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).sentence, "was ended because it wrote more than its 0.5 MB of files");
+  process.cause = Cause::Stopped;
+  EXPECT_EQ(outcome(process).verdict, Verdict::Skipped);
+}
+
+TEST_F(OutcomeTest, TheLastWordsAndTheCoreAreToldWithACrash) {
+  ProcessResult process;
+  process.signal = SIGABRT;
+  process.core_dumped = true;
+  process.output = "loading\nassertion failed: sun > 0\n\n";
+  EXPECT_EQ(outcome(process).sentence,
+            "was killed by SIGABRT (core dumped); its last words: assertion failed: sun > 0");
+}
+
+TEST_F(OutcomeTest, NegativeValuesAreForJobsThatMayHaveThem) {
+  write(4, 3, {"R", "G", "B"}, -1.0F);
+  job_.may_be_negative = true;
+  EXPECT_EQ(outcome().verdict, Verdict::Pass);
 }
 
 TEST_F(OutcomeTest, AnotherSizeIsAVerdictOfItsOwn) {
@@ -85,7 +157,7 @@ TEST_F(OutcomeTest, AnotherSizeIsAVerdictOfItsOwn) {
 
 TEST_F(OutcomeTest, MissingChannelsAreNamed) {
   write(4, 3, {"Y"});
-  EXPECT_EQ(outcome().verdict, Verdict::WrongSize);
+  EXPECT_EQ(outcome().verdict, Verdict::WrongChannels);
   EXPECT_EQ(outcome().sentence, "result.exr has the channels Y, expected R, G, B");
 }
 
@@ -93,7 +165,8 @@ TEST_F(OutcomeTest, BadNumbersAreCountedWithThePlaceOfTheFirst) {
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
   EXPECT_EQ(outcome().sentence,
-            "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan");
+            "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan; all lie "
+            "in [3,2,4,3]");
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::infinity());
   EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
   write(4, 3, {"R", "G", "B"}, -1.0F);

@@ -1,0 +1,151 @@
+// Nothing is lost: what is there is kept, what is missing or outdated is done.
+#include "base/files.h"
+#include "cli/sandbox.h"
+#include "results/read_record.h"
+#include "results/run_folder.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Answer;
+using cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Answer first_run(const Sandbox& sandbox, const std::string& renderers = "good") {
+  return sandbox.orbs({"run", "-r", renderers, "-o", "out"});
+}
+
+Answer resume(const Sandbox& sandbox) { return sandbox.orbs({"run", "--resume", "out"}); }
+
+// Changes with every render: the time that the file was written.
+std::filesystem::file_time_type rendered_at(const Sandbox& sandbox, const std::string& job) {
+  return std::filesystem::last_write_time(sandbox.folder() / "out" / job / "result.exr");
+}
+
+void replace_in(const Sandbox& sandbox,
+                const std::string& file,
+                const std::string& old,
+                const std::string& with) {
+  auto text = sandbox.read(file);
+  ASSERT_NE(text.find(old), std::string::npos) << file;
+  sandbox.write(file, text.replace(text.find(old), old.size(), with));
+}
+
+}  // namespace
+
+TEST(Resume, OfACompleteRunOnlyRebuildsItsResults) {
+  const Sandbox sandbox;
+  EXPECT_EQ(first_run(sandbox).status, 0);
+  const auto before = rendered_at(sandbox, "good/grey");
+  const auto job = sandbox.read("out/good/grey/job.json");
+  for (const char* file : {"results.json", "results.csv", "junit.xml"})
+    std::filesystem::remove(sandbox.folder() / "out" / file);
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "[1/")) << answer.text;
+  EXPECT_EQ(rendered_at(sandbox, "good/grey"), before);
+  EXPECT_EQ(sandbox.read("out/good/grey/job.json"), job);
+  EXPECT_TRUE(results::read_results_file(sandbox.folder() / "out/results.json").finished);
+  EXPECT_TRUE(sandbox.has("out/results.csv") && sandbox.has("out/junit.xml"));
+}
+
+TEST(Resume, DoesWhatIsMissingAndWhatIsTornAndNothingElse) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  const auto kept = rendered_at(sandbox, "good/grey");
+  std::filesystem::remove_all(sandbox.folder() / "out/good/mirror");
+  sandbox.write("out/good/v1.5/job.json", "{ torn");
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_EQ(rendered_at(sandbox, "good/grey"), kept);
+  EXPECT_TRUE(sandbox.has("out/good/mirror/job.json"));
+  EXPECT_NO_THROW(results::read_job_file(sandbox.folder() / "out/good/v1.5/job.json"));
+}
+
+TEST(Resume, RendersAgainWhatHasAnotherSceneVersionOrCommand) {
+  const Sandbox sandbox;
+  first_run(sandbox, "good,dark");
+  const auto kept = rendered_at(sandbox, "dark/mirror");
+  replace_in(sandbox, "cases/m1_grey/grey.json", "[0,4,1]", "[0,5,1]");
+  replace_in(sandbox, "configuration.json", R"("--mode", "good")", R"("--mode", "complain")");
+  const auto answer = resume(sandbox);
+  EXPECT_TRUE(contains(answer.text, "dark grey: its scene has changed")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "good mirror: its program, command, environment, limits or threads"))
+      << answer.text;
+  EXPECT_FALSE(contains(answer.text, "dark mirror:")) << answer.text;
+  EXPECT_EQ(rendered_at(sandbox, "dark/mirror"), kept);
+  EXPECT_TRUE(contains(sandbox.read("out/good/mirror/log.txt"), "something is odd"));
+}
+
+TEST(Resume, JudgesAgainWithoutRenderingWhenTheReferenceHasChanged) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  const auto log = sandbox.read("out/good/grey/log.txt");
+  const auto job = results::read_job_file(sandbox.folder() / "out/good/grey/job.json").job;
+  std::filesystem::remove(sandbox.folder() / "references/grey.exr");
+  EXPECT_EQ(resume(sandbox).status, 1);
+  const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
+  EXPECT_EQ(now.pictures.at(0).verdict, results::Verdict::MissingReference);
+  EXPECT_EQ(now.job.wall_seconds, job.wall_seconds);
+  EXPECT_EQ(sandbox.read("out/good/grey/log.txt"), log);
+}
+
+TEST(Resume, FinishesWhatAnInterruptLeft) {
+  const Sandbox sandbox;
+  EXPECT_EQ(first_run(sandbox, "good,interrupt").status, 130);
+  replace_in(sandbox, "configuration.json", R"("--mode", "interrupt")", R"("--mode", "good")");
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  const auto run = results::read_results_file(sandbox.folder() / "out/results.json");
+  EXPECT_FALSE(run.interrupted);
+  EXPECT_EQ(run.jobs.size(), 6U);
+}
+
+TEST(Resume, TakesTheSettingsOfTheRunAndRefusesOtherChoices) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "good", "-s", "grey", "--seed", "5", "-o", "out"});
+  std::filesystem::remove_all(sandbox.folder() / "out/good");
+  EXPECT_EQ(resume(sandbox).status, 0);
+  EXPECT_EQ(results::read_job_file(sandbox.folder() / "out/good/grey/job.json").job.seed, 5);
+  EXPECT_FALSE(sandbox.has("out/good/mirror"));
+  EXPECT_EQ(sandbox.orbs({"run", "--resume", "out", "-s", "mirror"}).status, 2);
+}
+
+TEST(Resume, OfWhatIsNoRunIsRefused) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "--resume", "cases"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "holds no run.json")) << answer.text;
+}
+
+TEST(Resume, OfARunThatGoesOnIsRefusedWithItsProcess) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  const results::RunLock lock(sandbox.folder() / "out");
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "a run of process " + std::to_string(::getpid()) + " goes on"))
+      << answer.text;
+}
+
+// A log beyond what fits stands for the full disk: the renderer itself has no trouble. The first results.json
+// of this run has less than the 100 kB.
+TEST(Resume, AFullDiskIsToldLeavesNothingHalfAndNothingIsLost) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs_with_small_files({"run", "-r", "good,much", "-s", "grey", "-o", "out"}, 100000);
+  EXPECT_EQ(answer.status, 2) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "log.txt: cannot be written: File too large")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs run --resume")) << answer.text;
+  EXPECT_TRUE(sandbox.has("out/good/grey/job.json"));
+  EXPECT_FALSE(sandbox.has("out/much/grey")) << "half a result";
+  EXPECT_FALSE(sandbox.has("out/.unfinished"));
+  EXPECT_FALSE(results::read_results_file(sandbox.folder() / "out/results.json").finished);
+  EXPECT_EQ(resume(sandbox).status, 0);
+  EXPECT_TRUE(sandbox.has("out/much/grey/job.json"));
+}
