@@ -52,14 +52,15 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
 
 namespace {
 
-// To the disk itself. EINVAL: a file system without that.
-void flush_to_disk(const std::filesystem::path& path, int flags) {
-  const int descriptor = ::open(path.c_str(), flags | O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  const bool flushed = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+// All that was written to the disk of that folder. One call instead of one fsync for each of a dozen files:
+// each would wait for a commit of its own, ten times as long in all.
+void flush_disk_of(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool flushed = descriptor >= 0 && ::syncfs(descriptor) == 0;
   const int error = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (!flushed)
-    throw WriteError(fmt::format("{}: cannot be written to disk: {}", path.string(), std::strerror(error)));
+    throw WriteError(fmt::format("{}: cannot be written to disk: {}", folder.string(), std::strerror(error)));
 }
 
 }  // namespace
@@ -67,16 +68,13 @@ void flush_to_disk(const std::filesystem::path& path, int flags) {
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& target) {
   namespace fs = std::filesystem;
   try {
-    for (const auto& entry : fs::directory_iterator(finished))
-      if (entry.symlink_status().type() == fs::file_type::regular) flush_to_disk(entry.path(), 0);
-    flush_to_disk(finished, O_DIRECTORY);
+    flush_disk_of(finished);  // before the name says that it is whole
     fs::create_directories(target.parent_path());
     auto old = finished;
     old += ".old";
     // No two folders can change places everywhere; in between there is none, which means "not done yet".
     if (fs::exists(fs::symlink_status(target))) fs::rename(target, old);
     fs::rename(finished, target);
-    flush_to_disk(target.parent_path(), O_DIRECTORY);
     fs::remove_all(old);
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be put into place: {}", target.string(), e.code().message()));

@@ -163,7 +163,9 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   const auto is_name = [&](const auto& difference) { return difference.name == record.picture; };
   const bool is_difference = std::any_of(one_case.differences.begin(), one_case.differences.end(), is_name);
   const auto mask = mask_of(one_case, record.picture);
-  const auto negatives = is_difference ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
+  const bool may_be_negative = is_difference || !one_case.negative_values.empty();
+  const auto negatives =
+      may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
   auto comparison = metrics::compare(result, *reference.picture, mask, {negatives, threads});
   if (comparison.alignment.alignment != metrics::Alignment::Comparable) {
     // The result was looked at before, so this is about the reference.

@@ -37,12 +37,13 @@ Outcome limit_outcome(Cause cause, const warden::Limits& limits) {
     case Cause::Nothing:
       break;
     case Cause::WallTime:
-      return {Verdict::Timeout, fmt::format("was ended after its time limit of {} s", limits.wall_seconds),
-              {}};
+      return {
+          Verdict::Timeout, fmt::format("was ended after its time limit of {} s", limits.wall_seconds), {}};
     case Cause::CpuTime:
-      return {Verdict::Timeout,
-              fmt::format("was ended after {} s of processor time, its limit", limits.cpu_seconds.value_or(0)),
-              {}};
+      return {
+          Verdict::Timeout,
+          fmt::format("was ended after {} s of processor time, its limit", limits.cpu_seconds.value_or(0)),
+          {}};
     case Cause::Memory:
       return {Verdict::OutOfMemory,
               fmt::format("was ended because it took more than its {} of memory",
@@ -103,8 +104,8 @@ Outcome passport_outcome(const adapters::Job& job, const image::Image& picture, 
     return !expected.empty() && said != picture.attributes.end() && said->second != expected;
   };
   if (differs("orbs.scene_hash", job.scene_file_hash))
-    return {Verdict::Stale, fmt::format("{} is a picture of another scene, says its orbs.scene_hash", name),
-            {}};
+    return {
+        Verdict::Stale, fmt::format("{} is a picture of another scene, says its orbs.scene_hash", name), {}};
   if (differs("orbs.job", job.id))
     return {Verdict::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
   return {};
@@ -126,11 +127,11 @@ Outcome pixels_outcome(const adapters::Job& job, const image::Image& picture, co
       job.may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
   const auto faults = metrics::check_alignment(picture, picture, negatives).result;
   if (!faults.first.empty())
-    return {Verdict::InvalidPixels,
-            fmt::format("{} pixels are NaN, {} infinite, {} negative; the first is {}; all lie in [{}]",
-                        faults.nan, faults.infinite, faults.negative, faults.first,
-                        fmt::join(faults.box, ",")),
-            {}};
+    return {
+        Verdict::InvalidPixels,
+        fmt::format("{} pixels are NaN, {} infinite, {} negative; the first is {}; all lie in [{}]",
+                    faults.nan, faults.infinite, faults.negative, faults.first, fmt::join(faults.box, ",")),
+        {}};
   return {};
 }
 

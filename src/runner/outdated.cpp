@@ -22,9 +22,9 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
                   fmt::join(entry.environment, "\n"), registry::scene_format_name(entry.scene_format),
                   plan.threads, entry.render_seconds_prefix);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
-  text += fmt::format("{} {} {} {} {} {} {}", job.may_be_negative, limits.wall_seconds, limits.cpu_seconds.value_or(0),
-                      limits.memory_bytes.value_or(0), limits.output_bytes.value_or(0), limits.log_bytes,
-                      limits.grace_seconds);
+  text += fmt::format("{} {} {} {} {} {} {}", job.may_be_negative, limits.wall_seconds,
+                      limits.cpu_seconds.value_or(0), limits.memory_bytes.value_or(0),
+                      limits.output_bytes.value_or(0), limits.log_bytes, limits.grace_seconds);
   return hash_text(content_hash(text));
 }
 

@@ -6,6 +6,7 @@
 #include "runner/execute.h"
 #include "runner/summary.h"
 #include "scene/load_scene.h"
+#include "studies/bench_overhead.h"
 #include "studies/bench_render.h"
 #include "studies/spread.h"
 
@@ -127,6 +128,10 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   for (int round = 0; round < settings.rounds; ++round)
     if (!render_round(round, subjects, context, record, pictures)) return std::nullopt;
   measure_noise(pictures, record);
+  constexpr int kOverheadRounds = 20;
+  record.overhead = measure_overhead(scene, pictures.large.front().front(), kOverheadRounds,
+                                     scratch.path() / "overhead", context.stop);
+  if (!record.overhead) return std::nullopt;
   record.metrics_cpu_ms =
       metrics_cpu_ms(pictures.large.front().front(), mean_of(pictures.large.front()), settings.threads);
   return record;

@@ -3,6 +3,7 @@
 #include "registry/configuration.h"
 #include "results/record.h"
 #include "studies/seed_noise.h"
+#include "studies/spread.h"
 
 #include <atomic>
 #include <filesystem>
@@ -13,6 +14,14 @@
 
 /// Questions that need many runs of a renderer: what speed and accuracy cost.
 namespace orbs::studies {
+
+/// What the harness adds to each render. The "renderer" copies a finished picture, so that little but the
+/// harness's own work is left. The programs of orbs are loaded once a run, not once a render, and are not in
+/// it; neither is the judging of the picture.
+struct Overhead {
+  Spread harness_ms;  // scene written, command run by its warden, picture read and checked, folder in place
+  Spread bare_ms;     // posix_spawn of the same command, and waiting for it
+};
 
 struct BenchSettings {
   int rounds = 5;
@@ -34,6 +43,7 @@ struct BenchRender {
   int spp = 0;
   double cpu_seconds = 0;  // user and system
   double wall_seconds = 0;
+  double warden_cpu_seconds = 0;          // what watching it cost beside that
   std::optional<double> traversal_share;  // of its threads' time; only the built-in tracer says it
 };
 
@@ -61,6 +71,7 @@ struct BenchRecord {
   int trace_depth = 0;
   std::vector<BenchRenderer> renderers;
   std::vector<results::LeftOut> left_out;
+  std::optional<Overhead> overhead;
   double metrics_cpu_ms = 0;  // one metrics::compare of two of the pictures, all maps included
 };
 

@@ -31,6 +31,11 @@ void put(json::Writer& out, const char* name, const std::optional<SeedNoise>& no
       .end_object();
 }
 
+void put(json::Writer& out, const char* name, const std::optional<double>& number) {
+  out.key(name);
+  number ? out.value(*number) : out.null();
+}
+
 void put(json::Writer& out, const char* name, const BenchRender& render) {
   out.key(name).begin_object();
   out.member("spp", render.spp)
@@ -60,6 +65,15 @@ void put_renderer(json::Writer& out, const BenchRecord& record, const BenchRende
   out.end_array().end_object();
 }
 
+void put_overhead(json::Writer& out, const BenchRecord& record) {
+  out.key("overhead").begin_object();
+  put(out, "harness_ms", record.overhead ? std::optional(record.overhead->harness_ms) : std::nullopt);
+  put(out, "bare_ms", record.overhead ? std::optional(record.overhead->bare_ms) : std::nullopt);
+  put(out, "added_ms", overhead_ms(record));
+  put(out, "watching_share", watching_share(record));
+  out.end_object();
+}
+
 void put_definitions(json::Writer& out) {
   out.key("definitions")
       .begin_object()
@@ -78,6 +92,14 @@ void put_definitions(json::Writer& out) {
               "noise of the large render, its power scaled as 1 / n to the samples that fit into "
               "equal_cpu_seconds")
       .member("equal_cpu_seconds", "what the first renderer's samples of a large render cost, median")
+      .member(
+          "overhead.harness_ms",
+          "a program that copies a picture of this size, as one render: scene written, run by its warden, "
+          "picture read and checked, folder flushed to disk and put into place")
+      .member("overhead.bare_ms", "the same program by posix_spawn")
+      .member("overhead.added_ms", "difference of the two medians: what each render costs besides itself")
+      .member("overhead.watching_share",
+              "CPU time of the warden over the wall clock of a large render, the most of all")
       .member("metrics_cpu_ms", "CPU time of one comparison by all metrics with their maps, median of 5")
       .end_object();
 }
@@ -112,6 +134,7 @@ std::string bench_json(const BenchRecord& record) {
     out.null();
   }
   out.member("metrics_cpu_ms", record.metrics_cpu_ms);
+  put_overhead(out, record);
   put_definitions(out);
   return out.end_object().text();
 }

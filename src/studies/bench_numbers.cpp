@@ -1,5 +1,6 @@
 #include "studies/bench_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orbs::studies {
@@ -90,6 +91,20 @@ std::optional<SeedNoise> noise_at(const BenchRenderer& renderer, double cpu_seco
 std::optional<double> equal_cpu_seconds(const BenchRecord& record) {
   if (record.renderers.empty()) return std::nullopt;
   return median_cpu_seconds(record.renderers.front());
+}
+
+std::optional<double> overhead_ms(const BenchRecord& record) {
+  if (!record.overhead) return std::nullopt;
+  return record.overhead->harness_ms.median - record.overhead->bare_ms.median;
+}
+
+std::optional<double> watching_share(const BenchRecord& record) {
+  std::optional<double> most;
+  for (const auto& renderer : record.renderers)
+    for (const auto& round : renderer.rounds)
+      if (round.large.wall_seconds > 0)
+        most = std::max(most.value_or(0), round.large.warden_cpu_seconds / round.large.wall_seconds);
+  return most;
 }
 
 }  // namespace orbs::studies

@@ -36,4 +36,11 @@ std::optional<SeedNoise> noise_at(const BenchRenderer& renderer, double cpu_seco
 /// The CPU time at which the renderers are compared: that of the first one's large render.
 std::optional<double> equal_cpu_seconds(const BenchRecord& record);
 
+/// Median of what the harness adds to a render, in milliseconds; nothing before it is measured.
+std::optional<double> overhead_ms(const BenchRecord& record);
+
+/// The most that watching took of one core during a large render of any renderer, as a share of the render's
+/// wall time.
+std::optional<double> watching_share(const BenchRecord& record);
+
 }  // namespace orbs::studies

@@ -74,6 +74,7 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
         fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));
   BenchPicture made;
   made.render = {settings.spp, process.user_seconds + process.system_seconds, process.wall_seconds,
+                 process.warden_cpu_seconds,
                  subject.is_built_in ? traversal_share(process.output, settings.threads) : std::nullopt};
   made.picture = std::move(*outcome.picture);
   return made;

@@ -78,6 +78,17 @@ std::string ratio_lines(const BenchRecord& record) {
   return text;
 }
 
+std::string overhead_lines(const BenchRecord& record) {
+  const auto added_ms = overhead_ms(record);
+  const auto watching = watching_share(record);
+  if (!added_ms || !watching) return "";
+  const auto number = [](const std::string& label, const std::string& value) {
+    return fmt::format("{:<{}}{:>{}}\n", label, kLabel + 4, value, kColumn - 4);
+  };
+  return number("the harness adds to each render: ms", fmt::format("{:.1f}", *added_ms)) +
+         number("    of one core while it renders, at most: %", fmt::format("{:.2f}", 100 * *watching));
+}
+
 }  // namespace
 
 std::string bench_table(const BenchRecord& record) {
@@ -90,6 +101,7 @@ std::string bench_table(const BenchRecord& record) {
   text += fmt::format("{:<{}}{:>{}.1f}\n",
                       fmt::format("all metrics with maps, {0} x {0} px: CPU ms", settings.size_px),
                       kLabel + 4, record.metrics_cpu_ms, kColumn - 4);
+  text += overhead_lines(record);
   for (const auto& left : record.left_out)
     text += fmt::format("\n{} is not in the table: {}\n", left.renderer, left.reason);
   return text;

@@ -18,6 +18,11 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
   json::ObjectReader bench(document);
   EXPECT_GT(bench.number("metrics_cpu_ms"), 0);
   EXPECT_GT(bench.number("equal_cpu_seconds"), 0);
+  auto overhead = bench.object("overhead");
+  EXPECT_GT(overhead.object("bare_ms").number("least"), 0);
+  EXPECT_GT(overhead.object("harness_ms").number("least"), 0);
+  EXPECT_GT(overhead.number("added_ms"), 0);
+  EXPECT_GT(overhead.number("watching_share"), 0);
   auto renderers = bench.objects("renderers");
   ASSERT_EQ(renderers.size(), 1U);
   EXPECT_EQ(renderers[0].text("name"), "orbs");
@@ -35,7 +40,8 @@ TEST(Bench, ARendererThatGivesNoPictureIsNamedWithItsLastWords) {
   sandbox.write("data/bench/cornell-box.json", sandbox.read("cases/m1_grey/grey.json"));
   const auto answer = sandbox.orbs({"bench", "--only", "exit3", "--size", "16", "--spp", "2"});
   EXPECT_EQ(answer.status, 2);
-  EXPECT_NE(answer.text.find("renderer 'exit3' ended with exit code 3; it said:"), std::string::npos)
+  EXPECT_NE(answer.text.find("renderer 'exit3' ended with exit code 3; its last words: fake: cannot find"),
+            std::string::npos)
       << answer.text;
   EXPECT_FALSE(sandbox.has("bench.json"));
 }

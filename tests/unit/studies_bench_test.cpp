@@ -15,7 +15,7 @@ namespace {
 // A process that needs `start` seconds and then `per_spp` for each sample.
 BenchRound timed_round(double start, double per_spp) {
   const auto render = [&](int spp) {
-    return BenchRender{spp, start + per_spp * spp, (start + per_spp * spp) / 2, 0.5};
+    return BenchRender{spp, start + per_spp * spp, (start + per_spp * spp) / 2, 0.001, 0.5};
   };
   return {render(8), render(64)};
 }
@@ -112,4 +112,13 @@ TEST(SeedNoise, TheMeanIsTheMeanOfAllPictures) {
   auto bright = dark;
   std::fill(bright.pixels.begin(), bright.pixels.end(), 3.0F);
   EXPECT_EQ(mean_of({dark, bright, bright}).at(1, 1, 2), 2.0F);
+}
+
+TEST(BenchNumbers, TheHarnessAddsTheDifferenceOfTheMedians) {
+  auto record = two_renderers();
+  EXPECT_FALSE(orbs::studies::overhead_ms(record));
+  record.overhead = {{12, 11, 20}, {2, 1, 9}};
+  EXPECT_EQ(orbs::studies::overhead_ms(record), 10);
+  // The large render of the quicker one: 0.001 s of watching in (0.1 + 64 * 0.01) / 2 s.
+  EXPECT_NEAR(orbs::studies::watching_share(record).value(), 0.001 / 0.37, 1e-12);
 }
