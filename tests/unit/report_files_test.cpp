@@ -41,8 +41,8 @@ TEST(Csv, HasOneRowPerPictureAndRenderer) {
   EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
             "suite,requirement,case,picture,renderer,declared,verdict,sentence,psnr_srgb8,l1,wall_seconds,"
             "cpu_seconds,"
-            "render_seconds,peak_rss_bytes,image\r\n"
-            "s,M1,m1,101,r,true,pass,fine,41.25,0.5,1.500,2.500,,1024,\r\n");
+            "render_seconds,peak_rss_bytes,image,command\r\n"
+            "s,M1,m1,101,r,true,pass,fine,41.25,0.5,1.500,2.500,,1024,,\r\n");
 }
 
 TEST(Csv, QuotesWhatWouldBreakARow) {
