@@ -1,0 +1,87 @@
+// The references that come with the project: all there, of these scenes, good enough, not too large.
+#include "base/files.h"
+#include "base/text.h"
+#include "image/image_io.h"
+#include "registry/cases.h"
+#include "runner/judge.h"
+#include "runner/reference.h"
+#include "runner/scene_hash.h"
+#include "scene/load_scene.h"
+#include "structure/source_files.h"
+
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+std::vector<registry::Suite> suites() {
+  return registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites;
+}
+
+// References that have not reached the margin, and what they have instead: a rule of this list, not an excuse
+// for others. 248-full shows caustics through glass and mirrors, which no estimator here finds but by chance;
+// its noise falls by 2 dB when the samples double, so 45 dB would take a day. Verdicts know the reference's
+// noise and say "inconclusive" where it could explain a failure.
+const std::map<std::string, double> kNoisier_db = {{"248-full", 40.1}, {"102", 44.9}, {"a4-water", 44.9}};
+
+// What is wrong with the reference of a scene, "" when nothing is.
+std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return "is missing";
+  const auto picture = image::read_image(file);
+  const auto read = scene::load_scene(scene.file);
+  if (picture.width != read.camera.width_px || picture.height != read.camera.height_px)
+    return "has another size than the camera";
+  auto passport = runner::passport_of(picture);
+  if (passport["scene_hash"] != hash_text(runner::scene_content_hash(read, scene.file)))
+    return "is of another version of its scene";
+  if (to_number(passport["noise_psnr_srgb8_db"]).value_or(0) < needed_db)
+    return fmt::format("has a noise of {} dB, {} are needed", passport["noise_psnr_srgb8_db"], needed_db);
+  return "";
+}
+
+}  // namespace
+
+TEST(References, AreThereForEveryScene) {
+  std::set<std::string> complaints;  // a set: several cases may share a scene
+  for (const auto& suite : suites())
+    for (const auto& one_case : registry::load_cases(suite))
+      for (const auto& scene : one_case.scenes) {
+        if (!scene.reference.empty()) continue;
+        const double gate_db = one_case.gate.metric == "psnr_srgb8" ? one_case.gate.min.value_or(0) : 0;
+        const auto known = kNoisier_db.find(scene.name);
+        const double needed_db =
+            known != kNoisier_db.end() ? known->second : gate_db + runner::kReferenceMargin_db;
+        const auto fault = fault_of(scene, needed_db, suite.references / (scene.name + ".exr"));
+        if (!fault.empty())
+          complaints.insert(fmt::format("the reference of {} in {} {}", scene.name, suite.name, fault));
+      }
+  EXPECT_TRUE(complaints.empty()) << structure::joined({complaints.begin(), complaints.end()});
+}
+
+TEST(References, BelongToAScene) {
+  std::vector<std::string> complaints;
+  for (const auto& suite : suites()) {
+    std::set<std::string> names;
+    for (const auto& one_case : registry::load_cases(suite))
+      for (const auto& scene : one_case.scenes) names.insert(registry::reference_name(scene));
+    for (const auto& file : structure::files_below(suite.references, {".exr"}))
+      if (!names.contains(file.stem().string())) complaints.push_back(file.string() + " is of no scene");
+  }
+  EXPECT_TRUE(complaints.empty()) << structure::joined(complaints);
+}
+
+// They are downloaded with every checkout.
+TEST(References, OfTheOrbsSuiteTakeLessThanFortyMegabytes) {
+  constexpr std::uintmax_t kMost_bytes = 40'000'000;
+  std::uintmax_t bytes = 0;
+  for (const auto& suite : suites()) {
+    if (suite.name != "orbs") continue;
+    for (const auto& file : structure::files_below(suite.references, {".exr"}))
+      bytes += std::filesystem::file_size(file);
+  }
+  EXPECT_LT(bytes, kMost_bytes);
+}
