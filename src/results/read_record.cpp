@@ -58,6 +58,7 @@ JobRecord read_job(ObjectReader& in) {
   job.folder = in.text_or("folder", "");
   job.scene_hash = in.text_or("scene_hash", "");
   job.settings_hash = in.text_or("settings_hash", "");
+  job.limits_hash = in.text_or("limits_hash", "");
   job.judged_hash = in.text_or("judged_hash", "");
   job.spp = in.integer_or("spp", 0, 0, kAnyInteger);
   job.seed = in.integer_or("seed", 0, -kAnyInteger, kAnyInteger);

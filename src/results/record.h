@@ -49,7 +49,8 @@ struct JobRecord {
   std::vector<std::string> argv;
   std::string command;        // for a shell: the same render again, in the same place
   std::string scene_hash;     // of the scene that was rendered
-  std::string settings_hash;  // of what else makes the picture: command, environment, limits, threads
+  std::string settings_hash;  // of what else makes the picture: command, environment, threads
+  std::string limits_hash;    // of what may end it without a picture: time, memory, files
   std::string judged_hash;    // of what its pictures were judged by: cases, references, this program
   std::string folder;
   int spp = 0;
@@ -61,7 +62,7 @@ struct JobRecord {
   std::optional<double> render_seconds;  // as the renderer says itself
   std::size_t peak_rss_bytes = 0;
   int exit_code = 0;
-  std::string signal;                  // "SIGSEGV", "" for none
+  std::string signal;  // "SIGSEGV", "" for none
   bool core_dumped = false;
   bool rendered = false;               // there is a usable picture
   Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable picture", nothing about it being right

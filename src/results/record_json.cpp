@@ -26,6 +26,7 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("renderer", job.renderer).member("renderer_version", job.renderer_version);
   out.member("argv", job.argv).member("command", job.command).member("folder", job.folder);
   out.member("scene_hash", job.scene_hash).member("settings_hash", job.settings_hash);
+  out.member("limits_hash", job.limits_hash);
   out.member("judged_hash", job.judged_hash);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
   out.member("started", job.started);

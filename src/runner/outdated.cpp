@@ -16,16 +16,20 @@ std::string scene_hash(const Plan& plan, const PlannedJob& job) {
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
   const auto& chosen = plan.renderers[job.renderer];
   const auto& entry = chosen.entry;
-  const auto& limits = entry.limits;
   std::string text =
       fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(entry.command, "\n"),
                   fmt::join(entry.environment, "\n"), registry::scene_format_name(entry.scene_format),
                   plan.threads, entry.render_seconds_prefix);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
-  text += fmt::format("{} {} {} {} {} {} {}", job.may_be_negative, limits.wall_seconds,
-                      limits.cpu_seconds.value_or(0), limits.memory_bytes.value_or(0),
-                      limits.output_bytes.value_or(0), limits.log_bytes, limits.grace_seconds);
+  text += fmt::format("{}", job.may_be_negative);
   return hash_text(content_hash(text));
+}
+
+std::string limits_hash(const Plan& plan, const PlannedJob& job) {
+  const auto& limits = plan.renderers[job.renderer].entry.limits;
+  return hash_text(content_hash(fmt::format("{} {} {} {} {}", limits.wall_seconds,
+                                            limits.cpu_seconds.value_or(0), limits.memory_bytes.value_or(0),
+                                            limits.output_bytes.value_or(0), limits.grace_seconds)));
 }
 
 std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version) {
@@ -51,6 +55,7 @@ void note_hashes(const Plan& plan,
                  results::JobRecord& record) {
   record.scene_hash = scene_hash(plan, plan.jobs[index]);
   record.settings_hash = settings_hash(plan, plan.jobs[index]);
+  record.limits_hash = limits_hash(plan, plan.jobs[index]);
   record.judged_hash = judged_hash(plan, index, orbs_version);
 }
 
@@ -61,7 +66,9 @@ std::optional<std::string> why_outdated(const results::JobRecord& found, const r
     return fmt::format("it was rendered by '{}', now there is '{}'", found.renderer_version,
                        now.renderer_version);
   if (found.settings_hash != now.settings_hash)
-    return "its program, command, environment, limits or threads have changed";
+    return "its program, command, environment or threads have changed";
+  // A picture that was finished within the old limits is the same under new ones.
+  if (!found.rendered && found.limits_hash != now.limits_hash) return "its limits have changed";
   return std::nullopt;
 }
 

@@ -140,6 +140,7 @@ class Renders {
       refuse_full_disk(folders_.run);
     execution.record.scene_hash = now.scene_hash;
     execution.record.settings_hash = now.settings_hash;
+    execution.record.limits_hash = now.limits_hash;
     execution.record.judged_hash = now.judged_hash;
     fs::create_directories(folders_.unfinished / folder);
     work_.pictures[index] = judge_scene(plan_, index, execution, folders_);

@@ -75,11 +75,23 @@ TEST(Resume, RendersAgainWhatHasAnotherSceneVersionOrCommand) {
   replace_in(sandbox, "configuration.json", R"("--mode", "good")", R"("--mode", "complain")");
   const auto answer = resume(sandbox);
   EXPECT_TRUE(contains(answer.text, "dark grey: its scene has changed")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "good mirror: its program, command, environment, limits or threads"))
+  EXPECT_TRUE(contains(answer.text, "good mirror: its program, command, environment or threads"))
       << answer.text;
   EXPECT_FALSE(contains(answer.text, "dark mirror:")) << answer.text;
   EXPECT_EQ(rendered_at(sandbox, "dark/mirror"), kept);
   EXPECT_TRUE(contains(sandbox.read("out/good/mirror/log.txt"), "something is odd"));
+}
+
+TEST(Resume, RendersAgainUnderNewLimitsOnlyWhatHasNoPicture) {
+  const Sandbox sandbox;
+  first_run(sandbox, "good,fill-file");
+  const auto kept = rendered_at(sandbox, "good/grey");
+  replace_in(sandbox, "configuration.json", R"("limits": {})", R"("limits": {"wall_seconds": 500})");
+  replace_in(sandbox, "configuration.json", R"("output_megabytes": 4)", R"("output_megabytes": 5)");
+  const auto answer = resume(sandbox);
+  EXPECT_TRUE(contains(answer.text, "fill-file grey: its limits have changed")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "good grey:")) << answer.text;
+  EXPECT_EQ(rendered_at(sandbox, "good/grey"), kept);
 }
 
 TEST(Resume, JudgesAgainWithoutRenderingWhenTheReferenceHasChanged) {
