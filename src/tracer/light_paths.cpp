@@ -71,6 +71,15 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
   return result;
 }
 
+PinholeCamera mirrored(const MirrorPlane& plane, const PinholeCamera& camera) {
+  PinholeCamera image = camera;
+  image.position = mirrored(plane, camera.position);
+  image.forward = mirrored_direction(plane, camera.forward);
+  image.right = mirrored_direction(plane, camera.right);
+  image.up = mirrored_direction(plane, camera.up);
+  return image;
+}
+
 EyeView view_of(const PinholeCamera& camera, Vec3f point) {
   const Vec3f d = point - camera.position;
   const float depth = dot(d, camera.forward);

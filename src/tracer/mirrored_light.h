@@ -61,20 +61,40 @@ void ask_for_mirrored_light(Wave<T>& wave,
   }
 }
 
+/// What a ray meets in a mirror.
+template <Transport T>
+struct AtMirror {
+  SurfacePoint point;
+  typename T::Weight weight = T::one();
+};
+
+/// Nothing when the hit is not in that mirror's plane.
+template <Transport T>
+std::optional<AtMirror<T>> reflection_at(const World& world,
+                                         const Hit& hit,
+                                         int plane,
+                                         const typename T::Lambda& lambda) {
+  if (hit.part == kNothing || mirror_plane_of(world, hit.part, hit.primitive) != plane) return std::nullopt;
+  AtMirror<T> out;
+  out.point = surface_point(world, hit);
+  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(out.point.material)];
+  const auto bsdf = bsdf_at<T>(world, material, hit, true, lambda);
+  out.weight = T::depolarising(std::get<MirrorBsdf<typename T::Value>>(bsdf).reflectance);
+  return out;
+}
+
 /// The queries whose ray meets the mirror go on from there as shadow rays.
 template <Transport T>
 void reflect_mirror_queries(Wave<T>& wave, const World& world) {
   wave.mirror_hits.resize(wave.mirror_rays.size());
   timed_traversal(wave, [&] { world.accel->intersect(wave.mirror_rays, wave.mirror_hits); });
   for (std::size_t i = 0; i < wave.mirror_queries.size(); ++i) {
-    const Hit& hit = wave.mirror_hits[i];
     const MirrorQuery<T>& query = wave.mirror_queries[i];
-    if (hit.part == kNothing || mirror_plane_of(world, hit.part, hit.primitive) != query.plane) continue;
-    const SurfacePoint point = surface_point(world, hit);
-    const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
-    const auto bsdf = bsdf_at<T>(world, material, hit, true, wave.paths[query.path].lambda);
-    const auto through =
-        T::chain(query.weight, T::depolarising(std::get<MirrorBsdf<typename T::Value>>(bsdf).reflectance));
+    const auto at_mirror =
+        reflection_at<T>(world, wave.mirror_hits[i], query.plane, wave.paths[query.path].lambda);
+    if (!at_mirror) continue;
+    const auto through = T::chain(query.weight, at_mirror->weight);
+    const SurfacePoint& point = at_mirror->point;
     const Vec3f origin = offset_origin(point.position, point.position_error, point.geometric_normal,
                                        query.target - point.position);
     wave.shadow_rays.push_back({origin, query.target - origin, 1});

@@ -29,11 +29,11 @@ struct VertexLanes {
   std::size_t count = 0;  // lanes in use; the others compute with what they held before, for nobody
 };
 
-/// Light that comes out of a sharp surface and reaches the camera from one that is not: light paths bring it
-/// (see World::light_path_targets).
+/// Light that comes out of a sharp surface and reaches the camera from one that is not, by itself or by a
+/// flat mirror: light paths bring it (see World::light_path_targets).
 template <Transport T>
 bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
-  return path.last_is_sharp && !path.first_is_sharp && !world.light_path_targets.empty();
+  return path.last_is_sharp && path.is_met_by_light_paths && !world.light_path_targets.empty();
 }
 
 /// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position:

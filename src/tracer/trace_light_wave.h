@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/emission.h"
+#include "tracer/eye_queries.h"
 #include "tracer/trace_wave.h"
 
 #include <cstdint>
@@ -9,89 +9,6 @@
 /// Paths from the lights: what they leave at a surface towards the camera is what World::light_path_targets
 /// promises. Particle tracing with the adjoint of the camera paths' scattering (Veach 1997, ch. 4 and 5).
 namespace orbs::tracer {
-
-/// What a light path adds to a pixel: the mean over all light paths is the pixel's radiance.
-struct Splat {
-  std::uint32_t pixel = 0;
-  int path_class = 0;
-  Vec3f value;
-};
-
-template <Transport T>
-struct LightPath {
-  typename T::Weight weight = T::one();  // of all scatterings, nearest to the eye first
-  typename T::Light emitted{};           // what left the light, over the density of the path's start
-  [[no_unique_address]] typename T::Lambda lambda{};
-  EmittedRay start;
-  Ray ray;
-  std::uint32_t index = 0;  // within the block
-  int scatterings = 0;
-  bool began_at_flat_mirror = false;
-  PathClass events;
-};
-
-template <Transport T>
-struct LightWave {
-  std::vector<LightPath<T>> paths;
-  std::vector<std::uint32_t> active;
-  std::vector<Ray> rays;
-  std::vector<Hit> hits;
-  std::vector<Ray> eye_rays;
-  std::vector<Splat> queries;  // arrive when nothing is in between
-  std::vector<std::uint8_t> blocked;
-  std::vector<Splat> splats;  // the result
-  double traversal_seconds = 0;
-};
-
-/// Where the camera sees a point: pixel, and the factor from the area of the surface to the pixel's mean.
-struct EyeView {
-  std::uint32_t pixel = 0;
-  float importance = 0;  // per m^2 of surface that faces the camera; 0 outside the picture
-};
-
-EyeView view_of(const PinholeCamera& camera, Vec3f point);
-
-// f |cos| of the camera's path carries |wi . shading normal|, the light's density on the surface |wi .
-// geometric normal|: Veach 1997, 5.3.
-inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
-  return std::abs(dot(point.geometric_normal, direction));
-}
-
-template <Transport T>
-void ask_for_eye(LightWave<T>& wave,
-                 const World& world,
-                 const LightPath<T>& path,
-                 const SurfacePoint& point,
-                 const SurfaceMaterial& material,
-                 const Hit& hit) {
-  const EyeView view = view_of(world.camera, point.position);
-  if (!(view.importance > 0)) return;
-  const Vec3f to_light = -path.ray.direction;
-  const Vec3f to_eye = normalised(world.camera.position - point.position);
-  const float side = dot(point.shading_normal, to_eye);
-  if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return;
-  const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
-  const Vec3f wo = frame.to_local(to_eye);
-  const Vec3f wi = frame.to_local(to_light);
-  if (!(wo.z > 0)) return;
-  std::visit(
-      [&](const auto& bsdf) {
-        using B = std::decay_t<decltype(bsdf)>;
-        const auto value = evaluate(bsdf, wo, wi);
-        if (!(value.pdf > 0)) return;
-        PathClass events = path.events;
-        events.add_before(B::kEvent, wi.z < 0);
-        const float factor =
-            view.importance * surface_cosine(point, to_eye) / surface_cosine(point, to_light);
-        const auto through = T::chain(T::scaled(T::depolarising(value.f_cos), factor), path.weight);
-        const Vec3f origin =
-            offset_origin(point.position, point.position_error, point.geometric_normal, to_eye);
-        wave.eye_rays.push_back({origin, world.camera.position - origin, 1});
-        wave.queries.push_back(
-            {view.pixel, events.index(), T::to_rgb(T::contribute(through, path.emitted), path.lambda)});
-      },
-      bsdf_at<T>(world, material, hit, side > 0, path.lambda));
-}
 
 /// The path continues with the chance of what is left of its weight, so that the survivors carry as much
 /// light as they began with.
@@ -158,7 +75,10 @@ bool advance_light(
   // Camera paths ask flat mirrors for light from wherever they can (mirrored_light.h).
   const bool is_specular = material.model == Model::Mirror || material.model == Model::Glass;
   if (path.scatterings == 1 && path.began_at_flat_mirror && !is_specular) return false;
-  if (!material.is_sharp) ask_for_eye<T>(wave, world, path, point, material, hit);
+  if (!material.is_sharp) {
+    ask_for_eye<T>(wave, world, path, point, material, hit);
+    ask_for_mirrored_eye<T>(wave, world, index, point, material, hit);
+  }
   return scatter_light<T>(path, block, world, point, material, hit);
 }
 
@@ -175,14 +95,6 @@ void start_light_paths(
     path.ray = path.start.ray;
     if (path.start.weight > 0) wave.active.push_back(i);
   }
-}
-
-template <Transport T>
-void settle_eye_queries(LightWave<T>& wave, const World& world) {
-  wave.blocked.resize(wave.eye_rays.size());
-  timed_traversal(wave, [&] { world.accel->occluded(wave.eye_rays, wave.blocked); });
-  for (std::size_t i = 0; i < wave.queries.size(); ++i)
-    if (wave.blocked[i] == 0) wave.splats.push_back(wave.queries[i]);
 }
 
 /// Traces the points [first, first + count) of the block and appends to wave.splats.
@@ -202,6 +114,7 @@ void trace_light_wave(
       if (advance_light<T>(wave, world, wave.active[i], block, wave.hits[i]))
         wave.active[alive++] = wave.active[i];
     wave.active.resize(alive);
+    reflect_eye_queries(wave, world);
     settle_eye_queries(wave, world);
   }
 }

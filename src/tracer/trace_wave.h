@@ -33,6 +33,21 @@ Vec3f pdf_origin(const PathState<T>& path) {
   return path.came_by_mirror ? path.mirror_image : path.ray.origin;
 }
 
+/// What is_left_to_light_paths needs to know of the surface that the path is about to scatter at.
+template <Transport T>
+void note_sharpness(PathState<T>& path,
+                    const World& world,
+                    const SurfaceMaterial& material,
+                    int mirror_plane) {
+  path.last_is_sharp = material.is_sharp;
+  if (path.scatterings == 0)
+    path.began_at_flat_mirror =
+        mirror_plane >= 0 &&
+        is_before(world.mirror_planes[static_cast<std::size_t>(mirror_plane)], world.camera.position);
+  if (path.scatterings == 0 || (path.scatterings == 1 && path.began_at_flat_mirror))
+    path.is_met_by_light_paths = !material.is_sharp;
+}
+
 /// Handles what the path's ray has met. A path that is to scatter takes a lane; the others have ended.
 template <Transport T>
 void meet(Wave<T>& wave,
@@ -62,8 +77,8 @@ void meet(Wave<T>& wave,
   const Vec3f to_viewer = -path.ray.direction;
   const float side = dot(point.shading_normal, to_viewer);
   if (side == 0) return;  // exactly edge-on to the shading normal: nothing is reflected towards the viewer
-  path.last_is_sharp = material.is_sharp;
-  if (path.scatterings == 0) path.first_is_sharp = material.is_sharp;
+  const int mirror_plane = world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.part, hit.primitive);
+  note_sharpness<T>(path, world, material, mirror_plane);
   const std::size_t lane = vertices.count++;
   set_lane(vertices.position, lane, point.position);
   set_lane(vertices.geometric_normal, lane, point.geometric_normal);
@@ -73,8 +88,7 @@ void meet(Wave<T>& wave,
   vertices.block[lane] = sample.block.seed;
   vertices.index[lane] = sample.index;
   vertices.path[lane] = index;
-  vertices.mirror_plane[lane] =
-      world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.part, hit.primitive);
+  vertices.mirror_plane[lane] = mirror_plane;
   place_bsdf<T>(vertices.bsdf[lane], world, material, hit, side > 0, path.lambda);
   vertices.wants_light[lane] =
       !world.emitters.empty() && !is_delta(vertices.bsdf[lane]) && !is_left_to_light_paths<T>(world, path);
