@@ -24,6 +24,12 @@ bool has_map(const Comparison& comparison, std::string_view name) {
                      [&](const ErrorMap& map) { return map.info.name == name; });
 }
 
+bool is_wanted(const MetricInfo& metric, const CompareSettings& settings) {
+  return metric.computed == Computed::Always || settings.all ||
+         std::any_of(settings.also.begin(), settings.also.end(),
+                     [&](const std::string& name) { return metric.name == name; });
+}
+
 }  // namespace
 
 Comparison compare(const image::Image& result,
@@ -31,14 +37,16 @@ Comparison compare(const image::Image& result,
                    const Mask& mask,
                    const CompareSettings& settings) {
   Comparison comparison;
+  for (const std::string& name : settings.also) find_metric(name);
   comparison.alignment = check_alignment(result, reference, settings.negatives);
   if (comparison.alignment.alignment != Alignment::Comparable) return comparison;
   const PicturePair pair = make_picture_pair(result, reference, mask, settings.threads);
   comparison.pixels_counted = pair.included_count;
   for (const MetricInfo& metric : kMetrics) {
+    if (!is_wanted(metric, settings)) continue;
     MetricResult computed = metric.compute(pair);
-    comparison.measurements.push_back({&metric, computed.value});
-    if (!has_map(comparison, metric.map.name))
+    comparison.measurements.push_back({&metric, computed.value, computed.where});
+    if (!metric.map.name.empty() && !has_map(comparison, metric.map.name))
       comparison.maps.push_back({metric.map, std::move(computed.map)});
   }
   comparison.maps.push_back({kSignedMap, signed_difference(pair)});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/mask.h"
 #include "metrics/picture_pair.h"
 
 #include <cstddef>
@@ -11,8 +12,9 @@
 namespace orbs::metrics {
 
 struct MetricResult {
-  std::optional<double> value;  // nothing where the definition gives no number; +infinity is a number
-  image::Image map;             // one or three channels; NaN where the definition gives no value
+  std::optional<double> value;          // nothing where the definition gives no number; +infinity is a number
+  image::Image map;                     // one or three channels; NaN where the definition gives no value
+  std::optional<Rectangle> where = {};  // the pixels that the number is of, where it is not of all
 };
 
 /// The error map that a metric leaves behind.
@@ -25,6 +27,12 @@ struct MapInfo {
   float scale_maximum;
 };
 
+/// Of a number that has no picture of its own.
+inline constexpr MapInfo kNoMap{"", "", false, 0.0F};
+
+/// Whether every comparison computes a metric, or only one that asks for it.
+enum class Computed { Always, OnDemand };
+
 /// One metric: what it is called, what exactly it computes, how. Everything that help texts, results and
 /// reports say about a metric comes from here.
 struct MetricInfo {
@@ -34,6 +42,7 @@ struct MetricInfo {
   std::string_view definition;
   MapInfo map;
   MetricResult (*compute)(const PicturePair&);
+  Computed computed = Computed::Always;
 };
 
 /// Mean of error(result sample, reference sample) over the three channels of the included pixels, and the

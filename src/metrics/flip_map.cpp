@@ -1,0 +1,213 @@
+#include "metrics/flip_map.h"
+
+#include "base/parallel.h"
+#include "metrics/flip_colour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace orbs::metrics::flip {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kPixelsPerDegree =
+    0.7 * 3840 / 0.7 * kPi / 180;  // distance * pixels / width * pi / 180: 67.02
+constexpr double kEdgeWidth_deg = 0.082;
+
+using Plane = std::vector<float>;
+using Kernel = std::vector<float>;  // odd length, centre in the middle
+
+// Weights at -radius ... radius of sqrt(a sqrt(pi / b)) exp(-pi^2 d^2 / b), d in degrees: two such factors
+// make the two-dimensional Gaussian of equation 2.
+Kernel sensitivity(double a, double b, int radius) {
+  Kernel kernel;
+  for (int i = -radius; i <= radius; ++i) {
+    const double d = i / kPixelsPerDegree;
+    kernel.push_back(
+        static_cast<float>(std::sqrt(a * std::sqrt(kPi / b)) * std::exp(-kPi * kPi * d * d / b)));
+  }
+  return kernel;
+}
+
+double sum_of(const Kernel& kernel) {
+  double sum = 0;
+  for (const float weight : kernel) sum += static_cast<double>(weight);
+  return sum;
+}
+
+// The filter has weight 1 over all its pixels: both Gaussians of the blue-yellow channel together.
+void normalise(std::vector<Kernel>& parts) {
+  double total = 0;
+  for (const Kernel& part : parts) total += sum_of(part) * sum_of(part);
+  const auto factor = static_cast<float>(1.0 / std::sqrt(total));
+  for (Kernel& part : parts)
+    for (float& weight : part) weight *= factor;
+}
+
+void normalise_by_sign(Kernel& kernel) {
+  double positive = 0;
+  double negative = 0;
+  for (const float weight : kernel)
+    (weight > 0 ? positive : negative) += std::fabs(static_cast<double>(weight));
+  for (float& weight : kernel) weight /= static_cast<float>(weight > 0 ? positive : negative);
+}
+
+// Section 4.1.2, table 1: by channel the Gaussians that contrast sensitivity is made of.
+std::array<std::vector<Kernel>, 3> sensitivities() {
+  const double widest = 0.04;
+  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * kPi * kPi)) * kPixelsPerDegree));
+  std::array<std::vector<Kernel>, 3> channels{
+      std::vector<Kernel>{sensitivity(1.0, 0.0047, radius)},
+      std::vector<Kernel>{sensitivity(1.0, 0.0053, radius)},
+      std::vector<Kernel>{sensitivity(34.1, 0.04, radius), sensitivity(13.5, 0.025, radius)}};
+  for (auto& channel : channels) normalise(channel);
+  return channels;
+}
+
+struct FeatureKernels {
+  Kernel blur, edge, point;
+};
+
+// Section 4.2: a Gaussian and its first two derivatives, positive and negative weights of sum 1 each.
+FeatureKernels feature_kernels() {
+  const double sigma_px = 0.5 * kEdgeWidth_deg * kPixelsPerDegree;
+  const int radius = static_cast<int>(std::ceil(3 * sigma_px));
+  FeatureKernels kernels;
+  for (int i = -radius; i <= radius; ++i) {
+    const double g = std::exp(-i * i / (2 * sigma_px * sigma_px));
+    kernels.blur.push_back(static_cast<float>(g));
+    kernels.edge.push_back(static_cast<float>(-i * g));
+    kernels.point.push_back(static_cast<float>((i * i / (sigma_px * sigma_px) - 1) * g));
+  }
+  const auto sum = static_cast<float>(sum_of(kernels.blur));
+  for (float& weight : kernels.blur) weight /= sum;
+  normalise_by_sign(kernels.edge);
+  normalise_by_sign(kernels.point);
+  return kernels;
+}
+
+template <typename Work>
+void for_rows(const Grid& grid, Work work) {
+  constexpr int kRowsPerTask = 32;
+  for_each_index((grid.height + kRowsPerTask - 1) / kRowsPerTask, grid.threads, [&](int task) {
+    for (int y = task * kRowsPerTask; y < std::min(grid.height, (task + 1) * kRowsPerTask); ++y) work(y);
+  });
+}
+
+Plane filter_rows(const Grid& grid, const Plane& in, const Kernel& kernel) {
+  Plane out(in.size(), 0.0F);
+  const auto width = static_cast<std::size_t>(grid.width);
+  const std::size_t radius = kernel.size() / 2;
+  for_rows(grid, [&](int y) {
+    const float* const row = &in[static_cast<std::size_t>(y) * width];
+    float* const to = &out[static_cast<std::size_t>(y) * width];
+    std::vector<float> padded(width + 2 * radius, row[0]);
+    std::copy(row, row + width, padded.begin() + static_cast<std::ptrdiff_t>(radius));
+    std::fill(padded.end() - static_cast<std::ptrdiff_t>(radius), padded.end(), row[width - 1]);
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (std::size_t x = 0; x < width; ++x) to[x] += kernel[k] * padded[x + k];
+  });
+  return out;
+}
+
+Plane filter_columns(const Grid& grid, const Plane& in, const Kernel& kernel) {
+  Plane out(in.size(), 0.0F);
+  const auto width = static_cast<std::size_t>(grid.width);
+  const int radius = static_cast<int>(kernel.size() / 2);
+  for_rows(grid, [&](int y) {
+    float* const to = &out[static_cast<std::size_t>(y) * width];
+    for (int k = -radius; k <= radius; ++k) {
+      const float weight = kernel[static_cast<std::size_t>(k + radius)];
+      const float* const row = &in[static_cast<std::size_t>(std::clamp(y + k, 0, grid.height - 1)) * width];
+      for (std::size_t x = 0; x < width; ++x) to[x] += weight * row[x];
+    }
+  });
+  return out;
+}
+
+using Planes = std::array<Plane, 3>;
+
+Planes ycxcz_planes(const Grid& grid, const std::vector<float>& rgb) {
+  Planes planes;
+  for (Plane& plane : planes) plane.resize(rgb.size() / 3);
+  const auto width = static_cast<std::size_t>(grid.width);
+  for_rows(grid, [&](int y) {
+    for (std::size_t i = static_cast<std::size_t>(y) * width; i < static_cast<std::size_t>(y + 1) * width;
+         ++i) {
+      const Colour colour = to_ycxcz(to_xyz({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}));
+      for (std::size_t c = 0; c < 3; ++c) planes.at(c)[i] = colour.at(c);
+    }
+  });
+  return planes;
+}
+
+// What an eye at the given distance still sees of each channel.
+Planes seen(const Grid& grid, const Planes& planes) {
+  const auto kernels = sensitivities();
+  Planes out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    out.at(c).assign(planes.at(c).size(), 0.0F);
+    for (const Kernel& kernel : kernels.at(c)) {
+      const Plane part = filter_columns(grid, filter_rows(grid, planes.at(c), kernel), kernel);
+      std::transform(part.begin(), part.end(), out.at(c).begin(), out.at(c).begin(), std::plus<>());
+    }
+  }
+  return out;
+}
+
+struct Features {
+  Plane edge, point;  // magnitudes
+};
+
+Plane magnitude(const Plane& a, const Plane& b) {
+  Plane out(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), out.begin(),
+                 [](float x, float y) { return std::sqrt(x * x + y * y); });
+  return out;
+}
+
+Features features_of(const Grid& grid, const Plane& y) {
+  static const auto kKernels = feature_kernels();
+  Plane grey(y.size());
+  std::transform(y.begin(), y.end(), grey.begin(), [](float value) { return (value + 16.0F) / 116.0F; });
+  const Plane blurred = filter_rows(grid, grey, kKernels.blur);
+  return {magnitude(filter_columns(grid, filter_rows(grid, grey, kKernels.edge), kKernels.blur),
+                    filter_columns(grid, blurred, kKernels.edge)),
+          magnitude(filter_columns(grid, filter_rows(grid, grey, kKernels.point), kKernels.blur),
+                    filter_columns(grid, blurred, kKernels.point))};
+}
+
+}  // namespace
+
+std::vector<float> error_map(const Grid& grid,
+                             const std::vector<float>& result,
+                             const std::vector<float>& reference) {
+  const Planes test = ycxcz_planes(grid, result);
+  const Planes right = ycxcz_planes(grid, reference);
+  const Planes test_seen = seen(grid, test);
+  const Planes right_seen = seen(grid, right);
+  const Features test_features = features_of(grid, test[0]);
+  const Features right_features = features_of(grid, right[0]);
+  std::vector<float> error(test[0].size());
+  const auto width = static_cast<std::size_t>(grid.width);
+  const auto lab = [](const Planes& p, std::size_t i) {
+    return to_hunt_lab(to_xyz(to_rgb_in_gamut(from_ycxcz({p[0][i], p[1][i], p[2][i]}))));
+  };
+  for_rows(grid, [&](int y) {
+    for (std::size_t i = static_cast<std::size_t>(y) * width; i < static_cast<std::size_t>(y + 1) * width;
+         ++i) {
+      const float colour = colour_error(lab(test_seen, i), lab(right_seen, i));
+      const float feature = std::max(std::fabs(test_features.edge[i] - right_features.edge[i]),
+                                     std::fabs(test_features.point[i] - right_features.point[i]));
+      // Equation 8 with qf = 0.5: a square root.
+      error[i] = std::pow(colour, 1.0F - std::sqrt(feature / std::sqrt(2.0F)));
+    }
+  });
+  return error;
+}
+
+}  // namespace orbs::metrics::flip
