@@ -3,6 +3,7 @@
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "metrics/compare.h"
+#include "metrics/noise_numbers.h"
 #include "metrics/table.h"
 #include "runner/judge.h"
 
@@ -23,6 +24,7 @@ struct CompareOptions {
   std::optional<double> min;
   std::optional<double> max;
   std::string maps;
+  bool all = false;
   bool definitions = false;
 };
 
@@ -34,13 +36,29 @@ image::Image read_linear(const std::string& file) {
   return picture;
 }
 
+std::string place_text(const std::optional<metrics::Rectangle>& where) {
+  return where ? fmt::format("  in [{},{},{},{}]", where->x0, where->y0, where->x1, where->y1)
+               : std::string();
+}
+
 void print_measurement(const metrics::Measurement& measurement, bool definitions) {
   const auto& metric = *measurement.metric;
   const auto value = !measurement.value               ? "undefined"
                      : std::isinf(*measurement.value) ? "infinite"
                                                       : fmt::format("{:.9g}", *measurement.value);
-  fmt::print("{:<12} {:>14} {}\n", metric.name, value, metric.unit);
+  fmt::print("{:<20} {:>14} {}{}\n", metric.name, value, metric.unit, place_text(measurement.where));
   if (definitions) fmt::print("    {}\n", metric.definition);
+}
+
+void print_noise(const metrics::NoiseTest& test, bool definitions) {
+  for (const auto& number : metrics::noise_numbers(test)) {
+    const auto interval =
+        number.low ? fmt::format("  {:.4g} to {:.4g}", *number.low, *number.high) : std::string();
+    fmt::print("{:<20} {:>14.9g} {}{}{}\n", number.name, number.value, number.unit, interval,
+               place_text(number.where));
+    if (definitions) fmt::print("    {}\n", number.definition);
+  }
+  if (const auto bias = metrics::bias_sentence(test); !bias.empty()) fmt::print("{}\n", bias);
 }
 
 // Also true for a number that does not exist: what cannot be measured is not within a tolerance.
@@ -54,11 +72,15 @@ int compare_files(CompareOptions options) {
   if (!options.metric.empty()) metrics::find_metric(options.metric);
   const auto first = read_linear(options.first);
   const auto second = read_linear(options.second);
-  const auto comparison = metrics::compare(first, second, {}, {metrics::NegativePixels::Allowed, 0});
+  metrics::CompareSettings settings{
+      .negatives = metrics::NegativePixels::Allowed, .threads = 0, .all = options.all};
+  if (!options.metric.empty()) settings.also = {options.metric};
+  const auto comparison = metrics::compare(first, second, {}, settings);
   if (comparison.alignment.alignment != metrics::Alignment::Comparable)
     throw InputError(fmt::format("{} (the result) and {} (the reference) cannot be compared: {}",
                                  options.first, options.second, comparison.alignment.sentence));
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
+  print_noise(metrics::test_noise(first, second), options.definitions);
   if (!options.maps.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(options.maps, failed);
@@ -76,14 +98,17 @@ int compare_files(CompareOptions options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, const Program& /*program*/, Action& action) {
-  auto* command = app.add_subcommand("compare", "Compares two pictures by every metric");
+  auto* command =
+      app.add_subcommand("compare", "Compares two pictures by every metric and tells noise from bias");
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("picture", options->first, "the result")->required();
   command->add_option("reference", options->second, "what it should be")->required();
-  command->add_option("--metric", options->metric, "the metric of --min and --max (default: psnr_srgb8)");
+  command->add_option("--metric", options->metric,
+                      "the metric of --min and --max, computed in any case (default: psnr_srgb8)");
   command->add_option("--min", options->min, "least value that is within the tolerance");
   command->add_option("--max", options->max, "greatest value that is within the tolerance");
   command->add_option("--maps", options->maps, "folder for the error maps, EXR and PNG");
+  command->add_flag("--all", options->all, "also the metrics that take long: FLIP, PU21, JERI's SSIM");
   command->add_flag("--definitions", options->definitions, "say what each number means");
   command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the pictures cannot be compared.");
   command->callback([=, &action] { action = [=] { return compare_files(*options); }; });

@@ -68,6 +68,8 @@ struct Case {
   std::vector<CaseScene> scenes;
   std::vector<Difference> differences;
   Gate gate;
+  /// How far the mean of each channel may be from the reference's, relative to it; nothing: no condition.
+  std::optional<double> mean_ratio;
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;

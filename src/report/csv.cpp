@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::report {
 
@@ -75,13 +76,14 @@ std::string cost_fields(const Cost& cost) {
 
 std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
-  std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence";
+  std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
   text += ",wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
   for (const auto& picture : run.pictures) {
-    text += fmt::format("{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
+    text += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
                         csv_field(picture.case_name), csv_field(picture.picture), csv_field(picture.renderer),
-                        picture.declared, verdict_name(picture.verdict), csv_field(picture.sentence));
+                        picture.declared, verdict_name(picture.verdict), csv_field(picture.sentence),
+                        csv_field(fmt::format("{}", fmt::join(picture.remarks, "; "))));
     for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(picture, metric));
     text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, picture)), csv_field(picture.image),
                         csv_field(results::command_of(run, picture)));

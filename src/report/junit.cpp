@@ -73,9 +73,11 @@ double seconds_of(const RunRecord& run, const std::string& requirement, const st
 std::string details(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
   std::string text;
   for (const auto& picture : run.pictures)
-    if (picture.requirement == requirement && picture.renderer == renderer)
+    if (picture.requirement == requirement && picture.renderer == renderer) {
       text += fmt::format("{}: {}: {}\n  {}\n", picture.picture, verdict_name(picture.verdict),
                           picture.sentence, results::command_of(run, picture));
+      for (const auto& remark : picture.remarks) text += fmt::format("{}: {}\n", picture.picture, remark);
+    }
   return text;
 }
 

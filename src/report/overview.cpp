@@ -228,6 +228,7 @@ std::string overview_json(const RunView& view) {
         .member("unit", metric->unit)
         .member("definition", metric->definition)
         .member("lower_is_better", metric->lower_is_better)
+        .member("signed", metric->is_signed)
         .end_object();
   out.end_array();
   out.member("main_metric", main_metric(run));

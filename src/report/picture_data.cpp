@@ -2,6 +2,7 @@
 #include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
+#include "results/record_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,12 +68,7 @@ void write_images(Writer& out, const PictureRecord& picture) {
 
 void write_measures(Writer& out, const PictureRecord& picture) {
   out.key("measures").begin_array();
-  for (const auto& measure : picture.measures) {
-    out.begin_object().member("name", measure.name).member("value", measure.value);
-    if (std::isinf(measure.value)) out.member("infinite", true);
-    out.member("unit", measure.unit).member("definition", measure.definition);
-    out.member("lower_is_better", measure.lower_is_better).end_object();
-  }
+  for (const auto& measure : picture.measures) results::write_measure(out, measure);
   out.end_array().key("checks").begin_array();
   for (const auto& check : picture.checks) {
     out.begin_object().member("what", check.what).member("passed", check.passed);
@@ -142,6 +138,7 @@ std::string picture_json(const RunView& view, std::size_t index) {
   out.begin_object().member("case", picture.case_name).member("picture", picture.picture);
   out.member("renderer", picture.renderer).member("requirement", picture.requirement);
   out.member("sentence", picture.sentence).member("reference", picture.reference);
+  out.member("remarks", picture.remarks);
   write_measures(out, picture);
   write_images(out, picture);
   out.key("reference_passport").begin_object();

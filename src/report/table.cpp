@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,7 @@ std::string renderer_lines(const RunRecord& run) {
 
 // One line for all pictures of a renderer and requirement of which the same is said; failures before what is
 // unsupported.
-std::string remarks(const RunRecord& run, const TableStyle& style) {
+std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   struct Remark {
     const results::PictureRecord* first;
     std::string pictures;
@@ -117,6 +118,18 @@ std::string remarks(const RunRecord& run, const TableStyle& style) {
   for (const auto& [first, pictures] : remarks)
     rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
                     first->renderer, first->requirement, pictures, first->sentence});
+  return aligned(rows);
+}
+
+// What must be known of a picture beside its verdict. One that several cases look at is told once.
+std::string remark_lines(const RunRecord& run) {
+  std::set<std::pair<std::string, std::string>> told;
+  std::vector<Row> rows;
+  for (const auto& picture : run.pictures) {
+    if (picture.remarks.empty() || !told.emplace(picture.renderer, picture.picture).second) continue;
+    for (const auto& remark : picture.remarks)
+      rows.push_back({"remark", picture.renderer, picture.requirement, picture.picture, remark});
+  }
   return aligned(rows);
 }
 
@@ -179,7 +192,8 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   text += renderer_lines(run);
   for (const auto& left : run.left_out)
     text += fmt::format("{} was left out: {}\n", left.renderer, left.reason);
-  if (const auto lines = remarks(run, style); !lines.empty()) text += fmt::format("\n{}", lines);
+  for (const auto& lines : {verdict_lines(run, style), remark_lines(run)})
+    if (!lines.empty()) text += fmt::format("\n{}", lines);
   if (run.interrupted) text += "\nThe run was interrupted; what was finished stands above.\n";
   return text;
 }

@@ -80,8 +80,17 @@ JobRecord read_job(ObjectReader& in) {
 }
 
 Measure read_measure(ObjectReader& in) {
-  return {in.text("name"), number_or_infinite(in, "value"), in.text_or("unit", ""),
-          in.text_or("definition", ""), in.boolean_or("lower_is_better", false)};
+  Measure measure{in.text("name"),
+                  number_or_infinite(in, "value"),
+                  in.text_or("unit", ""),
+                  in.text_or("definition", ""),
+                  in.boolean_or("lower_is_better", false),
+                  in.boolean_or("signed", false),
+                  optional_number(in, "low"),
+                  optional_number(in, "high"),
+                  {}};
+  if (in.has("where")) measure.where = in.numbers("where", 4);
+  return measure;
 }
 
 Check read_check(ObjectReader& in) {
@@ -106,6 +115,7 @@ PictureRecord read_picture(ObjectReader& in) {
   picture.sentence = in.text_or("sentence", "");
   for (auto& measure : in.objects_or_none("measures")) picture.measures.push_back(read_measure(measure));
   for (auto& check : in.objects_or_none("checks")) picture.checks.push_back(read_check(check));
+  picture.remarks = texts_or_none(in, "remarks");
   for (auto& map : in.objects_or_none("maps")) picture.maps.push_back(read_map(map));
   picture.reference = in.text_or("reference", "");
   picture.reference_passport = read_texts(in, "reference_passport");

@@ -19,6 +19,10 @@ struct Measure {
   std::string unit;
   std::string definition;
   bool lower_is_better = false;
+  bool is_signed = false;     // nearer to zero is better
+  std::optional<double> low;  // ends of its interval, where it has one
+  std::optional<double> high;
+  std::vector<double> where;  // x0, y0, x1, y1 of the pixels that it is of; empty: of all
 };
 
 /// A picture of the error that lies beside the result.
@@ -83,6 +87,7 @@ struct PictureRecord {
   std::string sentence;
   std::vector<Measure> measures;
   std::vector<Check> checks;
+  std::vector<std::string> remarks;                       // what changes no verdict and yet must be known
   std::string reference;                                  // absolute
   std::map<std::string, std::string> reference_passport;  // "program", "spp", ...
   std::string image;

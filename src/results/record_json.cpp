@@ -41,13 +41,6 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("sentence", job.sentence).member("image", job.image).member("log", job.log);
 }
 
-void write_measure(Writer& out, const Measure& measure) {
-  out.begin_object().member("name", measure.name).member("value", measure.value);
-  if (std::isinf(measure.value)) out.member("infinite", true);
-  out.member("unit", measure.unit).member("definition", measure.definition);
-  out.member("lower_is_better", measure.lower_is_better).end_object();
-}
-
 void write_check(Writer& out, const Check& check) {
   out.begin_object().member("what", check.what).member("passed", check.passed);
   out.member("sentence", check.sentence);
@@ -72,7 +65,8 @@ void write_picture(Writer& out, const PictureRecord& picture) {
   for (const auto& measure : picture.measures) write_measure(out, measure);
   out.end_array().key("checks").begin_array();
   for (const auto& check : picture.checks) write_check(out, check);
-  out.end_array().member("jobs", picture.jobs).member("image", picture.image).key("maps").begin_array();
+  out.end_array().member("remarks", picture.remarks);
+  out.member("jobs", picture.jobs).member("image", picture.image).key("maps").begin_array();
   for (const auto& map : picture.maps) write_map(out, map);
   out.end_array().member("reference", picture.reference).member("reference_image", picture.reference_image);
   write_texts(out, "reference_passport", picture.reference_passport);
@@ -118,6 +112,18 @@ void write_array(Writer& out, std::string_view key, const Items& items, Write&& 
 }
 
 }  // namespace
+
+void write_measure(Writer& out, const Measure& measure) {
+  out.begin_object().member("name", measure.name).member("value", measure.value);
+  if (std::isinf(measure.value)) out.member("infinite", true);
+  out.member("unit", measure.unit).member("definition", measure.definition);
+  out.member("lower_is_better", measure.lower_is_better);
+  if (measure.is_signed) out.member("signed", true);
+  if (measure.low) out.member("low", *measure.low);
+  if (measure.high) out.member("high", *measure.high);
+  if (!measure.where.empty()) out.key("where").numbers(measure.where);
+  out.end_object();
+}
 
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures) {
   Writer out;

@@ -1,17 +1,21 @@
 #pragma once
 
+#include "json/writer.h"
 #include "results/record.h"
 
 #include <string>
 
 namespace orbs::results {
 
+/// One number as an object. Infinite ones are written as null with "infinite": true beside them, since JSON
+/// has no infinity.
+void write_measure(json::Writer& out, const Measure& measure);
+
 /// The text of a job's job.json (format "orbs-job/1"): all of the record, and what was said about the
 /// pictures that the render alone makes.
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures);
 
-/// The text of results.json (format "orbs-results/1"): all of the record. Infinite measures are written as
-/// null with "infinite": true beside them, since JSON has no infinity.
+/// The text of results.json (format "orbs-results/1"): all of the record.
 std::string run_json(const RunRecord& run);
 
 }  // namespace orbs::results

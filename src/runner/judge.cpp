@@ -2,12 +2,13 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "metrics/table.h"
-#include "runner/noise.h"
+#include "metrics/noise_numbers.h"
+#include "runner/gate.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,49 +21,6 @@ using registry::Case;
 using results::Check;
 using results::PictureRecord;
 using results::Verdict;
-
-std::string number_text(double value, const std::string& unit) {
-  return std::isinf(value)
-             ? "infinite"
-             : fmt::format("{:.4g}{}{}", value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
-}
-
-// With half a dB to spare for what the delta method leaves out.
-constexpr double kNoiseSlack_db = 0.5;
-
-// The PSNR that the noise of both pictures alone lets expect; nothing where neither knows its noise.
-std::optional<double> noise_psnr(const image::Image& result,
-                                 const image::Image& reference,
-                                 const metrics::Mask& mask) {
-  const auto of_result = noise_mse_srgb8(result, reference, mask);
-  const auto of_reference = noise_mse_srgb8(reference, reference, mask);
-  if (!of_result && !of_reference) return std::nullopt;
-  return psnr_srgb8_of(of_result.value_or(0) + of_reference.value_or(0));
-}
-
-struct GateResult {
-  Verdict verdict = Verdict::Pass;
-  std::string sentence;
-};
-
-GateResult check_gate(const registry::Gate& gate,
-                      std::optional<double> value,
-                      std::optional<double> noise_db) {
-  if (!value) return {Verdict::Inconclusive, fmt::format("{} has no value for this picture", gate.metric)};
-  const std::string unit(metrics::find_metric(gate.metric).unit);
-  const auto is = fmt::format("{} is {}", gate.metric, number_text(*value, unit));
-  if (gate.min && !(*value >= *gate.min)) {
-    // A right picture with this noise would measure the same, so the gate cannot tell the two apart.
-    if (gate.metric == "psnr_srgb8" && noise_db && *value >= *noise_db - kNoiseSlack_db)
-      return {Verdict::Inconclusive,
-              fmt::format("{}, at least {} is needed, but noise alone gives {}: more samples are needed", is,
-                          *gate.min, number_text(*noise_db, unit))};
-    return {Verdict::Fail, fmt::format("{}, at least {} is needed", is, *gate.min)};
-  }
-  if (gate.max && !(*value <= *gate.max))
-    return {Verdict::Fail, fmt::format("{}, at most {} is allowed", is, *gate.max)};
-  return {Verdict::Pass, is};
-}
 
 std::array<double, 3> mean_of_region(const image::Image& picture, const registry::Rectangle& region) {
   std::array<double, 3> sum{};
@@ -100,12 +58,30 @@ Check check_share(const registry::PathShare& share, const std::map<std::string, 
   return out;
 }
 
-void add_measures(const metrics::Comparison& comparison, PictureRecord& record) {
-  for (const auto& measurement : comparison.measurements)
-    if (measurement.value)
-      record.measures.push_back(
-          {std::string(measurement.metric->name), *measurement.value, std::string(measurement.metric->unit),
-           std::string(measurement.metric->definition), measurement.metric->lower_is_better});
+std::vector<double> place(const std::optional<metrics::Rectangle>& where) {
+  if (!where) return {};
+  return {static_cast<double>(where->x0), static_cast<double>(where->y0), static_cast<double>(where->x1),
+          static_cast<double>(where->y1)};
+}
+
+void add_measures(const metrics::Comparison& comparison,
+                  const metrics::NoiseTest& noise,
+                  PictureRecord& record) {
+  for (const auto& [metric, value, where] : comparison.measurements)
+    if (value)
+      record.measures.push_back({std::string(metric->name),
+                                 *value,
+                                 std::string(metric->unit),
+                                 std::string(metric->definition),
+                                 metric->lower_is_better,
+                                 false,
+                                 {},
+                                 {},
+                                 place(where)});
+  for (const auto& number : metrics::noise_numbers(noise))
+    record.measures.push_back({std::string(number.name), number.value, std::string(number.unit),
+                               std::string(number.definition), true, number.is_signed, number.low,
+                               number.high, place(number.where)});
 }
 
 // A worse verdict takes over, with its sentence.
@@ -113,6 +89,18 @@ void take(PictureRecord& record, Verdict verdict, const std::string& sentence) {
   if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
     record.verdict = verdict;
     record.sentence = sentence;
+  }
+}
+
+void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecord& record) {
+  const std::array<std::pair<const char*, const char*>, 3> channels{
+      {{"R", "mean_ratio_r"}, {"G", "mean_ratio_g"}, {"B", "mean_ratio_b"}}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& [channel, measure] = channels.at(c);
+    const auto result = check_mean_ratio(channel, tolerance, noise.mean_ratio.at(c));
+    record.checks.push_back(
+        {measure, result.verdict == Verdict::Pass, result.sentence, -tolerance, tolerance});
+    if (result.verdict != Verdict::Pass) take(record, result.verdict, result.sentence);
   }
 }
 
@@ -166,19 +154,24 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   const bool may_be_negative = is_difference || !one_case.negative_values.empty();
   const auto negatives =
       may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
-  auto comparison = metrics::compare(result, *reference.picture, mask, {negatives, threads});
+  auto comparison =
+      metrics::compare(result, *reference.picture, mask,
+                       {.negatives = negatives, .threads = threads, .also = {one_case.gate.metric}});
   if (comparison.alignment.alignment != metrics::Alignment::Comparable) {
     // The result was looked at before, so this is about the reference.
     take(record, Verdict::MissingReference,
          fmt::format("the reference cannot be used: {}", comparison.alignment.sentence));
     return std::nullopt;
   }
-  add_measures(comparison, record);
+  const auto noise = metrics::test_noise(result, *reference.picture, mask);
+  add_measures(comparison, noise, record);
+  if (auto remark = metrics::bias_remark(noise); !remark.empty()) record.remarks.push_back(std::move(remark));
   const auto gate = check_gate(one_case.gate, metrics::value_of(comparison, one_case.gate.metric),
-                               noise_psnr(result, *reference.picture, mask));
+                               gate_noise(result, *reference.picture, mask, noise));
   record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence,
                            one_case.gate.min, one_case.gate.max});
   take(record, gate.verdict, gate.sentence);
+  if (one_case.mean_ratio) check_means(*one_case.mean_ratio, noise, record);
   check_conditions(one_case, result, record);
   return comparison;
 }

@@ -44,8 +44,9 @@ std::map<std::string, std::string> passport_of(const image::Image& picture);
 /// All masks of one picture of the case.
 metrics::Mask mask_of(const registry::Case& one_case, const std::string& picture);
 
-/// Compares and fills verdict, sentence, measures, checks and passport of `record`, whose names are already
-/// there. Returns the comparison, for its maps; nothing when there was nothing to compare.
+/// Compares and fills verdict, sentence, measures, checks, remarks and passport of `record`, whose names are
+/// already there. Nothing but the pictures in memory is looked at. Returns the comparison, for its maps;
+/// nothing when there was nothing to compare.
 std::optional<metrics::Comparison> judge(const registry::Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,

@@ -2,6 +2,7 @@
 
 #include "adapters/programs.h"
 #include "metrics/compare.h"
+#include "metrics/seeds.h"
 #include "runner/choose.h"
 #include "runner/execute.h"
 #include "runner/summary.h"
@@ -80,8 +81,8 @@ bool render_round(int round,
 void measure_noise(const Pictures& pictures, BenchRecord& record) {
   if (record.settings.rounds < 2) return;
   std::vector<image::Image> means;
-  for (const auto& of_renderer : pictures.large) means.push_back(mean_of(of_renderer));
-  const auto mean = mean_of(means);
+  for (const auto& of_renderer : pictures.large) means.push_back(metrics::mean_of(of_renderer));
+  const auto mean = metrics::mean_of(means);
   for (std::size_t i = 0; i < record.renderers.size(); ++i)
     record.renderers[i].noise = noise_of_seeds(pictures.large[i], mean, record.settings.threads);
 }
@@ -132,8 +133,8 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   record.overhead = measure_overhead(scene, pictures.large.front().front(), kOverheadRounds,
                                      scratch.path() / "overhead", context.stop);
   if (!record.overhead) return std::nullopt;
-  record.metrics_cpu_ms =
-      metrics_cpu_ms(pictures.large.front().front(), mean_of(pictures.large.front()), settings.threads);
+  record.metrics_cpu_ms = metrics_cpu_ms(pictures.large.front().front(),
+                                         metrics::mean_of(pictures.large.front()), settings.threads);
   return record;
 }
 

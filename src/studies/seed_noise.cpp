@@ -36,17 +36,6 @@ double relative_mse(const std::vector<image::Image>& pictures, const image::Imag
 
 }  // namespace
 
-image::Image mean_of(const std::vector<image::Image>& pictures) {
-  const auto colours = colours_of(pictures);
-  auto mean = image::make_image(colours.front().width, colours.front().height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
-    double sum = 0;
-    for (const auto& colour : colours) sum += static_cast<double>(colour.pixels[i]);
-    mean.pixels[i] = static_cast<float>(sum / static_cast<double>(colours.size()));
-  }
-  return mean;
-}
-
 SeedNoise noise_of_seeds(const std::vector<image::Image>& pictures, const image::Image& mean, int threads) {
   SeedNoise noise;
   noise.relative_mse = relative_mse(colours_of(pictures), mean);

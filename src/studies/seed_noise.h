@@ -21,9 +21,6 @@ inline constexpr std::string_view kSeedPsnrDefinition =
     "10 log10(255^2 / (MSE / 2)); MSE: that of psnr_srgb8 between pictures of two seeds, of which each has "
     "half, mean over successive seeds";
 
-/// Mean of all pictures in R, G and B, in double until the end. At least one, all of one size.
-image::Image mean_of(const std::vector<image::Image>& pictures);
-
 /// At least two pictures of the same samples; `mean` gives the denominators and has their size.
 SeedNoise noise_of_seeds(const std::vector<image::Image>& pictures, const image::Image& mean, int threads);
 

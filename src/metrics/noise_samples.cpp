@@ -1,0 +1,69 @@
+#include "metrics/noise_samples.h"
+
+#include "base/text.h"
+#include "metrics/noise_test.h"
+
+#include <algorithm>
+#include <string>
+
+namespace orbs::metrics {
+
+namespace {
+
+std::vector<float> variances_of(const image::Image& picture) {
+  for (const char* channel : {"variance.R", "variance.G", "variance.B"})
+    if (image::channel_index(picture, channel) < 0) return {};
+  return image::select_rgb(picture, "variance.").pixels;
+}
+
+// Samples of the reference for each one of the result; 0 when the passports do not say.
+double sample_ratio(const image::Image& result, const image::Image& reference) {
+  const auto said = [](const image::Image& picture, const char* key) {
+    const auto found = picture.attributes.find(key);
+    return found == picture.attributes.end() ? std::string() : found->second;
+  };
+  const auto of_result = to_number(said(result, "orbs.spp"));
+  const auto of_reference = to_number(said(reference, "orbs.spp"));
+  const bool is_same = said(result, "orbs.program") == said(reference, "orbs.program");
+  return is_same && of_result && of_reference && *of_result > 0 ? *of_reference / *of_result : 0;
+}
+
+void set_variance_ratio(NoiseSamples& samples, double of_passports) {
+  if (samples.result_variance.empty() || samples.reference_variance.empty()) return;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double result = 0;
+    double reference = 0;
+    for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+      if (samples.included[pixel] == 0) continue;
+      result += variance_at(samples.result_variance, 3 * pixel + c);
+      reference += variance_at(samples.reference_variance, 3 * pixel + c);
+    }
+    samples.variance_ratio.at(c) = std::max(of_passports, reference > 0 ? result / reference : 0.0);
+  }
+}
+
+}  // namespace
+
+NoiseSamples noise_samples(const image::Image& result, const image::Image& reference, const Mask& mask) {
+  NoiseSamples samples{result.width,
+                       result.height,
+                       image::select_rgb(result, "").pixels,
+                       image::select_rgb(reference, "").pixels,
+                       variances_of(result),
+                       variances_of(reference),
+                       included_pixels(mask, result.width, result.height),
+                       {}};
+  set_variance_ratio(samples, sample_ratio(result, reference));
+  return samples;
+}
+
+std::vector<Rectangle> blocks_of(const NoiseSamples& samples) {
+  std::vector<Rectangle> blocks;
+  for (int y = 0; y < samples.height; y += kBlock_px)
+    for (int x = 0; x < samples.width; x += kBlock_px)
+      blocks.push_back(
+          {x, y, std::min(x + kBlock_px, samples.width), std::min(y + kBlock_px, samples.height)});
+  return blocks;
+}
+
+}  // namespace orbs::metrics

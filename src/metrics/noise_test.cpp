@@ -1,0 +1,207 @@
+#include "metrics/noise_test.h"
+
+#include "base/student_t.h"
+#include "metrics/block_scores.h"
+#include "metrics/noise_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace orbs::metrics {
+
+namespace {
+
+constexpr double kPerTest = kFalseAlarms / 3;
+
+Estimate interval(double value, double error, double probability, double degrees) {
+  const double reach = error > 0 ? student_quantile(probability, std::max(1.0, degrees)) * error : 0.0;
+  return {value, value - reach, value + reach};
+}
+
+struct Totals {
+  double result = 0;
+  double reference = 0;
+};
+
+Totals totals_of(const NoiseSamples& samples, std::size_t channel) {
+  Totals totals;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+    if (samples.included[pixel] == 0) continue;
+    totals.result += static_cast<double>(samples.result[3 * pixel + channel]);
+    totals.reference += static_cast<double>(samples.reference[3 * pixel + channel]);
+  }
+  return totals;
+}
+
+// Variance of sum(result - ratio * reference), the numerator of the ratio's error by the delta method.
+PooledVariance from_variances(const NoiseSamples& samples, std::size_t channel, double ratio) {
+  DifferenceVariance variance(samples, channel, ratio);
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel)
+    if (samples.included[pixel] != 0) variance.add(pixel);
+  return variance.pooled();
+}
+
+// The same from the sums of neighbouring blocks, (A - B)^2, whose expectation is the variance of both where
+// the error is noise, and more where it has structure. Whole blocks, so that a filter that reaches over a
+// pixel's border hides little. A last block without a neighbour is taken to be like the others.
+PooledVariance from_scatter(const NoiseSamples& samples, std::size_t channel, double ratio) {
+  std::vector<double> sums;
+  for (const Rectangle& block : blocks_of(samples)) {
+    double sum = 0;
+    for_each_block_pixel(samples, block, [&](std::size_t pixel) {
+      const std::size_t i = 3 * pixel + channel;
+      sum += static_cast<double>(samples.result[i]) - ratio * static_cast<double>(samples.reference[i]);
+    });
+    sums.push_back(sum);
+  }
+  PooledVariance pooled;
+  for (std::size_t i = 0; i + 1 < sums.size(); i += 2)
+    pooled.add((sums[i] - sums[i + 1]) * (sums[i] - sums[i + 1]));
+  const double scale = static_cast<double>(sums.size()) / static_cast<double>(sums.size() / 2 * 2);
+  return {pooled.sum * scale, pooled.squares * scale * scale};
+}
+
+std::optional<Estimate> ratio_of(const NoiseSamples& samples, std::size_t channel, NoiseSource source) {
+  constexpr double kFirmness = 10;  // the delta method is first order: the divisor must stand firm
+  const Totals totals = totals_of(samples, channel);
+  double reference_variance = 0;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel)
+    if (samples.included[pixel] != 0)
+      reference_variance += variance_at(samples.reference_variance, 3 * pixel + channel);
+  if (!(totals.reference > kFirmness * std::sqrt(reference_variance))) return std::nullopt;
+  const double ratio = totals.result / totals.reference;
+  if (source == NoiseSource::Scatter && blocks_of(samples).size() < 2) return std::nullopt;
+  const PooledVariance pooled = source == NoiseSource::Variances ? from_variances(samples, channel, ratio)
+                                                                 : from_scatter(samples, channel, ratio);
+  return interval(ratio - 1, std::sqrt(pooled.sum) / totals.reference, kPerTest / 3, pooled.degrees());
+}
+
+// Mean of independent numbers; their scatter also holds that of the errors themselves, which only makes the
+// interval wider.
+Estimate mean_of(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double mean = 0;
+  for (const double value : values) mean += value / count;
+  PooledVariance scatter;
+  for (const double value : values) scatter.add((value - mean) * (value - mean));
+  return interval(mean, std::sqrt(scatter.sum) / count, kPerTest, scatter.degrees());
+}
+
+// The variances of both pictures over all channels; which of the two estimates of the result's is chosen as
+// in DifferenceVariance, for the same reason.
+struct PixelVariances {
+  std::vector<double> own, expected;  // sums of the three channels of the counted pixels
+  double own_sum = 0, expected_sum = 0;
+};
+
+PixelVariances pixel_variances(const NoiseSamples& samples) {
+  PixelVariances all;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+    if (samples.included[pixel] == 0) continue;
+    double own = 0;
+    double expected = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double of_reference = variance_at(samples.reference_variance, 3 * pixel + c);
+      own += variance_at(samples.result_variance, 3 * pixel + c) + of_reference;
+      expected += (samples.variance_ratio.at(c) + 1) * of_reference;
+    }
+    all.own.push_back(own);
+    all.expected.push_back(expected);
+    all.own_sum += own;
+    all.expected_sum += expected;
+  }
+  return all;
+}
+
+// (result - reference)^2 - variances has the expectation bias^2. The mean of its channels, which are far from
+// independent, is one number per pixel.
+void split_by_variances(const NoiseSamples& samples, NoiseTest& test) {
+  const PixelVariances all = pixel_variances(samples);
+  const auto& variances = all.own_sum >= all.expected_sum ? all.own : all.expected;
+  std::vector<double> excess;
+  excess.reserve(variances.size());
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+    if (samples.included[pixel] == 0) continue;
+    double squares = 0;
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+      squares += samples.difference(i) * samples.difference(i);
+    excess.push_back((squares - variances[excess.size()]) / 3);
+  }
+  test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(variances.size()));
+  test.bias_squared = mean_of(excess);
+}
+
+// The product of the differences of two neighbours has the expectation of the product of their biases, and
+// half the square of their distance that of the noise, both where neighbours have the same bias.
+void split_by_scatter(const NoiseSamples& samples, NoiseTest& test) {
+  std::vector<double> products;
+  double noise = 0;
+  for (int y = 0; y < samples.height; ++y)
+    for (int x = 0; x + 1 < samples.width; x += 2) {
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
+      if (samples.included[pixel] == 0 || samples.included[pixel + 1] == 0) continue;
+      double product = 0;
+      for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+        const double a = samples.difference(i);
+        const double b = samples.difference(i + 3);
+        product += a * b / 3;
+        noise += (a - b) * (a - b) / 6;
+      }
+      products.push_back(product);
+    }
+  if (products.empty()) return;
+  test.noise_squared = noise / static_cast<double>(products.size());
+  test.bias_squared = mean_of(products);
+}
+
+double mean_square(const NoiseSamples& samples) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+    if (samples.included[pixel] == 0) continue;
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+      sum += static_cast<double>(samples.reference[i]) * static_cast<double>(samples.reference[i]);
+    count += 3;
+  }
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+NoiseTest test_noise(const image::Image& result, const image::Image& reference, const Mask& mask) {
+  const NoiseSamples samples = noise_samples(result, reference, mask);
+  NoiseTest test;
+  if (samples.result_variance.empty()) test.source = NoiseSource::Scatter;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
+  test.reference_squared = mean_square(samples);
+  if (test.source == NoiseSource::Scatter) {
+    split_by_scatter(samples, test);
+    return test;
+  }
+  split_by_variances(samples, test);
+  test.blocks = score_blocks(samples, kPerTest);
+  test.pixels = score_pixels(samples);
+  return test;
+}
+
+std::optional<Estimate> mean_error(const NoiseTest& test) {
+  std::optional<Estimate> worst;
+  for (const auto& ratio : test.mean_ratio) {
+    if (!ratio || (ratio->low <= kNegligible && ratio->high >= -kNegligible)) continue;
+    if (!worst || std::fabs(ratio->value) > std::fabs(worst->value)) worst = ratio;
+  }
+  return worst;
+}
+
+bool is_square_biased(const NoiseTest& test) {
+  return test.bias_squared.low > kNegligible * kNegligible * test.reference_squared;
+}
+
+bool is_biased(const NoiseTest& test) {
+  return mean_error(test) || (test.blocks && test.blocks->off > 0) || is_square_biased(test);
+}
+
+}  // namespace orbs::metrics

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "image/image.h"
+#include "metrics/mask.h"
+
+#include <array>
+#include <optional>
+
+/// Is a picture wrong, or only noisy? Statistics of result - reference in linear Rec.709, from the variances
+/// of the mean that the pictures carry in "variance.R/G/B".
+///
+/// What the tests rest on:
+/// - The noise of different pixels is independent (a box filter, no denoiser), and so is that of the two
+///   pictures (other seeds). A sum over pixels then has the sum of their variances, and each of these may be
+///   as rough as it likes as long as it is not biased: the sum pools them.
+/// - The sum of the estimates is rough where few pixels carry it. By Welch and Satterthwaite a sum of
+///   estimates w_i with f_i degrees of freedom each has (sum w)^2 / sum(w^2 / f) of them. f is not known, as
+///   the values that a pixel averages may be rare and large; we take 1, the least there is. So the degrees of
+///   freedom are the number of pixels that carry the variance, thousands in an ordinary picture, and few
+///   where fireflies rule it: Student's distribution then makes the intervals as wide as honest ones must be.
+/// - What neither picture has seen, no test can know: light that arrives once in more samples than both have.
+///   Nor what the result alone has not seen where the reference keeps its variance and samples to itself.
+namespace orbs::metrics {
+
+/// How many honest pictures in total are called wrong; three tests share it evenly.
+constexpr double kFalseAlarms = 1e-3;
+
+/// A relative difference of means that is never called an error: rounding in float over thousands of samples
+/// and the eighth bit of a texture make one of this order in renderers that are both right.
+constexpr double kNegligible = 1e-3;
+
+/// A number and the interval that a right picture leaves with the probability kFalseAlarms / 3 at most (for
+/// the three channels of a mean ratio together).
+struct Estimate {
+  double value = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// Variances: from the pictures' channels; a reference without them counts as exact. Scatter: the result does
+/// not know its noise, so it is read off the differences of neighbours; structure in the error then counts as
+/// noise, and noise that filters spread over more than a few pixels is taken for less than it is.
+enum class NoiseSource { Variances, Scatter };
+
+constexpr int kBlock_px = 8;
+
+/// Means of result and reference over blocks of 8 x 8 px, each channel one test.
+struct BlockScores {
+  int tested = 0;      // blocks with at least 16 counted pixels, times channels
+  int off = 0;         // differ by more than noise: Benjamini and Hochberg 1995 at the rate kFalseAlarms / 3
+  double largest = 0;  // |z|; infinite for a difference where there is no noise
+  Rectangle where;     // the block that has it
+};
+
+/// Single pixels, each channel one. Few samples are far from normally distributed, so these point at places
+/// and decide nothing.
+struct PixelScores {
+  double largest = 0;  // |z|
+  Rectangle where;
+  double share_beyond_3 = 0;  // 0.0027 is expected of normally distributed noise
+};
+
+struct NoiseTest {
+  NoiseSource source = NoiseSource::Variances;
+  /// mean(result) / mean(reference) - 1 of R, G, B; nothing where the mean of the reference is not above ten
+  /// times its own noise (black, or a difference of pictures), as the ratio then says nothing.
+  std::array<std::optional<Estimate>, 3> mean_ratio;
+  double noise_squared = 0;           // the MSE that the noise of both pictures explains
+  Estimate bias_squared;              // what is left of the MSE; below zero by chance
+  double reference_squared = 0;       // mean square of the reference, the measure of what is negligible
+  std::optional<BlockScores> blocks;  // these two by variances only
+  std::optional<PixelScores> pixels;
+};
+
+/// The pictures must be Comparable; InputError when the mask does not fit them.
+NoiseTest test_noise(const image::Image& result, const image::Image& reference, const Mask& mask = {});
+
+/// Whether any of the three tests (mean ratio, blocks, bias squared) sees more than noise. Of right pictures
+/// with independent seeds that is the share kFalseAlarms at most.
+bool is_biased(const NoiseTest& test);
+
+/// Whether bias_squared is above zero for sure, and above what is negligible.
+bool is_square_biased(const NoiseTest& test);
+
+/// The mean ratio that is farthest from zero of those whose whole interval lies beyond kNegligible; nothing
+/// when there is none.
+std::optional<Estimate> mean_error(const NoiseTest& test);
+
+}  // namespace orbs::metrics

@@ -1,0 +1,74 @@
+#include "metrics/seeds.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace orbs::metrics {
+
+namespace {
+
+std::vector<image::Image> colours_of(const std::vector<image::Image>& pictures) {
+  std::vector<image::Image> colours;
+  colours.reserve(pictures.size());
+  for (const auto& picture : pictures) colours.push_back(image::select_rgb(picture, ""));
+  return colours;
+}
+
+double mean_at(const std::vector<image::Image>& colours, std::size_t sample) {
+  double sum = 0;
+  for (const auto& colour : colours) sum += static_cast<double>(colour.pixels[sample]);
+  return sum / static_cast<double>(colours.size());
+}
+
+void check_seeds(const std::vector<image::Image>& colours) {
+  if (colours.size() < 2)
+    throw InputError(
+        fmt::format("the noise of {} render cannot be known; two seeds are needed", colours.size()));
+  const auto& first = colours.front();
+  for (const auto& colour : colours)
+    if (colour.width != first.width || colour.height != first.height)
+      throw InputError(fmt::format("renders of one scene differ in size: {} x {} px and {} x {} px",
+                                   first.width, first.height, colour.width, colour.height));
+  if (std::all_of(colours.begin(), colours.end(),
+                  [&](const auto& colour) { return colour.pixels == first.pixels; }))
+    throw InputError(
+        "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene has "
+        "no noise");
+}
+
+}  // namespace
+
+image::Image mean_of(const std::vector<image::Image>& pictures) {
+  const auto colours = colours_of(pictures);
+  auto mean = image::make_image(colours.front().width, colours.front().height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i)
+    mean.pixels[i] = static_cast<float>(mean_at(colours, i));
+  return mean;
+}
+
+image::Image mean_and_variance_of(const std::vector<image::Image>& pictures) {
+  const auto colours = colours_of(pictures);
+  check_seeds(colours);
+  const auto count = static_cast<double>(colours.size());
+  auto out = image::make_image(colours.front().width, colours.front().height,
+                               {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  out.attributes = pictures.front().attributes;
+  out.attributes.erase("orbs.spp");  // of one render, not of their mean
+  for (std::size_t i = 0; i < colours.front().pixels.size(); ++i) {
+    const double mean = mean_at(colours, i);
+    double squares = 0;
+    for (const auto& colour : colours) {
+      const double difference = static_cast<double>(colour.pixels[i]) - mean;
+      squares += difference * difference;
+    }
+    const std::size_t at = i / 3 * 6 + i % 3;
+    out.pixels[at] = static_cast<float>(mean);
+    out.pixels[at + 3] = static_cast<float>(squares / (count - 1) / count);
+  }
+  return out;
+}
+
+}  // namespace orbs::metrics

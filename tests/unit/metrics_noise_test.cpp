@@ -1,0 +1,266 @@
+#include "base/error.h"
+#include "base/random.h"
+#include "metrics/noise_numbers.h"
+#include "metrics/noise_test.h"
+#include "metrics/seeds.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs::metrics;
+using orbs::mix;
+using orbs::unit_random;
+using orbs::image::Image;
+
+constexpr std::uint64_t kReferenceSeed = 1'000'000;
+
+/// One sample of a pixel's light, from a random key.
+using Light = std::function<double(std::uint64_t key, int pixel)>;
+
+double from_half_to_three_halves(std::uint64_t key, int /*pixel*/) { return 0.5 + unit_random(mix(key, 1)); }
+
+double penumbra(std::uint64_t key, int /*pixel*/) { return unit_random(mix(key, 1)) < 0.1 ? 1.0 : 0.0; }
+
+// One sample in 1000 carries a third of the light.
+double fireflies(std::uint64_t key, int /*pixel*/) {
+  return 0.8 * unit_random(mix(key, 1)) + (unit_random(mix(key, 2)) < 1e-3 ? 200.0 : 0.0);
+}
+
+struct Render {
+  int size_px = 32;
+  int spp = 16;
+  std::uint64_t seed = 1;
+};
+
+// A grey picture as the tracer makes it: mean and variance of the mean from four replicates, which is as
+// rough as suite pictures get.
+Image rendered(const Light& light, const Render& render) {
+  constexpr int kReplicates = 4;
+  Image picture = orbs::image::make_image(render.size_px, render.size_px,
+                                          {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  picture.attributes = {{"orbs.program", "test"}, {"orbs.spp", std::to_string(render.spp)}};
+  const int length = render.spp / kReplicates;
+  for (int pixel = 0; pixel < render.size_px * render.size_px; ++pixel) {
+    double sum = 0;
+    double squares = 0;
+    for (int replicate = 0; replicate < kReplicates; ++replicate) {
+      double mean = 0;
+      for (int i = 0; i < length; ++i)
+        mean += light(mix(mix(render.seed, static_cast<std::uint64_t>(pixel)),
+                          static_cast<std::uint64_t>(replicate * length + i)),
+                      pixel) /
+                length;
+      sum += mean;
+      squares += mean * mean;
+    }
+    const double mean = sum / kReplicates;
+    // Rounding only: the exact scatter is not negative.
+    const double scatter = std::max(0.0, squares / kReplicates - mean * mean);
+    for (int c = 0; c < 3; ++c) {
+      float* const at = &picture.pixels[static_cast<std::size_t>(6 * pixel + c)];
+      at[0] = static_cast<float>(mean);
+      at[3] = static_cast<float>(scatter / (kReplicates - 1));
+    }
+  }
+  return picture;
+}
+
+Image brighter(Image picture, float factor) {
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] *= i % 6 < 3 ? factor : factor * factor;
+  return picture;
+}
+
+Image without_variance(const Image& picture) { return orbs::image::select_rgb(picture, ""); }
+
+int false_alarms(const Light& light, int pictures, bool exact_reference = false) {
+  Image reference = rendered(light, {.size_px = 24, .spp = 256, .seed = kReferenceSeed});
+  if (exact_reference) {
+    reference = without_variance(reference);
+    for (float& value : reference.pixels) value = 1.0F;
+  }
+  int alarms = 0;
+  for (int i = 1; i <= pictures; ++i) {
+    const Image result = rendered(light, {.size_px = 24, .seed = static_cast<std::uint64_t>(i)});
+    alarms += is_biased(test_noise(result, reference)) ? 1 : 0;
+  }
+  return alarms;
+}
+
+}  // namespace
+
+// 1 in 1000 is promised. 300 pictures then have more than 3 with probability 3e-4; the seeds are fixed.
+TEST(NoiseTest, HonestSeedsAreNotCalledBiased) {
+  EXPECT_LE(false_alarms(from_half_to_three_halves, 300), 3);
+  EXPECT_LE(false_alarms(penumbra, 300), 3);
+  EXPECT_LE(false_alarms(from_half_to_three_halves, 300, /*exact_reference=*/true), 3);
+}
+
+// Most results have seen too few fireflies, and their own variance with them; the reference knows better.
+TEST(NoiseTest, HonestSeedsWithFirefliesAreNotCalledBiased) { EXPECT_LE(false_alarms(fireflies, 300), 3); }
+
+// Standard deviation of one pixel: 1/sqrt(12) / sqrt(16) = 7 % of the mean. The mean of 64^2 of them has 0.11
+// %, so 1 % is nine of its standard deviations, and t for 1 in 9000 is four.
+TEST(NoiseTest, OnePercentMoreEnergyIsSeenInAPictureWithSevenPercentNoise) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64, .seed = kReferenceSeed});
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Image honest = rendered(from_half_to_three_halves, {.size_px = 64, .seed = seed});
+    EXPECT_FALSE(mean_error(test_noise(honest, reference))) << seed;
+    for (const float factor : {1.01F, 0.99F}) {
+      const auto error = mean_error(test_noise(brighter(honest, factor), reference));
+      ASSERT_TRUE(error) << seed;
+      EXPECT_NEAR(error->value, static_cast<double>(factor) - 1, 0.006);
+      EXPECT_LT(error->low, error->value);
+    }
+  }
+}
+
+// The error of the ratio by its formula: sqrt(sum of variances) / sum, here with exact numbers: 0.04^2 in
+// each of 1024 pixels of 0.5 makes 0.04 / 0.5 / 32 = 0.0025; Student's t with 1024 degrees of freedom for
+// 1/9000 is 3.877.
+TEST(NoiseTest, TheIntervalOfTheMeanRatioIsThatOfTheDeltaMethod) {
+  Image result = orbs::image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = i % 6 < 3 ? 0.5F : 0.0016F;
+  Image reference = without_variance(result);
+  const auto test = test_noise(brighter(result, 1.0F), reference);
+  EXPECT_NEAR(test.mean_ratio[0]->value, 0.0, 1e-12);
+  EXPECT_NEAR(test.mean_ratio[0]->high, 3.877 * 0.0025, 2e-5);
+  EXPECT_NEAR(test.noise_squared, 0.0016, 1e-9);
+  EXPECT_NEAR(test.bias_squared.value, -0.0016, 1e-9);
+  // A reference with the same noise: sqrt(2) of it.
+  EXPECT_NEAR(test_noise(result, result).mean_ratio[0]->high, 3.877 * 0.0025 * std::sqrt(2), 4e-5);
+}
+
+// One pixel that carries the variance: no more than one degree of freedom, and a t beyond a thousand.
+TEST(NoiseTest, AFireflyThatRulesTheVarianceMakesTheIntervalWide) {
+  Image result = rendered(from_half_to_three_halves, {});
+  const Image reference = rendered(from_half_to_three_halves, {.spp = 64, .seed = kReferenceSeed});
+  const double before = test_noise(result, reference).mean_ratio[1]->high;
+  result.at(7, 9, 1) = 500;
+  result.at(7, 9, 4) = 500 * 500;
+  const auto ratio = test_noise(result, reference).mean_ratio[1].value();
+  EXPECT_LT(ratio.low, 0);
+  EXPECT_GT(ratio.high, 1000 * before);
+}
+
+TEST(NoiseTest, BiasAndNoiseAreTwoNumbers) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  Image result = rendered(from_half_to_three_halves, {.size_px = 64});
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    if (i % 6 < 3) result.pixels[i] += 0.05F;
+  const auto test = test_noise(result, reference);
+  // 1/12 / 16 of the result and 1/12 / 256 of the reference; 0.05^2. Standard error of a mean of 4096 squares
+  // of deviation sqrt(2) * 0.0055 and of four times the product with the bias: 2e-4.
+  EXPECT_NEAR(test.noise_squared, 1.0 / 192 + 1.0 / 3072, 3e-4);
+  EXPECT_NEAR(test.bias_squared.value, 0.0025, 8e-4);
+  EXPECT_GT(test.bias_squared.low, 0);
+  EXPECT_TRUE(is_square_biased(test));
+}
+
+// A block of 8 x 8 that is 15 % too bright is 1/64 of the picture: the mean moves by 0.2 %, the block by 17
+// of its standard deviations.
+TEST(NoiseTest, ALocalErrorIsSeenByItsBlock) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64, .seed = kReferenceSeed});
+  Image result = rendered(from_half_to_three_halves, {.size_px = 64});
+  EXPECT_EQ(test_noise(result, reference).blocks->off, 0);
+  for (int y = 24; y < 32; ++y)
+    for (int x = 40; x < 48; ++x)
+      for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) += 0.15F;
+  const auto test = test_noise(result, reference);
+  EXPECT_FALSE(mean_error(test));
+  ASSERT_TRUE(test.blocks);
+  EXPECT_EQ(test.blocks->tested, 3 * 64);
+  EXPECT_EQ(test.blocks->off, 3);
+  EXPECT_EQ(test.blocks->where.x0, 40);
+  EXPECT_EQ(test.blocks->where.y0, 24);
+  EXPECT_EQ(test.blocks->where.x1, 48);
+  EXPECT_EQ(test.blocks->where.y1, 32);
+  EXPECT_NE(bias_remark(test).find("[40,24,48,32]"), std::string::npos) << bias_remark(test);
+  EXPECT_FALSE(is_biased(test_noise(result, reference, {{{40, 24, 48, 32}}, {}})));
+}
+
+TEST(NoiseTest, PixelScoresPointAtTheWorstPixel) {
+  const Image reference = rendered(from_half_to_three_halves, {.spp = 64, .seed = kReferenceSeed});
+  Image result = rendered(from_half_to_three_halves, {});
+  EXPECT_LT(test_noise(result, reference).pixels->share_beyond_3, 0.01);
+  result.at(3, 21, 2) += 5;
+  const auto pixels = test_noise(result, reference).pixels.value();
+  EXPECT_GT(pixels.largest, 20);
+  EXPECT_EQ(pixels.where.x0, 3);
+  EXPECT_EQ(pixels.where.y0, 21);
+}
+
+// Rounding is no bias, however little noise there is.
+TEST(NoiseTest, WithoutNoiseOnlyWhatIsNotNegligibleIsABias) {
+  Image result = orbs::image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = i % 6 < 3 ? 0.5F : 0.0F;
+  EXPECT_FALSE(is_biased(test_noise(brighter(result, 1.0005F), result)));
+  EXPECT_TRUE(is_biased(test_noise(brighter(result, 1.002F), result)));
+  EXPECT_FALSE(is_biased(test_noise(without_variance(brighter(result, 1.0005F)), result)));
+  EXPECT_TRUE(is_biased(test_noise(without_variance(brighter(result, 1.002F)), result)));
+}
+
+TEST(NoiseTest, ABlackChannelHasNoRatio) {
+  Image result = rendered(from_half_to_three_halves, {});
+  for (std::size_t i = 2; i < result.pixels.size(); i += 3) result.pixels[i] = 0;
+  const auto test = test_noise(result, result);
+  EXPECT_TRUE(test.mean_ratio[0]);
+  EXPECT_FALSE(test.mean_ratio[2]);
+  EXPECT_FALSE(is_biased(test));
+}
+
+// The picture of a renderer that writes no variance: its noise is read off the picture.
+TEST(NoiseTest, WithoutVarianceTheScatterOfBlocksBoundsTheMean) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Image result = without_variance(rendered(from_half_to_three_halves, {.size_px = 64, .seed = seed}));
+    const auto test = test_noise(result, reference);
+    EXPECT_EQ(test.source, NoiseSource::Scatter);
+    EXPECT_FALSE(test.blocks);
+    EXPECT_FALSE(is_biased(test)) << seed;
+    EXPECT_NEAR(test.noise_squared, 1.0 / 192 + 1.0 / 3072, 6e-4);
+    Image bright = result;
+    for (float& value : bright.pixels) value *= 1.02F;
+    EXPECT_TRUE(mean_error(test_noise(bright, reference))) << seed;
+  }
+}
+
+TEST(Seeds, GiveTheMeanAndTheVarianceOfTheMean) {
+  std::vector<Image> renders;
+  for (const float value : {1.0F, 2.0F, 6.0F}) {
+    renders.push_back(orbs::image::make_image(2, 1, {"R", "G", "B"}));
+    renders.back().pixels.assign(6, value);
+  }
+  const Image mean = mean_and_variance_of(renders);
+  EXPECT_EQ(mean.at(0, 0, 0), 3.0F);
+  // Squared distances 4 + 1 + 9 = 14, by n - 1 = 2, by n = 3.
+  EXPECT_FLOAT_EQ(mean.at(1, 0, 3), 14.0F / 6);
+}
+
+TEST(Seeds, TwoAreEnoughToJudgeAPictureBy) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Image mean = mean_and_variance_of(
+        {without_variance(rendered(from_half_to_three_halves, {.size_px = 64, .seed = seed})),
+         without_variance(rendered(from_half_to_three_halves, {.size_px = 64, .seed = seed + 100}))});
+    EXPECT_FALSE(is_biased(test_noise(mean, reference))) << seed;
+    EXPECT_TRUE(mean_error(test_noise(brighter(mean, 1.01F), reference))) << seed;
+  }
+}
+
+TEST(Seeds, OfARendererThatIgnoresThemAreRefused) {
+  const Image one = rendered(from_half_to_three_halves, {});
+  EXPECT_THROW(mean_and_variance_of({one}), orbs::InputError);
+  EXPECT_THROW(mean_and_variance_of({one, one}), orbs::InputError);
+  EXPECT_THROW(mean_and_variance_of({one, rendered(from_half_to_three_halves, {.size_px = 8})}),
+               orbs::InputError);
+}
