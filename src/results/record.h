@@ -19,10 +19,10 @@ struct Measure {
   std::string unit;
   std::string definition;
   bool lower_is_better = false;
-  bool is_signed = false;     // nearer to zero is better
-  std::optional<double> low;  // ends of its interval, where it has one
-  std::optional<double> high;
-  std::vector<double> where;  // x0, y0, x1, y1 of the pixels that it is of; empty: of all
+  bool is_signed = false;          // nearer to zero is better
+  std::optional<double> low = {};  // ends of its interval, where it has one
+  std::optional<double> high = {};
+  std::vector<double> where = {};  // x0, y0, x1, y1 of the pixels that it is of; empty: of all
 };
 
 /// A picture of the error that lies beside the result.

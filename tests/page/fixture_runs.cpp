@@ -80,7 +80,9 @@ PictureRecord picture_of(const std::string& case_name, const JobRecord& job, Ver
   picture.sentence = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
   const double psnr = verdict == Verdict::Pass ? 41.5 : 20.25;
   picture.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
-                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false}};
+                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false},
+                      {"lean", -0.0125, "1", "how far it leans", true, true, -0.02, -0.005, {8, 16, 24, 32}}};
+  picture.remarks = {"it leans to the left"};
   picture.checks = {{"psnr_srgb8", verdict == Verdict::Pass, picture.sentence, 35.0, {}}};
   return picture;
 }

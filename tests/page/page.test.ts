@@ -60,6 +60,7 @@ test("a cell shows a small picture, opens its case, and the back button returns"
   await page.waitForSelector(".measures");
   const text = await page.locator(".facts").innerText();
   for (const part of ["What Known values tests.", "What goes wrong in Known values.", "10 log10(255^2 / MSE)", "≥ 35", "not met",
+    "nearer to 0 is better", "-0.02 to -0.005, in [8, 16, 24, 32]", "it leans to the left",
     "orbs run --suite alpha --case m1_values", "--spp-scale 0.5", "'with space' 'it'\\''s'", "reference <i>tracer</i>", "123 MB"])
     assert.ok((text + (await page.locator(".measures").innerHTML())).includes(part), part);
   await page.goBack();

@@ -38,16 +38,23 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
 }  // namespace
 
 TEST(Csv, HasOneRowPerPictureAndRenderer) {
-  EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-            "suite,requirement,case,picture,renderer,declared,verdict,sentence,psnr_srgb8,l1,wall_seconds,"
-            "cpu_seconds,"
-            "render_seconds,peak_rss_bytes,image,command\r\n"
-            "s,M1,m1,101,r,true,pass,fine,41.25,0.5,1.500,2.500,,1024,,\r\n");
+  EXPECT_EQ(
+      orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
+      "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,wall_seconds,"
+      "cpu_seconds,"
+      "render_seconds,peak_rss_bytes,image,command\r\n"
+      "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,1.500,2.500,,1024,,\r\n");
+}
+
+TEST(Csv, HoldsTheRemarks) {
+  auto run = run_of(Verdict::Pass, "fine");
+  run.pictures[0].remarks = {"bias: a, b", "c"};
+  EXPECT_NE(orbs::report::results_csv(run).find(",pass,fine,\"bias: a, b; c\",41.25"), std::string::npos);
 }
 
 TEST(Csv, QuotesWhatWouldBreakARow) {
   const auto text = orbs::report::results_csv(run_of(Verdict::Fail, "a \"b\", c\nd"));
-  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",41.25"), std::string::npos) << text;
+  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",,41.25"), std::string::npos) << text;
 }
 
 TEST(Junit, EscapesWhatXmlCannotHold) {
@@ -65,6 +72,12 @@ TEST(Junit, HasATestCasePerRequirementWithItsVerdict) {
   EXPECT_NE(text.find("<testcase classname=\"s.r\" name=\"M1 A &amp; B\" time=\"1.500\">"), std::string::npos)
       << text;
   EXPECT_NE(text.find("<failure message=\"fail: too dark &amp; wrong\"/>"), std::string::npos) << text;
+}
+
+TEST(Junit, HoldsTheRemarks) {
+  auto run = run_of(Verdict::Pass, "fine");
+  run.pictures[0].remarks = {"bias: darker"};
+  EXPECT_NE(orbs::report::junit_xml(run).find("101: bias: darker\n"), std::string::npos);
 }
 
 TEST(Junit, TellsErrorsFromFailuresAndFromWhatIsNotSupported) {

@@ -75,4 +75,19 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
   EXPECT_NE(text.find("The run was interrupted"), std::string::npos);
 }
 
+TEST(Table, ARemarkIsToldOnceForAllCasesOfThePicture) {
+  auto run = small_run();
+  run.pictures.resize(2);
+  for (auto& picture : run.pictures) {
+    picture.renderer = "orbs";
+    picture.picture = "101";
+    picture.verdict = Verdict::Pass;
+    picture.remarks = {"bias: darker"};
+  }
+  const auto text = summary_text(run, {});
+  const auto first = text.find("bias: darker");
+  ASSERT_NE(first, std::string::npos) << text;
+  EXPECT_EQ(text.find("bias: darker", first + 1), std::string::npos) << text;
+}
+
 TEST(Table, NoColourGoesToWhatIsNoTerminal) { EXPECT_FALSE(orbs::report::style_for(-1).colour); }

@@ -24,6 +24,24 @@ image::Image grey(float value, float variance = -1) {
   return picture;
 }
 
+image::Image grey_32(float value) {
+  auto picture = image::make_image(32, 32, {"R", "G", "B"});
+  picture.pixels.assign(picture.pixels.size(), value);
+  return picture;
+}
+
+// 32 x 32 px of mean `value`, each off by `deviation` to one side or the other, half of them to each, and a
+// variance that says so.
+image::Image noisy_grey(float value, float deviation) {
+  auto picture = image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const std::size_t pixel = i / 6;
+    const bool is_up = (pixel + pixel / 32) % 2 == 0;
+    picture.pixels[i] = i % 6 < 3 ? value + (is_up ? deviation : -deviation) : deviation * deviation;
+  }
+  return picture;
+}
+
 registry::Case one_case() {
   registry::Case made;
   made.requirement = "M1";
@@ -88,12 +106,63 @@ TEST(Noise, IsNoneWhereTheClampHoldsAndUnknownWithoutVariance) {
   EXPECT_EQ(runner::noise_mse_srgb8(grey(0.5F), grey(0.5F)), std::nullopt);
 }
 
-// The error of 31 dB above: noise with a standard deviation of 0.03 explains it, noise of 0.003 does not.
+// Noise of a standard deviation of 0.03 on 0.25 is 30.55 dB, of which 35 dB is a factor 2.8 away. The noise
+// is known as such, or said to be a tenth.
 TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusive) {
-  const auto noisy = judged(one_case(), grey(0.28F, 0.03F * 0.03F), grey(0.25F));
+  const auto noisy = judged(one_case(), noisy_grey(0.25F, 0.03F), grey_32(0.25F));
   EXPECT_EQ(noisy.verdict, Verdict::Inconclusive);
-  EXPECT_NE(noisy.sentence.find("more samples are needed"), std::string::npos) << noisy.sentence;
-  EXPECT_EQ(judged(one_case(), grey(0.28F, 0.003F * 0.003F), grey(0.25F)).verdict, Verdict::Fail);
+  EXPECT_NE(noisy.sentence.find("needs about 2.8 times the samples"), std::string::npos) << noisy.sentence;
+  EXPECT_TRUE(noisy.remarks.empty());
+  auto bold = noisy_grey(0.25F, 0.03F);
+  for (std::size_t i = 0; i < bold.pixels.size(); ++i)
+    if (i % 6 >= 3) bold.pixels[i] /= 100;
+  EXPECT_EQ(judged(one_case(), bold, grey_32(0.25F)).verdict, Verdict::Fail);
+}
+
+// 2.8 % more light adds a quarter of a decibel to the noise: the PSNR alone would call for more samples.
+TEST(Judge, NoiseIsNoExcuseForABias) {
+  const auto biased = judged(one_case(), noisy_grey(0.257F, 0.03F), grey_32(0.25F));
+  EXPECT_EQ(biased.verdict, Verdict::Fail);
+  EXPECT_NE(biased.sentence.find("the mean is brighter"), std::string::npos) << biased.sentence;
+}
+
+TEST(Judge, AReferenceTooNoisyForTheGateIsSaidToBeSo) {
+  const auto record = judged(one_case(), noisy_grey(0.25F, 0.001F), noisy_grey(0.25F, 0.03F));
+  EXPECT_EQ(record.verdict, Verdict::Inconclusive);
+  EXPECT_NE(record.sentence.find("the reference is too noisy"), std::string::npos) << record.sentence;
+}
+
+// 4 % are 40 dB: the gate is met, and the record says what it does not look at.
+TEST(Judge, ABiasThatTheGateDoesNotSeeIsARemark) {
+  const auto record = judged(one_case(), grey(0.26F), grey(0.25F));
+  EXPECT_EQ(record.verdict, Verdict::Pass);
+  ASSERT_EQ(record.remarks.size(), 1U);
+  EXPECT_NE(record.remarks[0].find("bias: the mean is brighter"), std::string::npos) << record.remarks[0];
+  EXPECT_NE(record.remarks[0].find("R +4 %"), std::string::npos) << record.remarks[0];
+  EXPECT_TRUE(judged(one_case(), grey(0.25F), grey(0.25F)).remarks.empty());
+}
+
+TEST(Judge, AMeanRatioIsAConditionWhereTheCaseAsksForIt) {
+  auto strict = one_case();
+  strict.mean_ratio = 0.01;
+  EXPECT_EQ(judged(strict, grey(0.252F), grey(0.25F)).verdict, Verdict::Pass);
+  const auto bright = judged(strict, grey(0.253F), grey(0.25F));
+  EXPECT_EQ(bright.verdict, Verdict::Fail);
+  EXPECT_NE(bright.sentence.find("the mean of R is off by +1.2 %"), std::string::npos) << bright.sentence;
+  EXPECT_EQ(bright.checks.size(), 4U);
+  // Noise of 4 % in each pixel: the interval of the mean is 0.5 % on either side.
+  EXPECT_EQ(judged(strict, noisy_grey(0.25F, 0.01F), grey_32(0.25F)).verdict, Verdict::Pass);
+  const auto unsure = judged(strict, noisy_grey(0.252F, 0.01F), grey_32(0.25F));
+  EXPECT_EQ(unsure.verdict, Verdict::Inconclusive);
+  EXPECT_NE(unsure.sentence.find("times the samples"), std::string::npos) << unsure.sentence;
+  EXPECT_EQ(judged(strict, noisy_grey(0.2575F, 0.01F), grey_32(0.25F)).verdict, Verdict::Fail);
+}
+
+TEST(Judge, AGateMayAskForAMetricThatIsNotAlwaysComputed) {
+  auto flip = one_case();
+  flip.gate = {"flip", std::nullopt, 0.02};
+  EXPECT_EQ(judged(flip, grey(0.25F), grey(0.25F)).verdict, Verdict::Pass);
+  EXPECT_EQ(judged(flip, grey(0.5F), grey(0.25F)).verdict, Verdict::Fail);
 }
 
 TEST(Judge, NoiseIsNoExcuseForAPictureThatIsFarOff) {

@@ -1,4 +1,5 @@
 #include "base/random.h"
+#include "metrics/seeds.h"
 #include "studies/bench_numbers.h"
 #include "studies/bench_report.h"
 #include "studies/seed_noise.h"
@@ -102,7 +103,7 @@ TEST(Bench, TheTableNamesWhatIsMissing) {
 TEST(SeedNoise, IsThatOfOnePicture) {
   const std::vector<image::Image> pictures{noisy_picture(1, 0.01), noisy_picture(2, 0.01),
                                            noisy_picture(3, 0.01)};
-  const auto noise = noise_of_seeds(pictures, mean_of(pictures), 1);
+  const auto noise = noise_of_seeds(pictures, metrics::mean_of(pictures), 1);
   EXPECT_NEAR(noise.relative_mse, 1e-4 / 0.26, 0.02 * 1e-4 / 0.26);
   EXPECT_NEAR(noise.psnr_srgb8_db, 43.63, 0.1);
 }
@@ -111,7 +112,7 @@ TEST(SeedNoise, TheMeanIsTheMeanOfAllPictures) {
   auto dark = image::make_image(2, 2, {"R", "G", "B"});
   auto bright = dark;
   std::fill(bright.pixels.begin(), bright.pixels.end(), 3.0F);
-  EXPECT_EQ(mean_of({dark, bright, bright}).at(1, 1, 2), 2.0F);
+  EXPECT_EQ(metrics::mean_of({dark, bright, bright}).at(1, 1, 2), 2.0F);
 }
 
 TEST(BenchNumbers, TheHarnessAddsTheDifferenceOfTheMedians) {

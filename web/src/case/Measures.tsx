@@ -1,5 +1,5 @@
 import { number, withUnit } from "../common/format";
-import type { Check, PictureDetail } from "../data/types";
+import type { Check, Measure, PictureDetail } from "../data/types";
 
 function toleranceText(check: Check | undefined): string {
   if (!check) return "";
@@ -9,9 +9,22 @@ function toleranceText(check: Check | undefined): string {
   return parts.join(", ");
 }
 
+function betterText(measure: Measure): string {
+  if (measure.signed) return "nearer to 0 is better";
+  return measure.lower_is_better ? "lower is better" : "higher is better";
+}
+
+/** The interval of a number, then the pixels that it is of. */
+function detailText({ low, high, where }: Measure): string {
+  const parts = [];
+  if (low !== undefined && high !== undefined) parts.push(`${number(low)} to ${number(high)}`);
+  if (where) parts.push(`in [${where.join(", ")}]`);
+  return parts.join(", ");
+}
+
 /** Every number with what it may be and what it means, then the conditions that are no metric. */
 export function Measures({ detail }: { detail: PictureDetail }) {
-  const { measures, checks } = detail;
+  const { measures, checks, remarks = [] } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;
   return (
@@ -37,11 +50,11 @@ export function Measures({ detail }: { detail: PictureDetail }) {
                       <p class="definition">{measure.definition}</p>
                     </details>
                   </th>
-                  <td class="number">{withUnit(number(measure.value, measure.infinite), measure.unit)}</td>
+                  <td class="number">{withUnit(number(measure.value, measure.infinite), measure.unit)} <span class="quiet">{detailText(measure)}</span></td>
                   <td>
                     {toleranceText(check)}{" "}
                     {check ? <span class={check.passed ? "tone-good" : "tone-bad"}>{check.passed ? "✓ met" : "✗ not met"}</span> : (
-                      <span class="quiet">{measure.lower_is_better ? "lower is better" : "higher is better"}</span>
+                      <span class="quiet">{betterText(measure)}</span>
                     )}
                   </td>
                 </tr>
@@ -50,6 +63,7 @@ export function Measures({ detail }: { detail: PictureDetail }) {
           </tbody>
         </table>
       ) : null}
+      {remarks.length > 0 ? <ul class="checks">{remarks.map((remark) => <li key={remark}>{remark}</li>)}</ul> : null}
       {others.length > 0 ? (
         <ul class="checks">
           {others.map((check) => (

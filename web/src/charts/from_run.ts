@@ -20,7 +20,7 @@ export function quantitiesOf(overview: Overview): Quantity[] {
     { name: "peak_rss_bytes", label: "peak memory (MB)", column: memory, log: true },
     // Ratios in dB are logarithms already.
     ...metrics.map((metric) => ({ name: metric.name, label: metric.unit === "1" ? metric.name : `${metric.name} (${metric.unit})`,
-      column: measures[metric.name] ?? [], log: metric.lower_is_better })),
+      column: measures[metric.name] ?? [], log: metric.lower_is_better && !metric.signed })),
   ];
   return all.filter(({ column }) => column.some((value) => value !== null && value > 0));
 }

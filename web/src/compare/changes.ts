@@ -22,8 +22,9 @@ function kindOf(a: Overview, before: number, b: Overview, after: number, metric:
   const [old, now] = [valueOf(a, metric, before), valueOf(b, metric, after)];
   if (old === undefined || now === undefined || old === now) return "same";
   if (Number.isFinite(old) && Math.abs(now - old) <= 0.01 * Math.abs(old)) return "same";
-  const lower = b.metrics.find((one) => one.name === metric)?.lower_is_better ?? false;
-  return now > old === lower ? "worse" : "better";
+  const known = b.metrics.find((one) => one.name === metric);
+  const grows = known?.signed ? Math.abs(now) > Math.abs(old) : now > old;
+  return grows === (known?.lower_is_better ?? false) ? "worse" : "better";
 }
 
 function byKey(overview: Overview, renderer: string, asRenderer: string): Map<string, { cell: number; names: CellNames }> {

@@ -41,6 +41,8 @@ export interface Metric {
   unit: string;
   definition: string;
   lower_is_better: boolean;
+  /** Nearer to zero is better. */
+  signed?: boolean;
 }
 
 /** One number per picture of the run; null where there is none. */
@@ -116,6 +118,11 @@ export interface Overview {
 export interface Measure extends Metric {
   value: number | null;
   infinite?: boolean;
+  /** Ends of its interval. */
+  low?: number;
+  high?: number;
+  /** x0, y0, x1, y1 of the pixels that it is of, where it is not of all. */
+  where?: number[];
 }
 
 export interface Check {
@@ -163,6 +170,8 @@ export interface PictureDetail {
   requirement: string;
   sentence: string;
   reference: string;
+  /** What changes no verdict and yet must be known. */
+  remarks?: string[];
   measures: Measure[];
   checks: Check[];
   images: ImageEntry[];

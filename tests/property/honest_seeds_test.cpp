@@ -1,0 +1,71 @@
+// The promise of metrics/noise_test.h on real renders: scenes of the suite at 48 px with few samples, one of
+// each kind of noise: evenly lit, a lamp in the picture whose edge carries all variance, a lamp seen through
+// glass, a profile.
+#include "metrics/noise_numbers.h"
+#include "metrics/noise_test.h"
+#include "scene/load_scene.h"
+#include "tracer/choose_light_paths.h"
+#include "tracer/render.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+struct SuiteScene {
+  const char* file;  // below data/cases/orbs
+  int spp;
+  bool sees_one_percent;  // its noise at this size leaves 1 % visible; at 512 px all do
+};
+
+void PrintTo(const SuiteScene& scene, std::ostream* out) { *out << scene.file; }
+
+constexpr int kSide_px = 48;
+constexpr int kReferenceFactor = 8;
+
+image::Image rendered(const tracer::World& world, int spp, std::uint64_t seed) {
+  const std::atomic<bool> never{false};
+  auto picture =
+      tracer::render(world, {.samples_per_pixel = spp, .seed = seed}, never, [](const tracer::Progress&) {
+      }).picture;
+  picture.attributes = {{"orbs.program", "orbs-tracer"}, {"orbs.spp", std::to_string(spp)}};
+  return picture;
+}
+
+image::Image one_percent_brighter(image::Image picture) {
+  for (const char* name : {"R", "G", "B"})
+    for (std::size_t i = static_cast<std::size_t>(image::channel_index(picture, name));
+         i < picture.pixels.size(); i += picture.channel_count())
+      picture.pixels[i] *= 1.01F;
+  return picture;
+}
+
+class HonestSeeds : public testing::TestWithParam<SuiteScene> {};
+
+}  // namespace
+
+TEST_P(HonestSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
+  auto scene = scene::load_scene(std::string(ORBS_SOURCE_DIR "/data/cases/orbs/") + GetParam().file);
+  scene.camera.width_px = kSide_px;
+  scene.camera.height_px = kSide_px;
+  auto world = tracer::make_world(scene);
+  tracer::choose_light_paths(world);
+  const auto reference = rendered(world, kReferenceFactor * GetParam().spp, 1000);
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const auto result = rendered(world, GetParam().spp, seed);
+    const auto test = metrics::test_noise(result, reference);
+    EXPECT_FALSE(metrics::is_biased(test)) << seed << ": " << metrics::bias_sentence(test);
+    if (GetParam().sees_one_percent)
+      EXPECT_TRUE(metrics::mean_error(metrics::test_noise(one_percent_brighter(result), reference))) << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite,
+                         HonestSeeds,
+                         testing::Values(SuiteScene{"m7_oren_nayar/100.json", 32, true},
+                                         SuiteScene{"g5_inst_remaplist/078.json", 16, true},
+                                         SuiteScene{"a1_trace_depth/101-depth1.json", 20, false},
+                                         SuiteScene{"a3_paths_glass/a3-ball.json", 16, false},
+                                         SuiteScene{"m6_emission_texture/124.json", 32, true},
+                                         SuiteScene{"l4_light_ies/232.json", 32, false}));
