@@ -56,8 +56,9 @@ TEST_P(HonestSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
     const auto result = rendered(world, GetParam().spp, seed);
     const auto test = metrics::test_noise(result, reference);
     EXPECT_FALSE(metrics::is_biased(test)) << seed << ": " << metrics::bias_sentence(test);
-    if (GetParam().sees_one_percent)
+    if (GetParam().sees_one_percent) {
       EXPECT_TRUE(metrics::mean_error(metrics::test_noise(one_percent_brighter(result), reference))) << seed;
+    }
   }
 }
 
