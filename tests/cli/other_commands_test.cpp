@@ -51,7 +51,7 @@ TEST(Compare, PrintsAllNumbersAndTheirDefinitionsOnRequest) {
   write_grey(sandbox, "b.exr", 0.25F);
   const auto answer = sandbox.orbs({"compare", "a.exr", "b.exr"});
   EXPECT_EQ(answer.status, 0) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "l1                     0.25 radiance")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "l1                             0.25 radiance")) << answer.text;
   EXPECT_FALSE(contains(answer.text, "mean of"));
   EXPECT_TRUE(contains(sandbox.orbs({"compare", "a.exr", "b.exr", "--definitions"}).text, "mean of"));
 }
