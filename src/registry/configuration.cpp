@@ -140,6 +140,11 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
   renderer.limits = limits;
   if (in.has("limits")) load_limits(in.object("limits"), renderer.limits);
   renderer.spp_scale = in.number_or("spp_scale", renderer.spp_scale, json::kPositive);
+  if (in.has("spp_scale_of_scenes")) {
+    auto scenes = in.object("spp_scale_of_scenes");
+    for (const auto& name : scenes.keys())
+      renderer.spp_scale_of_scenes[name] = scenes.number(name, json::kPositive);
+  }
   renderer.render_seconds_prefix = in.text_or("render_seconds_prefix", "");
   renderer.environment = load_environment(in);
   in.finish();

@@ -42,6 +42,7 @@ struct Renderer {
   std::vector<std::string> command;
   warden::Limits limits;              // those of the file, with the entry's own in their place
   double spp_scale = 1;               // samples of this renderer for one sample of the case
+  std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
   std::string render_seconds_prefix;  // what its output says before its own render time; "" when it says none
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };

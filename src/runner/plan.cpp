@@ -97,7 +97,11 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   while (plan.scenes[job.scene].name != scene_name) ++job.scene;
   const auto& scene = plan.scenes[job.scene];
   const auto& chosen = plan.renderers[renderer];
-  job.spp = adapters::scaled_spp(scene.spp, chosen.entry.spp_scale, plan.settings.spp_scale);
+  const auto& own_scales = chosen.entry.spp_scale_of_scenes;
+  const auto own_scale = own_scales.find(scene.name);
+  job.spp = adapters::scaled_spp(scene.spp,
+                                 own_scale == own_scales.end() ? chosen.entry.spp_scale : own_scale->second,
+                                 plan.settings.spp_scale);
   job.id = job_id(plan, scene, chosen, job.spp);
   job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
   plan.jobs.push_back(job);
