@@ -48,6 +48,7 @@ struct Cost {
   std::size_t peak_rss_bytes = 0;
   bool is_known = false;
   bool has_render_seconds = true;
+  std::string machine;  // "" when it is made on two kinds
 };
 
 Cost cost_of(const RunRecord& run, const PictureRecord& picture) {
@@ -55,6 +56,8 @@ Cost cost_of(const RunRecord& run, const PictureRecord& picture) {
   for (const auto& id : picture.jobs)
     for (const auto& job : run.jobs) {
       if (job.id != id || job.started.empty()) continue;
+      const auto machine = results::timing_machine(job.host);
+      cost.machine = !cost.is_known || machine == cost.machine ? machine : "";
       cost.is_known = true;
       cost.wall_seconds += job.wall_seconds;
       cost.cpu_seconds += job.cpu_seconds;
@@ -66,8 +69,8 @@ Cost cost_of(const RunRecord& run, const PictureRecord& picture) {
 }
 
 std::string cost_fields(const Cost& cost) {
-  if (!cost.is_known) return ",,,";
-  return fmt::format("{:.3f},{:.3f},{},{}", cost.wall_seconds, cost.cpu_seconds,
+  if (!cost.is_known) return ",,,,";
+  return fmt::format("{},{:.3f},{:.3f},{},{}", csv_field(cost.machine), cost.wall_seconds, cost.cpu_seconds,
                      cost.has_render_seconds ? fmt::format("{:.3f}", cost.render_seconds) : "",
                      cost.peak_rss_bytes);
 }
@@ -78,7 +81,7 @@ std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
   std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
-  text += ",wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
+  text += ",machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
   for (const auto& picture : run.pictures) {
     text += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
                         csv_field(picture.case_name), csv_field(picture.picture), csv_field(picture.renderer),

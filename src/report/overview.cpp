@@ -1,6 +1,7 @@
 #include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
+#include "results/record_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,14 +59,15 @@ double state_of(const PictureRecord& picture,
 }
 
 struct Columns {
-  Names cases, pictures, renderers, sentences;
+  Names cases, pictures, renderers, sentences, machines;
   std::map<std::string, std::vector<double>> cells;
   std::map<std::string, std::vector<double>> measures;
   std::map<std::string, std::vector<double>> infinite;
   std::vector<const results::Measure*> metrics;  // each name once
 };
 
-// A picture that is made from two renders costs both; the larger of the two memories.
+// A picture that is made from two renders costs both; the larger of the two memories. It has a machine when
+// both have the same one.
 void add_cost(const PictureRecord& picture,
               const RunRecord& run,
               const std::map<std::string, std::size_t>& jobs,
@@ -75,6 +77,7 @@ void add_cost(const PictureRecord& picture,
   double own = kNone;
   double memory = kNone;
   double spp = kNone;
+  std::vector<std::string> machines;
   const auto add = [](double& sum, double value) { sum = std::isnan(sum) ? value : sum + value; };
   for (const auto& id : picture.jobs) {
     const auto found = jobs.find(id);
@@ -85,7 +88,11 @@ void add_cost(const PictureRecord& picture,
     if (job.render_seconds) add(own, *job.render_seconds);
     memory = std::fmax(memory, static_cast<double>(job.peak_rss_bytes));
     spp = job.spp;
+    machines.push_back(results::timing_machine(job.host));
   }
+  const bool one_machine =
+      !machines.empty() && !machines.front().empty() && machines.front() == machines.back();
+  columns.cells["machine"].push_back(one_machine ? columns.machines.of(machines.front()) : kNone);
   columns.cells["wall_seconds"].push_back(wall);
   columns.cells["cpu_seconds"].push_back(cpu);
   columns.cells["render_seconds"].push_back(own);
@@ -144,8 +151,9 @@ void write_run(Writer& out, const RunView& view) {
   out.member("started", run.started).member("wall_seconds", run.wall_seconds);
   out.member("orbs_version", run.orbs_version).member("command", shell_text(run.command_line));
   out.member("interrupted", run.interrupted).member("finished", run.finished).member("live", view.is_live);
-  out.key("host").begin_object().member("name", run.host.name).member("cpu", run.host.cpu);
-  out.member("cores", run.host.cores).member("system", run.host.system).end_object().end_object();
+  out.member("load", run.load).key("host");
+  results::write_host(out, run.host);
+  out.end_object();
 }
 
 void write_states(Writer& out) {
@@ -233,6 +241,7 @@ std::string overview_json(const RunView& view) {
   out.end_array();
   out.member("main_metric", main_metric(run));
   out.member("pictures", columns.pictures.list).member("sentences", columns.sentences.list);
+  out.member("machines", columns.machines.list);
   for (auto& [name, values] : columns.measures) values.resize(run.pictures.size(), kNone);
   write_columns(out, "cells", columns.cells);
   write_columns(out, "measures", columns.measures);

@@ -35,15 +35,21 @@ std::string log_tail(const RunRecord& run, const std::string& name) {
 }
 
 void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
-  out.begin_object().member("id", job.id).member("scene", job.scene).member("folder", job.folder);
-  out.member("renderer_version", job.renderer_version).member("command", job.command.empty() ? shell_text(job.argv) : job.command);
+  out.begin_object()
+      .member("id", job.id)
+      .member("scene", job.scene)
+      .member("folder", job.folder)
+      ;
+  out.member("renderer_version", job.renderer_version)
+      .member("command", job.command.empty() ? shell_text(job.argv) : job.command);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
   out.member("started", job.started).member("sentence", job.sentence);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
   out.member("exit_code", job.exit_code).member("signal", job.signal);
-  out.member("core_dumped", job.core_dumped).member("log_file", job.log);
+  out.member("core_dumped", job.core_dumped).member("log_file", job.log).member("load", job.load).key("host");
+  results::write_host(out, job.host);
   out.member("log", log_tail(run, job.log));
   out.end_object();
 }

@@ -46,7 +46,24 @@ Verdict read_verdict(ObjectReader& in, const std::string& key) {
 
 constexpr int kAnyInteger = std::numeric_limits<int>::max();
 
-JobRecord read_job(ObjectReader& in) {
+Host read_host(ObjectReader in) {
+  Host host;
+  host.name = in.text_or("name", "");
+  host.cpu = in.text_or("cpu", "");
+  host.cores = in.integer_or("cores", 0, 0, kAnyInteger);
+  host.governor = in.text_or("governor", "");
+  host.memory_bytes = static_cast<std::size_t>(in.number_or("memory_bytes", 0, json::kNotNegative));
+  host.system = in.text_or("system", "");
+  host.distribution = in.text_or("distribution", "");
+  host.compiler = in.text_or("compiler", "");
+  host.cpu_limit = optional_number(in, "cpu_limit");
+  if (in.has("memory_limit_bytes") && in.holds_number("memory_limit_bytes"))
+    host.memory_limit_bytes = static_cast<std::size_t>(in.number("memory_limit_bytes", json::kNotNegative));
+  return host;
+}
+
+// `usual`: its host where it says none.
+JobRecord read_job(ObjectReader& in, const Host& usual) {
   JobRecord job;
   job.id = in.text("id");
   job.suite = in.text_or("suite", "");
@@ -63,7 +80,9 @@ JobRecord read_job(ObjectReader& in) {
   job.spp = in.integer_or("spp", 0, 0, kAnyInteger);
   job.seed = in.integer_or("seed", 0, -kAnyInteger, kAnyInteger);
   job.threads = in.integer_or("threads", 0, 0, kAnyInteger);
+  job.host = in.has("host") ? read_host(in.object("host")) : usual;
   job.started = in.text_or("started", "");
+  job.load = in.number_or("load", 0);
   job.wall_seconds = in.number_or("wall_seconds", 0);
   job.cpu_seconds = in.number_or("cpu_seconds", 0);
   job.render_seconds = optional_number(in, "render_seconds");
@@ -160,11 +179,6 @@ RendererRecord read_renderer(ObjectReader& in) {
   return renderer;
 }
 
-Host read_host(ObjectReader in) {
-  return {in.text_or("name", ""), in.text_or("cpu", ""), in.integer_or("cores", 0, 0, kAnyInteger),
-          in.text_or("system", "")};
-}
-
 void check_format(ObjectReader& in, const std::string& expected) {
   if (const auto format = in.text("format"); format != expected)
     in.fail("format",
@@ -177,7 +191,7 @@ JobFile read_job_file(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   ObjectReader in(document);
   check_format(in, "orbs-job/1");
-  JobFile content{read_job(in), {}};
+  JobFile content{read_job(in, {}), {}};
   for (auto& picture : in.objects_or_none("pictures")) content.pictures.push_back(read_picture(picture));
   return content;
 }
@@ -192,6 +206,7 @@ RunRecord read_results_file(const std::filesystem::path& file) {
   run.orbs_version = in.text_or("orbs_version", "");
   run.command_line = texts_or_none(in, "command_line");
   run.started = in.text_or("started", "");
+  run.load = in.number_or("load", 0);
   run.wall_seconds = in.number_or("wall_seconds", 0);
   run.interrupted = in.boolean_or("interrupted", false);
   run.finished = in.boolean_or("finished", true);
@@ -203,7 +218,7 @@ RunRecord read_results_file(const std::filesystem::path& file) {
   for (auto& requirement : in.objects_or_none("requirements"))
     run.requirements.push_back(read_requirement(requirement));
   for (auto& picture : in.objects_or_none("pictures")) run.pictures.push_back(read_picture(picture));
-  for (auto& job : in.objects_or_none("jobs")) run.jobs.push_back(read_job(job));
+  for (auto& job : in.objects_or_none("jobs")) run.jobs.push_back(read_job(job, run.host));
   return run;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/host.h"
 #include "results/verdict.h"
 
 #include <cstddef>
@@ -60,7 +61,9 @@ struct JobRecord {
   int spp = 0;
   int seed = 0;
   int threads = 0;
+  Host host;
   std::string started;  // local time, ISO 8601
+  double load = 0;      // of the machine then: processes that wanted to run, mean of the minute before
   double wall_seconds = 0;
   double cpu_seconds = 0;                // user and system
   std::optional<double> render_seconds;  // as the renderer says itself
@@ -135,13 +138,6 @@ struct LeftOut {
   std::string reason;
 };
 
-struct Host {
-  std::string name;
-  std::string cpu;
-  int cores = 0;
-  std::string system;
-};
-
 struct RunRecord {
   std::string suite;
   std::string folder;  // absolute
@@ -149,7 +145,8 @@ struct RunRecord {
   double wall_seconds = 0;
   std::string orbs_version;
   std::vector<std::string> command_line;
-  Host host;
+  Host host;        // of the run; renders that were there before may have another one
+  double load = 0;  // when it started, as for a render
   bool interrupted = false;
   bool finished = true;  // false while the run goes on, and for ever after it was killed
   std::vector<CaseRecord> cases;

@@ -1,7 +1,5 @@
 #include "results/record_json.h"
 
-#include "json/writer.h"
-
 #include <cmath>
 
 namespace orbs::results {
@@ -29,7 +27,7 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("limits_hash", job.limits_hash);
   out.member("judged_hash", job.judged_hash);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
-  out.member("started", job.started);
+  out.member("started", job.started).member("load", job.load);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   write_optional(out, "render_seconds", job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
@@ -125,10 +123,24 @@ void write_measure(Writer& out, const Measure& measure) {
   out.end_object();
 }
 
+void write_host(Writer& out, const Host& host) {
+  out.begin_object().member("name", host.name).member("cpu", host.cpu).member("cores", host.cores);
+  out.member("governor", host.governor);
+  out.member("memory_bytes", static_cast<unsigned long long>(host.memory_bytes));
+  out.member("system", host.system).member("distribution", host.distribution);
+  out.member("compiler", host.compiler);
+  write_optional(out, "cpu_limit", host.cpu_limit);
+  out.key("memory_limit_bytes");
+  host.memory_limit_bytes ? out.value(static_cast<unsigned long long>(*host.memory_limit_bytes)) : out.null();
+  out.end_object();
+}
+
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures) {
   Writer out;
   out.begin_object().member("format", "orbs-job/1");
   write_job(out, job);
+  out.key("host");
+  write_host(out, job.host);
   write_array(out, "pictures", pictures, write_picture);
   return out.end_object().text();
 }
@@ -138,11 +150,12 @@ std::string run_json(const RunRecord& run) {
   out.begin_object().member("format", "orbs-results/1").member("suite", run.suite);
   out.member("orbs_version", run.orbs_version).member("command_line", run.command_line);
   out.member("started", run.started)
+      .member("load", run.load)
       .member("wall_seconds", run.wall_seconds)
       .member("interrupted", run.interrupted);
   out.member("exit_status", exit_status(run)).member("finished", run.finished);
-  out.key("host").begin_object().member("name", run.host.name).member("cpu", run.host.cpu);
-  out.member("cores", run.host.cores).member("system", run.host.system).end_object();
+  out.key("host");
+  write_host(out, run.host);
   write_array(out, "cases", run.cases, write_case);
   write_array(out, "renderers", run.renderers, write_renderer);
   write_array(out, "left_out", run.left_out, [](Writer& w, const LeftOut& left) {
@@ -150,9 +163,13 @@ std::string run_json(const RunRecord& run) {
   });
   write_array(out, "requirements", run.requirements, write_requirement);
   write_array(out, "pictures", run.pictures, write_picture);
-  write_array(out, "jobs", run.jobs, [](Writer& w, const JobRecord& job) {
+  write_array(out, "jobs", run.jobs, [&](Writer& w, const JobRecord& job) {
     w.begin_object();
     write_job(w, job);
+    if (!job.started.empty() && job.host != run.host) {
+      w.key("host");
+      write_host(w, job.host);
+    }
     w.end_object();
   });
   return out.end_object().text();

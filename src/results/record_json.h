@@ -11,11 +11,15 @@ namespace orbs::results {
 /// has no infinity.
 void write_measure(json::Writer& out, const Measure& measure);
 
+/// All that is known of the machine, as an object.
+void write_host(json::Writer& out, const Host& host);
+
 /// The text of a job's job.json (format "orbs-job/1"): all of the record, and what was said about the
 /// pictures that the render alone makes.
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures);
 
-/// The text of results.json (format "orbs-results/1"): all of the record.
+/// The text of results.json (format "orbs-results/1"): all of the record. The host of a render is left out
+/// where it is the run's.
 std::string run_json(const RunRecord& run);
 
 }  // namespace orbs::results

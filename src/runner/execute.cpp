@@ -8,6 +8,7 @@
 #include "base/shell.h"
 #include "base/text.h"
 #include "registry/placeholders.h"
+#include "runner/host.h"
 #include "runner/outcome.h"
 
 #include <array>
@@ -130,6 +131,7 @@ Execution execute(const Plan& plan,
   record.argv = job_in(plan, planned, folders.run).argv;
   record.command = shell_command(folders.run / planned.folder, request.environment, record.argv);
   record.started = local_time_now();
+  record.load = load_average();
   const auto process = adapters::run_process(request);
   note_process(process, renderer, record);
   auto outcome = classify(process, job, renderer.limits);

@@ -5,8 +5,8 @@
 #include "image/image_io.h"
 #include "image/rounding.h"
 #include "runner/execute.h"
+#include "runner/host.h"
 #include "runner/scene_hash.h"
-#include "runner/summary.h"
 #include "scene/load_scene.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "image/image_io.h"
 #include "results/read_record.h"
 #include "results/record_json.h"
+#include "runner/host.h"
 #include "runner/judge_pictures.h"
 #include "runner/outdated.h"
 
@@ -106,15 +107,19 @@ class Renders {
       return;
     }
     if (reason) say(fmt::format("{} {}: {}", now.renderer, now.scene, *reason));
-    auto execution = found && !reason
-                         ? take_over(found->job, job.folder, folders_)
-                         : execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
+    auto execution = found && !reason ? take_over(found->job, job.folder, folders_) : render(job);
     finish(index, std::move(execution), now);
   }
 
   Work take() { return std::move(work_); }
 
  private:
+  Execution render(const PlannedJob& job) {
+    auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
+    execution.record.host = host_;
+    return execution;
+  }
+
   void keep(std::size_t index, JobFile found) {
     work_.jobs[index] = std::move(found.job);
     work_.pictures[index] = std::move(found.pictures);
@@ -167,6 +172,7 @@ class Renders {
   const std::vector<std::string>& versions_;
   const WorkFolders& folders_;
   const RunContext& context_;
+  const results::Host host_ = this_host();
   Work work_;
   std::mutex mutex_;
   std::size_t done_ = 0;

@@ -5,6 +5,7 @@
 #include "results/run_folder.h"
 #include "results/work_folder.h"
 #include "runner/execute.h"
+#include "runner/host.h"
 #include "runner/judge.h"
 #include "runner/judge_pictures.h"
 #include "runner/render_jobs.h"
@@ -50,6 +51,7 @@ results::RunRecord record_at_start(const Plan& plan,
   record.orbs_version = context.orbs_version;
   record.command_line = context.command_line;
   record.host = this_host();
+  record.load = load_average();
   record.left_out = plan.left_out;
   record.finished = false;
   for (const auto& one_case : plan.cases)

@@ -1,14 +1,9 @@
 #include "runner/summary.h"
 
-#include "base/text.h"
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <thread>
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 namespace orbs::runner {
 
@@ -83,20 +78,6 @@ void summarise(const Plan& plan, const std::vector<std::string>& versions, resul
   fill_requirements(plan, record);
   for (std::size_t i = 0; i < plan.renderers.size(); ++i)
     record.renderers.push_back(renderer_record(plan.renderers[i], versions[i], record));
-}
-
-results::Host this_host() {
-  results::Host host;
-  utsname names{};
-  if (::uname(&names) == 0) {
-    host.name = names.nodename;
-    host.system = fmt::format("{} {} {}", names.sysname, names.release, names.machine);
-  }
-  host.cores = static_cast<int>(std::thread::hardware_concurrency());
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; host.cpu.empty() && std::getline(cpus, line);)
-    if (line.starts_with("model name")) host.cpu = trim(line.substr(line.find(':') + 1));
-  return host;
 }
 
 }  // namespace orbs::runner

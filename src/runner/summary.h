@@ -16,7 +16,4 @@ void summarise(const Plan& plan, const std::vector<std::string>& versions, resul
 std::string measured_features(const std::vector<results::RequirementRecord>& requirements,
                               const std::string& renderer);
 
-/// Name, processor, cores and operating system of this machine.
-results::Host this_host();
-
 }  // namespace orbs::runner

@@ -5,7 +5,7 @@
 #include "metrics/seeds.h"
 #include "runner/choose.h"
 #include "runner/execute.h"
-#include "runner/summary.h"
+#include "runner/host.h"
 #include "scene/load_scene.h"
 #include "studies/bench_overhead.h"
 #include "studies/bench_render.h"
@@ -114,6 +114,7 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   record.orbs_version = context.orbs_version;
   record.started = runner::local_time_now();
   record.host = runner::this_host();
+  record.load = runner::load_average();
   record.scene = scene.name;
   record.trace_depth = scene.trace_depth;
   record.left_out = plan.left_out;

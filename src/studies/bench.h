@@ -67,6 +67,7 @@ struct BenchRecord {
   std::string orbs_version;
   std::string started;  // local time, ISO 8601
   results::Host host;
+  double load = 0;  // when it started
   std::string scene;
   int trace_depth = 0;
   std::vector<BenchRenderer> renderers;

@@ -1,4 +1,5 @@
 #include "json/writer.h"
+#include "results/record_json.h"
 #include "studies/bench_numbers.h"
 #include "studies/bench_report.h"
 
@@ -113,13 +114,14 @@ std::string bench_json(const BenchRecord& record) {
       .member("format", "orbs-bench/1")
       .member("orbs_version", record.orbs_version)
       .member("started", record.started)
-      .member("cpu", record.host.cpu)
-      .member("cores", record.host.cores)
+      .member("load", record.load)
       .member("scene", record.scene)
       .member("trace_depth", record.trace_depth)
       .member("size_px", settings.size_px)
       .member("threads", settings.threads)
       .member("spp", settings.spp);
+  out.key("host");
+  results::write_host(out, record.host);
   out.key("renderers").begin_array();
   for (const auto& renderer : record.renderers) put_renderer(out, record, renderer);
   out.end_array();

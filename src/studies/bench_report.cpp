@@ -93,9 +93,10 @@ std::string overhead_lines(const BenchRecord& record) {
 
 std::string bench_table(const BenchRecord& record) {
   const auto& settings = record.settings;
-  auto text = fmt::format("{}, {} x {} px, trace depth {}, {} spp, {} threads, {} rounds\n{}, {} cores\n\n",
-                          record.scene, settings.size_px, settings.size_px, record.trace_depth, settings.spp,
-                          settings.threads, settings.rounds, record.host.cpu, record.host.cores);
+  auto text =
+      fmt::format("{}, {} x {} px, trace depth {}, {} spp, {} threads, {} rounds\n{}, load {:.1f}\n\n",
+                  record.scene, settings.size_px, settings.size_px, record.trace_depth, settings.spp,
+                  settings.threads, settings.rounds, results::timing_machine(record.host), record.load);
   text += line(record, "median (least to most)", [](const auto& r) { return r.name; });
   text += speed_lines(record) + noise_lines(record) + "\n" + ratio_lines(record);
   text += fmt::format("{:<{}}{:>{}.1f}\n",

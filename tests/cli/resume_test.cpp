@@ -107,6 +107,20 @@ TEST(Resume, JudgesAgainWithoutRenderingWhenTheReferenceHasChanged) {
   EXPECT_EQ(sandbox.read("out/good/grey/log.txt"), log);
 }
 
+// Times stay those of the machine that they were measured on.
+TEST(Resume, OnAnotherMachineKeepsTheHostOfEachRender) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  const auto cpu = results::read_results_file(sandbox.folder() / "out/results.json").host.cpu;
+  ASSERT_NE(cpu, "");
+  replace_in(sandbox, "out/good/grey/job.json", cpu, "Another Processor");
+  EXPECT_EQ(resume(sandbox).status, 0);
+  const auto run = results::read_results_file(sandbox.folder() / "out/results.json");
+  EXPECT_EQ(run.host.cpu, cpu);
+  for (const auto& job : run.jobs) EXPECT_EQ(job.host.cpu, job.scene == "grey" ? "Another Processor" : cpu);
+  EXPECT_TRUE(contains(sandbox.read("out/results.csv"), "Another Processor"));
+}
+
 TEST(Resume, FinishesWhatAnInterruptLeft) {
   const Sandbox sandbox;
   EXPECT_EQ(first_run(sandbox, "good,interrupt").status, 130);

@@ -94,6 +94,8 @@ TEST(Run, RecordsWhatMadeAPictureAndWhatItCost) {
   EXPECT_GT(std::stod(member(json, "wall_seconds")), 0);
   EXPECT_GT(std::stod(member(json, "cpu_seconds")), 0);
   EXPECT_GT(std::stod(member(json, "peak_rss_bytes")), 1e6);
+  EXPECT_GE(std::stod(member(json, "load")), 0);
+  for (const char* fact : {"cpu", "system", "compiler"}) EXPECT_GT(member(json, fact).size(), 2U) << fact;
   EXPECT_TRUE(contains(json, R"("--threads", "3", "--spp", "4", "--seed", "9")")) << json;
 }
 

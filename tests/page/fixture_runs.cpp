@@ -46,6 +46,15 @@ image::Image map_of(const image::Image& a, const image::Image& b, bool is_signed
   return map;
 }
 
+results::Host the_host() {
+  results::Host host;
+  host.name = "host";
+  host.cpu = "a processor";
+  host.cores = 2;
+  host.system = "Linux";
+  return host;
+}
+
 JobRecord job_of(const std::string& scene, const std::string& renderer, double seconds) {
   JobRecord job;
   job.id = hash_text(content_hash(scene + "\n" + renderer));
@@ -58,6 +67,7 @@ JobRecord job_of(const std::string& scene, const std::string& renderer, double s
   job.spp = 16;
   job.seed = 1;
   job.threads = 2;
+  job.host = the_host();
   job.started = "2026-01-02T03:04:05";
   job.wall_seconds = seconds;
   job.cpu_seconds = 2 * seconds;
@@ -99,7 +109,8 @@ RunRecord blank_run(const std::vector<std::string>& renderers) {
   run.wall_seconds = 12.5;
   run.orbs_version = "0.0";
   run.command_line = {"orbs", "run", "--spp-scale", "0.5"};
-  run.host = {"host", "a processor", 2, "Linux"};
+  run.host = the_host();
+  run.load = 0.25;
   for (const auto& name : renderers) {
     results::RendererRecord renderer;
     renderer.name = name;
@@ -246,6 +257,11 @@ void write_earlier_run(const fs::path& folder) {
     if (picture.case_name == "e1_markup") picture.verdict = Verdict::Pass;
   }
   add_case(run, "g9_gone");
+  // Rendered elsewhere, as after a resume on another machine.
+  for (auto& job : run.jobs)
+    if (job.renderer == "three") job.host.cpu = "another processor";
+  for (auto& job : run.jobs)
+    if (job.renderer == "two") job.wall_seconds *= 2;
   write_run(std::move(run), folder);
 }
 

@@ -223,6 +223,13 @@ test("two runs: better, worse, new and gone", async () => {
   assert.match(await rows("worse").innerText(), /e1_markup\s+markup\s+one/);
   assert.match(await rows("new").innerText(), /m9_new/);
   assert.match(await rows("gone").innerText(), /g9_gone/);
+  // "two" took twice as long before; "three" was rendered elsewhere.
+  assert.match(await rows("better").innerText(), /× 0\.5$/);
+  const line = await page.locator(".compare-time").innerText();
+  assert.match(line, /^Wall clock × 0\.\d+, the geometric mean of \d+ pictures; load at the start 0\.25 before, 0\.25 after\./);
+  assert.match(line, /times are of different machines \(another processor, 2 cores before, a processor, 2 cores after\)/);
+  await page.locator("section[data-kind=same] summary").click();
+  assert.match(await rows("same").filter({ hasText: "three" }).first().innerText(), /times are of different machines$/);
   await page.goto(`${url}#/compare?before=small&after=small&ra=one&rb=two`);
   await page.waitForFunction(() => document.querySelector("section[data-kind=better]")?.textContent?.includes("one → two"));
   await page.close();

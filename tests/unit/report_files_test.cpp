@@ -28,6 +28,8 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
   JobRecord job;
   job.id = "id";
   job.started = "2026-01-01T00:00:00";
+  job.host.cpu = "a processor";
+  job.host.cores = 2;
   job.wall_seconds = 1.5;
   job.cpu_seconds = 2.5;
   job.peak_rss_bytes = 1024;
@@ -38,12 +40,10 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
 }  // namespace
 
 TEST(Csv, HasOneRowPerPictureAndRenderer) {
-  EXPECT_EQ(
-      orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-      "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,wall_seconds,"
-      "cpu_seconds,"
-      "render_seconds,peak_rss_bytes,image,command\r\n"
-      "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,1.500,2.500,,1024,,\r\n");
+  EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
+            "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,machine,"
+            "wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
+            "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }
 
 TEST(Csv, HoldsTheRemarks) {

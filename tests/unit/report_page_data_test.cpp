@@ -115,6 +115,8 @@ TEST(PageData, SaysWhatThePageShowsInColumns) {
   EXPECT_TRUE(holds(text, R"("main_metric": "psnr_srgb8")"));
   EXPECT_TRUE(holds(text, R"("suite": "beta")"));
   EXPECT_TRUE(holds(text, "\"l1\": [0.02, 0.04,")) << text;
+  EXPECT_TRUE(holds(text, R"("machines": ["a processor, 2 cores"])"));
+  EXPECT_TRUE(holds(text, "\"machine\": [0, 0,"));
   EXPECT_EQ(text.size(), report::overview_json(view).size());
   const auto picture = report::picture_json(view, 0);
   EXPECT_NO_THROW(json::parse("picture.json", picture));
@@ -161,4 +163,24 @@ TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
   // What failed comes first.
   EXPECT_EQ(none.left_out.front(), "one/values/result.exr");
   EXPECT_THROW(report::page_file(view, {scratch.path() / "nowhere", 0, true}), InputError);
+}
+
+// What two kinds of machine took together is the time of neither.
+TEST(PageData, ADifferenceOfRendersOnTwoMachinesHasNone) {
+  results::RunView view;
+  view.run.folder = "/nowhere";
+  results::PictureRecord difference;
+  for (const char* cpu : {"a", "b"}) {
+    results::JobRecord job;
+    job.id = cpu;
+    job.started = "2026-01-01T00:00:00";
+    job.host.cpu = cpu;
+    view.run.jobs.push_back(job);
+    view.states.push_back(results::JobState::Done);
+    difference.jobs.emplace_back(cpu);
+  }
+  view.run.pictures = {difference};
+  EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [null]"));
+  view.run.jobs[1].host.cpu = "a";
+  EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [0]"));
 }

@@ -1,6 +1,8 @@
 #include "json/object_reader.h"
+#include "results/read_record.h"
 #include "results/record.h"
 #include "results/record_json.h"
+#include "structure/source_files.h"
 
 #include <limits>
 
@@ -44,6 +46,30 @@ TEST(ExitStatus, IsOneForEveryFailureOnWhatARendererDeclares) {
   EXPECT_EQ(exit_status(run), 0);
   run.pictures.push_back(picture(Verdict::MissingReference, true));
   EXPECT_EQ(exit_status(run), 1);
+}
+
+TEST(ResultsJson, KeepsAllThatIsKnownOfTheMachines) {
+  const orbs::structure::TestFolder scratch("results-host");
+  Host host{"n", "c", 4, "performance", 1000, "s", "d", "g++", 1.5, 2000};
+  RunRecord run;
+  run.host = host;
+  run.load = 0.75;
+  run.jobs.resize(2);
+  for (auto& job : run.jobs) {
+    job.started = "2026-01-01T00:00:00";
+    job.host = host;
+  }
+  run.jobs[1].host.cpu_limit.reset();
+  run.jobs[1].load = 3.5;
+  scratch.write("results.json", run_json(run));
+  const auto read = read_results_file(scratch.path() / "results.json");
+  EXPECT_EQ(read.host, host);
+  EXPECT_EQ(read.load, 0.75);
+  EXPECT_EQ(read.jobs[0].host, host);
+  EXPECT_EQ(read.jobs[1].host, run.jobs[1].host);
+  EXPECT_EQ(read.jobs[1].load, 3.5);
+  scratch.write("job.json", job_json(run.jobs[1], {}));
+  EXPECT_EQ(read_job_file(scratch.path() / "job.json").job.host, run.jobs[1].host);
 }
 
 TEST(ResultsJson, IsJsonWhateverTheTextsHold) {

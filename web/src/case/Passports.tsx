@@ -1,5 +1,6 @@
+import { bytes } from "../common/format";
 import type { Session } from "../common/session";
-import type { PictureDetail } from "../data/types";
+import type { Host, PictureDetail } from "../data/types";
 
 function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   const known = pairs.filter(([, value]) => value !== "");
@@ -19,6 +20,19 @@ function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   );
 }
 
+function hostPairs(host: Host, load: number): [string, string][] {
+  const limits = [host.cpu_limit === null ? "" : `${host.cpu_limit} cores`, host.memory_limit_bytes === null ? "" : bytes(host.memory_limit_bytes)];
+  return [
+    ["host", `${host.name}, ${host.cpu}, ${host.cores} cores`],
+    ["memory", bytes(host.memory_bytes)],
+    ["limits of its container", limits.filter((text) => text !== "").join(", ")],
+    ["governor", host.governor],
+    ["load when it started", load.toFixed(2)],
+    ["system", [host.distribution, host.system].filter((text) => text !== "").join(", ")],
+    ["orbs compiled by", host.compiler],
+  ];
+}
+
 /** Who made the pictures, and how. */
 export function Passports({ session, detail }: { session: Session; detail: PictureDetail }) {
   const { run } = session.overview;
@@ -33,8 +47,8 @@ export function Passports({ session, detail }: { session: Session; detail: Pictu
             ["seed", String(job.seed)],
             ["threads", String(job.threads)],
             ["started", job.started.replace("T", " ")],
-            ["host", `${run.host.name}, ${run.host.cpu}, ${run.host.cores} cores`],
-            ["system", run.host.system],
+            ...hostPairs(job.host, job.load),
+            ["orbs", run.orbs_version],
             ["job", job.id],
           ]} />
         ))}

@@ -44,6 +44,9 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
   return (
     <>
       <h1 class="unseen">Time and memory</h1>
+      {overview.machines.length > 1 ? (
+        <p class="quiet">Not all times are of one machine, so they cannot be compared: {overview.machines.join("; ")}.</p>
+      ) : null}
       <ChartSection chart={byPicture} onOpen={open}>
         <Choice label="Show" param="of" chosen={one} quantities={quantities} />
       </ChartSection>

@@ -6,6 +6,7 @@ import type { Overview } from "../data/types";
 import { cellLink } from "../overview/Grid";
 import { note, type Route } from "../route";
 import { changesOf, stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
+import { timesOf, timeSummary } from "./times";
 
 const kHeadings: Record<Kind, string> = { worse: "Became worse", better: "Became better", new: "New", gone: "Gone", same: "As before" };
 const kMostRows = 500; // of one heading
@@ -55,6 +56,28 @@ function Cell({ overview, cell, metric, link }: { overview: Overview; cell: numb
   );
 }
 
+const kApart = "times are of different machines";
+const apartText = ([before, after]: [string, string]): string => `${before || "unknown"} before, ${after || "unknown"} after`;
+
+function TimeCell({ a, b, change }: { a: Overview; b: Overview; change: Change }) {
+  const times = timesOf(a, change.before, b, change.after);
+  if (!times) return <td class="quiet number">–</td>;
+  if ("ratio" in times) return <td class="number">× {number(times.ratio)}</td>;
+  return <td class="quiet number" title={apartText(times.machines)}>{kApart}</td>;
+}
+
+/** What became of the time, where that can be said. */
+function TimeLine({ a, b, changes }: { a: Overview; b: Overview; changes: Change[] }) {
+  const { ratio, pictures, apart, machines } = timeSummary(a, b, changes);
+  const loads = `load at the start ${a.run.load.toFixed(2)} before, ${b.run.load.toFixed(2)} after`;
+  return (
+    <p class="compare-time quiet">
+      {pictures > 0 ? <span>Wall clock × {number(ratio)}, the geometric mean of {pictures} pictures; {loads}. </span> : null}
+      {machines ? <span>Not compared for {apart} pictures: {kApart} ({apartText(machines)}).</span> : null}
+    </p>
+  );
+}
+
 function Changes({ kind, changes, a, b, metric, links }: {
   kind: Kind;
   changes: Change[];
@@ -72,7 +95,7 @@ function Changes({ kind, changes, a, b, metric, links }: {
         </summary>
         <table>
           <thead>
-            <tr><th scope="col">Case</th><th scope="col">Picture</th><th scope="col">Renderer</th><th scope="col">Before</th><th scope="col">After</th></tr>
+            <tr><th scope="col">Case</th><th scope="col">Picture</th><th scope="col">Renderer</th><th scope="col">Before</th><th scope="col">After</th><th scope="col" class="number" title="wall clock, after over before">Time</th></tr>
           </thead>
           <tbody>
             {changes.slice(0, kMostRows).map((change) => (
@@ -82,6 +105,7 @@ function Changes({ kind, changes, a, b, metric, links }: {
                 <td>{a.renderer && b.renderer ? `${a.renderer} → ${b.renderer}` : change.names.renderer}</td>
                 <Cell overview={a.overview} cell={change.before} metric={metric} link={links.a(change.before)} />
                 <Cell overview={b.overview} cell={change.after} metric={metric} link={links.b(change.after)} />
+                <TimeCell a={a.overview} b={b.overview} change={change} />
               </tr>
             ))}
           </tbody>
@@ -126,6 +150,7 @@ export function ComparePage({ session, route }: { session: Session; route: Route
           </select>
         </label>
       </div>
+      {changes && overviewA && overviewB ? <TimeLine a={overviewA} b={overviewB} changes={changes} /> : null}
       {!changes || !overviewA || !overviewB ? <p class="loading">Reading …</p> : (
         (Object.keys(kHeadings) as Kind[]).map((kind) => (
           <Changes key={kind} kind={kind} changes={changes.filter((one) => one.kind === kind)} metric={metric}

@@ -1,5 +1,19 @@
 // What src/report writes for the page (orbs-page/1). No metric, map, suite or state is known here by name.
 
+export interface Host {
+  name: string;
+  cpu: string;
+  cores: number;
+  governor: string;
+  memory_bytes: number;
+  system: string;
+  distribution: string;
+  compiler: string;
+  /** Of the container, in cores. */
+  cpu_limit: number | null;
+  memory_limit_bytes: number | null;
+}
+
 export interface RunInfo {
   name: string;
   suite: string;
@@ -10,7 +24,9 @@ export interface RunInfo {
   interrupted: boolean;
   finished: boolean;
   live: boolean;
-  host: { name: string; cpu: string; cores: number; system: string };
+  /** Processes that wanted to run when it started. */
+  load: number;
+  host: Host;
 }
 
 export interface State {
@@ -56,6 +72,8 @@ export interface Cells {
   declared: number[];
   sentence: number[];
   thumbnail: number[];
+  /** Of Overview.machines; null where the times say nothing about one machine. */
+  machine: Column;
   wall_seconds: Column;
   cpu_seconds: Column;
   render_seconds: Column;
@@ -108,6 +126,8 @@ export interface Overview {
   main_metric: string;
   pictures: string[];
   sentences: string[];
+  /** What times depend on: those of two different texts are not compared. */
+  machines: string[];
   cells: Cells;
   measures: Record<string, Column>;
   infinite: Record<string, number[]>;
@@ -152,6 +172,8 @@ export interface Job {
   seed: number;
   threads: number;
   started: string;
+  load: number;
+  host: Host;
   sentence: string;
   wall_seconds: number;
   cpu_seconds: number;
