@@ -27,8 +27,10 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--threads", settings->threads, "0: all cores")->check(CLI::Range(0, 1024));
-  command->add_option("--accept", settings->reason,
-                      "why references that exist may be replaced; kept in their passports");
+  command->add_option(
+      "--accept", settings->reason,
+      "why references that exist may be replaced; kept in their passports, and with those of the "
+      "replaced ones in <scene>.history.json beside them");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);

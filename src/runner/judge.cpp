@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "metrics/noise_numbers.h"
 #include "runner/gate.h"
+#include "runner/passport.h"
 
 #include <algorithm>
 #include <array>
@@ -127,14 +128,6 @@ metrics::Mask mask_of(const Case& one_case, const std::string& picture) {
     for (const auto& r : one.rectangles) mask.rectangles.push_back({r[0], r[1], r[2], r[3]});
   }
   return mask;
-}
-
-std::map<std::string, std::string> passport_of(const image::Image& picture) {
-  constexpr std::string_view kPrefix = "orbs.";
-  std::map<std::string, std::string> passport;
-  for (const auto& [name, text] : picture.attributes)
-    if (name.starts_with(kPrefix)) passport[name.substr(kPrefix.size())] = text;
-  return passport;
 }
 
 std::optional<metrics::Comparison> judge(const Case& one_case,

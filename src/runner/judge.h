@@ -20,7 +20,7 @@ image::Image difference_of(const image::Image& of, const image::Image& minus);
 
 /// The reference of a picture of the case: its file, or the difference of two. `scene_hashes` holds by scene
 /// what the passport of its reference must say, if it says anything: after a change of the scene its
-/// reference is none any more.
+/// reference is none any more. Nor is one whose pixels are not those that its passport was made out for.
 struct Reference {
   std::filesystem::path file;           // of the scene, or of the difference's `of`
   std::optional<image::Image> picture;  // nothing when it is missing
@@ -37,9 +37,6 @@ Reference load_reference(const registry::Case& one_case,
 void copy_references(const std::vector<registry::Case>& cases,
                      const std::filesystem::path& references,
                      const std::filesystem::path& folder);
-
-/// The passport in a picture's attributes "orbs.<key>", without the prefix.
-std::map<std::string, std::string> passport_of(const image::Image& picture);
 
 /// All masks of one picture of the case.
 metrics::Mask mask_of(const registry::Case& one_case, const std::string& picture);

@@ -4,6 +4,7 @@
 #include "image/false_colour.h"
 #include "image/image_io.h"
 #include "runner/judge.h"
+#include "runner/passport.h"
 
 #include <algorithm>
 
@@ -43,12 +44,31 @@ std::filesystem::path reference_file(const registry::Case& one_case,
   return references / ((scene == one_case.scenes.end() ? name : registry::reference_name(*scene)) + ".exr");
 }
 
-bool is_of_another_version(const image::Image& picture,
-                           const std::string& scene,
-                           const std::map<std::string, std::string>& scene_hashes) {
-  const auto said = picture.attributes.find("orbs.scene_hash");
-  const auto now = scene_hashes.find(scene);
-  return said != picture.attributes.end() && now != scene_hashes.end() && said->second != now->second;
+// What its passport says that is not so; "" when there is nothing. What it does not say is taken at its word.
+std::string passport_problem(const image::Image& picture,
+                             const std::filesystem::path& file,
+                             const std::string& scene,
+                             const std::map<std::string, std::string>& scene_hashes) {
+  const auto passport = passport_of(picture);
+  const auto name = file.stem().string();
+  const auto differs = [&](const std::string& what, const std::string& now, const std::string& said) {
+    return fmt::format(
+        "{}: its hash is now {}, the passport in {} says {}; "
+        "'orbs reference --scene {} --accept \"why it has changed\"' renders it again",
+        what, now, file.string(), said, name);
+  };
+  const auto scene_said = passport.find("scene_hash");
+  const auto scene_now = scene_hashes.find(scene);
+  if (scene_said != passport.end() && scene_now != scene_hashes.end() &&
+      scene_said->second != scene_now->second)
+    return differs(fmt::format("scene '{}' has changed since its reference was rendered", name),
+                   scene_now->second, scene_said->second);
+  const auto image_said = passport.find("image_hash");
+  if (image_said == passport.end()) return "";
+  const auto image_now = image_hash(picture);
+  return image_now == image_said->second
+             ? ""
+             : differs("the reference is not the picture that was accepted", image_now, image_said->second);
 }
 
 // The picture, or why there is none.
@@ -63,10 +83,7 @@ std::string read_reference(const std::filesystem::path& file,
   try {
     picture = image::read_image(file);
     image::select_rgb(*picture, "");
-    if (is_of_another_version(*picture, scene, scene_hashes))
-      problem = fmt::format(
-          "the reference {} is of another version of its scene; 'orbs reference --accept' renders it again",
-          file.string());
+    problem = passport_problem(*picture, file, scene, scene_hashes);
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
   }

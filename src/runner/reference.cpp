@@ -2,8 +2,10 @@
 
 #include "base/error.h"
 #include "base/scratch_folder.h"
+#include "base/text.h"
 #include "registry/cases.h"
 #include "runner/choose.h"
+#include "runner/reference_history.h"
 #include "runner/reference_render.h"
 #include "runner/reference_store.h"
 #include "scene/load_scene.h"
@@ -61,8 +63,12 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
   return all;
 }
 
+// Before hours of rendering.
 void refuse_replacing(const std::vector<WantedReference>& all, const std::string& reason) {
-  if (!reason.empty()) return;
+  for (const auto& wanted : all)
+    with_note(fmt::format("reading the history of the reference '{}'", wanted.name),
+              [&] { read_history(wanted.target); });
+  if (!trim(reason).empty()) return;
   std::vector<std::string> existing;
   std::error_code ignored;
   for (const auto& wanted : all)

@@ -1,11 +1,14 @@
 #include "runner/reference_store.h"
 
 #include "base/files.h"
+#include "base/scratch_folder.h"
 #include "base/text.h"
 #include "image/image_io.h"
 #include "image/rounding.h"
 #include "runner/execute.h"
 #include "runner/host.h"
+#include "runner/passport.h"
+#include "runner/reference_history.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 
@@ -64,6 +67,13 @@ void stamp(const RenderedReference& rendered,
     passport["orbs.path." + name] = fmt::format("{:.6g}", share);
 }
 
+// With the pixels that a reader of the file will see: halves of small numbers are rounded.
+image::Image as_stored(const image::Image& picture, image::Precision precision) {
+  const ScratchFolder scratch("orbs-reference");
+  image::write_exr(picture, scratch.path() / "stored.exr", precision);
+  return image::read_image(scratch.path() / "stored.exr");
+}
+
 }  // namespace
 
 std::map<std::string, double> path_shares(const image::Image& picture) {
@@ -102,9 +112,12 @@ void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason) {
   auto picture = shortened_picture(rendered.picture);
+  const auto precision = fits_half(picture) ? image::Precision::Half : image::Precision::Float;
   stamp(rendered, wanted, reason, picture);
-  image::write_exr(picture, wanted.target,
-                   fits_half(picture) ? image::Precision::Half : image::Precision::Float);
+  picture.attributes["orbs.image_hash"] = image_hash(as_stored(picture, precision));
+  std::error_code ignored;
+  if (std::filesystem::exists(wanted.target, ignored)) note_replaced(wanted.target, reason);
+  image::write_exr(picture, wanted.target, precision);
 }
 
 }  // namespace orbs::runner

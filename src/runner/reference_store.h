@@ -16,8 +16,8 @@ std::map<std::string, double> path_shares(const image::Image& picture);
 /// variance. A colour without variance (black, a lamp that fills the pixel) is exact and stays as it is.
 image::Image shortened_picture(const image::Image& picture);
 
-/// Writes the picture with its passport to wanted.target. The passport names no machine but its processor: it
-/// is published.
+/// Writes the picture with its passport to wanted.target; the passport of the one that it replaces goes to
+/// the history beside it. The passport names no machine but its processor: it is published.
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason);

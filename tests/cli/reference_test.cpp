@@ -2,6 +2,8 @@
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
+#include "runner/passport.h"
+#include "runner/reference_history.h"
 
 #include <gtest/gtest.h>
 
@@ -37,12 +39,53 @@ TEST(Reference, CarriesItsPassport) {
   EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
   const auto& passport = picture.attributes;
   for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "cpu",
-                          "date", "noise_psnr_srgb8_db", "reason"})
+                          "date", "noise_psnr_srgb8_db", "reason", "image_hash"})
     EXPECT_TRUE(passport.contains(std::string("orbs.") + key)) << key;
   EXPECT_EQ(passport.at("orbs.spp"), "16");
   EXPECT_EQ(passport.at("orbs.seed"), "77");
   EXPECT_EQ(passport.at("orbs.settings"), "--spp 16 --seed 77");
   EXPECT_FALSE(passport.contains("orbs.host"));  // references are published
+  EXPECT_EQ(passport.at("orbs.image_hash"), runner::image_hash(picture));
+  EXPECT_FALSE(sandbox.has("references/grey.history.json"));  // it is the first
+}
+
+TEST(Reference, ThatIsReplacedLeavesItsPassportInItsHistory) {
+  const Sandbox sandbox;
+  const auto file = sandbox.folder() / "references" / "grey.exr";
+  const auto first = runner::image_hash(image::read_image(file));
+  for (const char* reason : {"a scene of its own", "the lamp was moved"})
+    EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", reason}).status, 2);
+  const auto history = runner::read_history(file);
+  ASSERT_EQ(history.size(), 2U);
+  EXPECT_EQ(history[0].reason, "a scene of its own");
+  EXPECT_EQ(history[0].passport.at("image_hash"), first);
+  EXPECT_EQ(history[1].reason, "the lamp was moved");
+  EXPECT_EQ(history[1].passport.at("reason"), "a scene of its own");
+  EXPECT_EQ(history[1].passport.at("spp"), "4");
+}
+
+TEST(Reference, ThatCannotBeReadLeavesThatInItsHistory) {
+  const Sandbox sandbox;
+  sandbox.write("references/grey.exr", "torn");
+  EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "torn"}).status, 2);
+  const auto history = runner::read_history(sandbox.folder() / "references" / "grey.exr");
+  ASSERT_EQ(history.size(), 1U);
+  EXPECT_NE(history[0].problem, "");
+}
+
+TEST(Reference, WithABrokenHistoryIsNotReplaced) {
+  const Sandbox sandbox;
+  const auto before = sandbox.read("references/grey.exr");
+  sandbox.write("references/grey.history.json", "{ torn");
+  const auto answer = sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "why not"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "reading the history of the reference 'grey'")) << answer.text;
+  EXPECT_EQ(sandbox.read("references/grey.exr"), before);
+}
+
+TEST(Reference, IsNotReplacedForABlankReason) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", " "}).status, 2);
 }
 
 TEST(Reference, WithAReasonIsReplacedAndKeepsIt) {
@@ -123,13 +166,15 @@ TEST(Reference, IsNotRenderedForASceneThatIsAnotherOneByDefinition) {
 TEST(Reference, IsNoneAnyMoreWhenItsSceneHasChanged) {
   const Sandbox sandbox;
   sandbox.orbs({"reference", "-s", "v1.5", "--spp", "4", "--accept", "test"});
-  EXPECT_FALSE(contains(sandbox.orbs({"run", "-r", "good", "-s", "v1.5"}).text, "another version"));
+  EXPECT_FALSE(contains(sandbox.orbs({"run", "-r", "good", "-s", "v1.5"}).text, "has changed"));
   auto text = sandbox.read("cases/m1_grey/grey.json");
   sandbox.write("cases/m1_grey/grey.json", text.replace(text.find("[0,4,1]"), 7, "[0,4,2]"));
   const auto answer = sandbox.orbs({"run", "-r", "good", "-s", "v1.5"});
   EXPECT_EQ(answer.status, 1);
   EXPECT_TRUE(contains(answer.text, "missing reference")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "is of another version of its scene")) << answer.text;
+  EXPECT_TRUE(
+      contains(answer.text, "scene 'v1.5' has changed since its reference was rendered: its hash is now "))
+      << answer.text;
 }
 
 // The file serves both cases, so the layers that one of them needs are rendered whoever is chosen.

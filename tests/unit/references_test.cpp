@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "image/image_io.h"
 #include "registry/cases.h"
-#include "runner/judge.h"
+#include "runner/passport.h"
 #include "runner/reference.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
@@ -38,6 +38,8 @@ std::string fault_of(const registry::CaseScene& scene, double needed_db, const s
   auto passport = runner::passport_of(picture);
   if (passport["scene_hash"] != hash_text(runner::scene_content_hash(read, scene.file)))
     return "is of another version of its scene";
+  if (passport.contains("image_hash") && passport["image_hash"] != runner::image_hash(picture))
+    return "is not the picture that was accepted";
   if (to_number(passport["noise_psnr_srgb8_db"]).value_or(0) < needed_db)
     return fmt::format("has a noise of {} dB, {} are needed", passport["noise_psnr_srgb8_db"], needed_db);
   return "";

@@ -1,6 +1,7 @@
 #include "image/image_io.h"
 #include "runner/judge.h"
 #include "runner/noise.h"
+#include "runner/passport.h"
 #include "structure/source_files.h"
 
 #include <cmath>
@@ -262,9 +263,44 @@ TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
   EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path(), {{"a", "1234"}}).picture);
   const auto old = runner::load_reference(one_case(), "a", scratch.path(), {{"a", "5678"}});
   EXPECT_FALSE(old.picture);
-  EXPECT_NE(old.problem.find("another version of its scene"), std::string::npos) << old.problem;
+  EXPECT_EQ(
+      old.problem,
+      fmt::format("scene 'a' has changed since its reference was rendered: its hash is now 5678, the "
+                  "passport in {} says 1234; 'orbs reference --scene a --accept \"why it has changed\"' "
+                  "renders it again",
+                  (scratch.path() / "a.exr").string()));
   // One without a passport is taken at its word.
   EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).picture);
+}
+
+TEST(Reference, WhosePixelsAreNotThoseOfItsPassportIsNone) {
+  const structure::TestFolder scratch("runner-pixels");
+  scratch.write("keep", "");
+  auto picture = grey(0.75F);
+  picture.attributes["orbs.image_hash"] = runner::image_hash(picture);
+  image::write_exr(picture, scratch.path() / "a.exr");
+  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path()).picture);
+  picture.at(1, 1, 0) += 0.25F;
+  image::write_exr(picture, scratch.path() / "a.exr");
+  const auto changed = runner::load_reference(one_case(), "a", scratch.path());
+  EXPECT_FALSE(changed.picture);
+  EXPECT_NE(changed.problem.find("is not the picture that was accepted"), std::string::npos)
+      << changed.problem;
+}
+
+TEST(ImageHash, IsOfThePixelsAndTheirNamesWhateverTheirOrder) {
+  const auto picture = grey(0.75F, 0.5F);
+  auto other_order = image::make_image(picture.width, picture.height,
+                                       {"variance.R", "variance.G", "variance.B", "B", "G", "R"});
+  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel)
+    for (std::size_t c = 0; c < 6; ++c) other_order.pixels[6 * pixel + c] = c < 3 ? 0.5F : 0.75F;
+  EXPECT_EQ(runner::image_hash(picture), runner::image_hash(other_order));
+  auto renamed = picture;
+  renamed.channels[0] = "X";
+  EXPECT_NE(runner::image_hash(picture), runner::image_hash(renamed));
+  auto darker = picture;
+  darker.pixels[0] -= 1e-6F;
+  EXPECT_NE(runner::image_hash(picture), runner::image_hash(darker));
 }
 
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {

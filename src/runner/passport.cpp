@@ -1,0 +1,35 @@
+#include "runner/passport.h"
+
+#include "base/files.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+std::map<std::string, std::string> passport_of(const image::Image& picture) {
+  constexpr std::string_view kPrefix = "orbs.";
+  std::map<std::string, std::string> passport;
+  for (const auto& [name, text] : picture.attributes)
+    if (name.starts_with(kPrefix)) passport[name.substr(kPrefix.size())] = text;
+  return passport;
+}
+
+std::string image_hash(const image::Image& picture) {
+  auto names = picture.channels;
+  std::sort(names.begin(), names.end());
+  auto hash = content_hash(fmt::format("{} x {}", picture.width, picture.height));
+  std::vector<float> values(picture.pixel_count());
+  for (const auto& name : names) {
+    const auto channel = static_cast<std::size_t>(image::channel_index(picture, name));
+    for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
+      values[pixel] = picture.pixels[pixel * picture.channel_count() + channel];
+    hash = content_hash(name, hash);
+    hash = content_hash({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)}, hash);
+  }
+  return hash_text(hash);
+}
+
+}  // namespace orbs::runner
