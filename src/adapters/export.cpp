@@ -8,6 +8,7 @@
 #include "scene/lower.h"
 #include "scene/write_scene.h"
 
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -52,6 +53,8 @@ std::vector<std::string> limits_of_format(const registry::Renderer& renderer, co
   switch (renderer.scene_format) {
     case registry::SceneFormat::OrbsScene:
       return {};
+    case registry::SceneFormat::Native:
+      return {"it reads hand-written scenes only"};
     case registry::SceneFormat::Povray:
       return povray_limits(scene, povray_settings(renderer));
     case registry::SceneFormat::Mitsuba:
@@ -93,6 +96,8 @@ std::string scene_file_name(registry::SceneFormat format) {
       return "scene.xml";
     case registry::SceneFormat::Pbrt:
       return "scene.pbrt";
+    case registry::SceneFormat::Native:
+      return "";
   }
   return {};
 }
@@ -121,6 +126,9 @@ void export_scene(const registry::Renderer& renderer,
       return;
     case registry::SceneFormat::Pbrt:
       write_pbrt(prepared, file);
+      return;
+    case registry::SceneFormat::Native:
+      assert(false && "prepare_scene has given a reason");
       return;
   }
 }

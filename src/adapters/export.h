@@ -18,7 +18,8 @@ void check_scene_settings(const registry::Renderer& renderer);
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene);
 
-/// What the scene file of a job is called, by the ending that programs of the format know.
+/// What the exported scene file of a job is called, by the ending that programs of the format know; "" where
+/// nothing is exported.
 std::string scene_file_name(registry::SceneFormat format);
 
 /// Writes a prepared scene in the renderer's format, everything into the folder of `file`.

@@ -18,7 +18,8 @@ Job make_job(const registry::Renderer& renderer,
              const std::filesystem::path& folder) {
   Job job;
   job.folder = folder;
-  job.scene_file = folder / scene_file_name(renderer.scene_format);
+  job.scene_file =
+      folder / (settings.scene_file.empty() ? scene_file_name(renderer.scene_format) : settings.scene_file);
   job.image = folder / "result.exr";
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;

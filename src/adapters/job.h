@@ -21,8 +21,8 @@ struct Job {
   int height_px = 0;
   bool may_be_negative = false;  // its pixels
   // What proves that a picture is of this render; nothing is asked where they are empty.
-  std::string id;                                             // given to the renderer as ORBS_JOB
-  std::string scene_file_hash;                                // hash_text of scene_file's bytes
+  std::string id;                                              // given to the renderer as ORBS_JOB
+  std::string scene_file_hash;                                 // hash_text of scene_file's bytes
   std::optional<std::filesystem::file_time_type> ready_since;  // by the clock of the disk
 };
 
@@ -33,6 +33,7 @@ struct JobSettings {
   std::filesystem::path root;        // {root}
   std::filesystem::path build;       // {build}
   std::filesystem::path executable;  // {executable}, already found
+  std::string scene_file{};          // its name in the job's folder; "" for that of an exported scene
 };
 
 /// Samples that a renderer gets for a case's `spp`, rounded, at least 1.

@@ -20,7 +20,10 @@ void examine(const registry::Renderer& renderer, const runner::Plan& places) {
     fmt::print("  program   not installed: there is no program '{}' here\n",
                runner::program_name(renderer, places.root, places.build));
   }
-  fmt::print("  reads     {}\n", registry::scene_format_name(renderer.scene_format));
+  fmt::print("  reads     {}{}\n", registry::scene_format_name(renderer.scene_format),
+             renderer.native_scenes.empty()
+                 ? ""
+                 : fmt::format(", hand-written scenes *.{}", renderer.native_scenes));
   fmt::print("  declares  {}\n", registry::format_features(renderer.declares));
   for (const auto& limit : renderer.known_limits)
     fmt::print("  without   {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);

@@ -13,6 +13,7 @@ class Scanner {
     skip_space();
     return at_;
   }
+  std::size_t offset_here() const { return at_; }  // behind what was read last
   bool consume(char c) {
     skip_space();
     if (text_[at_] != c) return false;
@@ -85,6 +86,20 @@ class Scanner {
   std::string_view text_;
   std::size_t at_ = 0;
 };
+// Goes as far along the pointer as there are values; where the last of them starts.
+std::size_t enter_path(Scanner& scanner, std::string_view pointer) {
+  nlohmann::json::json_pointer p{std::string(pointer)};
+  std::vector<std::string> keys;
+  for (; !p.empty(); p = p.parent_pointer()) keys.push_back(p.back());
+  std::size_t found = scanner.offset();
+  for (auto key = keys.rbegin(); key != keys.rend() && scanner.enter(*key); ++key) found = scanner.offset();
+  return found;
+}
+// The blanks that the line around `offset` begins with.
+std::string indent_at(std::string_view text, std::size_t offset) {
+  const auto begin = text.rfind('\n', offset) + 1;  // npos + 1 == 0 on the first line
+  return std::string(text.substr(begin, text.find_first_not_of(" \t", begin) - begin));
+}
 }  // namespace
 TextPosition position_of_offset(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
@@ -94,12 +109,32 @@ TextPosition position_of_offset(std::string_view text, std::size_t offset) {
 }
 TextPosition locate(std::string_view text, std::string_view pointer) {
   Scanner scanner(text);
-  nlohmann::json::json_pointer p{std::string(pointer)};
-  std::vector<std::string> keys;
-  for (; !p.empty(); p = p.parent_pointer()) keys.push_back(p.back());
-  std::size_t found = scanner.offset();
-  for (auto key = keys.rbegin(); key != keys.rend() && scanner.enter(*key); ++key) found = scanner.offset();
-  return position_of_offset(text, found);
+  return position_of_offset(text, enter_path(scanner, pointer));
+}
+std::string with_element(std::string_view text, std::string_view array, std::string_view element) {
+  Scanner scanner(text);
+  const auto begin = enter_path(scanner, array);
+  scanner.value();
+  const auto close = text.rfind(']', scanner.offset_here() - 1);
+  const auto last = text.find_last_not_of(" \t\r\n", close - 1);
+  const bool is_first = last == begin;
+  auto indent = indent_at(text, last);
+  if (is_first) indent += "  ";
+  std::string out(text.substr(0, last + 1));
+  out += is_first ? "\n" : ",\n";
+  out += indent;
+  for (const char c : element) {
+    out += c;
+    if (c == '\n') out += indent;
+  }
+  // What stood before the bracket stays, a line break where there was none.
+  const auto before_close = text.substr(last + 1, close - last - 1);
+  if (before_close.find('\n') == std::string_view::npos) {
+    out += '\n';
+    out += indent_at(text, begin);
+  }
+  out += text.substr(last + 1);
+  return out;
 }
 std::string excerpt(std::string_view text, TextPosition at) {
   std::size_t begin = 0;

@@ -11,6 +11,10 @@ TextPosition position_of_offset(std::string_view text, std::size_t offset);
 /// Where the value with this JSON pointer starts in `text`. `text` must be valid JSON.
 /// Only used to write error messages, so it rescans from the start (cost: one pass).
 TextPosition locate(std::string_view text, std::string_view pointer);
+/// `text` with one more element, itself JSON, at the end of the array with this JSON pointer: on lines of its
+/// own, indented like the element before it. Every other byte stays. `text` must be valid JSON and hold the
+/// array.
+std::string with_element(std::string_view text, std::string_view array, std::string_view element);
 /// The line of `text` holding `at`, and a caret line under the column.
 std::string excerpt(std::string_view text, TextPosition at);
 }  // namespace orbs::json

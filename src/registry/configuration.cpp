@@ -1,6 +1,7 @@
 #include "registry/configuration.h"
 
 #include "base/files.h"
+#include "base/pattern.h"
 #include "base/text.h"
 #include "json/object_reader.h"
 #include "registry/defaults.h"
@@ -99,10 +100,56 @@ std::vector<std::string> load_command(ObjectReader& in) {
 }
 
 SceneFormat load_scene_format(ObjectReader& in) {
-  const auto word = in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray", "mitsuba", "pbrt"});
-  for (const auto format : {SceneFormat::Povray, SceneFormat::Mitsuba, SceneFormat::Pbrt})
+  const auto word =
+      in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray", "mitsuba", "pbrt", "native"});
+  for (const auto format :
+       {SceneFormat::Povray, SceneFormat::Mitsuba, SceneFormat::Pbrt, SceneFormat::Native})
     if (word == scene_format_name(format)) return format;
   return SceneFormat::OrbsScene;
+}
+
+std::string load_native_scenes(ObjectReader& in, SceneFormat format) {
+  auto ending = in.text_or("native_scenes", "");
+  if (format == SceneFormat::Native && ending.empty())
+    in.fail("", "a renderer of the scene_format native needs 'native_scenes', the ending of its scenes");
+  const bool plain = ending.find_first_of("/\\*? \t\n") == std::string::npos && !ending.starts_with('.');
+  if (!plain) in.fail("native_scenes", fmt::format("'{}' is no ending such as \"xml\"", ending));
+  return ending;
+}
+
+void check_pattern(ObjectReader& in, const std::string& text) {
+  constexpr std::size_t kMostGroups = 3;
+  try {
+    const auto groups = Pattern(text).group_count();
+    if (groups < 1 || groups > kMostGroups)
+      in.fail("pattern",
+              fmt::format("has {} groups in parentheses, needs 1 (seconds), 2 (minutes, seconds) or 3 "
+                          "(hours, minutes, seconds)",
+                          groups));
+  } catch (const InputError& e) {
+    if (std::string(e.what()).starts_with(in.file())) throw;
+    in.fail("pattern", e.what());
+  }
+}
+
+RenderSeconds load_render_seconds(ObjectReader in) {
+  RenderSeconds place;
+  if (in.has("pattern") == in.has("file"))
+    in.fail("", "needs either 'pattern', for the renderer's output, or 'file' and 'key', for a JSON file");
+  if (in.has("pattern")) {
+    place.pattern = in.text("pattern");
+    check_pattern(in, place.pattern);
+  } else {
+    place.file = in.text("file");
+    const auto path = std::filesystem::path(place.file);
+    if (path.empty() || path.is_absolute() || *path.lexically_normal().begin() == "..")
+      in.fail("file", "must lie in the folder of the render: a relative path without '..'");
+    place.key = in.text("key");
+    if (place.key.empty()) in.fail("key", "must name a number in the file");
+  }
+  place.unit_seconds = in.number_or("unit_seconds", place.unit_seconds, json::kPositive);
+  in.finish();
+  return place;
 }
 
 // What is not named stays as it is.
@@ -133,6 +180,7 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
     auto settings = in.object("scene_settings");
     for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
   }
+  renderer.native_scenes = load_native_scenes(in, renderer.scene_format);
   renderer.declares = load_features(in, "declares");
   for (auto& limit : in.objects_or_none("known_limits"))
     renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));
@@ -145,7 +193,7 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
     for (const auto& name : scenes.keys())
       renderer.spp_scale_of_scenes[name] = scenes.number(name, json::kPositive);
   }
-  renderer.render_seconds_prefix = in.text_or("render_seconds_prefix", "");
+  if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.environment = load_environment(in);
   in.finish();
   return renderer;
@@ -161,8 +209,8 @@ void refuse_doubles(std::vector<ObjectReader> entries) {
 
 }  // namespace
 
-Configuration load_configuration(const std::filesystem::path& file) {
-  const auto document = json::parse_file(file);
+Configuration parse_configuration(const std::filesystem::path& file, const std::string& text) {
+  const auto document = json::parse(file.string(), text);
   ObjectReader in(document);
   in.one_of("format", {"orbs-configuration/1"});
   Configuration configuration;
@@ -179,6 +227,10 @@ Configuration load_configuration(const std::filesystem::path& file) {
     configuration.renderers.push_back(load_renderer(std::move(entry), limits));
   in.finish();
   return configuration;
+}
+
+Configuration load_configuration(const std::filesystem::path& file) {
+  return parse_configuration(file, read_file(file));
 }
 
 const Suite& find_suite(const Configuration& configuration, const std::string& name) {
@@ -209,6 +261,8 @@ std::string scene_format_name(SceneFormat format) {
       return "mitsuba";
     case SceneFormat::Pbrt:
       return "pbrt";
+    case SceneFormat::Native:
+      return "native";
   }
   return {};
 }

@@ -20,12 +20,24 @@ struct Suite {
   std::filesystem::path references;  // absolute
 };
 
-enum class SceneFormat { OrbsScene, Povray, Mitsuba, Pbrt };
+/// Native: a format of its own, of which there are hand-written scenes only.
+enum class SceneFormat { OrbsScene, Povray, Mitsuba, Pbrt, Native };
 
 /// Requirements that a renderer cannot meet, and why; the reason stands in the report.
 struct KnownLimit {
   std::vector<std::string> requirements;
   std::string reason;
+};
+
+/// Where a renderer says how long it has rendered, start and files not counted: in its output or in a file.
+/// Nothing is looked for where both are "".
+struct RenderSeconds {
+  /// POSIX extended regular expression, of one line. Its groups: seconds, or minutes and seconds, or hours,
+  /// minutes and seconds.
+  std::string pattern{};
+  std::string file{};       // JSON that it writes, relative to the folder of the render
+  std::string key{};        // of a number there: "seconds", or "timing/render" for one in an object
+  double unit_seconds = 1;  // 0.001 for a number of milliseconds
 };
 
 struct Renderer {
@@ -36,14 +48,15 @@ struct Renderer {
       version_prefix;  // how the line of its output starts that says the version; "" for the first line
   SceneFormat scene_format = SceneFormat::OrbsScene;
   std::map<std::string, double>
-      scene_settings;  // numbers for the exporter of the format; which, it says itself
+      scene_settings;         // numbers for the exporter of the format; which, it says itself
+  std::string native_scenes;  // ending of scenes written by hand for it, "xml"; "" when it has none
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
-  warden::Limits limits;              // those of the file, with the entry's own in their place
-  double spp_scale = 1;               // samples of this renderer for one sample of the case
+  warden::Limits limits;  // those of the file, with the entry's own in their place
+  double spp_scale = 1;   // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
-  std::string render_seconds_prefix;  // what its output says before its own render time; "" when it says none
+  RenderSeconds render_seconds;
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };
 
@@ -58,6 +71,9 @@ struct Configuration {
 /// Reads and checks the file. InputError with file, line and key: unknown keys, wrong types, names given
 /// twice, unknown placeholders, a command without {scene} or {output}.
 Configuration load_configuration(const std::filesystem::path& file);
+
+/// As load_configuration, for a text that is not in the file yet.
+Configuration parse_configuration(const std::filesystem::path& file, const std::string& text);
 
 /// The suite of that name; InputError naming the nearest one.
 const Suite& find_suite(const Configuration& configuration, const std::string& name);

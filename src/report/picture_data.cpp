@@ -39,7 +39,7 @@ void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
       .member("id", job.id)
       .member("scene", job.scene)
       .member("folder", job.folder)
-      ;
+      .member("native_scene", job.native_scene);
   out.member("renderer_version", job.renderer_version)
       .member("command", job.command.empty() ? shell_text(job.argv) : job.command);
   out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);

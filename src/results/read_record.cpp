@@ -77,6 +77,7 @@ JobRecord read_job(ObjectReader& in, const Host& usual) {
   job.settings_hash = in.text_or("settings_hash", "");
   job.limits_hash = in.text_or("limits_hash", "");
   job.judged_hash = in.text_or("judged_hash", "");
+  job.native_scene = in.text_or("native_scene", "");
   job.spp = in.integer_or("spp", 0, 0, kAnyInteger);
   job.seed = in.integer_or("seed", 0, -kAnyInteger, kAnyInteger);
   job.threads = in.integer_or("threads", 0, 0, kAnyInteger);

@@ -57,6 +57,7 @@ struct JobRecord {
   std::string settings_hash;  // of what else makes the picture: command, environment, threads
   std::string limits_hash;    // of what may end it without a picture: time, memory, files
   std::string judged_hash;    // of what its pictures were judged by: cases, references, this program
+  std::string native_scene;   // the hand-written one that was rendered; "" when it was exported
   std::string folder;
   int spp = 0;
   int seed = 0;

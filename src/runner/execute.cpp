@@ -1,6 +1,7 @@
 #include "runner/execute.h"
 
 #include "adapters/export.h"
+#include "adapters/native_scene.h"
 #include "adapters/process.h"
 #include "adapters/programs.h"
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "registry/placeholders.h"
 #include "runner/host.h"
 #include "runner/outcome.h"
+#include "runner/render_seconds.h"
 
 #include <array>
 #include <ctime>
@@ -53,7 +55,11 @@ adapters::Job prepare_job(const Plan& plan,
                           const std::filesystem::path& folder) {
   auto job = job_in(plan, planned, folder);
   make_folder(job.folder);
-  adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, job.scene_file);
+  if (planned.native_scene.empty()) {
+    adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, job.scene_file);
+  } else {
+    adapters::copy_native_scene(planned.native_scene, job.folder);
+  }
   job.id = planned.id;
   job.scene_file_hash = hash_text(content_hash(read_file(job.scene_file)));
   // By the clock of that disk, as the picture will be.
@@ -64,6 +70,7 @@ adapters::Job prepare_job(const Plan& plan,
 
 void note_process(const adapters::ProcessResult& process,
                   const registry::Renderer& renderer,
+                  const std::filesystem::path& folder,
                   JobRecord& record) {
   record.wall_seconds = process.wall_seconds;
   record.cpu_seconds = process.user_seconds + process.system_seconds;
@@ -71,8 +78,7 @@ void note_process(const adapters::ProcessResult& process,
   record.exit_code = process.exit_code;
   record.core_dumped = process.core_dumped;
   if (process.signal != 0) record.signal = adapters::signal_name(process.signal);
-  if (!renderer.render_seconds_prefix.empty())
-    record.render_seconds = seconds_in(process.output, renderer.render_seconds_prefix);
+  record.render_seconds = render_seconds(renderer.render_seconds, process.output, folder);
 }
 
 }  // namespace
@@ -86,16 +92,6 @@ std::string local_time_now() {
   return text.data();
 }
 
-std::optional<double> seconds_in(const std::string& output, const std::string& prefix) {
-  std::optional<double> seconds;
-  for (const auto& line : split(output, '\n'))
-    if (line.starts_with(prefix)) {
-      const auto rest = trim(std::string_view(line).substr(prefix.size()));
-      seconds = to_number(rest.substr(0, rest.find_first_of(" s\t\r")));
-    }
-  return seconds;
-}
-
 JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   JobRecord record;
   record.id = job.id;
@@ -106,6 +102,8 @@ JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   record.seed = plan.settings.seed;
   record.threads = plan.threads;
   record.folder = job.folder.string();
+  if (!job.native_scene.empty())
+    record.native_scene = job.native_scene.lexically_proximate(plan.root).string();
   record.sentence = "the run ended before its turn";
   return record;
 }
@@ -119,7 +117,7 @@ Execution execute(const Plan& plan,
   Execution execution{skipped_record(plan, planned), {}};
   auto& record = execution.record;
   record.renderer_version = version;
-  const auto prepared = adapters::prepare_scene(renderer, *plan.scenes[planned.scene].scene);
+  const auto prepared = scene_for(plan, planned);
   if (const auto* reason = std::get_if<std::string>(&prepared)) {
     record.verdict = Verdict::Unsupported;
     record.sentence = *reason;
@@ -133,7 +131,7 @@ Execution execute(const Plan& plan,
   record.started = local_time_now();
   record.load = load_average();
   const auto process = adapters::run_process(request);
-  note_process(process, renderer, record);
+  note_process(process, renderer, job.folder, record);
   auto outcome = classify(process, job, renderer.limits);
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;

@@ -39,9 +39,6 @@ results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 /// "unknown" with the reason when there is none, "" when the renderer has no such command.
 std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan);
 
-/// The number behind the last line that starts with `prefix`; nothing when there is none.
-std::optional<double> seconds_in(const std::string& output, const std::string& prefix);
-
 /// "2026-11-21T14:03:00", local time.
 std::string local_time_now();
 

@@ -1,5 +1,6 @@
 #include "runner/outdated.h"
 
+#include "adapters/native_scene.h"
 #include "base/files.h"
 #include "runner/scene_hash.h"
 
@@ -10,7 +11,10 @@ namespace orbs::runner {
 
 std::string scene_hash(const Plan& plan, const PlannedJob& job) {
   const auto& scene = plan.scenes[job.scene];
-  return hash_text(scene_content_hash(*scene.scene, scene.file));
+  auto hash = scene_content_hash(*scene.scene, scene.file);
+  if (!job.native_scene.empty())
+    hash = content_hash(hash_text(adapters::native_scene_hash(job.native_scene)), hash);
+  return hash_text(hash);
 }
 
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
@@ -19,7 +23,9 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
   std::string text =
       fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(entry.command, "\n"),
                   fmt::join(entry.environment, "\n"), registry::scene_format_name(entry.scene_format),
-                  plan.threads, entry.render_seconds_prefix);
+                  plan.threads, entry.render_seconds.pattern);
+  text += fmt::format("{}\n{}\n{}\n", entry.render_seconds.file, entry.render_seconds.key,
+                      entry.render_seconds.unit_seconds);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
   text += fmt::format("{}", job.may_be_negative);
   return hash_text(content_hash(text));

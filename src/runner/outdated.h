@@ -9,7 +9,8 @@
 /// Whether a render that is there would come out the same today.
 namespace orbs::runner {
 
-/// Of the scene's file with all that it names, as passports of references have it.
+/// Of the scene's file with all that it names, as passports of references have it; where the renderer has a
+/// hand-written scene, of both.
 std::string scene_hash(const Plan& plan, const PlannedJob& job);
 
 /// Of what else makes the picture: program, command, environment, settings of the exporter, threads.

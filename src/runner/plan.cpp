@@ -1,6 +1,7 @@
 #include "runner/plan.h"
 
 #include "adapters/export.h"
+#include "adapters/native_scene.h"
 #include "adapters/programs.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -104,6 +105,7 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
                                  plan.settings.spp_scale);
   job.id = job_id(plan, scene, chosen, job.spp);
   job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
+  job.native_scene = adapters::native_scene(chosen.entry, scene.file, scene.name);
   plan.jobs.push_back(job);
   return plan.jobs.size() - 1;
 }
@@ -172,13 +174,28 @@ Plan make_plan(const registry::Configuration& configuration,
 }
 
 adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job) {
-  return {job.spp,   plan.settings.seed, plan.threads,
-          plan.root, plan.build,         plan.renderers[job.renderer].executable};
+  return {job.spp,
+          plan.settings.seed,
+          plan.threads,
+          plan.root,
+          plan.build,
+          plan.renderers[job.renderer].executable,
+          job.native_scene.filename().string()};
 }
 
 adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder) {
   return adapters::make_job(plan.renderers[job.renderer].entry, *plan.scenes[job.scene].scene,
                             job_settings(plan, job), run_folder / job.folder);
+}
+
+std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job) {
+  const auto& planned = plan.scenes[job.scene];
+  const auto& renderer = plan.renderers[job.renderer].entry;
+  if (!job.native_scene.empty()) return *planned.scene;
+  if (renderer.scene_format == registry::SceneFormat::Native)
+    return fmt::format("it reads hand-written scenes only, and there is no {}",
+                       adapters::native_scene_file(renderer, planned.file, planned.name).string());
+  return adapters::prepare_scene(renderer, *planned.scene);
 }
 
 std::string plan_text(const Plan& plan) {
@@ -188,12 +205,13 @@ std::string plan_text(const Plan& plan) {
     const auto& scene = plan.scenes[job.scene];
     const auto& renderer = plan.renderers[job.renderer];
     text += fmt::format("{}  {}  {}\n", job.id, renderer.entry.name, scene.name);
-    const auto prepared = adapters::prepare_scene(renderer.entry, *scene.scene);
+    const auto prepared = scene_for(plan, job);
     if (const auto* reason = std::get_if<std::string>(&prepared)) {
       text += fmt::format("    unsupported: {}\n", *reason);
-    } else {
-      text += fmt::format("    {}\n", shell_text(job_in(plan, job, "OUTPUT").argv));
+      continue;
     }
+    if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
+    text += fmt::format("    {}\n", shell_text(job_in(plan, job, "OUTPUT").argv));
   }
   for (const auto& left : plan.left_out)
     text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 /// What a run will do, settled and checked before anything is created or started.
@@ -30,11 +31,12 @@ struct PlannedScene {
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.
 struct PlannedJob {
   std::string id;
-  std::size_t scene = 0;         // of Plan::scenes
-  std::size_t renderer = 0;      // of Plan::renderers
-  int spp = 64;                  // that the renderer gets
-  std::filesystem::path folder;  // relative to the run's
-  bool may_be_negative = false;  // its pixels: some case that looks at it allows that
+  std::size_t scene = 0;                 // of Plan::scenes
+  std::size_t renderer = 0;              // of Plan::renderers
+  int spp = 64;                          // that the renderer gets
+  std::filesystem::path folder;          // relative to the run's
+  std::filesystem::path native_scene{};  // hand-written for the renderer; "" when it is exported
+  bool may_be_negative = false;          // its pixels: some case that looks at it allows that
 };
 
 /// One picture to judge: a picture of a case, by one renderer.
@@ -71,6 +73,10 @@ Plan make_plan(const registry::Configuration& configuration,
 
 /// The settings of one job for its command.
 adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job);
+
+/// The scene as the job's renderer can read it: prepared for its format, or as it is where somebody has
+/// written it by hand for the renderer. Or the reason why there is none.
+std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
 
 /// The job with all paths, in the run folder `run_folder`.
 adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder);

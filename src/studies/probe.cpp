@@ -1,6 +1,7 @@
 #include "studies/probe.h"
 
 #include "adapters/export.h"
+#include "adapters/native_scene.h"
 #include "base/error.h"
 #include "base/scratch_folder.h"
 #include "base/text.h"
@@ -60,6 +61,12 @@ void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::v
     if (is_stopped(stand.context)) return;
     ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
     for (const auto& thing : probe.things) record.thing_names.push_back(thing.name);
+    if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {
+      record.things.unsupported = "is rendered from a hand-written scene, which nobody can colour";
+      say_record(stand, record);
+      records.push_back(std::move(record));
+      continue;
+    }
     record.things = take_picture(stand, renderer, probe.scene, [&](const image::Image& picture) {
       return compare_things(probe, sights, picture);
     });

@@ -55,10 +55,10 @@ const std::vector<std::pair<std::string, std::string>> kModes{
 
 std::string renderer_entry(const std::string& mode, const std::string& limits) {
   return fmt::format(
-      R"({{"name": "{0}", "executable": "{{build}}/orbs-fake-renderer",{3}
-  "declares": "G5/M8", "limits": {{{1}}}, "render_seconds_prefix": "fake: render_seconds ",
+      R"x({{"name": "{0}", "executable": "{{build}}/orbs-fake-renderer",{3}
+  "declares": "G5/M8", "limits": {{{1}}}, "render_seconds": {{"pattern": "^fake: render_seconds ([0-9.]+)"}},
   "command": ["{{executable}}", "--mode", "{0}", "--output", "{{output}}", "--scene", "{{scene}}", "--width", "{{width}}", "--height", "{{height}}",
-              "--grey", "{2}", "--threads", "{{threads}}", "--spp", "{{spp}}", "--seed", "{{seed}}"]}})",
+              "--grey", "{2}", "--threads", "{{threads}}", "--spp", "{{spp}}", "--seed", "{{seed}}"]}})x",
       mode, limits, mode == "dark" ? "0.2" : "0.5",
       mode == "good" ? R"( "version_command": ["{executable}", "--version"],)" : "");
 }

@@ -80,6 +80,10 @@ WRONG = [
     (CASE, ["path_shares", 0, "class"], "LDE"),
     (CONFIGURATION, ["renderers", 0, "comand"], []),
     (CONFIGURATION, ["renderers", 0, "name"], "a b"),
+    (CONFIGURATION, ["renderers", 0, "native_scenes"], ".xml"),
+    (CONFIGURATION, ["renderers", 0, "scene_format"], "native"),
+    (CONFIGURATION, ["renderers", 0, "render_seconds"], {"pattern": "(.*)", "file": "times.json", "key": "t"}),
+    (CONFIGURATION, ["renderers", 0, "render_seconds"], {"file": "times.json"}),
     (CONFIGURATION, ["renderers", 0, "command"], "r scene"),
 ]
 
@@ -112,7 +116,7 @@ def main(root):
     for right, path, value in WRONG:
         if not complaints(changed(right, path, value)):
             problems.append(f"the schema of {right['format']} accepts {value!r} at {path}")
-    files = [root / "configuration.json", *sorted((root / "data/cases").rglob("*.json")), *sorted((root / "data/bench").glob("*.json"))]
+    files = [root / "configuration.json", *sorted((root / "data/cases").glob("*/*/*.json")), *sorted((root / "data/bench").glob("*.json"))]
     for file in files:
         document = json.loads(file.read_text())
         expected = "case" if file.name == "case.json" else "configuration" if file == files[0] else "scene"

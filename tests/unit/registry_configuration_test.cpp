@@ -141,6 +141,45 @@ TEST(Configuration, ACommandMustTellTheRendererItsSceneAndItsOutput) {
       std::string::npos);
 }
 
+TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
+  const auto place = [](const std::string& members) {
+    return load(with_renderer(kRenderer + R"(, "render_seconds": {)" + members + "}"))
+        .renderers[0]
+        .render_seconds;
+  };
+  EXPECT_EQ(place(R"x("pattern": "([0-9]+):([0-9.]+)")x").pattern, "([0-9]+):([0-9.]+)");
+  EXPECT_EQ(place(R"x("file": "a/b.json", "key": "t", "unit_seconds": 0.001)x").unit_seconds, 0.001);
+  const auto problem = [](const std::string& members) {
+    const auto text = message_of(with_renderer(kRenderer + R"(, "render_seconds": {)" + members + "}"));
+    return text.substr(text.find("/renderers"));
+  };
+  EXPECT_EQ(
+      problem(R"x("pattern": "t", "file": "f")x"),
+      "/renderers/0/render_seconds: needs either 'pattern', for the renderer's output, or 'file' and 'key', "
+      "for a JSON file");
+  EXPECT_EQ(
+      problem(R"x("pattern": "took")x"),
+      "/renderers/0/render_seconds/pattern: has 0 groups in parentheses, needs 1 (seconds), 2 (minutes, "
+      "seconds) or 3 (hours, minutes, seconds)");
+  EXPECT_TRUE(problem(R"x("pattern": "(")x")
+                  .starts_with("/renderers/0/render_seconds/pattern: '(' is no regular expression: "));
+  EXPECT_EQ(
+      problem(R"x("file": "../t.json", "key": "t")x"),
+      "/renderers/0/render_seconds/file: must lie in the folder of the render: a relative path without '..'");
+}
+
+TEST(Configuration, HandWrittenScenesHaveAnEnding) {
+  const auto native =
+      load(with_renderer(kRenderer + R"(, "scene_format": "native", "native_scenes": "arm")"));
+  EXPECT_EQ(native.renderers[0].scene_format, orbs::registry::SceneFormat::Native);
+  EXPECT_EQ(native.renderers[0].native_scenes, "arm");
+  EXPECT_NE(
+      message_of(with_renderer(kRenderer + R"(, "scene_format": "native")")).find("needs 'native_scenes'"),
+      std::string::npos);
+  EXPECT_NE(message_of(with_renderer(kRenderer + R"(, "native_scenes": ".arm")")).find("is no ending"),
+            std::string::npos);
+}
+
 TEST(Configuration, NamesGivenTwiceAreErrors) {
   const auto text = R"({"format": "orbs-configuration/1", "suites": [], "renderers": [{)" + kRenderer +
                     "},\n{" + kRenderer + "}]}";

@@ -1,4 +1,3 @@
-#include "runner/execute.h"
 #include "runner/summary.h"
 
 #include <gtest/gtest.h>
@@ -22,10 +21,4 @@ TEST(Measured, FeaturesAreThePassesOfTheGroupsThatWereTested) {
                                       "r"),
             "G2/M4-(2)/L0");
   EXPECT_EQ(runner::measured_features({requirement("G1", Verdict::Inconclusive)}, "r"), "G0");
-}
-
-TEST(RenderSeconds, AreTheNumberBehindTheLastLineWithThePrefix) {
-  EXPECT_EQ(runner::seconds_in("a\nt: 1.5\nt: 2.25 s\nx t: 9\n", "t: "), 2.25);
-  EXPECT_EQ(runner::seconds_in("t: soon\n", "t: "), std::nullopt);
-  EXPECT_EQ(runner::seconds_in("", "t: "), std::nullopt);
 }

@@ -43,6 +43,7 @@ export function Passports({ session, detail }: { session: Session; detail: Pictu
         {detail.jobs.map((job) => (
           <Pairs key={job.id} title={`Result: ${job.scene}`} pairs={[
             ["program", job.renderer_version],
+            ["hand-written scene", job.native_scene],
             ["samples per pixel", String(job.spp)],
             ["seed", String(job.seed)],
             ["threads", String(job.threads)],

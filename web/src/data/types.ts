@@ -166,6 +166,8 @@ export interface Job {
   id: string;
   scene: string;
   folder: string;
+  /** Written by hand for this renderer; "" when it was exported. */
+  native_scene: string;
   renderer_version: string;
   command: string;
   spp: number;

@@ -1,0 +1,63 @@
+#include "cli/commands.h"
+#include "registry/new_renderer.h"
+#include "registry/placeholders.h"
+#include "runner/plan.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+int add(const registry::Configuration& configuration,
+        const registry::NewRenderer& added,
+        const Program& program) {
+  const auto entry = registry::add_renderer(configuration, added);
+  const auto found = runner::installed_executable(entry, configuration.root, program.folder);
+  fmt::print("added to {}\n", configuration.file.string());
+  fmt::print("  name        {}\n", entry.name);
+  fmt::print("  executable  {}\n",
+             found ? found->string()
+                   : fmt::format("{}, which is not there yet",
+                                 runner::program_name(entry, configuration.root, program.folder)));
+  fmt::print("  reads       {}\n", registry::scene_format_name(entry.scene_format));
+  fmt::print("  declares    {}\n", registry::format_features(entry.declares));
+  fmt::print("  command     {}\n", fmt::join(entry.command, " "));
+  fmt::print(
+      "next, in that file:\n"
+      "  \"command\"   as its command line is; it may use {{{}}}\n"
+      "  \"declares\"  what it can do; what it cannot goes to \"known_limits\", with the reason\n"
+      "then: orbs doctor; orbs run -r {}\n",
+      fmt::join(registry::command_placeholders(), "}, {"), entry.name);
+  return 0;
+}
+
+}  // namespace
+
+void add_renderer_command(CLI::App& app, const Program& program, Action& action) {
+  auto* command = app.add_subcommand("renderer", "Adds renderers to configuration.json");
+  command->require_subcommand(1);
+  auto* adding = command->add_subcommand("add", "Writes a checked entry for a renderer, to be completed");
+  const auto configuration = add_configuration_option(*adding);
+  const auto added = std::make_shared<registry::NewRenderer>();
+  adding->add_option("name", added->name, "its name in lists, tables and folders")->required();
+  adding->add_option("--executable", added->executable,
+                     "path, or name of a program on PATH (default: the name)");
+  adding->add_option("--format", added->scene_format, "what its scenes are written as")
+      ->check(CLI::IsMember({"orbs-scene", "povray", "mitsuba", "pbrt", "native"}))
+      ->capture_default_str();
+  adding->add_option("--native-scenes", added->native_scenes,
+                     "ending of scenes written by hand for it, such as xml");
+  adding->add_option("--declares", added->declares, "ORB.S features that it has")->capture_default_str();
+  adding->add_option(
+      "command", added->command,
+      "after --: program and arguments (default: those of a renderer with the same format, or "
+      "'{executable} {scene} --output {output} --spp {spp} --seed {seed} --threads {threads}')");
+  adding->callback([=, &program, &action] {
+    action = [=, &program] { return add(read_configuration(*configuration, program), *added, program); };
+  });
+}
+
+}  // namespace orbs::cli

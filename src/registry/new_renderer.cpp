@@ -1,0 +1,62 @@
+#include "registry/new_renderer.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "json/locate.h"
+#include "json/writer.h"
+
+#include <fmt/format.h>
+
+namespace orbs::registry {
+
+namespace {
+
+std::vector<std::string> usual_command(const Configuration& configuration, const std::string& scene_format) {
+  for (const auto& renderer : configuration.renderers)
+    if (scene_format != "orbs-scene" && scene_format != "native" &&
+        scene_format_name(renderer.scene_format) == scene_format)
+      return renderer.command;
+  return {"{executable}", "{scene}", "--output", "{output}",  "--spp",
+          "{spp}",        "--seed",  "{seed}",   "--threads", "{threads}"};
+}
+
+// A path is meant from where the user stands, not from where renders are started.
+std::string executable_text(const NewRenderer& added) {
+  if (added.executable.empty()) return added.name;
+  const bool is_plain_path =
+      added.executable.find('/') != std::string::npos && added.executable.find('{') == std::string::npos;
+  return is_plain_path ? std::filesystem::absolute(added.executable).lexically_normal().string()
+                       : added.executable;
+}
+
+std::string entry_text(const Configuration& configuration, const NewRenderer& added) {
+  json::Writer out;
+  out.begin_object().member("name", added.name).member("executable", executable_text(added));
+  out.member("version_command", std::vector<std::string>{"{executable}", "--version"});
+  out.member("scene_format", added.scene_format);
+  if (!added.native_scenes.empty()) out.member("native_scenes", added.native_scenes);
+  out.member("declares", added.declares);
+  out.member("command",
+             added.command.empty() ? usual_command(configuration, added.scene_format) : added.command);
+  return std::string(trim(out.end_object().text()));
+}
+
+}  // namespace
+
+Renderer add_renderer(const Configuration& configuration, const NewRenderer& added) {
+  for (const auto& renderer : configuration.renderers)
+    if (renderer.name == added.name)
+      throw InputError(fmt::format("{}: has a renderer '{}' already; edit its entry, or choose another name",
+                                   configuration.file.string(), added.name));
+  // Through a symbolic link, which is to stay one.
+  const auto file = std::filesystem::canonical(configuration.file);
+  const auto text = json::with_element(read_file(file), "/renderers", entry_text(configuration, added));
+  const auto read =
+      with_note(fmt::format("adding renderer '{}'; {} is as it was", added.name, configuration.file.string()),
+                [&] { return parse_configuration(configuration.file, text); });
+  write_file(file, text);
+  return read.renderers.back();
+}
+
+}  // namespace orbs::registry

@@ -1,0 +1,53 @@
+#include "runner/render_seconds.h"
+
+#include "base/error.h"
+#include "base/files_inside.h"
+#include "base/pattern.h"
+#include "base/text.h"
+#include "json/object_reader.h"
+
+namespace orbs::runner {
+
+namespace {
+
+// One group holds seconds; two minutes and seconds; three hours, minutes and seconds.
+std::optional<double> in_output(const std::string& pattern, const std::string& output) {
+  const auto groups = Pattern(pattern).last_match(output);
+  if (groups.empty()) return std::nullopt;
+  double sum = 0;
+  for (const auto& group : groups) {
+    const auto number = to_number(trim(group));
+    if (!number) return std::nullopt;
+    sum = 60 * sum + *number;
+  }
+  return sum;
+}
+
+std::optional<double> in_file(const registry::RenderSeconds& place, const std::filesystem::path& folder) {
+  constexpr std::size_t kMost_bytes = std::size_t{16} << 20;
+  const auto file = open_inside(folder, place.file);
+  if (!file || file->size() > kMost_bytes) return std::nullopt;
+  // The renderer's file is its own affair: one that is broken costs its time, not the picture.
+  try {
+    const auto document = json::parse(place.file, file->read(0, static_cast<std::size_t>(file->size())));
+    json::ObjectReader at(document);
+    const auto keys = split(place.key, '/');
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) at = at.object(keys[i]);
+    return at.number(keys.back());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<double> render_seconds(const registry::RenderSeconds& place,
+                                     const std::string& output,
+                                     const std::filesystem::path& folder) {
+  auto number = place.pattern.empty() ? std::nullopt : in_output(place.pattern, output);
+  if (!place.file.empty()) number = in_file(place, folder);
+  if (number) *number *= place.unit_seconds;
+  return number;
+}
+
+}  // namespace orbs::runner

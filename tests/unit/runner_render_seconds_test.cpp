@@ -1,0 +1,50 @@
+#include "runner/render_seconds.h"
+#include "structure/source_files.h"
+
+#include <gtest/gtest.h>
+
+using orbs::registry::RenderSeconds;
+using orbs::runner::render_seconds;
+using orbs::structure::TestFolder;
+
+namespace {
+
+std::optional<double> in_output(const std::string& pattern, const std::string& output) {
+  return render_seconds({.pattern = pattern}, output, "/");
+}
+
+}  // namespace
+
+TEST(RenderSeconds, AreTheNumberOfTheLastMatch) {
+  EXPECT_EQ(in_output("^t: ([0-9.]+)", "a\nt: 1.5\nt: 2.25 s\nx t: 9\n"), 2.25);
+  EXPECT_EQ(in_output("^t: ([0-9.]+)", "t: soon\n"), std::nullopt);
+  EXPECT_EQ(in_output("^t: (.*)", "t: soon\n"), std::nullopt);
+  EXPECT_EQ(in_output("", "t: 1\n"), std::nullopt);
+}
+
+TEST(RenderSeconds, MayBeMinutesAndHoursToo) {
+  EXPECT_EQ(in_output("Time: ([0-9]+):([0-9.]+)", "Time: 02:03.50 (Saving)\n"), 123.5);
+  EXPECT_EQ(
+      in_output("([0-9]+) hours +([0-9]+) minutes +([0-9]+) seconds", "1 hours  1 minutes  1 seconds\n"),
+      3661);
+}
+
+TEST(RenderSeconds, MayBeInAFileAndInAnotherUnit) {
+  const TestFolder folder("render-seconds");
+  const RenderSeconds place{.file = "stats/times.json", .key = "render/wall", .unit_seconds = 0.001};
+  EXPECT_EQ(render_seconds(place, "", folder.path()), std::nullopt);
+  folder.write("stats/times.json", R"({"render": {"wall": 1500}})");
+  EXPECT_EQ(render_seconds(place, "", folder.path()), 1.5);
+  for (const char* text : {R"({"render": 3})", R"({"render": {"wall": "long"}})", "[1]", "{ torn"}) {
+    folder.write("stats/times.json", text);
+    EXPECT_EQ(render_seconds(place, "", folder.path()), std::nullopt) << text;
+  }
+}
+
+TEST(RenderSeconds, AreNotReadThroughALink) {
+  const TestFolder folder("render-seconds-link");
+  folder.write("elsewhere/times.json", R"({"t": 1})");
+  folder.write("job/keep", "");
+  std::filesystem::create_symlink("../elsewhere/times.json", folder.path() / "job/times.json");
+  EXPECT_EQ(render_seconds({.file = "times.json", .key = "t"}, "", folder.path() / "job"), std::nullopt);
+}
