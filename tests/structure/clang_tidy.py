@@ -20,7 +20,7 @@ INCLUDE = re.compile(rb'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def own_headers(file, src, known):
-    """`file` and all headers of ours that it includes, directly or not."""
+    """`file` and all headers of ours that it includes, directly or not. Those of data/snippets are ours too."""
     todo, found = [file], set()
     while todo:
         at = todo.pop()
@@ -28,7 +28,8 @@ def own_headers(file, src, known):
             continue
         found.add(at)
         if at not in known:
-            known[at] = [src / name.decode() for name in INCLUDE.findall(at.read_bytes())]
+            names = [name.decode() for name in INCLUDE.findall(at.read_bytes())]
+            known[at] = [folder / name for name in names for folder in (src, src.parent / "data")]
         todo += known[at]
     return sorted(found)
 
@@ -36,7 +37,7 @@ def own_headers(file, src, known):
 def fingerprint(entry, src, rules, known):
     digest = hashlib.sha256(rules + entry["command"].encode())
     for file in own_headers(pathlib.Path(entry["file"]), src, known):
-        digest.update(str(file.relative_to(src)).encode() + b"\0" + file.read_bytes() + b"\0")
+        digest.update(str(file.relative_to(src.parent)).encode() + b"\0" + file.read_bytes() + b"\0")
     return digest.hexdigest()
 
 

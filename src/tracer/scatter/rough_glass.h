@@ -1,8 +1,10 @@
 #pragma once
 
+#include "snippets/ggx.h"
 #include "tracer/fresnel.h"
-#include "tracer/microfacet.h"
+#include "tracer/sampling.h"
 #include "tracer/scatter/bsdf_sample.h"
+#include "tracer/scatter/ggx.h"
 
 #include <array>
 #include <optional>
@@ -33,8 +35,8 @@ BsdfValue<Value> evaluate(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, Vec3f wi)
   const float cos_i = dot(wi, m);
   if (cos_o <= 0 || (cos_i > 0) != reflects) return {};  // the facet faces away from one of the two
   const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
-  const float d = ggx_d(m, bsdf.alpha);
-  const float visible = ggx_g1(wo, bsdf.alpha) * cos_o * d / wo.z;
+  const float d = snippets::ggx_d(m, bsdf.alpha);
+  const float visible = snippets::ggx_g1(wo, bsdf.alpha) * cos_o * d / wo.z;
   if (reflects) {
     const float f_cos = fresnel * d * ggx_g2(wo, wi, bsdf.alpha) / (4 * wo.z);
     return {bsdf.colour * f_cos, fresnel * visible / (4 * cos_o)};
@@ -43,23 +45,23 @@ BsdfValue<Value> evaluate(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, Vec3f wi)
   const float root = cos_i + cos_o / bsdf.eta;
   const float jacobian = -cos_i / (root * root);
   const float pdf = (1 - fresnel) * visible * jacobian;
-  return {bsdf.colour * (pdf * ggx_g1(wi, bsdf.alpha) / (bsdf.eta * bsdf.eta)), pdf};
+  return {bsdf.colour * (pdf * snippets::ggx_g1(wi, bsdf.alpha) / (bsdf.eta * bsdf.eta)), pdf};
 }
 
 template <typename Value>
 std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
                                         Vec3f wo,
                                         const std::array<float, 4>& u) {
-  const Vec3f m = sample_ggx_visible(wo, bsdf.alpha, u[0], u[1]);
+  const Vec3f m = snippets::sample_ggx_visible(wo, bsdf.alpha, sample_disk(u[0], u[1]));
   const float cos_o = dot(wo, m);
   if (cos_o <= 0) return std::nullopt;
   const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
-  const float visible = ggx_visible_d(wo, m, bsdf.alpha);
+  const float visible = snippets::ggx_visible_d(wo, m, bsdf.alpha);
   BsdfSample<Value> out;
   if (u[2] < fresnel) {
     out.wi = m * (2 * cos_o) - wo;
     if (out.wi.z <= 0) return std::nullopt;
-    out.weight = bsdf.colour * (ggx_g2(wo, out.wi, bsdf.alpha) / ggx_g1(wo, bsdf.alpha));
+    out.weight = bsdf.colour * (ggx_g2(wo, out.wi, bsdf.alpha) / snippets::ggx_g1(wo, bsdf.alpha));
     out.pdf = fresnel * visible / (4 * cos_o);
     return out;
   }
@@ -70,7 +72,7 @@ std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
   out.wi = *wi;
   out.is_transmitted = true;
   out.radiance_scale = 1 / (bsdf.eta * bsdf.eta);
-  out.weight = bsdf.colour * (ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
+  out.weight = bsdf.colour * (snippets::ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
   out.pdf = (1 - fresnel) * visible * -cos_i / (root * root);
   return out;
 }

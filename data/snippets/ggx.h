@@ -1,0 +1,190 @@
+#pragma once
+
+// Microfacets with the GGX and the Beckmann distribution, isotropic: distribution, masking, and sampling of
+// the facets that a viewer sees. Free to copy into any renderer: C++20, the standard library only.
+//
+// Directions are unit vectors in the local frame of the surface, z along its normal, pointing away from it. V
+// is any struct of three numbers x, y and z that can be written V{x, y, z}; V2 one of two, x and y. `alpha`
+// is the roughness of the papers, not a square root of it.
+//
+//   reflection        f = F D(m) G2(wo, wi) / (4 wo.z wi.z)               with m the half vector
+//   its sampling      m = sample_ggx_visible(wo, alpha, d), wi = m reflected
+//   its density       ggx_visible_d(wo, m, alpha) / (4 |wo.m|)            per solid angle of wi
+//   its weight        f |wi.z| / density = F G2(wo, wi) / G1(wo)
+//
+// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces"; Heitz 2014, "Understanding
+// the Masking-Shadowing Function in Microfacet-Based BRDFs"; Heitz 2018, "Sampling the GGX Distribution of
+// Visible Normals".
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace snippets {
+
+template <typename V>
+using RealOf = decltype(V{}.x);
+
+template <typename V>
+constexpr RealOf<V> dot3(V a, V b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <typename V>
+V normalised3(V a) {
+  const RealOf<V> scale = RealOf<V>(1) / std::sqrt(dot3(a, a));
+  return V{a.x * scale, a.y * scale, a.z * scale};
+}
+
+/// Share of the facets towards w that the others do not hide, from Smith's Lambda of w: G1.
+template <typename Real>
+constexpr Real smith_g1(Real lambda) {
+  return 1 / (1 + lambda);
+}
+
+/// Share that two directions on one side both see, heights correlated (Heitz 2014, eq. 99).
+template <typename Real>
+constexpr Real smith_g2_correlated(Real lambda_o, Real lambda_i) {
+  return 1 / (1 + lambda_o + lambda_i);
+}
+
+/// As if the two saw the surface independently (Walter eq. 23): darker, and the usual choice where the two
+/// are on different sides.
+template <typename Real>
+constexpr Real smith_g2_separable(Real lambda_o, Real lambda_i) {
+  return smith_g1(lambda_o) * smith_g1(lambda_i);
+}
+
+/// GGX distribution of facet normals, per solid angle; 0 below the horizon. Walter eq. 33 written with the
+/// components of m: 1 - cos^2 would lose its digits next to the highlight (19 % wrong in float at alpha =
+/// 1e-3).
+template <typename V>
+RealOf<V> ggx_d(V m, RealOf<V> alpha) {
+  using Real = RealOf<V>;
+  if (m.z <= 0) return 0;
+  const Real x = m.x / alpha;
+  const Real y = m.y / alpha;
+  const Real s = x * x + y * y + m.z * m.z;
+  return 1 / (std::numbers::pi_v<Real> * alpha * alpha * s * s);
+}
+
+/// Smith's Lambda (Heitz 2014, eq. 72); infinite at the horizon.
+template <typename V>
+RealOf<V> ggx_lambda(V w, RealOf<V> alpha) {
+  using Real = RealOf<V>;
+  const Real cos2 = w.z * w.z;
+  if (cos2 == 0) return std::numeric_limits<Real>::infinity();
+  const Real tan2 = (w.x * w.x + w.y * w.y) / cos2;
+  return Real(0.5) * (std::sqrt(1 + alpha * alpha * tan2) - 1);
+}
+
+template <typename V>
+RealOf<V> ggx_g1(V w, RealOf<V> alpha) {
+  return smith_g1(ggx_lambda(w, alpha));
+}
+
+/// Density, per solid angle of m, of the facets as wo (wo.z > 0) sees them: what sample_ggx_visible draws
+/// from.
+template <typename V>
+RealOf<V> ggx_visible_d(V wo, V m, RealOf<V> alpha) {
+  return ggx_g1(wo, alpha) * std::abs(dot3(wo, m)) * ggx_d(m, alpha) / wo.z;
+}
+
+/// A facet normal as wo (wo.z > 0) sees them, from a point of the unit disk (uniform by area, as any renderer
+/// makes it from two random numbers). Heitz 2018, listing 1.
+template <typename V, typename V2>
+V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
+  using Real = RealOf<V>;
+  const V view = normalised3(V{alpha * wo.x, alpha * wo.y, wo.z});
+  const Real across2 = view.x * view.x + view.y * view.y;
+  const Real scale = across2 > 0 ? Real(1) / std::sqrt(across2) : 0;
+  const V t1 = across2 > 0 ? V{-view.y * scale, view.x * scale, 0 * scale} : V{1, 0, 0};
+  const V t2{view.y * t1.z - view.z * t1.y, view.z * t1.x - view.x * t1.z, view.x * t1.y - view.y * t1.x};
+  const Real s = Real(0.5) * (1 + view.z);
+  // Rounding only: neither root has a negative argument on the projected hemisphere.
+  const Real y = (1 - s) * std::sqrt(std::max(Real(0), 1 - disk.x * disk.x)) + s * disk.y;
+  const Real z = std::sqrt(std::max(Real(0), 1 - disk.x * disk.x - y * y));
+  const V n{t1.x * disk.x + t2.x * y + view.x * z, t1.y * disk.x + t2.y * y + view.y * z,
+            t1.z * disk.x + t2.z * y + view.z * z};
+  // 1e-9 keeps the facet above the horizon.
+  return normalised3(V{alpha * n.x, alpha * n.y, std::max(Real(1e-9), n.z)});
+}
+
+/// Beckmann distribution of facet normals, per solid angle (Walter eq. 25).
+template <typename V>
+RealOf<V> beckmann_d(V m, RealOf<V> alpha) {
+  using Real = RealOf<V>;
+  if (m.z <= 0) return 0;
+  const Real cos2 = m.z * m.z;
+  const Real alpha2 = alpha * alpha;
+  return std::exp(-(m.x * m.x + m.y * m.y) / (alpha2 * cos2)) /
+         (std::numbers::pi_v<Real> * alpha2 * cos2 * cos2);
+}
+
+/// Smith's Lambda, exact (Heitz 2014, eq. 68; most renderers use a rational fit that is off by up to 0.4 %).
+template <typename V>
+RealOf<V> beckmann_lambda(V w, RealOf<V> alpha) {
+  using Real = RealOf<V>;
+  const Real sine = std::sqrt(w.x * w.x + w.y * w.y);
+  if (w.z == 0) return std::numeric_limits<Real>::infinity();
+  if (sine == 0) return 0;
+  const Real a = std::abs(w.z) / (alpha * sine);
+  return (std::exp(-a * a) * std::numbers::inv_sqrtpi_v<Real> / a - std::erfc(a)) / 2;
+}
+
+template <typename V>
+RealOf<V> beckmann_g1(V w, RealOf<V> alpha) {
+  return smith_g1(beckmann_lambda(w, alpha));
+}
+
+/// As ggx_visible_d.
+template <typename V>
+RealOf<V> beckmann_visible_d(V wo, V m, RealOf<V> alpha) {
+  return beckmann_g1(wo, alpha) * std::abs(dot3(wo, m)) * beckmann_d(m, alpha) / wo.z;
+}
+
+/// A slope x of facets of alpha = 1 as seen from the angle of `tangent` (0 or more), along the direction of
+/// view: the x at which the cumulative distribution of the density (1 - tangent x) exp(-x^2) over x < 1 /
+/// tangent is u. The distribution has no inverse in closed form; Newton's steps, halving the bracket where
+/// they leave it, find x.
+template <typename Real>
+Real beckmann_visible_slope(Real tangent, Real u) {
+  constexpr Real kInvSqrtPi = std::numbers::inv_sqrtpi_v<Real>;
+  // Share of the density below x, up to the constant that makes it 1 at the far end.
+  const auto below = [&](Real x) { return std::erfc(-x) / 2 + tangent * std::exp(-x * x) * kInvSqrtPi / 2; };
+  const Real end = tangent > 0 ? 1 / tangent : std::numeric_limits<Real>::infinity();
+  const Real far =
+      std::numeric_limits<Real>::digits > 24 ? Real(6) : Real(4.2);  // erfc there is below one ulp of 1
+  Real low = -far;
+  Real high = std::min(end, far);
+  const Real goal = u * below(high);
+  Real x = std::min(Real(0), high);
+  const Real resolution = 4 * std::numeric_limits<Real>::epsilon();
+  while (high - low > resolution) {
+    const Real error = below(x) - goal;
+    (error > 0 ? high : low) = x;
+    const Real step = error / ((1 - tangent * x) * std::exp(-x * x) * kInvSqrtPi);
+    if (std::abs(step) <= resolution) break;
+    const Real next = x - step;
+    x = next > low && next < high ? next : low + (high - low) / 2;
+    if (x <= low || x >= high) break;  // no number lies between the two
+  }
+  return x;
+}
+
+/// A facet normal as wo (wo.z > 0) sees them, from two numbers in [0, 1). Across the direction of view the
+/// slopes are independent of it (Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
+/// Distribution of Visible Normals").
+template <typename V>
+V sample_beckmann_visible(V wo, RealOf<V> alpha, RealOf<V> u, RealOf<V> v) {
+  using Real = RealOf<V>;
+  const Real sine = std::sqrt(wo.x * wo.x + wo.y * wo.y);
+  const Real along = alpha * beckmann_visible_slope(alpha * sine / wo.z, u);
+  const Real across = alpha * beckmann_visible_slope(Real(0), v);
+  const Real cos_phi = sine > 0 ? wo.x / sine : 1;
+  const Real sin_phi = sine > 0 ? wo.y / sine : 0;
+  return normalised3(V{-(cos_phi * along - sin_phi * across), -(sin_phi * along + cos_phi * across), 1});
+}
+
+}  // namespace snippets
