@@ -91,11 +91,18 @@ RgbBasis rgb_basis_at(const std::array<float, 4>& wavelengths_nm) {
   return basis;
 }
 
-Vec3f rgb_matching(float wavelength_nm) {
+RgbMatching rgb_matching_at(const std::array<float, 4>& wavelengths_nm) {
   static const RowTable table = make_matching_table();
-  if (wavelength_nm < table.first_nm || wavelength_nm > static_cast<float>(kLongestSeen_nm)) return {};
-  const auto row = row_at(table, wavelength_nm);
-  return {row[0], row[1], row[2]};
+  RgbMatching matching{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const float nm = wavelengths_nm[i];
+    if (nm < table.first_nm || nm > static_cast<float>(kLongestSeen_nm)) continue;
+    const auto row = row_at(table, nm);
+    matching.red[i] = row[0];
+    matching.green[i] = row[1];
+    matching.blue[i] = row[2];
+  }
+  return matching;
 }
 
 }  // namespace orbs::spectra

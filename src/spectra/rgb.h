@@ -42,7 +42,12 @@ inline std::array<float, 4> lights(Vec3f rgb, const RgbBasis& basis) {
   return out;
 }
 
-/// Linear Rec.709 of light of value 1 per nm at this wavelength alone; zero outside of what is seen.
-Vec3f rgb_matching(float wavelength_nm);
+/// Linear Rec.709 of light of value 1 per nm at each of four wavelengths alone; zero outside of what is seen.
+struct RgbMatching {
+  std::array<float, 4> red;
+  std::array<float, 4> green;
+  std::array<float, 4> blue;
+};
+RgbMatching rgb_matching_at(const std::array<float, 4>& wavelengths_nm);
 
 }  // namespace orbs::spectra

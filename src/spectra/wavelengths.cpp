@@ -22,7 +22,8 @@ using InverseDistribution = std::array<float, kCells + 1>;
 std::vector<double> wanted_density() {
   std::vector<double> density;
   for (double nm = kShortestSeen_nm; nm <= kLongestSeen_nm; nm += 1) {
-    const Vec3d rgb = cast<double>(rgb_matching(static_cast<float>(nm)));
+    const RgbMatching matching = rgb_matching_at({static_cast<float>(nm)});
+    const Vec3d rgb{matching.red[0], matching.green[0], matching.blue[0]};
     density.push_back(std::sqrt(value_at(illuminant("D65"), nm) * length(rgb)));
   }
   return density;
@@ -69,10 +70,14 @@ void drop_companions(Wavelengths& wavelengths) {
 }
 
 Vec3f to_rgb(const std::array<float, 4>& values, const Wavelengths& wavelengths) {
+  const RgbMatching matching = rgb_matching_at(wavelengths.nm);
   Vec3f sum;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (wavelengths.pdf[i] > 0) sum += rgb_matching(wavelengths.nm[i]) * (values[i] / wavelengths.pdf[i]);
-  return sum / 4.0F;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (wavelengths.pdf[i] == 0) continue;  // dropped: its value is of no path
+    const float weight = values[i] / (4 * wavelengths.pdf[i]);
+    sum += Vec3f{matching.red[i], matching.green[i], matching.blue[i]} * weight;
+  }
+  return sum;
 }
 
 }  // namespace orbs::spectra
