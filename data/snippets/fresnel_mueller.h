@@ -177,12 +177,37 @@ struct FresnelAmplitudes {
   std::complex<Real> p;
 };
 
+/// a / b as a conj(b) / |b|^2: one real division. Complex division guards against overflow that indices
+/// cannot reach, and takes twice the time.
+template <typename Real>
+std::complex<Real> quotient(std::complex<Real> a, std::complex<Real> b) {
+  return a * std::conj(b) * (1 / std::norm(b));
+}
+
+/// Square root with real and imaginary part at least 0, for w with an imaginary part of at least 0: the
+/// normal component of a wave that travels on or fades. A third of the time of std::sqrt, which handles all
+/// the infinities.
+template <typename Real>
+std::complex<Real> wave_root(std::complex<Real> w) {
+  const Real large = std::sqrt((std::sqrt(std::norm(w)) + std::abs(w.real())) / 2);
+  const Real small = large > 0 ? w.imag() / (2 * large) : 0;
+  return w.real() >= 0 ? std::complex<Real>(large, small) : std::complex<Real>(small, large);
+}
+
 /// Normal component of the wave vector beyond the surface, over that in vacuum times the index on the side of
-/// incidence: index cos of the refracted angle. Imaginary, with the sign of a wave that fades, beyond the
-/// critical angle. `index` = index beyond over the (real) index on the side of incidence; cos_i in [0, 1].
+/// incidence: index cos of the refracted angle. Imaginary beyond the critical angle. `index` = index beyond
+/// over the (real) index on the side of incidence; cos_i in [0, 1].
 template <typename Real>
 std::complex<Real> normal_wave(Real cos_i, std::complex<Real> index) {
-  return std::sqrt(index * index - (1 - cos_i) * (1 + cos_i));
+  return wave_root(index * index - (1 - cos_i) * (1 + cos_i));
+}
+
+/// Reflected field where a wave passes from one medium into another, from the admittances of the two up to a
+/// common factor: for s the normal component of the wave vector, for p, with the two swapped to get the sign
+/// stated above, the squared index over it.
+template <typename Real>
+std::complex<Real> boundary_reflection(std::complex<Real> near, std::complex<Real> far) {
+  return quotient(near - far, near + far);
 }
 
 /// Reflected over incident field. |s|^2 and |p|^2 are the reflectances, 1 at total internal reflection, where
@@ -190,8 +215,8 @@ std::complex<Real> normal_wave(Real cos_i, std::complex<Real> index) {
 template <typename Real>
 FresnelAmplitudes<Real> fresnel_reflection(Real cos_i, std::complex<Real> index) {
   const std::complex<Real> beyond = normal_wave(cos_i, index);
-  const std::complex<Real> index2_cos = index * index * cos_i;
-  return {(cos_i - beyond) / (cos_i + beyond), (index2_cos - beyond) / (index2_cos + beyond)};
+  return {boundary_reflection(std::complex<Real>(cos_i), beyond),
+          boundary_reflection(index * index * cos_i, beyond)};
 }
 
 template <typename Real>

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""clang-tidy over every source of src/ and every snippet, two at a time, each only when it, a header it includes or a rule changed.
+"""clang-tidy over every source of src/ and every snippet, two at a time, each only when it, a header that it includes or
+a rule changed.
 
     clang_tidy.py <repository> <build folder with compile_commands.json>
 
@@ -29,7 +30,7 @@ def own_headers(file, src, known):
         found.add(at)
         if at not in known:
             names = [name.decode() for name in INCLUDE.findall(at.read_bytes())]
-            known[at] = [folder / name for name in names for folder in (src, src.parent / "data")]
+            known[at] = [folder / name for name in names for folder in (src, src.parent / "data", at.parent)]
         todo += known[at]
     return sorted(found)
 

@@ -155,8 +155,7 @@ TEST(ThinFilm, LightTunnelsThroughANarrowGap) {
 
 TEST(ThinFilm, ItsMuellerMatrixPolarisesNothingMoreThanFully) {
   for_each_setting([](const Film& film, double degrees, double nm) {
-    const auto r = film_reflection(film, cos_deg(degrees), nm);
-    const auto mueller = aligned_mueller(r.s, r.p);
+    const auto mueller = film_mueller(film, cos_deg(degrees), nm);
     EXPECT_NEAR(mueller.mean, film_reflectance(film, cos_deg(degrees), nm), 1e-15);
     for (const Stokes<double>& light :
          {Stokes<double>{1, 0, 1, 0}, Stokes<double>{1, 0, 0, -1}, Stokes<double>{1, 0.6, 0, 0.8}})
