@@ -9,7 +9,9 @@ target_compile_options(orbs_options INTERFACE
   # AVX2 machines are the oldest that Cycles and Embree are still tuned for; every x86-64 since 2013 has it.
   -march=x86-64-v3
   $<$<BOOL:${ORBS_WERROR}>:-Werror>
-  $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined;-fno-sanitize-recover=all;-fno-omit-frame-pointer>
+  $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined,float-cast-overflow;-fno-sanitize-recover=all>
+  $<$<BOOL:${ORBS_SANITIZE}>:-fno-omit-frame-pointer;-D_GLIBCXX_ASSERTIONS>
+  $<$<BOOL:${ORBS_FUZZ}>:-fsanitize=fuzzer-no-link>
   $<$<BOOL:${ORBS_COVERAGE}>:--coverage;-O0>)
 target_link_options(orbs_options INTERFACE
   $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined>

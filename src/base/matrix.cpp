@@ -97,7 +97,9 @@ std::optional<Mat4> inverse(const Mat4& matrix) {
     result(row, 2) = rows[row].z;
     result(row, 3) = -dot(rows[row], offset);
   }
-  return result;
+  const bool finite =
+      std::all_of(result.m.begin(), result.m.end(), [](double x) { return std::isfinite(x); });
+  return finite ? std::optional(result) : std::nullopt;
 }
 
 }  // namespace orbs

@@ -34,7 +34,8 @@ Vec3d transform_normal(const Mat4& inverse, Vec3d normal);
 double determinant3(const Mat4& matrix);
 bool is_affine(const Mat4& matrix);
 /// Inverse of an affine matrix; nothing when the 3x3 part is singular in relation to its size (|det| < 1e-12
-/// |M|^3), where the inverse would keep no correct digit in float.
+/// |M|^3), where the inverse would keep no correct digit in float, and when it or its inverse holds a number
+/// that is not finite.
 std::optional<Mat4> inverse(const Mat4& matrix);
 
 }  // namespace orbs

@@ -57,9 +57,13 @@ std::optional<long long> to_integer(std::string_view text) { return parse_whole<
 
 std::string closest(const std::string& word, const std::set<std::string>& candidates) {
   constexpr std::size_t kTooFar = 3;
+  constexpr std::size_t kLongestWord =
+      64;  // the time goes with the square of it, and nobody types longer ones
+  if (word.size() > kLongestWord) return "";
   std::string best;
   std::size_t best_distance = kTooFar;
   for (const auto& candidate : candidates) {
+    if (candidate.size() > kLongestWord) continue;
     const auto distance = edit_distance(word, candidate);
     if (distance >= best_distance || distance >= word.size()) continue;
     best_distance = distance;

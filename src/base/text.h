@@ -17,7 +17,8 @@ std::vector<std::string> split(std::string_view text, char separator);
 std::optional<double> to_number(std::string_view text);
 std::optional<long long> to_integer(std::string_view text);
 
-/// " (did you mean 'x'?)" for the nearest candidate within two edits, else "".
+/// " (did you mean 'x'?)" for the nearest candidate within two edits, else ""; also "" for words of more than
+/// 64 characters.
 std::string closest(const std::string& word, const std::set<std::string>& candidates);
 
 /// Shell-like pattern: '*' any run, '?' any one character; the whole text must match.

@@ -139,7 +139,12 @@ std::string with_element(std::string_view text, std::string_view array, std::str
 std::string excerpt(std::string_view text, TextPosition at) {
   std::size_t begin = 0;
   for (int line = 1; line < at.line; ++line) begin = text.find('\n', begin) + 1;
-  const std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
-  return std::string(line) + "\n" + std::string(static_cast<std::size_t>(at.column - 1), ' ') + "^";
+  std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
+  // A file may be one line of megabytes: at most this much of it on either side.
+  constexpr std::size_t kSide = 100;
+  const auto column = static_cast<std::size_t>(at.column - 1);
+  const std::size_t left_out = column > kSide ? column - kSide : 0;
+  line = line.substr(left_out, 2 * kSide);
+  return std::string(line) + "\n" + std::string(column - left_out, ' ') + "^";
 }
 }  // namespace orbs::json

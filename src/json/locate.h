@@ -15,6 +15,6 @@ TextPosition locate(std::string_view text, std::string_view pointer);
 /// own, indented like the element before it. Every other byte stays. `text` must be valid JSON and hold the
 /// array.
 std::string with_element(std::string_view text, std::string_view array, std::string_view element);
-/// The line of `text` holding `at`, and a caret line under the column.
+/// The line of `text` holding `at`, of a long one what is near, and a caret line under the column.
 std::string excerpt(std::string_view text, TextPosition at);
 }  // namespace orbs::json

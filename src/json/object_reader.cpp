@@ -116,6 +116,27 @@ std::string ObjectReader::text(const std::string& key) {
   return value.get<std::string>();
 }
 
+namespace {
+
+constexpr const char* kHoldsZero = "must not hold a zero byte: whoever takes it on would stop there";
+
+bool holds_zero(const std::string& text) { return text.find('\0') != std::string::npos; }
+
+}  // namespace
+
+std::string ObjectReader::system_text(const std::string& key) {
+  auto value = text(key);
+  if (holds_zero(value)) fail(key, kHoldsZero);
+  return value;
+}
+
+std::vector<std::string> ObjectReader::system_texts(const std::string& key) {
+  auto values = texts(key);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (holds_zero(values[i])) fail_at(key, i, kHoldsZero);
+  return values;
+}
+
 std::string ObjectReader::text_or(const std::string& key, const std::string& fallback) {
   return has(key) ? text(key) : fallback;
 }

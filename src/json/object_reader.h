@@ -52,6 +52,9 @@ class ObjectReader {
   int integer_or(const std::string& key, int fallback, int min, int max);
   bool boolean_or(const std::string& key, bool fallback);
   std::string text(const std::string& key);
+  /// As text, for what the system or another program takes as a path, a name or a word of a command line:
+  /// there a zero byte ends it, so it must hold none.
+  std::string system_text(const std::string& key);
   std::string text_or(const std::string& key, const std::string& fallback);
   std::string one_of(const std::string& key, std::initializer_list<std::string_view> allowed);
   std::string one_of_or(const std::string& key,
@@ -65,6 +68,7 @@ class ObjectReader {
                                                std::size_t count,
                                                Range range = kAnyNumber);
   std::vector<std::string> texts(const std::string& key);
+  std::vector<std::string> system_texts(const std::string& key);
   Vec3d vec3(const std::string& key, Range range = kAnyNumber);
   Vec3d vec3_or(const std::string& key, Vec3d fallback, Range range = kAnyNumber);
 

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "json/object_reader.h"
+#include "registry/plain_name.h"
 
 #include <algorithm>
 #include <map>
@@ -22,9 +23,7 @@ constexpr int kLargestPixel = 1 << 20;
 constexpr double kLeastMeanRatio = 1e-4;  // below, rounding in float alone would fail it
 
 std::string picture_name(ObjectReader& in, std::set<std::string>& names) {
-  auto name = in.text("name");
-  if (name.empty() || name.front() == '.' || name.find_first_of("/\\,*? \t\n") != std::string::npos)
-    in.fail("name", fmt::format("'{}' is no name: use letters, digits, '-', '_' and '.'", name));
+  auto name = plain_name(in, "name");
   if (!names.insert(name).second)
     in.fail("name", fmt::format("'{}' is the name of an earlier picture of this case", name));
   return name;
@@ -43,7 +42,7 @@ CaseScene load_case_scene(ObjectReader in,
                           std::set<std::string>& names) {
   CaseScene scene;
   scene.name = picture_name(in, names);
-  scene.file = resolve_path(folder, in.text("file"));
+  scene.file = resolve_path(folder, in.system_text("file"));
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(scene.file, ignored))
     in.fail("file", fmt::format("there is no file {}", scene.file.string()));
@@ -216,8 +215,8 @@ void check_references(const std::vector<Case>& cases) {
 
 }  // namespace
 
-Case load_case(const std::filesystem::path& file) {
-  const auto document = json::parse_file(file);
+Case parse_case(const std::filesystem::path& file, const std::string& text) {
+  const auto document = json::parse(file.string(), text);
   ObjectReader in(document);
   in.one_of("format", {"orbs-case/1"});
   Case one_case;
@@ -238,6 +237,8 @@ Case load_case(const std::filesystem::path& file) {
   in.finish();
   return one_case;
 }
+
+Case load_case(const std::filesystem::path& file) { return parse_case(file, read_file(file)); }
 
 std::vector<Case> load_cases(const Suite& suite) {
   std::error_code failed;

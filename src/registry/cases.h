@@ -79,6 +79,9 @@ struct Case {
 /// Reads and checks one case.json. InputError with file, line and key.
 Case load_case(const std::filesystem::path& file);
 
+/// As load_case, for a text that is not in the file yet.
+Case parse_case(const std::filesystem::path& file, const std::string& text);
+
 /// All cases of a suite in the order of the specification. Every folder below suite.cases must hold a
 /// case.json. InputError also when two cases give one scene name to different files, samples or references,
 /// when the reference of a scene is that of a scene which is not there or has none itself, or when there is

@@ -6,6 +6,7 @@
 #include "json/object_reader.h"
 #include "registry/defaults.h"
 #include "registry/placeholders.h"
+#include "registry/plain_name.h"
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ constexpr double kMostMegabytes = 1 << 30;
 
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
-  auto text = in.text(key);
+  auto text = in.system_text(key);
   if (const auto problem = placeholder_problem(text, known)) in.fail(key, *problem);
   if (text.empty()) in.fail(key, "must not be empty");
   return text;
@@ -30,27 +31,18 @@ std::string template_text(ObjectReader& in, const std::string& key, const std::s
 std::vector<std::string> template_texts(ObjectReader& in,
                                         const std::string& key,
                                         const std::set<std::string>& known) {
-  auto texts = in.texts(key);
+  auto texts = in.system_texts(key);
   for (std::size_t i = 0; i < texts.size(); ++i)
     if (const auto problem = placeholder_problem(texts[i], known)) in.fail_at(key, i, *problem);
   if (texts.empty()) in.fail(key, "must hold at least the program");
   return texts;
 }
 
-// Names become folders of the output and words of lists, so they hold nothing that means something there.
-std::string plain_name(ObjectReader& in, const std::string& key) {
-  auto name = in.text(key);
-  const bool plain =
-      !name.empty() && name.front() != '.' && name.find_first_of("/\\,*? \t\n") == std::string::npos;
-  if (!plain) in.fail(key, fmt::format("'{}' is no name: use letters, digits, '-', '_' and '.'", name));
-  return name;
-}
-
 Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
   Suite suite;
   suite.name = plain_name(in, "name");
-  suite.cases = resolve_path(root, in.text("cases"));
-  suite.references = resolve_path(root, in.text("references"));
+  suite.cases = resolve_path(root, in.system_text("cases"));
+  suite.references = resolve_path(root, in.system_text("references"));
   in.finish();
   return suite;
 }
@@ -83,9 +75,9 @@ FeatureSet load_features(ObjectReader& in, const std::string& key) {
 
 std::vector<std::string> load_environment(ObjectReader& in) {
   if (!in.has("environment")) return {};
-  auto names = in.texts("environment");
+  auto names = in.system_texts("environment");
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i].empty() || names[i].front() == '=' || names[i].find('\0') != std::string::npos)
+    if (names[i].empty() || names[i].front() == '=')
       in.fail_at("environment", i, "must be NAME or NAME=value");
   return names;
 }

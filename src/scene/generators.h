@@ -42,6 +42,29 @@ struct WaterParameters {
   int segments = 64;        // of the surface, in both directions
 };
 
+/// Triangles of the trunk, which come first; the rest is foliage.
+inline constexpr int kTreeTrunkTriangles = 16;
+
+/// How many triangles a generator will make of these parameters, which lie within what a scene file may say;
+/// of a cube, the closed one.
+constexpr std::size_t triangle_count(const PlaneParameters&) { return 2; }
+constexpr std::size_t triangle_count(const CubeParameters&) { return 12; }
+constexpr std::size_t triangle_count(const SphereParameters& p) {
+  return static_cast<std::size_t>(p.segments * p.segments);
+}
+constexpr std::size_t triangle_count(const TorusParameters& p) {
+  return static_cast<std::size_t>(2 * p.ring_segments * p.tube_segments);
+}
+constexpr std::size_t triangle_count(const TeapotParameters& p) {
+  return static_cast<std::size_t>(64 * p.subdivisions * p.subdivisions);
+}
+constexpr std::size_t triangle_count(const TreeParameters& p) {
+  return static_cast<std::size_t>(kTreeTrunkTriangles + 4 * p.tiers * p.points);
+}
+constexpr std::size_t triangle_count(const WaterParameters& p) {
+  return static_cast<std::size_t>(2 * p.segments * p.segments + 12 * p.segments);
+}
+
 /// Square at y = 0, normal +Y, u along x and v along z in [0, 1]. Both triangles share the diagonal (-,-) ->
 /// (+,+) and are wound against the normal.
 Mesh make_plane(const PlaneParameters& parameters);
@@ -69,9 +92,6 @@ Mesh make_torus(const TorusParameters& parameters);
 /// 0.63493]. Normals are those of the Bezier patches, by their limit at the knob's top and the bottom's
 /// centre, where some triangles have no area. u and v are the parameters of each patch.
 Mesh make_teapot(const TeapotParameters& parameters);
-
-/// Triangles of the trunk, which come first; the rest is foliage.
-inline constexpr int kTreeTrunkTriangles = 16;
 
 /// A fir with its foot in the origin: an open trunk, then from bottom to top `tiers` closed cones of 4 points
 /// triangles each. Facets are flat: each triangle has vertices of its own. u runs around the trunk or cone, v

@@ -38,6 +38,9 @@ class NumberStream {
   }
 
   std::vector<double> list(int length, const char* what) {
+    // A number takes two bytes, its separator included: a list that cannot be there must not ask for memory.
+    if (static_cast<std::size_t>(length) > (rest_.size() + 1) / 2)
+      fail(fmt::format("the file ends before its {} numbers called {}", length, what));
     std::vector<double> numbers(static_cast<std::size_t>(length));
     for (double& number : numbers) number = next(what);
     return numbers;
@@ -161,6 +164,7 @@ IesProfile parse_ies(const std::string& name, std::string_view text) {
   const double peak = *std::max_element(candela.begin(), candela.end());
   if (!(peak > 0) || *std::min_element(candela.begin(), candela.end()) < 0)
     in.fail("candela values must not be negative, and one must be above 0");
+  if (!std::isfinite(peak)) in.fail("candela values times their factors are beyond what a number can hold");
   IesProfile profile = unfolded(horizontal, std::move(vertical), candela);
   profile.max_candela = peak;
   return profile;

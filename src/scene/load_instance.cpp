@@ -27,9 +27,14 @@ std::vector<std::pair<int, int>> load_remap(json::ObjectReader& in, const Names&
 /// Copies on a grid in the XZ plane, centred on the instance's matrix: each is moved by up to +-jitter along
 /// x and z, turned about y by any angle, and left out with probability 1 - keep. The numbers depend on seed
 /// and grid place alone.
-void scatter(json::ObjectReader in, const Instance& prototype, std::vector<Instance>& out) {
+void scatter(json::ObjectReader in,
+             const Instance& prototype,
+             SceneBudget& left,
+             std::vector<Instance>& out) {
   const int columns = in.integer("columns", 1, 1000);
   const int rows = in.integer("rows", 1, 1000);
+  take(in, "", "instances", static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+       left.instances);
   const double spacing_m = in.number("spacing", json::kPositive);
   const double jitter_m = in.number_or("jitter", 0, json::kNotNegative);
   const double keep = in.number_or("keep", 1, {0, 1});
@@ -47,6 +52,7 @@ void scatter(json::ObjectReader in, const Instance& prototype, std::vector<Insta
       copy.name = fmt::format("{} {} {}", prototype.name, row, column);
       copy.matrix = prototype.matrix * translation(place) * rotation_y(360 * random(3)) *
                     scaling({scale, scale, scale});
+      if (!inverse(copy.matrix)) in.fail("", fmt::format("copy {} {} lies too far away", row, column));
       out.push_back(std::move(copy));
     }
 }
@@ -56,16 +62,19 @@ void scatter(json::ObjectReader in, const Instance& prototype, std::vector<Insta
 void load_instances(json::ObjectReader in,
                     const Names& meshes,
                     const Names& materials,
+                    SceneBudget& left,
                     std::vector<Instance>& out) {
   Instance instance;
   instance.mesh = meshes.find(in, "mesh");
   instance.name = in.text_or("name", in.text("mesh"));
   instance.matrix = load_matrix(in, "matrix");
   instance.remap = load_remap(in, materials);
-  if (in.has("scatter"))
-    scatter(in.object("scatter"), instance, out);
-  else
+  if (in.has("scatter")) {
+    scatter(in.object("scatter"), instance, left, out);
+  } else {
+    take(in, "", "instances", 1, left.instances);
     out.push_back(std::move(instance));
+  }
   in.finish();
 }
 

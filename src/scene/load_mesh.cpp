@@ -1,5 +1,4 @@
 #include "base/text.h"
-#include "scene/generators.h"
 #include "scene/load_parts.h"
 #include "scene/mesh_files.h"
 
@@ -8,36 +7,6 @@
 namespace orbs::scene {
 
 namespace {
-
-constexpr int kMostSegments = 4096;
-
-TreeParameters load_tree(json::ObjectReader& in) {
-  return {in.number("height", json::kPositive), in.number("radius", json::kPositive),
-          in.integer("tiers", 1, 100), in.integer("points", 3, 100)};
-}
-
-WaterParameters load_water(json::ObjectReader& in) {
-  return {in.number("half_width", json::kPositive), in.number("half_length", json::kPositive),
-          in.number("depth", json::kPositive),      in.number("amplitude", json::kPositive),
-          in.number("wavelength", json::kPositive), in.integer("segments", 1, kMostSegments)};
-}
-
-Mesh generated(json::ObjectReader& in) {
-  const std::string kind =
-      in.one_of("generator", {"plane", "cube", "cube_open", "sphere", "torus", "teapot", "tree", "water"});
-  const auto metres = [&](const char* key) { return in.number(key, json::kPositive); };
-  const auto segments = [&](const char* key) { return in.integer(key, 3, kMostSegments); };
-  if (kind == "plane") return make_plane({metres("half_size")});
-  if (kind == "cube") return make_cube({metres("half_size")});
-  if (kind == "cube_open") return make_cube_open({metres("half_size")});
-  if (kind == "sphere") return make_sphere({metres("radius"), segments("segments")});
-  if (kind == "torus")
-    return make_torus({metres("minor_radius"), metres("major_radius"), segments("ring_segments"),
-                       segments("tube_segments")});
-  if (kind == "teapot") return make_teapot({in.integer("subdivisions", 1, 128)});
-  if (kind == "tree") return make_tree(load_tree(in));
-  return make_water(load_water(in));
-}
 
 template <typename Vector>
 std::vector<Vector> vectors(json::ObjectReader& in, const std::string& key, std::size_t width) {
@@ -153,34 +122,41 @@ void append_moved(Mesh& whole, const Mesh& part, const Mat4& matrix) {
                                   part.triangle_materials.end());
 }
 
-Mesh load_source(json::ObjectReader& in, const std::filesystem::path& folder, const Names& materials) {
+Mesh load_source(json::ObjectReader& in,
+                 const std::filesystem::path& folder,
+                 const Names& materials,
+                 SceneBudget& left) {
   MeshFile file;
   const bool from_file = in.has("file");
   if (from_file)
     file = mesh_of_file(in, folder);
   else if (in.has("generator"))
-    file.mesh = generated(in);
+    file.mesh = load_generated(in, left);
   else if (in.has("positions"))
     file.mesh = inline_mesh(in);
   else
     in.fail("", "needs one of: generator, file, positions, parts");
+  if (!in.has("generator")) take(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
   assign_materials(in, materials, file, from_file);
   return std::move(file.mesh);
 }
 
 }  // namespace
 
-Mesh load_mesh(json::ObjectReader in, const std::filesystem::path& folder, const Names& materials) {
+Mesh load_mesh(json::ObjectReader in,
+               const std::filesystem::path& folder,
+               const Names& materials,
+               SceneBudget& left) {
   Mesh mesh;
   const std::string name = in.text("name");
   if (in.has("parts")) {
     for (auto& part : in.objects("parts")) {
       const Mat4 matrix = load_matrix(part, "matrix");
-      append_moved(mesh, load_source(part, folder, materials), matrix);
+      append_moved(mesh, load_source(part, folder, materials, left), matrix);
       part.finish();
     }
   } else {
-    mesh = load_source(in, folder, materials);
+    mesh = load_source(in, folder, materials, left);
   }
   in.finish();
   mesh.name = name;

@@ -8,7 +8,7 @@
 namespace orbs::scene {
 
 void Names::add(json::ObjectReader& in, const std::string& key) {
-  const std::string name = in.text(key);
+  const std::string name = in.system_text(key);
   if (name.empty()) in.fail(key, "must not be empty");
   if (!index_.emplace(name, static_cast<int>(index_.size())).second)
     in.fail(key, fmt::format("{} '{}' is defined twice", kind_, name));
@@ -44,11 +44,21 @@ int Names::find_at(const json::ObjectReader& in,
 std::filesystem::path existing_file(json::ObjectReader& in,
                                     const std::string& key,
                                     const std::filesystem::path& folder) {
-  const auto path = resolve_path(folder, in.text(key));
+  const auto path = resolve_path(folder, in.system_text(key));
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
     in.fail(key, fmt::format("there is no file {}", path.string()));
   return path;
+}
+
+void take(const json::ObjectReader& in,
+          const std::string& key,
+          const char* things,
+          std::size_t wanted,
+          std::size_t& left) {
+  if (wanted > left)
+    in.fail(key, fmt::format("asks for {} {}; the scene may hold {} more", wanted, things, left));
+  left -= wanted;
 }
 
 namespace {
@@ -82,7 +92,8 @@ Mat4 load_matrix(json::ObjectReader& in, const std::string& key) {
     std::copy(numbers.begin(), numbers.end(), matrix.m.begin());
   }
   if (!is_affine(matrix)) in.fail(key, "the last row must be 0 0 0 1 (row-major 4x4)");
-  if (!inverse(matrix)) in.fail(key, "the matrix is not invertible: its 3x3 part is singular");
+  if (!inverse(matrix))
+    in.fail(key, "the matrix is not invertible: its 3x3 part is singular, or a number in it too large");
   return matrix;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "json/object_reader.h"
+#include "scene/load_scene.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -43,11 +44,23 @@ std::filesystem::path existing_file(json::ObjectReader& in,
 Mat4 load_matrix(json::ObjectReader& in, const std::string& key);
 
 Material load_material(json::ObjectReader in, const Names& textures);
-Mesh load_mesh(json::ObjectReader in, const std::filesystem::path& folder, const Names& materials);
-/// Appends one instance, or many when the entry has "scatter".
+/// Takes `wanted` things off what is `left`; the complaint at `key` when there are not so many.
+void take(const json::ObjectReader& in,
+          const std::string& key,
+          const char* things,
+          std::size_t wanted,
+          std::size_t& left);
+Mesh load_mesh(json::ObjectReader in,
+               const std::filesystem::path& folder,
+               const Names& materials,
+               SceneBudget& left);
+/// The mesh of the entry's "generator", without name and materials.
+Mesh load_generated(json::ObjectReader& in, SceneBudget& left);
+/// Appends one instance to the scene, or many when the entry has "scatter".
 void load_instances(json::ObjectReader in,
                     const Names& meshes,
                     const Names& materials,
+                    SceneBudget& left,
                     std::vector<Instance>& out);
 Light load_light(json::ObjectReader in, const std::filesystem::path& folder);
 

@@ -3,6 +3,8 @@
 #include "base/files.h"
 #include "scene/load_parts.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace orbs::scene {
@@ -24,6 +26,8 @@ Camera load_camera(json::ObjectReader in) {
   in.finish();
   const Vec3d view = camera.look_at_m - camera.position_m;
   if (length(view) == 0) in.fail("look_at", "must differ from position: the view has no direction");
+  if (!std::isfinite(length(view))) in.fail("look_at", "is too far from position: the distance overflows");
+  if (!std::isfinite(length(camera.up))) in.fail("up", "is too long: its length overflows");
   // gluLookAt divides by |view x up|: below 1e-9 of their lengths the picture's up direction is rounding
   // noise.
   if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
@@ -44,7 +48,7 @@ Texture load_texture(json::ObjectReader in, const std::filesystem::path& folder)
   return texture;
 }
 
-Scene load_document(const json::Document& document, const std::filesystem::path& folder) {
+Scene load_document(const json::Document& document, const std::filesystem::path& folder, SceneBudget left) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-scene/1"});
   Scene scene;
@@ -64,10 +68,10 @@ Scene load_document(const json::Document& document, const std::filesystem::path&
   Names meshes("mesh");
   for (auto& entry : in.objects_or_none("meshes")) {
     meshes.add(entry, "name");
-    scene.meshes.push_back(load_mesh(entry, folder, materials));
+    scene.meshes.push_back(load_mesh(entry, folder, materials, left));
   }
   for (auto& entry : in.objects_or_none("instances"))
-    load_instances(entry, meshes, materials, scene.instances);
+    load_instances(entry, meshes, materials, left, scene.instances);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folder));
   if (in.has("integrator")) {
     auto integrator = in.object("integrator");
@@ -80,9 +84,12 @@ Scene load_document(const json::Document& document, const std::filesystem::path&
 
 }  // namespace
 
-Scene load_scene_text(const std::string& name, const std::string& text, const std::filesystem::path& folder) {
+Scene load_scene_text(const std::string& name,
+                      const std::string& text,
+                      const std::filesystem::path& folder,
+                      SceneBudget budget) {
   const auto document = json::parse(name, text);
-  return load_document(document, folder);
+  return load_document(document, folder, budget);
 }
 
 Scene load_scene(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace orbs::scene {
@@ -18,10 +19,12 @@ struct MeshFile {
 /// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl; normals are required, nothing is recomputed.
 /// InputError with file and line.
 MeshFile read_obj(const std::filesystem::path& file);
+MeshFile parse_obj(const std::string& name, std::string_view text);
 
 /// PLY, ASCII or binary little-endian: vertex x y z nx ny nz and optionally tx ty tz, u v (or s t); face
 /// vertex_indices (or vertex_index) and optionally an integer `material`. InputError naming what is missing.
 MeshFile read_ply(const std::filesystem::path& file);
+MeshFile parse_ply(const std::string& name, std::string_view bytes);
 
 /// All attributes, with the material as an int per face; or what every reader of PLY knows: positions,
 /// normals, u and v, and the faces.

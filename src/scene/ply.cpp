@@ -4,6 +4,7 @@
 #include "scene/mesh_files.h"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -57,10 +58,14 @@ double number_from_bytes(const char* bytes, const std::string& type) {
 
 class PlyReader {
  public:
-  explicit PlyReader(const std::filesystem::path& file) : name_(file.string()), text_(read_file(file)) {}
+  PlyReader(const std::string& name, std::string_view bytes) : name_(name), text_(bytes) {}
 
   MeshFile read() {
     read_header();
+    // Without this a row would take no byte, and a short file could claim more rows than anybody can wait
+    // for.
+    for (const auto& element : elements_)
+      if (element.properties.empty()) fail(fmt::format("element '{}' has no property", element.name));
     for (const auto& element : elements_) {
       if (element.name == "vertex")
         read_vertices(element);
@@ -80,7 +85,7 @@ class PlyReader {
   std::string_view header_line() {
     const auto end = text_.find('\n', at_);
     if (end == std::string::npos) fail("the header has no end_header");
-    const auto line = trim(std::string_view(text_).substr(at_, end - at_));
+    const auto line = trim(text_.substr(at_, end - at_));
     at_ = end + 1;
     return line;
   }
@@ -127,7 +132,7 @@ class PlyReader {
     at_ = text_.find_first_not_of(" \t\r\n", at_);
     if (at_ == std::string::npos) fail("the file ends within its data");
     const auto end = std::min(text_.find_first_of(" \t\r\n", at_), text_.size());
-    const auto value = to_number(std::string_view(text_).substr(at_, end - at_));
+    const auto value = to_number(text_.substr(at_, end - at_));
     if (!value) fail(fmt::format("'{}' is not a number", text_.substr(at_, end - at_)));
     at_ = end;
     return *value;
@@ -173,14 +178,22 @@ class PlyReader {
       if (found == row.end()) found = row.find("vertex_index");
       if (found == row.end()) fail("faces lack the list 'vertex_indices'");
       const auto material = row.find("material");
-      add_face(found->second, material == row.end() ? -1 : static_cast<int>(material->second.front()));
+      add_face(found->second, material == row.end() ? -1 : slot(material->second));
     }
+  }
+
+  int slot(const std::vector<double>& numbers) const {
+    if (numbers.size() != 1) fail(fmt::format("a face has {} materials, expected one", numbers.size()));
+    const double number = numbers.front();
+    if (!(number >= 0 && number < 2147483648.0 && number == std::floor(number)))
+      fail(fmt::format("material {} is no place in a list", number));
+    return static_cast<int>(number);
   }
 
   void add_face(const std::vector<double>& corners, int material) {
     for (const double corner : corners)
-      if (!(corner >= 0 && corner < 4294967296.0))
-        fail(fmt::format("vertex index {} is out of range", corner));
+      if (!(corner >= 0 && corner < 4294967296.0 && corner == std::floor(corner)))
+        fail(fmt::format("vertex index {} is out of range or no whole number", corner));
     if (corners.size() < 3) fail("a face needs at least three corners");
     for (std::size_t i = 2; i < corners.size(); ++i) {
       out_.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]),
@@ -195,7 +208,7 @@ class PlyReader {
   }
 
   std::string name_;
-  std::string text_;
+  std::string_view text_;
   std::size_t at_ = 0;
   bool binary_ = false;
   bool has_format_ = false;
@@ -216,7 +229,9 @@ void append(std::string& out, Vec3f v) {
 
 }  // namespace
 
-MeshFile read_ply(const std::filesystem::path& file) { return PlyReader(file).read(); }
+MeshFile parse_ply(const std::string& name, std::string_view bytes) { return PlyReader(name, bytes).read(); }
+
+MeshFile read_ply(const std::filesystem::path& file) { return parse_ply(file.string(), read_file(file)); }
 
 void write_ply(const Mesh& mesh, const std::filesystem::path& file, PlyContent content) {
   const bool everything = content == PlyContent::Everything;

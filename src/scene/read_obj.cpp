@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "scene/mesh_files.h"
 
-#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -14,9 +13,9 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& file) : name_(file.string()) {}
+  explicit ObjReader(const std::string& name) : name_(name) {}
 
-  MeshFile read(const std::string& text) {
+  MeshFile read(std::string_view text) {
     for (const auto& line : split(text, '\n')) {
       ++line_;
       read_line(std::string_view(line).substr(0, line.find('#')));
@@ -61,9 +60,9 @@ class ObjReader {
   void use_material(const std::vector<std::string>& words) {
     if (words.empty()) fail("usemtl needs a name");
     auto& names = out_.material_names;
-    const auto found = std::find(names.begin(), names.end(), words.front());
-    material_ = static_cast<int>(found - names.begin());
-    if (found == names.end()) names.push_back(words.front());
+    const auto [entry, is_new] = materials_.emplace(words.front(), static_cast<int>(names.size()));
+    if (is_new) names.push_back(words.front());
+    material_ = entry->second;
   }
 
   // OBJ counts from 1, and backwards from the last element when negative.
@@ -119,11 +118,14 @@ class ObjReader {
   std::vector<Vec3f> normals_;
   std::vector<Vec2f> uvs_;
   std::map<Corner, std::uint32_t> vertices_;
+  std::map<std::string, int> materials_;  // place in material_names
   MeshFile out_;
 };
 
 }  // namespace
 
-MeshFile read_obj(const std::filesystem::path& file) { return ObjReader(file).read(read_file(file)); }
+MeshFile parse_obj(const std::string& name, std::string_view text) { return ObjReader(name).read(text); }
+
+MeshFile read_obj(const std::filesystem::path& file) { return parse_obj(file.string(), read_file(file)); }
 
 }  // namespace orbs::scene

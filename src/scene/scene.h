@@ -32,6 +32,7 @@ struct Camera {
   double near_m = 0.1;
   double far_m = 100;
   std::optional<double> focus_distance_m;  // ORB.S "camera distance"; a pinhole has no use for it
+  bool operator==(const Camera&) const = default;
 };
 
 enum class Wrap { Repeat, Clamp };
@@ -43,36 +44,43 @@ struct Texture {
   std::filesystem::path file;  // absolute
   Wrap wrap_u = Wrap::Repeat;
   Wrap wrap_v = Wrap::Repeat;
+  bool operator==(const Texture&) const = default;
 };
 
 /// A texture as a material uses it: u' = m00 u + m01 v + m03, v' = m10 u + m11 v + m13 (ORB.S REQ_M5).
 struct TextureUse {
   int texture = 0;
   Mat4 matrix;
+  bool operator==(const TextureUse&) const = default;
 };
 
 struct Lambert {
   Rgb reflectance;
   std::optional<TextureUse> texture;  // multiplies reflectance
+  bool operator==(const Lambert&) const = default;
 };
 /// ORB.S eq. 5 with sigma = roughness * pi / 2 radians.
 struct OrenNayar {
   Rgb reflectance;
   double roughness = 0;  // [0, 1]
   std::optional<TextureUse> texture;
+  bool operator==(const OrenNayar&) const = default;
 };
 struct Mirror {
   Rgb reflectance;
+  bool operator==(const Mirror&) const = default;
 };
 /// Smooth dielectric of ORB.S REQ_M8; `ior` is inside over outside, and the vertex normals point outside.
 struct Glass {
   Rgb colour;
   double ior = 1.5;
+  bool operator==(const Glass&) const = default;
 };
 /// colour * D G / (4 cos cos), height-correlated Smith-GGX, no Fresnel factor.
 struct Ggx {
   Rgb colour;
   double alpha = 0.1;
+  bool operator==(const Ggx&) const = default;
 };
 /// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable
 /// in transmission.
@@ -80,11 +88,13 @@ struct RoughGlass {
   Rgb colour;
   double ior = 1.5;
   double alpha = 0.1;
+  bool operator==(const RoughGlass&) const = default;
 };
 /// Emits `radiance` (times the texture) from both sides and reflects nothing.
 struct Emission {
   Rgb radiance;
   std::optional<TextureUse> texture;
+  bool operator==(const Emission&) const = default;
 };
 
 using MaterialModel = std::variant<Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission>;
@@ -92,6 +102,7 @@ using MaterialModel = std::variant<Lambert, OrenNayar, Mirror, Glass, Ggx, Rough
 struct Material {
   std::string name;
   MaterialModel model;
+  bool operator==(const Material&) const = default;
 };
 
 /// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
@@ -104,6 +115,7 @@ struct Mesh {
   std::vector<Vec2f> uvs;       // zero where not available
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> triangle_materials;  // one per triangle
+  bool operator==(const Mesh&) const = default;
 };
 
 /// One appearance of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the
@@ -114,18 +126,22 @@ struct Instance {
   int mesh = 0;
   Mat4 matrix;
   std::vector<std::pair<int, int>> remap;
+  bool operator==(const Instance&) const = default;
 };
 
 /// In the local XZ plane, emitting towards local -Y only; the back is black, opaque and visible.
 struct RectShape {
   double half_width_m = 1;   // along local X
   double half_length_m = 1;  // along local Z
+  bool operator==(const RectShape&) const = default;
 };
 struct DiskShape {
   double radius_m = 1;
+  bool operator==(const DiskShape&) const = default;
 };
 struct SphereShape {
   double radius_m = 1;
+  bool operator==(const SphereShape&) const = default;
 };
 using LightShape = std::variant<RectShape, DiskShape, SphereShape>;
 
@@ -136,6 +152,7 @@ struct IesProfile {
   std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
   std::vector<double> candela;         // [horizontal][vertical]
   double max_candela = 0;
+  bool operator==(const IesProfile&) const = default;
 };
 
 /// The light's radiance is multiplied by candela / max candela.
@@ -146,6 +163,10 @@ struct IesUse {
   /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point
   /// on the light.
   bool point_area = false;
+  bool operator==(const IesUse& other) const {
+    return file == other.file && *profile == *other.profile && matrix == other.matrix &&
+           point_area == other.point_area;
+  }
 };
 
 struct Light {
@@ -154,6 +175,7 @@ struct Light {
   Rgb radiance;
   Mat4 matrix;  // moves, turns and scales the shape; radiance stays
   std::optional<IesUse> ies;
+  bool operator==(const Light&) const = default;
 };
 
 struct Scene {
@@ -166,6 +188,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
+  bool operator==(const Scene&) const = default;
 };
 
 /// The material that an instance shows where its mesh has `material`.

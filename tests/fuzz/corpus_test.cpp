@@ -1,0 +1,96 @@
+// Every file of tests/corpus through the reader that the fuzzer steers: read, or refused with a complaint.
+#include "base/files.h"
+#include "fuzz/feed.h"
+#include "structure/source_files.h"
+
+#include <functional>
+#include <map>
+
+namespace {
+
+using Feed = std::string (*)(std::string_view);
+
+const std::map<std::string, Feed> kFeeds{
+    {"scene", orbs::fuzz::feed_scene}, {"configuration", orbs::fuzz::feed_configuration},
+    {"case", orbs::fuzz::feed_case},   {"obj", orbs::fuzz::feed_obj},
+    {"ply", orbs::fuzz::feed_ply},     {"ies", orbs::fuzz::feed_ies},
+    {"exr", orbs::fuzz::feed_exr}};
+
+const std::filesystem::path kCorpus = ORBS_SOURCE_DIR "/tests/corpus";
+
+std::string complaint_about(const std::string& input, const std::string& file) {
+  return kFeeds.at(input)(orbs::read_file(kCorpus / input / file));
+}
+
+class HostileInput : public testing::TestWithParam<std::string> {};
+
+struct Refused {
+  const char* input;
+  const char* file;
+  const char* complaint;  // a part of it
+};
+
+// What was found by fuzzing or by reading with it in mind, one small file each.
+const std::vector<Refused> kRefused{
+    {"scene", "many_triangles.json", ":1:202: /meshes/0/generator: asks for 16777216 triangles"},
+    {"scene", "many_instances.json",
+     "/instances/0/scatter: asks for 1000000 instances; the scene may hold 500"},
+    {"scene", "odd_sphere.json", "/meshes/0/generator: a sphere needs an even number of segments"},
+    {"scene", "spread_beyond_numbers.json", "/instances/0/scatter: copy 0 0 lies too far away"},
+    {"scene", "moved_beyond_numbers.json", "/instances/0/matrix: the matrix is not invertible"},
+    {"scene", "no_way_back.json", "/instances/0/matrix: the matrix is not invertible"},
+    {"scene", "camera_beyond_numbers.json", "/camera/look_at: is too far from position"},
+    {"scene", "zero_in_file.json", "/textures/0/file: must not hold a zero byte"},
+    {"configuration", "zero_in_name.json", "/renderers/0/name: 'a"},
+    {"configuration", "zero_in_command.json", "/renderers/0/command/3: must not hold a zero byte"},
+    {"configuration", "zero_in_program.json", "/renderers/0/executable: must not hold a zero byte"},
+    {"configuration", "deep.json", ":1:75: nested deeper than 64 levels"},
+    {"configuration", "twice.json", ":1:46: key 'format' appears twice"},
+    {"configuration", "number_overflow.json", ":1:17: not usable JSON"},
+    {"case", "zero_in_name.json", "/scenes/0/name: 'a"},
+    {"case", "zero_in_file.json", "/scenes/0/file: must not hold a zero byte"},
+    {"case", "empty_region.json", "/pixel_checks/0/region: [x0,y0,x1,y1] = [3,3,3,4] holds no pixel"},
+    {"obj", "largest_index.obj", "mesh.obj:3: position index -9223372036854775808 is out of range"},
+    {"ply", "material_list.ply", "a face has 0 materials, expected one"},
+    {"ply", "material_huge.ply", "material 1e+30 is no place in a list"},
+    {"ply", "material_nan.ply", "material nan is no place in a list"},
+    {"ply", "no_properties.ply", "element 'a' has no property"},
+    {"ies", "peak_infinite.ies", "beyond what a number can hold"},
+};
+
+}  // namespace
+
+TEST_P(HostileInput, IsReadOrRefusedByNameAndNothingElseHappens) {
+  const auto folder = kCorpus / GetParam();
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    EXPECT_NO_THROW(complaint_about(GetParam(), entry.path().filename())) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 0) << folder;
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus,
+                         HostileInput,
+                         testing::ValuesIn([] {
+                           std::vector<std::string> inputs;
+                           for (const auto& [input, feed] : kFeeds) inputs.push_back(input);
+                           return inputs;
+                         }()),
+                         [](const auto& one) { return one.param; });
+
+TEST(HostileInputCorpus, WhatWasFoundOnceIsRefusedAtItsPlace) {
+  for (const auto& [input, file, complaint] : kRefused)
+    EXPECT_NE(complaint_about(input, file).find(complaint), std::string::npos)
+        << input << "/" << file << ": " << complaint_about(input, file);
+}
+
+TEST(HostileInputCorpus, SeedsThatAreRightAreRead) {
+  const std::vector<std::pair<const char*, const char*>> right{
+      {"scene", "whole.json"},  {"scene", "generators.json"}, {"configuration", "whole.json"},
+      {"case", "whole.json"},   {"obj", "square.obj"},        {"ply", "ascii.ply"},
+      {"ply", "binary.ply"},    {"ies", "round.ies"},         {"ies", "quadrant.ies"},
+      {"ies", "sides.ies"},     {"ies", "half.ies"},          {"ies", "tilt.ies"},
+      {"exr", "zip_float.exr"}, {"exr", "half_layers.exr"}};
+  for (const auto& [input, file] : right) EXPECT_EQ(complaint_about(input, file), "") << input << "/" << file;
+}
