@@ -2,14 +2,23 @@
 
 #include "adapters/export.h"
 #include "adapters/povray/povray.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace orbs::adapters {
 
 int scaled_spp(int spp, double renderer_scale, double run_scale) {
-  return static_cast<int>(std::max(1L, std::lround(spp * renderer_scale * run_scale)));
+  constexpr int kMost = 1 << 30;
+  const double samples = spp * renderer_scale * run_scale;
+  if (!(samples <= kMost))
+    throw InputError(
+        fmt::format("{} spp times the factors {} and {} are {} samples; at most {} can be asked for", spp,
+                    renderer_scale, run_scale, samples, kMost));
+  return static_cast<int>(std::max(1L, std::lround(samples)));
 }
 
 Job make_job(const registry::Renderer& renderer,

@@ -36,7 +36,7 @@ struct JobSettings {
   std::string scene_file{};          // its name in the job's folder; "" for that of an exported scene
 };
 
-/// Samples that a renderer gets for a case's `spp`, rounded, at least 1.
+/// Samples that a renderer gets for a case's `spp`, rounded, at least 1. InputError above 2^30.
 int scaled_spp(int spp, double renderer_scale, double run_scale);
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "image/exr_check.h"
 #include "image/png_check.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ void check_file(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file, failed) == 0 && !failed) refuse(file, "is empty, expected a picture");
 }
 
-void check_size(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+void check_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes, const std::filesystem::path& file) {
   if (spec.deep) refuse(file, "holds deep pixels, expected a flat picture");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
     refuse(file, fmt::format("the header says {} x {} px with {} channels, which is no picture", spec.width,
@@ -72,6 +73,10 @@ void check_size(const OIIO::ImageSpec& spec, const std::filesystem::path& file) 
   if (values > kMostValues)
     refuse(file, fmt::format("the header says {} x {} px with {} channels; at most {} values are read",
                              spec.width, spec.height, spec.nchannels, static_cast<long long>(kMostValues)));
+  if (values > kMostValuesPerByte * static_cast<double>(file_bytes))
+    refuse(file,
+           fmt::format("the header says {} x {} px with {} channels, which is more than {} bytes can hold",
+                       spec.width, spec.height, spec.nchannels, file_bytes));
   if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
       spec.height != spec.full_height)
     refuse(file,
@@ -92,15 +97,18 @@ void check_jpeg_end(const std::filesystem::path& file) {
     refuse(file, "is no whole JPEG: the end marker is missing");
 }
 
-void check_contents(const std::string& format, const std::filesystem::path& file) {
-  if (format == "jpg" || format == "jpeg") check_jpeg_end(file);
-  if (format != "png") return;
-  const std::string bytes = read_file(file);
+void check_bytes(void (*check)(std::string_view), std::string_view bytes, const std::filesystem::path& file) {
   try {
-    check_png(bytes);
+    check(bytes);
   } catch (const InputError& e) {
     refuse(file, e.what());
   }
+}
+
+void check_contents(const std::string& format, const std::filesystem::path& file) {
+  if (format == "jpg" || format == "jpeg") check_jpeg_end(file);
+  if (format == "png") check_bytes(check_png, read_file(file), file);
+  if (format == "exr") check_bytes(check_exr, read_file(file), file);
 }
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& file) {
@@ -114,7 +122,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& file
   OIIO::ImageSpec ignored;
   if (!input->open(file.string(), ignored, hints))
     refuse(file, fmt::format("is no readable .{} picture: {}", format, reason_of(input->geterror())));
-  check_size(input->spec(), file);
+  check_size(input->spec(), std::filesystem::file_size(file), file);
   return input;
 }
 
@@ -209,13 +217,14 @@ Image read_image(const std::filesystem::path& file) {
 Image read_exr(const std::string& name, std::string_view bytes) {
   return guarded(name, [&] {
     if (bytes.empty()) refuse(name, "is empty, expected a picture");
+    check_bytes(check_exr, bytes, name);
     // The library's reader takes bytes that it does not change as ones that it could.
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     auto input = OIIO::ImageInput::create("exr");
     OIIO::ImageSpec ignored;
     if (!input || !input->set_ioproxy(&memory) || !input->open("memory.exr", ignored))
       refuse(name, fmt::format("is no readable .exr picture: {}", reason_of(input ? input->geterror() : "")));
-    check_size(input->spec(), name);
+    check_size(input->spec(), bytes.size(), name);
     return read_pixels(*input, name);
   });
 }

@@ -116,6 +116,17 @@ double interpolate(const std::vector<double>& at, double x, std::size_t& low) {
   return (x - at[low]) / (at[low + 1] - at[low]);
 }
 
+// Between the neighbours of 0 = 360, for a profile from 90 to 270 that has no plane at 180.
+std::vector<double> plane_at_zero(const IesProfile& profile, std::ptrdiff_t rows) {
+  const double to_first = profile.horizontal_deg.front();
+  const double from_last = 360 - profile.horizontal_deg.back();
+  const double share_of_first = from_last / (from_last + to_first);
+  std::vector<double> between(profile.candela.begin(), profile.candela.begin() + rows);
+  auto last = profile.candela.end() - rows;
+  for (double& value : between) value = share_of_first * value + (1 - share_of_first) * *last++;
+  return between;
+}
+
 // Planes for the whole circle. Files that stop short of 360 (at 345, say) go on with their first plane.
 IesProfile unfolded(const std::vector<double>& planes,
                     std::vector<double> vertical,
@@ -124,13 +135,21 @@ IesProfile unfolded(const std::vector<double>& planes,
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (const double azimuth : azimuths_of(planes[i], planes.front(), planes.back()))
       plane_at.emplace(azimuth, i);
-  plane_at.emplace(360, 0);
+  const bool has_zero = plane_at.contains(0);
+  if (has_zero) plane_at.emplace(360, plane_at.at(0));
   IesProfile profile;
   const auto rows = static_cast<std::ptrdiff_t>(vertical.size());
   for (const auto& [azimuth, plane] : plane_at) {
     profile.horizontal_deg.push_back(azimuth);
     const auto begin = candela.begin() + static_cast<std::ptrdiff_t>(plane) * rows;
     profile.candela.insert(profile.candela.end(), begin, begin + rows);
+  }
+  if (!has_zero) {
+    const auto zero = plane_at_zero(profile, rows);
+    profile.candela.insert(profile.candela.begin(), zero.begin(), zero.end());
+    profile.candela.insert(profile.candela.end(), zero.begin(), zero.end());
+    profile.horizontal_deg.insert(profile.horizontal_deg.begin(), 0);
+    profile.horizontal_deg.push_back(360);
   }
   profile.vertical_deg = std::move(vertical);
   return profile;

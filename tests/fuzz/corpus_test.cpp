@@ -56,6 +56,19 @@ const std::vector<Refused> kRefused{
     {"ply", "material_nan.ply", "material nan is no place in a list"},
     {"ply", "no_properties.ply", "element 'a' has no property"},
     {"ies", "peak_infinite.ies", "beyond what a number can hold"},
+    {"exr", "text.exr", "is no readable .exr picture: it does not start as one"},
+    {"exr", "other_version.exr", "is an EXR file of an unknown version, 0x63"},
+    {"exr", "torn_in_header.exr", "the file ends inside its EXR header"},
+    {"exr", "attribute_too_long.exr", "the file ends inside its EXR header"},
+    {"exr", "attribute_of_other_size.exr", "'pixelAspectRatio' of type float has 3 bytes, expected 4"},
+    {"exr", "window_of_other_type.exr", "'dataWindow' is of type box2f, expected box2i"},
+    {"exr", "too_wide.exr", "2000000001 x 3 px with 3 channels, which is more than 535 bytes can hold"},
+    {"exr", "too_high.exr", "the file is too short for the blocks that the EXR header speaks of"},
+    {"exr", "backwards.exr", "the EXR header says -6 x 5 px"},
+    {"exr", "tiles_of_nothing.exr", "20 x 18 px in blocks of 0 x 16"},
+    {"exr", "tiles_too_large.exr", "which is more than 1876 bytes can hold"},
+    {"exr", "half_the_rows.exr", "the EXR channel 'B' does not have all pixels"},
+    {"exr", "unknown_compression.exr", "the EXR compression 99 is not known"},
 };
 
 }  // namespace
@@ -87,10 +100,13 @@ TEST(HostileInputCorpus, WhatWasFoundOnceIsRefusedAtItsPlace) {
 
 TEST(HostileInputCorpus, SeedsThatAreRightAreRead) {
   const std::vector<std::pair<const char*, const char*>> right{
-      {"scene", "whole.json"},  {"scene", "generators.json"}, {"configuration", "whole.json"},
-      {"case", "whole.json"},   {"obj", "square.obj"},        {"ply", "ascii.ply"},
-      {"ply", "binary.ply"},    {"ies", "round.ies"},         {"ies", "quadrant.ies"},
-      {"ies", "sides.ies"},     {"ies", "half.ies"},          {"ies", "tilt.ies"},
-      {"exr", "zip_float.exr"}, {"exr", "half_layers.exr"}};
+      {"scene", "whole.json"},        {"scene", "generators.json"}, {"configuration", "whole.json"},
+      {"case", "whole.json"},         {"obj", "square.obj"},        {"ply", "ascii.ply"},
+      {"ply", "binary.ply"},          {"ies", "round.ies"},         {"ies", "quadrant.ies"},
+      {"ies", "sides.ies"},           {"ies", "half.ies"},          {"ies", "tilt.ies"},
+      {"ies", "no_plane_at_180.ies"}, {"exr", "zip_float.exr"},     {"exr", "half_layers.exr"},
+      {"exr", "none_tiled.exr"},      {"exr", "rle.exr"},           {"exr", "piz.exr"},
+      {"exr", "pxr24.exr"},           {"exr", "b44.exr"},           {"exr", "dwaa.exr"},
+      {"exr", "uint_zips.exr"}};
   for (const auto& [input, file] : right) EXPECT_EQ(complaint_about(input, file), "") << input << "/" << file;
 }

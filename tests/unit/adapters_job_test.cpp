@@ -54,6 +54,12 @@ TEST(Job, SamplesScaleWithTheRendererAndTheRunAndStayAtLeastOne) {
   EXPECT_EQ(orbs::adapters::scaled_spp(3, 0.5, 1), 2);
 }
 
+TEST(Job, MoreSamplesThanACountCanHoldAreRefused) {
+  EXPECT_THROW(orbs::adapters::scaled_spp(128, 1e300, 1), orbs::InputError);
+  EXPECT_THROW(orbs::adapters::scaled_spp(128, 1e300, 1e300), orbs::InputError);
+  EXPECT_EQ(orbs::adapters::scaled_spp(1 << 20, 1024, 1), 1 << 30);
+}
+
 TEST(Export, ASettingThatTheFormatDoesNotHaveIsAnError) {
   auto renderer = renderer_with({});
   renderer.scene_format = orbs::registry::SceneFormat::Povray;

@@ -229,6 +229,24 @@ TEST(BrokenMeshFile, NamesFileAndLine) {
             std::string::npos);
 }
 
+// A search through all names so far for each line would take a minute.
+TEST(BrokenMeshFile, AHundredThousandMaterialNamesAreReadAtOnce) {
+  std::string text;
+  for (int i = 0; i < 100000; ++i) text += "usemtl material_with_a_long_name_" + std::to_string(i) + "\n";
+  EXPECT_NE(file_error(".obj", text).find("there is no face"), std::string::npos);
+}
+
+TEST(BrokenMeshFile, PlyIndicesAreWholeNumbers) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+      "property list uchar float vertex_indices\nend_header\n"
+      "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n";
+  EXPECT_NE(file_error(".ply", vertices + "3 0 1 1.5\n")
+                .find("vertex index 1.5 is out of range or no whole number"),
+            std::string::npos);
+}
+
 TEST(BrokenMeshFile, PlyHeadersAreNotBelieved) {
   EXPECT_NE(file_error(".ply", "plx\n").find("does not start with 'ply'"), std::string::npos);
   EXPECT_NE(file_error(".ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\n")

@@ -124,6 +124,21 @@ double volume_of(const Mesh& mesh) {
   return sum;
 }
 
+// The scene's budget is held against the count before anything is made.
+TEST(Generators, TheCountIsKnownBefore) {
+  const auto expect_counted = [](const auto& parameters, auto make) {
+    EXPECT_EQ(triangle_count(parameters), make(parameters).triangles.size());
+  };
+  expect_counted(PlaneParameters{}, make_plane);
+  expect_counted(CubeParameters{}, make_cube);
+  expect_counted(SphereParameters{1, 6}, make_sphere);
+  expect_counted(TorusParameters{0.2, 1, 5, 7}, make_torus);
+  expect_counted(TeapotParameters{3}, make_teapot);
+  expect_counted(TreeParameters{4, 1, 3, 5}, make_tree);
+  expect_counted(WaterParameters{1, 1, 1, 0.1, 1, 7}, make_water);
+  EXPECT_GE(triangle_count(CubeParameters{}), make_cube_open({}).triangles.size());
+}
+
 TEST(Generators, PlaneLiesAtZeroAndSharesTheDiagonalFromMinusToPlus) {
   const Mesh plane = make_plane({3});
   expect_sound(plane, 2);

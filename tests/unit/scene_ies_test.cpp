@@ -66,6 +66,31 @@ TEST(Ies, UnfoldsTheSymmetryThatTheRangeOfPlanesStates) {
   EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 315), 3.5);
 }
 
+// Planes at 90, 140 and 270 mirror to 40; on the circle 0 lies 90 degrees after 270 and 40 before the next.
+TEST(Ies, HalvesThatMeetWithoutAPlaneAreJoinedByTheirNeighbours) {
+  const auto half =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n90 140 270\n1 1\n13 13\n26 26\n"));
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 40), 13);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 0), 17);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 360), 17);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 20), 15);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 315), 21.5);
+}
+
+// 100 million numbers would be 800 MB.
+TEST(Ies, NumbersThatCannotBeInTheFileAskForNoMemory) {
+  std::string angles;
+  for (int i = 0; i < 10000; ++i) angles += std::to_string(i * 0.018) + "\n";
+  try {
+    scene::parse_ies("x", small_file("1 1 1 10000 10000 1 2 0 0 0 1 1 1\n" + angles + angles));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "x: not a usable LM-63 file: the file ends before its 100000000 numbers called candela value");
+  }
+}
+
 TEST(Ies, ComplainsAboutWhatItCannotUse) {
   const auto error = [](const std::string& text) {
     try {
