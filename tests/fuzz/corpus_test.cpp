@@ -14,7 +14,7 @@ const std::map<std::string, Feed> kFeeds{
     {"scene", orbs::fuzz::feed_scene}, {"configuration", orbs::fuzz::feed_configuration},
     {"case", orbs::fuzz::feed_case},   {"obj", orbs::fuzz::feed_obj},
     {"ply", orbs::fuzz::feed_ply},     {"ies", orbs::fuzz::feed_ies},
-    {"exr", orbs::fuzz::feed_exr}};
+    {"exr", orbs::fuzz::feed_exr},     {"picture", orbs::fuzz::feed_picture}};
 
 const std::filesystem::path kCorpus = ORBS_SOURCE_DIR "/tests/corpus";
 
