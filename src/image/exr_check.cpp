@@ -150,7 +150,7 @@ void note_attribute(Part& part, std::string_view name, std::string_view type, st
     return name == wanted_name;
   };
   if (is("dataWindow", "box2i")) part.data = window_of(value);
-  if (is("displayWindow", "box2i")) window_of(value);
+  is("displayWindow", "box2i");
   if (is("channels", "chlist")) part.channels = channels_of(value);
   if (is("compression", "compression")) part.compression = static_cast<unsigned char>(value[0]);
   if (is("chunkCount", "int")) part.chunks = Reader(value).number();

@@ -50,19 +50,22 @@ inline constexpr int kTreeTrunkTriangles = 16;
 constexpr std::size_t triangle_count(const PlaneParameters&) { return 2; }
 constexpr std::size_t triangle_count(const CubeParameters&) { return 12; }
 constexpr std::size_t triangle_count(const SphereParameters& p) {
-  return static_cast<std::size_t>(p.segments * p.segments);
+  const auto segments = static_cast<std::size_t>(p.segments);
+  return segments * segments;
 }
 constexpr std::size_t triangle_count(const TorusParameters& p) {
-  return static_cast<std::size_t>(2 * p.ring_segments * p.tube_segments);
+  return 2 * static_cast<std::size_t>(p.ring_segments) * static_cast<std::size_t>(p.tube_segments);
 }
 constexpr std::size_t triangle_count(const TeapotParameters& p) {
-  return static_cast<std::size_t>(64 * p.subdivisions * p.subdivisions);
+  const auto subdivisions = static_cast<std::size_t>(p.subdivisions);
+  return 64 * subdivisions * subdivisions;
 }
 constexpr std::size_t triangle_count(const TreeParameters& p) {
-  return static_cast<std::size_t>(kTreeTrunkTriangles + 4 * p.tiers * p.points);
+  return kTreeTrunkTriangles + 4 * static_cast<std::size_t>(p.tiers) * static_cast<std::size_t>(p.points);
 }
 constexpr std::size_t triangle_count(const WaterParameters& p) {
-  return static_cast<std::size_t>(2 * p.segments * p.segments + 12 * p.segments);
+  const auto segments = static_cast<std::size_t>(p.segments);
+  return 2 * segments * segments + 12 * segments;
 }
 
 /// Square at y = 0, normal +Y, u along x and v along z in [0, 1]. Both triangles share the diagonal (-,-) ->
