@@ -136,6 +136,10 @@ void check_attribute(std::string_view name, std::string_view type, std::string_v
   if (const auto size = size_of_type(type); size && *size != value.size())
     throw InputError(fmt::format("the EXR attribute '{}' of type {} has {} bytes, expected {}", name, type,
                                  value.size(), *size));
+  // Lists are read by their contents, wherever they stand.
+  if (type == "chlist") channels_of(value);
+  if (type == "floatvector" && value.size() % 4 != 0)
+    throw InputError(fmt::format("the EXR attribute '{}' ends inside a number", name));
   if (type == "stringvector") check_string_vector(value);
   if (type == "preview") check_preview(value);
   // Compressed by a length of its own. Pictures that we compare need none.

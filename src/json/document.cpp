@@ -28,6 +28,13 @@ struct Reading {
   bool operator==(const Reading& other) const { return at == other.at; }
 };
 
+// The library quotes all that it has read of a word, spaces before it included.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kSide = 150;
+  if (text.size() <= 2 * kSide) return text;
+  return text.substr(0, kSide) + " ... " + text.substr(text.size() - kSide);
+}
+
 [[noreturn]] void refuse(const std::string& name,
                          const std::string& text,
                          std::size_t offset,
@@ -60,9 +67,9 @@ Document parse(std::string name, std::string text) {
         nlohmann::json::parse(Reading{begin, &bytes_read}, Reading{begin + text.size(), &bytes_read}, check));
     return {std::move(name), std::move(text), std::move(root)};
   } catch (const nlohmann::json::parse_error& e) {
-    refuse(name, text, e.byte > 0 ? e.byte - 1 : 0, fmt::format("not valid JSON: {}", e.what()));
+    refuse(name, text, e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + shortened(e.what()));
   } catch (const nlohmann::json::exception& e) {
-    refuse(name, text, here(), fmt::format("not usable JSON: {}", e.what()));
+    refuse(name, text, here(), "not usable JSON: " + shortened(e.what()));
   }
 }
 
