@@ -10,22 +10,22 @@ namespace {
 constexpr int kMostSegments = 4096;
 
 TreeParameters load_tree(json::ObjectReader& in) {
-  return {in.number("height", json::kPositive), in.number("radius", json::kPositive),
-          in.integer("tiers", 1, 100), in.integer("points", 3, 100)};
+  return {in.number("height", kLength), in.number("radius", kLength), in.integer("tiers", 1, 100),
+          in.integer("points", 3, 100)};
 }
 
 WaterParameters load_water(json::ObjectReader& in) {
-  return {in.number("half_width", json::kPositive), in.number("half_length", json::kPositive),
-          in.number("depth", json::kPositive),      in.number("amplitude", json::kPositive),
-          in.number("wavelength", json::kPositive), in.integer("segments", 1, kMostSegments)};
+  return {in.number("half_width", kLength), in.number("half_length", kLength),
+          in.number("depth", kLength),      in.number("amplitude", kLength),
+          in.number("wavelength", kLength), in.integer("segments", 1, kMostSegments)};
 }
 
 SphereParameters load_sphere(json::ObjectReader& in) {
-  return {in.number("radius", json::kPositive), in.integer("segments", 3, kMostSegments)};
+  return {in.number("radius", kLength), in.integer("segments", 3, kMostSegments)};
 }
 
 TorusParameters load_torus(json::ObjectReader& in) {
-  return {in.number("minor_radius", json::kPositive), in.number("major_radius", json::kPositive),
+  return {in.number("minor_radius", kLength), in.number("major_radius", kLength),
           in.integer("ring_segments", 3, kMostSegments), in.integer("tube_segments", 3, kMostSegments)};
 }
 
@@ -43,10 +43,9 @@ Mesh load_generated(json::ObjectReader& in, SceneBudget& left) {
       in.fail("generator", e.what());
     }
   };
-  if (kind == "plane") return made(PlaneParameters{in.number("half_size", json::kPositive)}, make_plane);
-  if (kind == "cube") return made(CubeParameters{in.number("half_size", json::kPositive)}, make_cube);
-  if (kind == "cube_open")
-    return made(CubeParameters{in.number("half_size", json::kPositive)}, make_cube_open);
+  if (kind == "plane") return made(PlaneParameters{in.number("half_size", kLength)}, make_plane);
+  if (kind == "cube") return made(CubeParameters{in.number("half_size", kLength)}, make_cube);
+  if (kind == "cube_open") return made(CubeParameters{in.number("half_size", kLength)}, make_cube_open);
   if (kind == "sphere") return made(load_sphere(in), make_sphere);
   if (kind == "torus") return made(load_torus(in), make_torus);
   if (kind == "teapot") return made(TeapotParameters{in.integer("subdivisions", 1, 128)}, make_teapot);

@@ -52,7 +52,8 @@ void scatter(json::ObjectReader in,
       copy.name = fmt::format("{} {} {}", prototype.name, row, column);
       copy.matrix = prototype.matrix * translation(place) * rotation_y(360 * random(3)) *
                     scaling({scale, scale, scale});
-      if (!inverse(copy.matrix)) in.fail("", fmt::format("copy {} {} lies too far away", row, column));
+      if (const auto problem = matrix_problem(copy.matrix); !problem.empty())
+        in.fail("", fmt::format("copy {} {}: {}", row, column, problem));
       out.push_back(std::move(copy));
     }
 }

@@ -8,10 +8,9 @@ namespace {
 
 LightShape load_shape(json::ObjectReader& in) {
   const std::string type = in.one_of("type", {"rect", "disk", "sphere"});
-  if (type == "rect")
-    return RectShape{in.number("half_width", json::kPositive), in.number("half_length", json::kPositive)};
-  if (type == "disk") return DiskShape{in.number("radius", json::kPositive)};
-  return SphereShape{in.number("radius", json::kPositive)};
+  if (type == "rect") return RectShape{in.number("half_width", kLength), in.number("half_length", kLength)};
+  if (type == "disk") return DiskShape{in.number("radius", kLength)};
+  return SphereShape{in.number("radius", kLength)};
 }
 
 IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) {
@@ -34,6 +33,11 @@ Light load_light(json::ObjectReader in, const std::filesystem::path& folder) {
   light.shape = load_shape(in);
   light.radiance = in.vec3("radiance", json::kNotNegative);
   light.matrix = load_matrix(in, "matrix");
+  if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) {
+    const double r = sphere->radius_m;
+    if (!inverse(light.matrix * scaling({r, r, r})))
+      in.fail("radius", "times the matrix is too small a sphere");
+  }
   if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folder);
   in.finish();
   return light;

@@ -174,7 +174,8 @@ std::string mesh_problem(const Mesh& mesh) {
   if (mesh.uvs.size() != count)
     return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (!is_finite(mesh.positions[i])) return fmt::format("position {} is not finite", i);
+    if (!is_finite(mesh.positions[i]) || largest_magnitude(mesh.positions[i]) > kFarthest_m)
+      return fmt::format("position {} lies farther out than {} m, or is no number", i, kFarthest_m);
     if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
     if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))
       return fmt::format("texture coordinate {} is not finite", i);

@@ -3,6 +3,8 @@
 #include "base/files.h"
 #include "base/text.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace orbs::scene {
@@ -91,10 +93,18 @@ Mat4 load_matrix(json::ObjectReader& in, const std::string& key) {
     const auto numbers = in.numbers(key, 16);
     std::copy(numbers.begin(), numbers.end(), matrix.m.begin());
   }
-  if (!is_affine(matrix)) in.fail(key, "the last row must be 0 0 0 1 (row-major 4x4)");
-  if (!inverse(matrix))
-    in.fail(key, "the matrix is not invertible: its 3x3 part is singular, or a number in it too large");
+  if (const auto problem = matrix_problem(matrix); !problem.empty()) in.fail(key, problem);
   return matrix;
+}
+
+std::string matrix_problem(const Mat4& matrix) {
+  if (!is_affine(matrix)) return "the last row must be 0 0 0 1 (row-major 4x4)";
+  for (const double entry : matrix.m)
+    if (!(std::abs(entry) <= kFarthest_m))
+      return fmt::format("the matrix holds {}; entries must lie in [{}, {}]", entry, -kFarthest_m,
+                         kFarthest_m);
+  if (!inverse(matrix)) return "the matrix is not invertible: its 3x3 part is singular";
+  return "";
 }
 
 }  // namespace orbs::scene

@@ -12,6 +12,12 @@
 /// wrong.
 namespace orbs::scene {
 
+/// Places and lengths in metres, and the entries of matrices. Renderers compute in floats, and beyond these
+/// the product of three lengths is nothing that a float holds (3.4e38, 1.2e-38).
+constexpr double kFarthest_m = 1e12;
+constexpr json::Range kPlace{-kFarthest_m, kFarthest_m};
+constexpr json::Range kLength{1e-12, kFarthest_m};
+
 /// Names given to one kind of thing, in file order: name -> index, with complaints about doubles and dangling
 /// names.
 class Names {
@@ -42,6 +48,9 @@ std::filesystem::path existing_file(json::ObjectReader& in,
 /// "matrix": 16 numbers row-major, or steps {"translate"|"rotate_x"|"rotate_y"|"rotate_z"|"scale": ...}
 /// multiplied in written order. Identity when absent. Must be affine and invertible.
 Mat4 load_matrix(json::ObjectReader& in, const std::string& key);
+
+/// The complaint about a matrix that cannot move things there and back; "" when it can.
+std::string matrix_problem(const Mat4& matrix);
 
 Material load_material(json::ObjectReader in, const Names& textures);
 /// Takes `wanted` things off what is `left`; the complaint at `key` when there are not so many.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,12 @@ Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
 }  // namespace
 
 Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
+  // A matrix can move coordinates beyond what floats hold. There is no texel there, and the sample counts as
+  // bad.
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    return {kNone, kNone, kNone};
+  }
   const Neighbours x = neighbours(uv.x, grid.width, grid.wrap_u);
   const Neighbours y = neighbours(uv.y, grid.height, grid.wrap_v);
   const auto texel = [&](int column, int row) {
