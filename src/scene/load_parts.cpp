@@ -98,11 +98,11 @@ Mat4 load_matrix(json::ObjectReader& in, const std::string& key) {
 }
 
 std::string matrix_problem(const Mat4& matrix) {
-  if (!is_affine(matrix)) return "the last row must be 0 0 0 1 (row-major 4x4)";
   for (const double entry : matrix.m)
     if (!(std::abs(entry) <= kFarthest_m))
       return fmt::format("the matrix holds {}; entries must lie in [{}, {}]", entry, -kFarthest_m,
                          kFarthest_m);
+  if (!is_affine(matrix)) return "the last row must be 0 0 0 1 (row-major 4x4)";
   if (!inverse(matrix)) return "the matrix is not invertible: its 3x3 part is singular";
   return "";
 }
