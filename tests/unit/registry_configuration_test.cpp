@@ -113,7 +113,7 @@ TEST(Configuration, LimitsOfARendererStandInPlaceOfThoseOfTheFile) {
 
 TEST(Configuration, ScalesOfSamplesMustBePositive) {
   EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "spp_scale_of_scenes": {"101": 0})")),
-            "configuration.json:3:177: /renderers/0/spp_scale_of_scenes/101: must be above 0, is 0");
+            "configuration.json:3:163: /renderers/0/spp_scale_of_scenes/101: must be above 0, is 0");
 }
 
 TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
