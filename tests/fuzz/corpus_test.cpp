@@ -36,7 +36,7 @@ const std::vector<Refused> kRefused{
     {"scene", "many_instances.json",
      "/instances/0/scatter: asks for 1000000 instances; the scene may hold 500"},
     {"scene", "odd_sphere.json", "/meshes/0/generator: a sphere needs an even number of segments"},
-    {"scene", "spread_beyond_numbers.json", "/instances/0/scatter: copy 0 0: the matrix holds -"},
+    {"scene", "spread_beyond_numbers.json", "/instances/0/scatter: copy 0 0: the matrix holds "},
     {"scene", "moved_beyond_numbers.json", "/instances/0/matrix: the matrix holds inf; entries must lie in"},
     {"scene", "no_way_back.json", "/instances/0/matrix: the matrix holds 1e+308; entries"},
     {"scene", "camera_beyond_numbers.json",
