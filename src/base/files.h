@@ -14,9 +14,9 @@ std::string read_file(const std::filesystem::path& path);
 /// a part. WriteError when the disk refuses.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Puts the folder `finished` into the place of `target`, of which it must be a neighbour on the disk: whoever
-/// looks sees the old folder, none, or the new one whole, after a power cut too. Makes the folders above.
-/// WriteError when the disk refuses.
+/// Puts the folder `finished` into the place of `target`, of which it must be a neighbour on the disk:
+/// whoever looks sees the old folder, none, or the new one whole, after a power cut too. Makes the folders
+/// above. WriteError when the disk refuses.
 void put_in_place(const std::filesystem::path& finished, const std::filesystem::path& target);
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo; draft-eastlake-fnv): tells two versions of a file apart, no protection

@@ -20,7 +20,7 @@ struct PixelFaults {
   std::size_t infinite = 0;
   std::size_t negative = 0;
   std::array<int, 4> box{};  // [x0, y0, x1, y1) around the faulty ones
-  std::string first;  // "(12, 7), channel G, value nan", first by rows; empty when there are none
+  std::string first;         // "(12, 7), channel G, value nan", first by rows; empty when there are none
 };
 
 /// The answer to "can these two be compared at all", asked once before any metric.

@@ -25,7 +25,6 @@ std::string picture_json(const results::RunView& view, std::size_t index);
 /// seconds (null where there is none): an event of a run that goes on.
 std::string progress_json(const results::RunView& view);
 
-
 /// `json` for the inside of an HTML script element: nothing in it can end the element.
 std::string script_text(std::string_view json);
 

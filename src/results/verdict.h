@@ -24,14 +24,25 @@ enum class Verdict {
   NoOutput,          // the renderer ended well but left no picture
   Timeout,           // of the clock, or of processor time
   OutOfMemory,       // beyond its memory limit
-  Crash,  // could not start, was killed by a signal, or ended with an exit code
+  Crash,             // could not start, was killed by a signal, or ended with an exit code
 };
 
-inline constexpr std::array kVerdicts{
-    Verdict::Pass,          Verdict::Unsupported,   Verdict::Skipped,     Verdict::Inconclusive,
-    Verdict::MissingReference, Verdict::Fail,       Verdict::ConstantImage, Verdict::InvalidPixels,
-    Verdict::WrongChannels, Verdict::WrongSize,     Verdict::Stale,       Verdict::Unreadable,
-    Verdict::NoOutput,      Verdict::Timeout,       Verdict::OutOfMemory, Verdict::Crash};
+inline constexpr std::array kVerdicts{Verdict::Pass,
+                                      Verdict::Unsupported,
+                                      Verdict::Skipped,
+                                      Verdict::Inconclusive,
+                                      Verdict::MissingReference,
+                                      Verdict::Fail,
+                                      Verdict::ConstantImage,
+                                      Verdict::InvalidPixels,
+                                      Verdict::WrongChannels,
+                                      Verdict::WrongSize,
+                                      Verdict::Stale,
+                                      Verdict::Unreadable,
+                                      Verdict::NoOutput,
+                                      Verdict::Timeout,
+                                      Verdict::OutOfMemory,
+                                      Verdict::Crash};
 
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);

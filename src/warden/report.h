@@ -21,10 +21,10 @@ struct Report {
   double wall_seconds = 0;         // from its start to the end of the command itself
   double user_seconds = 0;         // of it and all its descendants
   double system_seconds = 0;       // likewise
-  std::size_t peak_rss_bytes = 0;  // of the largest process (the kernel's count), or of all together when seen
-                                   // larger
-  int left_behind = 0;             // processes that were still there when the command had ended
-  double warden_cpu_seconds = 0;   // what the watching itself cost
+  std::size_t peak_rss_bytes = 0;  // of the largest process (the kernel's count), or of all together when
+                                   // seen larger
+  int left_behind = 0;            // processes that were still there when the command had ended
+  double warden_cpu_seconds = 0;  // what the watching itself cost
 };
 
 /// One "key value" a line, for the pipe between the warden and whoever started it.

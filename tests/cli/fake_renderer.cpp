@@ -112,8 +112,7 @@ void write_elsewhere(const Image& picture, const std::string& output) {
 
 void write_old(const Image& picture, const std::string& output) {
   orbs::image::write_exr(picture, output);
-  std::filesystem::last_write_time(output,
-                                   std::filesystem::last_write_time(output) - std::chrono::hours(1));
+  std::filesystem::last_write_time(output, std::filesystem::last_write_time(output) - std::chrono::hours(1));
 }
 
 // Ends the process, or returns when the mode is about the picture.
