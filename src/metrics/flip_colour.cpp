@@ -73,9 +73,9 @@ Colour to_ycxcz(const Colour& xyz) {
   return {116.0F * xyz[1] - 16.0F, 500.0F * (xyz[0] - xyz[1]), 200.0F * (xyz[1] - xyz[2])};
 }
 
-Colour from_ycxcz(const Colour& c) {
-  const float y = (c[0] + 16.0F) / 116.0F;
-  return {y + c[1] / 500.0F, y, y - c[2] / 200.0F};
+Colour from_ycxcz(const Colour& ycxcz) {
+  const float y = (ycxcz[0] + 16.0F) / 116.0F;
+  return {y + ycxcz[1] / 500.0F, y, y - ycxcz[2] / 200.0F};
 }
 
 Colour to_hunt_lab(const Colour& xyz) {

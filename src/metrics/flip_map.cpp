@@ -120,9 +120,9 @@ Plane filter_columns(const Grid& grid, const Plane& in, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for_rows(grid, [&](int y) {
     float* const to = &out[static_cast<std::size_t>(y) * width];
-    for (int k = -radius; k <= radius; ++k) {
-      const float weight = kernel[static_cast<std::size_t>(k + radius)];
-      const float* const row = &in[static_cast<std::size_t>(std::clamp(y + k, 0, grid.height - 1)) * width];
+    int row_y = y - radius;
+    for (const float weight : kernel) {
+      const float* const row = &in[static_cast<std::size_t>(std::clamp(row_y++, 0, grid.height - 1)) * width];
       for (std::size_t x = 0; x < width; ++x) to[x] += weight * row[x];
     }
   });

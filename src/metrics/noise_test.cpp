@@ -58,7 +58,8 @@ PooledVariance from_scatter(const NoiseSamples& samples, std::size_t channel, do
   PooledVariance pooled;
   for (std::size_t i = 0; i + 1 < sums.size(); i += 2)
     pooled.add((sums[i] - sums[i + 1]) * (sums[i] - sums[i + 1]));
-  const double scale = static_cast<double>(sums.size()) / static_cast<double>(sums.size() / 2 * 2);
+  const std::size_t paired = sums.size() - sums.size() % 2;
+  const double scale = static_cast<double>(sums.size()) / static_cast<double>(paired);
   return {pooled.sum * scale, pooled.squares * scale * scale};
 }
 
