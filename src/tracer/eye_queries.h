@@ -75,6 +75,13 @@ inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
   return std::abs(dot(point.geometric_normal, direction));
 }
 
+/// What a light path's ray has met.
+struct MetSurface {
+  const SurfacePoint& point;
+  const SurfaceMaterial& material;
+  const Hit& hit;
+};
+
 /// A light path's scattering towards the eye.
 template <Transport T>
 struct TowardsEye {
@@ -85,13 +92,9 @@ struct TowardsEye {
 
 /// At a surface that the path has met, in the direction `to_eye`; `importance` as in EyeView.
 template <Transport T>
-std::optional<TowardsEye<T>> scattered_to_eye(const World& world,
-                                              const LightPath<T>& path,
-                                              const SurfacePoint& point,
-                                              const SurfaceMaterial& material,
-                                              const Hit& hit,
-                                              Vec3f to_eye,
-                                              float importance) {
+std::optional<TowardsEye<T>> scattered_to_eye(
+    const World& world, const LightPath<T>& path, const MetSurface& met, Vec3f to_eye, float importance) {
+  const SurfacePoint& point = met.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_eye);
   if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return std::nullopt;
@@ -99,7 +102,7 @@ std::optional<TowardsEye<T>> scattered_to_eye(const World& world,
   const Vec3f wo = frame.to_local(to_eye);
   const Vec3f wi = frame.to_local(to_light);
   if (!(wo.z > 0)) return std::nullopt;
-  const auto bsdf = bsdf_at<T>(world, material, hit, side > 0, path.lambda);
+  const auto bsdf = bsdf_at<T>(world, met.material, met.hit, side > 0, path.lambda);
   const auto value = evaluate(bsdf, wo, wi);
   if (!(value.pdf > 0)) return std::nullopt;
   TowardsEye<T> out;
@@ -112,16 +115,11 @@ std::optional<TowardsEye<T>> scattered_to_eye(const World& world,
 }
 
 template <Transport T>
-void ask_for_eye(LightWave<T>& wave,
-                 const World& world,
-                 const LightPath<T>& path,
-                 const SurfacePoint& point,
-                 const SurfaceMaterial& material,
-                 const Hit& hit) {
-  const EyeView view = view_of(world.camera, point.position);
+void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& path, const MetSurface& met) {
+  const EyeView view = view_of(world.camera, met.point.position);
   if (!(view.importance > 0)) return;
-  const Vec3f to_eye = normalised(world.camera.position - point.position);
-  const auto found = scattered_to_eye(world, path, point, material, hit, to_eye, view.importance);
+  const Vec3f to_eye = normalised(world.camera.position - met.point.position);
+  const auto found = scattered_to_eye(world, path, met, to_eye, view.importance);
   if (!found) return;
   wave.eye_rays.push_back({found->origin, world.camera.position - found->origin, 1});
   wave.queries.push_back({view.pixel, found->events.index(),
@@ -133,19 +131,17 @@ template <Transport T>
 void ask_for_mirrored_eye(LightWave<T>& wave,
                           const World& world,
                           std::uint32_t index,
-                          const SurfacePoint& point,
-                          const SurfaceMaterial& material,
-                          const Hit& hit) {
+                          const MetSurface& met) {
   const LightPath<T>& path = wave.paths[index];
   if (path.scatterings + 2 > world.trace_depth) return;  // this one and the mirror
   for (std::size_t i = 0; i < world.mirror_planes.size(); ++i) {
     const MirrorPlane& plane = world.mirror_planes[i];
-    if (!is_before(plane, world.camera.position) || !is_before(plane, point.position)) continue;
+    if (!is_before(plane, world.camera.position) || !is_before(plane, met.point.position)) continue;
     const PinholeCamera camera = mirrored(plane, world.camera);
-    const EyeView view = view_of(camera, point.position);
+    const EyeView view = view_of(camera, met.point.position);
     if (!(view.importance > 0)) continue;
-    const Vec3f to_image = normalised(camera.position - point.position);
-    auto found = scattered_to_eye(world, path, point, material, hit, to_image, view.importance);
+    const Vec3f to_image = normalised(camera.position - met.point.position);
+    auto found = scattered_to_eye(world, path, met, to_image, view.importance);
     if (!found) continue;
     found->events.add_before(Event::Specular, false);
     wave.mirror_rays.push_back({found->origin, to_image});

@@ -76,8 +76,8 @@ bool advance_light(
   const bool is_specular = material.model == Model::Mirror || material.model == Model::Glass;
   if (path.scatterings == 1 && path.began_at_flat_mirror && !is_specular) return false;
   if (!material.is_sharp) {
-    ask_for_eye<T>(wave, world, path, point, material, hit);
-    ask_for_mirrored_eye<T>(wave, world, index, point, material, hit);
+    ask_for_eye<T>(wave, world, path, {point, material, hit});
+    ask_for_mirrored_eye<T>(wave, world, index, {point, material, hit});
   }
   return scatter_light<T>(path, block, world, point, material, hit);
 }

@@ -23,8 +23,8 @@ struct Report {
   double system_seconds = 0;       // likewise
   std::size_t peak_rss_bytes = 0;  // of the largest process (the kernel's count), or of all together when
                                    // seen larger
-  int left_behind = 0;            // processes that were still there when the command had ended
-  double warden_cpu_seconds = 0;  // what the watching itself cost
+  int left_behind = 0;             // processes that were still there when the command had ended
+  double warden_cpu_seconds = 0;   // what the watching itself cost
 };
 
 /// One "key value" a line, for the pipe between the warden and whoever started it.
