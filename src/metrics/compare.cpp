@@ -25,7 +25,7 @@ bool has_map(const Comparison& comparison, std::string_view name) {
 }
 
 bool is_wanted(const MetricInfo& metric, const CompareSettings& settings) {
-  return metric.computed == Computed::Always || settings.all ||
+  return (metric.computed == Computed::Always && !settings.no_others) || settings.all ||
          std::any_of(settings.also.begin(), settings.also.end(),
                      [&](const std::string& name) { return metric.name == name; });
 }

@@ -38,7 +38,8 @@ struct CompareSettings {
   NegativePixels negatives = NegativePixels::Refused;
   int threads = 1;                     // 0: all cores; no result depends on it
   bool all = false;                    // also the metrics that are computed on demand
-  std::vector<std::string> also = {};  // names of metrics on demand that are computed in any case
+  bool no_others = false;              // only what `also` names
+  std::vector<std::string> also = {};  // names of metrics that are computed in any case
 };
 
 /// Compares the channels R, G, B of two linear Rec.709 pictures by the metrics of kMetrics that are always

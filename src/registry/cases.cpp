@@ -20,7 +20,7 @@ using json::ObjectReader;
 
 constexpr int kMostSpp = 1 << 24;
 constexpr int kLargestPixel = 1 << 20;
-constexpr double kLeastMeanRatio = 1e-4;  // below, rounding in float alone would fail it
+constexpr double kLeastRatio = 1e-4;  // below, rounding in float alone would fail it
 
 std::string picture_name(ObjectReader& in, std::set<std::string>& names) {
   auto name = plain_name(in, "name");
@@ -228,7 +228,8 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
   one_case.typical_mistake = in.text("typical_mistake");
   one_case.gate.min = 35;  // ORB.S section 2: PSNR above 35 if otherwise is not specified
   if (in.has("gate")) one_case.gate = load_gate(in.object("gate"));
-  if (in.has("mean_ratio")) one_case.mean_ratio = in.number("mean_ratio", {kLeastMeanRatio, 1});
+  one_case.mean_ratio = in.number_or("mean_ratio", kMeanRatio, {kLeastRatio, 1});
+  one_case.tile_ratio = in.number_or("tile_ratio", kTileRatio, {kLeastRatio, 1});
   load_scenes(in, one_case);
   if (in.has("negative_values")) {
     one_case.negative_values = in.text("negative_values");

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "metrics/local_bias.h"
 #include "metrics/noise_numbers.h"
 #include "runner/gate.h"
 #include "runner/passport.h"
@@ -105,6 +106,29 @@ void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecor
   }
 }
 
+void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias, PictureRecord& record) {
+  if (!bias) return;
+  const auto where = place(bias->where);
+  const bool passed = bias->value <= tolerance;
+  const auto sentence = fmt::format(
+      "the mean of the tile [{}] is off by {:.3g} % or more for sure, at most {:.3g} % is allowed",
+      fmt::join(where, ","), 100 * bias->value, 100 * tolerance);
+  record.measures.push_back(
+      {"local_bias",
+       bias->value,
+       "1",
+       "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five "
+       "standard errors of the tile's own pixels, over the reference's means of tile and "
+       "picture together; of R, G and B the worst; linear Rec.709, no clamp",
+       true,
+       false,
+       {},
+       {},
+       where});
+  record.checks.push_back({"local_bias", passed, sentence, {}, tolerance});
+  if (!passed) take(record, Verdict::Fail, sentence);
+}
+
 void check_conditions(const Case& one_case, const image::Image& result, PictureRecord& record) {
   for (const auto& pixels : one_case.pixel_checks) {
     if (pixels.picture != record.picture) continue;
@@ -134,7 +158,8 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,
                                          int threads,
-                                         PictureRecord& record) {
+                                         PictureRecord& record,
+                                         Measured measured) {
   record.reference = reference.file.string();
   if (!reference.picture) {
     take(record, Verdict::MissingReference, reference.problem);
@@ -147,9 +172,11 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   const bool may_be_negative = is_difference || !one_case.negative_values.empty();
   const auto negatives =
       may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
-  auto comparison =
-      metrics::compare(result, *reference.picture, mask,
-                       {.negatives = negatives, .threads = threads, .also = {one_case.gate.metric}});
+  auto comparison = metrics::compare(result, *reference.picture, mask,
+                                     {.negatives = negatives,
+                                      .threads = threads,
+                                      .no_others = measured == Measured::ForTheVerdict,
+                                      .also = {one_case.gate.metric}});
   if (comparison.alignment.alignment != metrics::Alignment::Comparable) {
     // The result was looked at before, so this is about the reference.
     take(record, Verdict::MissingReference,
@@ -165,6 +192,8 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
                            one_case.gate.min, one_case.gate.max});
   take(record, gate.verdict, gate.sentence);
   if (one_case.mean_ratio) check_means(*one_case.mean_ratio, noise, record);
+  if (one_case.tile_ratio)
+    check_tiles(*one_case.tile_ratio, metrics::local_bias(result, *reference.picture, mask), record);
   check_conditions(one_case, result, record);
   return comparison;
 }

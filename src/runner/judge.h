@@ -31,6 +31,11 @@ Reference load_reference(const registry::Case& one_case,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes = {});
 
+/// The files that the reference of a picture of the case is made from: one, or the two of a difference.
+std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
+                                                   const std::string& picture,
+                                                   const std::filesystem::path& references);
+
 /// Puts the reference of each picture of the cases that has a usable one into `folder` as <picture>.exr:
 /// files of scenes as they are, differences computed. With them the folder of a run can be looked at on its
 /// own.
@@ -41,6 +46,9 @@ void copy_references(const std::vector<registry::Case>& cases,
 /// All masks of one picture of the case.
 metrics::Mask mask_of(const registry::Case& one_case, const std::string& picture);
 
+/// Every metric, or no more than the verdict rests on, which is the same either way.
+enum class Measured { Everything, ForTheVerdict };
+
 /// Compares and fills verdict, sentence, measures, checks, remarks and passport of `record`, whose names are
 /// already there. Nothing but the pictures in memory is looked at. Returns the comparison, for its maps;
 /// nothing when there was nothing to compare.
@@ -48,7 +56,8 @@ std::optional<metrics::Comparison> judge(const registry::Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,
                                          int threads,
-                                         results::PictureRecord& record);
+                                         results::PictureRecord& record,
+                                         Measured measured = Measured::Everything);
 
 /// Writes result.png and the error maps as error-<name>.exr and .png (with a colour scale) into `folder`;
 /// returns the maps, their files relative to `folder`.

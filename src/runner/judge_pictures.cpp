@@ -4,7 +4,6 @@
 #include "image/image_io.h"
 #include "image/linear_rgb.h"
 #include "metrics/alignment.h"
-#include "runner/judge.h"
 
 #include <algorithm>
 
@@ -98,16 +97,26 @@ void judge_picture(const Plan& plan,
   const auto& one_case = plan.cases[planned.one_case];
   const auto reference =
       load_reference(one_case, planned.picture, plan.suite.references, plan.reference_hashes);
-  if (refuse_negative(one_case, result, record)) return;
-  const auto comparison = judge(one_case, result, reference, plan.threads, record);
+  const auto comparison = judge_values(one_case, result, reference, plan.threads, record);
   if (!comparison) return;
-  refuse_constant(result, *reference.picture, record);
   const auto relative = std::filesystem::path(record.renderer) / record.picture;
   record.maps = write_maps(result, *comparison, folder / relative);
   for (auto& map : record.maps) map.image = (relative / map.image).string();
 }
 
 }  // namespace
+
+std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
+                                                const image::Image& result,
+                                                const Reference& reference,
+                                                int threads,
+                                                PictureRecord& record,
+                                                Measured measured) {
+  if (refuse_negative(one_case, result, record)) return std::nullopt;
+  auto comparison = judge(one_case, result, reference, threads, record, measured);
+  if (comparison) refuse_constant(result, *reference.picture, record);
+  return comparison;
+}
 
 std::vector<PictureRecord> judge_scene(const Plan& plan,
                                        std::size_t job,

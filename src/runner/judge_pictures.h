@@ -2,9 +2,11 @@
 
 #include "results/record.h"
 #include "runner/execute.h"
+#include "runner/judge.h"
 #include "runner/plan.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 /// From renders to records of pictures.
@@ -22,6 +24,15 @@ results::PictureRecord blank_picture(const Plan& plan,
 results::PictureRecord undeclared_picture(const Plan& plan,
                                           const PlannedPicture& planned,
                                           const std::filesystem::path& folder);
+
+/// What is said about a picture with usable pixels: negative values, the gate and all conditions of the case,
+/// and whether it is of one colour. Returns the comparison, for its maps; nothing when there was none.
+std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
+                                                const image::Image& result,
+                                                const Reference& reference,
+                                                int threads,
+                                                results::PictureRecord& record,
+                                                Measured measured = Measured::Everything);
 
 /// What became of the render is what there is to say about its picture.
 void take_job_verdict(const results::JobRecord& job, results::PictureRecord& record);

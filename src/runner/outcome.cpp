@@ -111,7 +111,23 @@ Outcome passport_outcome(const adapters::Job& job, const image::Image& picture, 
   return {};
 }
 
-Outcome pixels_outcome(const adapters::Job& job, const image::Image& picture, const std::string& name) {
+Outcome picture_outcome(const adapters::Job& job) {
+  const auto name = job.image.filename().string();
+  if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
+  image::Image picture;
+  try {
+    picture = image::read_image(job.image);
+  } catch (const InputError& e) {
+    return {Verdict::Unreadable, e.what(), {}};
+  }
+  if (auto outcome = passport_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
+  if (auto outcome = check_pixels(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
+  return {Verdict::Pass, "", std::move(picture)};
+}
+
+}  // namespace
+
+Outcome check_pixels(const adapters::Job& job, const image::Image& picture, const std::string& name) {
   if (picture.width != job.width_px || picture.height != job.height_px)
     return {Verdict::WrongSize,
             fmt::format("{} is {} x {} pixels, expected {} x {}", name, picture.width, picture.height,
@@ -134,22 +150,6 @@ Outcome pixels_outcome(const adapters::Job& job, const image::Image& picture, co
         {}};
   return {};
 }
-
-Outcome picture_outcome(const adapters::Job& job) {
-  const auto name = job.image.filename().string();
-  if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
-  image::Image picture;
-  try {
-    picture = image::read_image(job.image);
-  } catch (const InputError& e) {
-    return {Verdict::Unreadable, e.what(), {}};
-  }
-  if (auto outcome = passport_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
-  if (auto outcome = pixels_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
-  return {Verdict::Pass, "", std::move(picture)};
-}
-
-}  // namespace
 
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,

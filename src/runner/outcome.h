@@ -24,4 +24,8 @@ Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const warden::Limits& limits);
 
+/// The part of this that is about the pixels: size, channels, values. Pass without the picture when all are
+/// usable. `name` is the picture's in the sentence.
+Outcome check_pixels(const adapters::Job& job, const image::Image& picture, const std::string& name);
+
 }  // namespace orbs::runner

@@ -93,6 +93,16 @@ std::string read_reference(const std::filesystem::path& file,
 
 }  // namespace
 
+std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
+                                                   const std::string& picture,
+                                                   const std::filesystem::path& references) {
+  for (const auto& difference : one_case.differences)
+    if (difference.name == picture)
+      return {reference_file(one_case, difference.of, references),
+              reference_file(one_case, difference.minus, references)};
+  return {reference_file(one_case, picture, references)};
+}
+
 Reference load_reference(const registry::Case& one_case,
                          const std::string& picture,
                          const std::filesystem::path& references,

@@ -1,0 +1,86 @@
+#include "metrics/local_bias.h"
+
+#include "metrics/worst_tile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace orbs::metrics {
+
+namespace {
+
+struct Samples {
+  image::Image result;
+  image::Image reference;
+  std::vector<std::uint8_t> included;
+
+  std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
+  }
+};
+
+struct Sums {
+  double count = 0;
+  double difference = 0;
+  double squares = 0;  // of the differences
+  double reference = 0;
+};
+
+Sums sums_of(const Samples& samples, const Rectangle& tile, std::size_t channel) {
+  Sums sums;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const auto pixel = samples.pixel(x, y);
+      if (samples.included[pixel] == 0) continue;
+      const std::size_t i = 3 * pixel + channel;
+      const double reference = static_cast<double>(samples.reference.pixels[i]);
+      const double difference = static_cast<double>(samples.result.pixels[i]) - reference;
+      sums.count += 1;
+      sums.difference += difference;
+      sums.squares += difference * difference;
+      sums.reference += reference;
+    }
+  return sums;
+}
+
+// What the tile's mean is off by for sure; not above 0 when noise may be all there is.
+double sure_difference(const Sums& tile) {
+  constexpr double kStandardErrors = 5;
+  const double mean = tile.difference / tile.count;
+  const double variance = std::max(0.0, tile.squares / tile.count - mean * mean);  // rounding only
+  return std::fabs(mean) - kStandardErrors * std::sqrt(variance / tile.count);
+}
+
+void look_at_channel(const Samples& samples, std::size_t channel, std::optional<LocalBias>& worst) {
+  constexpr int kSize = worst_tile::kSize_px;
+  const Rectangle all{0, 0, samples.result.width, samples.result.height};
+  const Sums picture = sums_of(samples, all, channel);
+  const double picture_mean = picture.reference / picture.count;
+  if (!(picture_mean > 0)) return;
+  for (int y = 0; y < all.y1; y += kSize)
+    for (int x = 0; x < all.x1; x += kSize) {
+      const Rectangle where{x, y, std::min(x + kSize, all.x1), std::min(y + kSize, all.y1)};
+      const Sums tile = sums_of(samples, where, channel);
+      if (tile.count < static_cast<double>(worst_tile::kFewestPixels)) continue;
+      // Below 0 only in a difference of pictures, where the picture's own mean has to do.
+      const double scale = std::max(0.0, tile.reference / tile.count) + picture_mean;
+      const double value = std::max(0.0, sure_difference(tile)) / scale;
+      if (!worst || value > worst->value) worst = {value, where};
+    }
+}
+
+}  // namespace
+
+std::optional<LocalBias> local_bias(const image::Image& result,
+                                    const image::Image& reference,
+                                    const Mask& mask) {
+  const Samples samples{image::select_rgb(result, ""), image::select_rgb(reference, ""),
+                        included_pixels(mask, result.width, result.height)};
+  std::optional<LocalBias> worst;
+  for (std::size_t channel = 0; channel < 3; ++channel) look_at_channel(samples, channel, worst);
+  return worst;
+}
+
+}  // namespace orbs::metrics
