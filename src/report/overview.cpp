@@ -180,7 +180,10 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
     out.begin_object().member("name", name).member("suite", known ? found->suite : run.suite);
     out.member("requirement", known ? found->requirement : first->requirement);
     out.member("title", known ? found->title : name).member("tests", known ? found->tests : "");
-    out.member("typical_mistake", known ? found->typical_mistake : "").end_object();
+    out.member("typical_mistake", known ? found->typical_mistake : "");
+    if (known && !found->smallest_error_seen.empty())
+      out.member("smallest_error_seen", found->smallest_error_seen);
+    out.end_object();
   }
   out.end_array();
 }

@@ -145,8 +145,13 @@ PictureRecord read_picture(ObjectReader& in) {
 }
 
 CaseRecord read_case(ObjectReader& in) {
-  return {in.text_or("suite", ""), in.text("name"),         in.text_or("requirement", ""),
-          in.text_or("title", ""), in.text_or("tests", ""), in.text_or("typical_mistake", "")};
+  return {in.text_or("suite", ""),
+          in.text("name"),
+          in.text_or("requirement", ""),
+          in.text_or("title", ""),
+          in.text_or("tests", ""),
+          in.text_or("typical_mistake", ""),
+          in.text_or("smallest_error_seen", "")};
 }
 
 RequirementRecord read_requirement(ObjectReader& in) {

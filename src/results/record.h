@@ -107,6 +107,7 @@ struct CaseRecord {
   std::string title;
   std::string tests;
   std::string typical_mistake;
+  std::string smallest_error_seen = {};  // by its gate, in words; "" when nobody has tried
 };
 
 /// A cell of the table: the worst picture of a requirement.

@@ -89,7 +89,8 @@ void write_requirement(Writer& out, const RequirementRecord& requirement) {
 void write_case(Writer& out, const CaseRecord& one_case) {
   out.begin_object().member("suite", one_case.suite).member("name", one_case.name);
   out.member("requirement", one_case.requirement).member("title", one_case.title);
-  out.member("tests", one_case.tests).member("typical_mistake", one_case.typical_mistake).end_object();
+  out.member("tests", one_case.tests).member("typical_mistake", one_case.typical_mistake);
+  out.member("smallest_error_seen", one_case.smallest_error_seen).end_object();
 }
 
 void write_renderer(Writer& out, const RendererRecord& renderer) {

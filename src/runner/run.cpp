@@ -1,6 +1,7 @@
 #include "runner/run.h"
 
 #include "base/files.h"
+#include "results/qualification.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
 #include "results/work_folder.h"
@@ -8,6 +9,7 @@
 #include "runner/host.h"
 #include "runner/judge.h"
 #include "runner/judge_pictures.h"
+#include "runner/qualified.h"
 #include "runner/render_jobs.h"
 #include "runner/summary.h"
 
@@ -54,9 +56,11 @@ results::RunRecord record_at_start(const Plan& plan,
   record.load = load_average();
   record.left_out = plan.left_out;
   record.finished = false;
+  const auto gates = results::read_qualification(plan.suite.references / results::kQualificationFile);
   for (const auto& one_case : plan.cases)
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
-                            one_case.tests, one_case.typical_mistake});
+                            one_case.tests, one_case.typical_mistake,
+                            smallest_error_seen(one_case, plan.suite.references, gates)});
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.empty()) {

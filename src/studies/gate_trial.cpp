@@ -1,0 +1,145 @@
+#include "studies/gate_trial.h"
+
+#include "runner/judge_pictures.h"
+#include "runner/outcome.h"
+#include "studies/twins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+using results::GateRecord;
+using results::PictureRecord;
+using results::SmallestFault;
+using results::TwinRecord;
+using results::Verdict;
+
+bool is_difference(const GateTrial& trial) {
+  return std::any_of(trial.one_case.differences.begin(), trial.one_case.differences.end(),
+                     [&](const auto& difference) { return difference.name == trial.picture; });
+}
+
+PictureRecord judged(const GateTrial& trial, const Image& picture) {
+  PictureRecord record;
+  record.picture = trial.picture;
+  adapters::Job expected;
+  expected.width_px = trial.reference.picture->width;
+  expected.height_px = trial.reference.picture->height;
+  expected.may_be_negative = is_difference(trial) || !trial.one_case.negative_values.empty();
+  const auto usable = runner::check_pixels(expected, picture, "the picture");
+  if (usable.verdict != Verdict::Pass) {
+    record.verdict = usable.verdict;
+    record.sentence = usable.sentence;
+    return record;
+  }
+  runner::judge_values(trial.one_case, picture, trial.reference, 1, record, runner::Measured::ForTheVerdict);
+  return record;
+}
+
+// "Too noisy to tell" is no rejection.
+bool is_rejected(const PictureRecord& record) {
+  return results::worse(record.verdict, Verdict::Fail) == record.verdict;
+}
+
+TwinRecord tried(const GateTrial& trial, const std::string& fault, const Image& twin) {
+  const auto record = judged(trial, twin);
+  return {fault, "", is_rejected(record),
+          fmt::format("{}: {}", results::verdict_name(record.verdict), record.sentence)};
+}
+
+// Of the pictures of the same size the one that is most like this, and yet another: who tells these two apart
+// tells all apart.
+TwinRecord tried_with_another(const GateTrial& trial) {
+  const auto own = image::select_rgb(*trial.reference.picture, "").pixels;
+  const Image* nearest = nullptr;
+  std::string name;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [other_name, other] : trial.others) {
+    if (other.width != trial.honest.width || other.height != trial.honest.height) continue;
+    const auto pixels = image::select_rgb(other, "").pixels;
+    double sum = 0;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      sum += std::fabs(static_cast<double>(own[i]) - static_cast<double>(pixels[i]));
+    if (sum == 0 || sum >= least) continue;  // 0: the same picture, so no fault
+    least = sum;
+    name = other_name;
+    nearest = &other;
+  }
+  if (nearest == nullptr) return {"another picture", "no other reference has its size", false, ""};
+  return tried(trial, fmt::format("the picture of {}", name), *nearest);
+}
+
+void try_twins(const GateTrial& trial, const metrics::Rectangle& leak, double mean, GateRecord& gate) {
+  gate.twins.push_back(tried_with_another(trial));
+  auto faults = faults_of(*trial.reference.picture);
+  faults.push_back({"a leak of the mean light into 16 x 16 px",
+                    [&](const Image& picture) { return with_leak(picture, leak, mean); }});
+  for (const auto& fault : faults) {
+    // What leaves the right picture as it is cannot be a fault, by whatever name it goes.
+    if (is_same_picture(fault.apply(*trial.reference.picture), *trial.reference.picture)) {
+      gate.twins.push_back({fault.name, "it leaves the reference as it is, to the bit", false, ""});
+    } else {
+      gate.twins.push_back(tried(trial, fault.name, fault.apply(trial.honest)));
+    }
+  }
+  if (!trial.no_dark.empty()) gate.twins.push_back({"a missing light", trial.no_dark, false, ""});
+  for (const auto& dark : trial.dark) gate.twins.push_back(tried(trial, dark.name, dark.picture));
+}
+
+// Within 10 %, between `least` and `most`, by halving the ratio; takes for granted that larger faults are
+// easier to see.
+template <typename Predicate>
+std::optional<double> smallest(double least, double most, Predicate holds) {
+  constexpr double kPrecision = 1.1;
+  if (!holds(most)) return std::nullopt;
+  if (holds(least)) return least;
+  while (most / least > kPrecision) {
+    const double middle = std::sqrt(least * most);
+    (holds(middle) ? most : least) = middle;
+  }
+  return most;
+}
+
+template <typename Twin>
+SmallestFault smallest_fault(const GateTrial& trial, double least, double most, Twin twin) {
+  const auto verdict = [&](double size) { return judged(trial, twin(size)); };
+  SmallestFault found;
+  found.rejected = smallest(least, most, [&](double size) { return is_rejected(verdict(size)); });
+  found.seen = smallest(least, found.rejected.value_or(most), [&](double size) {
+    const auto record = verdict(size);
+    return is_rejected(record) || !record.remarks.empty();
+  });
+  return found;
+}
+
+}  // namespace
+
+GateRecord try_gate(const GateTrial& trial) {
+  GateRecord gate;
+  gate.case_name = trial.one_case.name;
+  gate.picture = trial.picture;
+  const auto honest = judged(trial, trial.honest);
+  gate.accepts_honest = honest.verdict == Verdict::Pass;
+  gate.honest_sentence = fmt::format("{}: {}{}{}", results::verdict_name(honest.verdict), honest.sentence,
+                                     honest.remarks.empty() ? "" : "; ", fmt::join(honest.remarks, "; "));
+  const auto where = place_of_leak(*trial.reference.picture, runner::mask_of(trial.one_case, trial.picture));
+  const double mean = mean_radiance(*trial.reference.picture);
+  try_twins(trial, where, mean, gate);
+  gate.global =
+      smallest_fault(trial, 1e-4, 0.5, [&](double share) { return with_more_light(trial.honest, share); });
+  gate.local = smallest_fault(trial, 1e-2, 100,
+                              [&](double share) { return with_leak(trial.honest, where, share * mean); });
+  gate.local_where = {where.x0, where.y0, where.x1, where.y1};
+  return gate;
+}
+
+}  // namespace orbs::studies

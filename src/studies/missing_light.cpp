@@ -1,0 +1,55 @@
+#include "studies/missing_light.h"
+
+#include "studies/bench_render.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+bool glows(const scene::Scene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const auto& instance) {
+    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
+    return std::any_of(materials.begin(), materials.end(), [&](int material) {
+      const auto shown = static_cast<std::size_t>(scene::remapped(instance, material));
+      return std::holds_alternative<scene::Emission>(scene.materials[shown].model);
+    });
+  });
+}
+
+}  // namespace
+
+std::string why_no_light_can_miss(const scene::Scene& scene) {
+  if (scene.lights.empty()) return "it has no light that could be missing";
+  const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::Rgb{};
+  return has_more ? "" : "its only light: without it the picture is black";
+}
+
+std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& plan,
+                                                            const runner::PlannedScene& scene,
+                                                            int spp,
+                                                            const std::filesystem::path& scratch,
+                                                            const std::atomic<bool>* stop) {
+  constexpr int kSeed = 2;  // any that no reference has
+  std::vector<MissingLight> pictures;
+  for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
+    auto dark = *scene.scene;
+    const auto& light = dark.lights[i].name;
+    const auto name =
+        light.empty() ? fmt::format("without light {}", i + 1) : fmt::format("without light '{}'", light);
+    dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
+    const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);
+    auto made = render(subject, {spp, kSeed, plan.threads}, stop);
+    if (!made) return std::nullopt;
+    pictures.push_back({name, std::move(made->picture)});
+    std::filesystem::remove_all(folder);
+  }
+  return pictures;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "image/image.h"
+#include "runner/plan.h"
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbs::studies {
+
+/// A scene rendered with one of its lights left out.
+struct MissingLight {
+  std::string name;  // "without light 'turned'"
+  image::Image picture;
+};
+
+/// Whether the scene has a light that can be missing while another still lights it: another light, a thing
+/// that glows, or the environment. Else why not.
+std::string why_no_light_can_miss(const scene::Scene& scene);
+
+/// Each light left out in turn, rendered by the plan's first renderer in `scratch`. Nothing when stopped.
+/// InputError when the renderer fails.
+std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& plan,
+                                                            const runner::PlannedScene& scene,
+                                                            int spp,
+                                                            const std::filesystem::path& scratch,
+                                                            const std::atomic<bool>* stop);
+
+}  // namespace orbs::studies

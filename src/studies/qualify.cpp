@@ -1,0 +1,170 @@
+#include "studies/qualify.h"
+
+#include "adapters/job.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/scratch_folder.h"
+#include "image/image_io.h"
+#include "runner/execute.h"
+#include "runner/judge.h"
+#include "runner/qualified.h"
+#include "runner/summary.h"
+#include "studies/gate_trial.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+using results::GateRecord;
+
+struct Work {
+  const runner::Plan& plan;
+  const results::RunRecord& run;
+  const QualifySettings& settings;
+  const QualifyContext& context;
+  std::map<std::string, Image> references;                // of the whole suite
+  std::map<std::string, std::vector<MissingLight>> dark;  // by scene
+};
+
+struct Subject {
+  const registry::Case* one_case;
+  std::string picture;
+};
+
+bool is_stopped(const QualifyContext& context) { return context.stop != nullptr && context.stop->load(); }
+
+std::map<std::string, Image> all_references(const std::filesystem::path& folder) {
+  std::map<std::string, Image> references;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".exr")
+      references[entry.path().stem().string()] = image::read_image(entry.path());
+  if (failed) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), failed.message()));
+  return references;
+}
+
+bool is_wanted(const Work& work, const std::string& scene) {
+  return std::any_of(work.plan.cases.begin(), work.plan.cases.end(), [&](const auto& one_case) {
+    return std::any_of(one_case.scenes.begin(), one_case.scenes.end(),
+                       [&](const auto& one) { return one.name == scene; });
+  });
+}
+
+void render_without_lights(Work& work) {
+  const ScratchFolder scratch("orbs-qualify");
+  for (const auto& scene : work.plan.scenes) {
+    if (!is_wanted(work, scene.name) || !why_no_light_can_miss(*scene.scene).empty()) continue;
+    const int spp = adapters::scaled_spp(scene.spp, 1, work.settings.missing_light_spp_scale);
+    auto pictures = without_each_light(work.plan, scene, spp, scratch.path(), work.context.stop);
+    if (!pictures) return;
+    work.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, pictures->size()));
+    work.dark[scene.name] = std::move(*pictures);
+  }
+}
+
+// Throws InputError where there is none that could be judged.
+Image honest_picture(const Work& work, const Subject& subject) {
+  for (const auto& picture : work.run.pictures) {
+    if (picture.renderer != work.settings.renderer || picture.case_name != subject.one_case->name ||
+        picture.picture != subject.picture)
+      continue;
+    if (picture.image.empty())
+      throw InputError(
+          fmt::format("{} has no picture in {}: {}", picture.renderer, work.run.folder, picture.sentence));
+    return image::read_image(std::filesystem::path(work.run.folder) / picture.image);
+  }
+  throw InputError(fmt::format("{} holds no picture of it by {}", work.run.folder, work.settings.renderer));
+}
+
+std::string why_not_dark(const Work& work, const std::string& picture) {
+  const auto scene = std::find_if(work.plan.scenes.begin(), work.plan.scenes.end(),
+                                  [&](const auto& one) { return one.name == picture; });
+  if (scene == work.plan.scenes.end()) return "a difference of two scenes, which are tried themselves";
+  return why_no_light_can_miss(*scene->scene);
+}
+
+GateRecord tried_gate(const Work& work, const Subject& subject) {
+  static const std::vector<MissingLight> kNone;
+  const auto honest = honest_picture(work, subject);
+  auto reference = runner::load_reference(*subject.one_case, subject.picture, work.plan.suite.references,
+                                          work.plan.reference_hashes);
+  if (!reference.picture) throw InputError(reference.problem);
+  const auto seed = runner::passport_of(honest)["seed"];
+  if (!seed.empty() && runner::passport_of(*reference.picture)["seed"] == seed)
+    throw InputError("its picture has the seed of the reference: it shares its noise, and proves nothing");
+  const auto dark = work.dark.find(subject.picture);
+  auto gate = try_gate({*subject.one_case, subject.picture, reference, honest, work.references,
+                        dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.picture)});
+  for (const char* key : {"program", "version", "spp", "seed"})
+    gate.honest[key] = runner::passport_of(honest)[key];
+  return gate;
+}
+
+GateRecord gate_record(const Work& work, const Subject& subject) {
+  GateRecord gate;
+  try {
+    gate = tried_gate(work, subject);
+  } catch (const InputError& e) {
+    gate.case_name = subject.one_case->name;
+    gate.picture = subject.picture;
+    gate.honest_sentence = fmt::format("not tried: {}", e.what());
+  }
+  gate.judged_by = runner::gate_hash(*subject.one_case, subject.picture, work.plan.suite.references);
+  gate.passport = {{"program", "orbs"},
+                   {"version", work.context.orbs_version},
+                   {"date", runner::local_time_now()},
+                   {"host", runner::this_host().name},
+                   {"cpu", runner::this_host().cpu}};
+  return gate;
+}
+
+}  // namespace
+
+std::vector<GateRecord> qualify(const runner::Plan& plan,
+                                const results::RunRecord& run,
+                                const QualifySettings& settings,
+                                const QualifyContext& context) {
+  Work work{plan, run, settings, context, all_references(plan.suite.references), {}};
+  render_without_lights(work);
+  std::vector<Subject> subjects;
+  for (const auto& one_case : plan.cases)
+    for (const auto& picture : registry::picture_names(one_case)) subjects.push_back({&one_case, picture});
+  std::vector<GateRecord> gates(subjects.size());
+  std::mutex saying;
+  for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
+    if (is_stopped(context)) return;
+    auto& gate = gates[static_cast<std::size_t>(index)];
+    gate = gate_record(work, subjects[static_cast<std::size_t>(index)]);
+    const std::scoped_lock lock(saying);
+    context.say(fmt::format("{} {}: {}", gate.case_name, gate.picture,
+                            results::is_qualified(gate) ? "qualified" : "not qualified"));
+  });
+  std::erase_if(gates, [](const auto& gate) { return gate.picture.empty(); });
+  return gates;
+}
+
+std::vector<GateRecord> merged(std::vector<GateRecord> known, const std::vector<GateRecord>& found) {
+  for (const auto& gate : found) {
+    const auto same = std::find_if(known.begin(), known.end(), [&](const auto& one) {
+      return one.case_name == gate.case_name && one.picture == gate.picture;
+    });
+    if (same == known.end()) {
+      known.push_back(gate);
+    } else {
+      *same = gate;
+    }
+  }
+  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.case_name, a.picture) < std::pair(b.case_name, b.picture);
+  });
+  return known;
+}
+
+}  // namespace orbs::studies

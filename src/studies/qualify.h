@@ -1,0 +1,43 @@
+#pragma once
+
+#include "results/qualification.h"
+#include "results/record.h"
+#include "runner/plan.h"
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Can a gate fail? Gives honest pictures every usual fault and looks whether the gate of their case rejects
+/// each of these twins and accepts the honest one; and finds how small a fault may be.
+namespace orbs::studies {
+
+struct QualifySettings {
+  std::string renderer = "orbs";  // whose pictures in the run are the honest ones
+  /// Of the samples of the case, for the renders without one of the lights: what is missing then is large.
+  double missing_light_spp_scale = 0.125;
+};
+
+struct QualifyContext {
+  std::string orbs_version;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const std::string&)> say;
+};
+
+/// One record for each picture of the plan's cases, in their order. The honest pictures are those of `run`,
+/// whose folder must be there; their seed is another than that of the references. The plan's first renderer
+/// renders the scenes without a light. Only whole records: fewer when the user interrupts.
+std::vector<results::GateRecord> qualify(const runner::Plan& plan,
+                                         const results::RunRecord& run,
+                                         const QualifySettings& settings,
+                                         const QualifyContext& context);
+
+/// `known` with what is new in the place of what it is about.
+std::vector<results::GateRecord> merged(std::vector<results::GateRecord> known,
+                                        const std::vector<results::GateRecord>& found);
+
+/// A line per gate: how many faults are rejected, the smallest ones; then a sentence for each that is not.
+std::string qualification_text(const std::vector<results::GateRecord>& gates);
+
+}  // namespace orbs::studies

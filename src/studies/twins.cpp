@@ -1,0 +1,209 @@
+#include "studies/twins.h"
+
+#include "image/colour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+
+constexpr std::array<const char*, 3> kColours{"R", "G", "B"};
+
+std::size_t colour_index(const Image& picture, std::size_t colour) {
+  return static_cast<std::size_t>(image::channel_index(picture, kColours.at(colour)));
+}
+
+// -1 when the picture does not know its noise.
+int variance_index(const Image& picture, std::size_t colour) {
+  return image::channel_index(picture, std::string("variance.") + kColours.at(colour));
+}
+
+// Calls change(value, variance) for each pixel and colour; the variance is 0 and comes to nothing where there
+// is none.
+template <typename Work>
+Image changed(Image picture, Work change) {
+  for (std::size_t colour = 0; colour < 3; ++colour) {
+    const auto value = colour_index(picture, colour);
+    const int variance = variance_index(picture, colour);
+    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count()) {
+      float nothing = 0;
+      change(picture.pixels[i + value],
+             variance < 0 ? nothing : picture.pixels[i + static_cast<std::size_t>(variance)]);
+    }
+  }
+  return picture;
+}
+
+Image black(const Image& picture) {
+  return changed(picture, [](float& value, float& variance) { value = variance = 0; });
+}
+
+Image constant(const Image& picture) {
+  const auto mean = static_cast<float>(mean_radiance(picture));
+  return changed(picture, [&](float& value, float& variance) {
+    value = mean;
+    variance = 0;
+  });
+}
+
+Image with_nan(Image picture) {
+  picture.at(picture.width / 2, picture.height / 2, colour_index(picture, 1)) =
+      std::numeric_limits<float>::quiet_NaN();
+  return picture;
+}
+
+Image shifted(const Image& picture) {
+  Image out = picture;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 1; x < picture.width; ++x)
+      for (std::size_t c = 0; c < picture.channel_count(); ++c) out.at(x, y, c) = picture.at(x - 1, y, c);
+  return out;
+}
+
+Image with_swapped(Image picture, std::size_t a, std::size_t b) {
+  const auto swap_channels = [&](std::size_t one, std::size_t other) {
+    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count())
+      std::swap(picture.pixels[i + one], picture.pixels[i + other]);
+  };
+  swap_channels(colour_index(picture, a), colour_index(picture, b));
+  if (variance_index(picture, a) >= 0 && variance_index(picture, b) >= 0)
+    swap_channels(static_cast<std::size_t>(variance_index(picture, a)),
+                  static_cast<std::size_t>(variance_index(picture, b)));
+  return picture;
+}
+
+std::pair<std::size_t, std::size_t> most_different_colours(const Image& picture) {
+  std::pair<std::size_t, std::size_t> most{0, 1};
+  double largest = -1;
+  for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count()) {
+      const double d = static_cast<double>(picture.pixels[i + colour_index(picture, a)]) -
+                       static_cast<double>(picture.pixels[i + colour_index(picture, b)]);
+      sum += d * d;
+    }
+    if (sum <= largest) continue;
+    largest = sum;
+    most = {a, b};
+  }
+  return most;
+}
+
+Image encoded_once_more(const Image& picture) {
+  return changed(picture, [](float& value, float& variance) {
+    constexpr float kStep =
+        1e-3F;  // the slope as a quotient: the curve has a kink, and no variance needs more
+    const float slope = (image::srgb_encode(value + kStep) - image::srgb_encode(value - kStep)) / (2 * kStep);
+    value = image::srgb_encode(value);
+    variance *= slope * slope;
+  });
+}
+
+// Mean of the 2 x 2 pixels, those that there are at an odd edge; the variance of a mean of n is sum / n^2.
+Image at_half_resolution(const Image& picture) {
+  Image out = picture;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (std::size_t c = 0; c < picture.channel_count(); ++c) {
+        const int x1 = std::min(x / 2 * 2 + 2, picture.width);
+        const int y1 = std::min(y / 2 * 2 + 2, picture.height);
+        float sum = 0;
+        for (int v = y / 2 * 2; v < y1; ++v)
+          for (int u = x / 2 * 2; u < x1; ++u) sum += picture.at(u, v, c);
+        const auto count = static_cast<float>((x1 - x / 2 * 2) * (y1 - y / 2 * 2));
+        out.at(x, y, c) = sum / (picture.channels[c].starts_with("variance.") ? count * count : count);
+      }
+  return out;
+}
+
+Image clamped(const Image& picture) {
+  return changed(picture, [](float& value, float& variance) {
+    if (value <= 1) return;
+    value = 1;
+    variance = 0;
+  });
+}
+
+}  // namespace
+
+std::vector<Fault> faults_of(const Image& reference) {
+  const auto [a, b] = most_different_colours(reference);
+  return {{"black", black},
+          {"constant", constant},
+          {"one NaN", with_nan},
+          {"shifted by 1 px", shifted},
+          {"+2 % light", [](const Image& picture) { return with_more_light(picture, 0.02); }},
+          {"-2 % light", [](const Image& picture) { return with_more_light(picture, -0.02); }},
+          {fmt::format("{} and {} swapped", kColours.at(a), kColours.at(b)),
+           [a = a, b = b](const Image& picture) { return with_swapped(picture, a, b); }},
+          {"sRGB twice", encoded_once_more},
+          {"half resolution", at_half_resolution},
+          {"clamped at 1", clamped}};
+}
+
+Image with_more_light(const Image& picture, double share) {
+  const auto factor = static_cast<float>(1 + share);
+  return changed(picture, [&](float& value, float& variance) {
+    value *= factor;
+    variance *= factor * factor;
+  });
+}
+
+Image with_leak(const Image& picture, const metrics::Rectangle& where, double radiance) {
+  Image out = picture;
+  for (int y = where.y0; y < where.y1; ++y)
+    for (int x = where.x0; x < where.x1; ++x)
+      for (std::size_t colour = 0; colour < 3; ++colour)
+        out.at(x, y, colour_index(out, colour)) += static_cast<float>(radiance);
+  return out;
+}
+
+metrics::Rectangle place_of_leak(const Image& reference, const metrics::Mask& mask) {
+  constexpr int kSide_px = 16;
+  constexpr int kOff_px = 4;
+  const auto included = metrics::included_pixels(mask, reference.width, reference.height);
+  std::vector<std::pair<double, metrics::Rectangle>> places;
+  for (int y = kOff_px; y + kSide_px <= reference.height; y += kSide_px)
+    for (int x = kOff_px; x + kSide_px <= reference.width; x += kSide_px) {
+      double sum = 0;
+      bool is_whole = true;
+      for (int v = y; v < y + kSide_px; ++v)
+        for (int u = x; u < x + kSide_px; ++u) {
+          is_whole =
+              is_whole && included[static_cast<std::size_t>(v) * static_cast<std::size_t>(reference.width) +
+                                   static_cast<std::size_t>(u)] != 0;
+          sum += image::luminance(static_cast<double>(reference.at(u, v, colour_index(reference, 0))),
+                                  static_cast<double>(reference.at(u, v, colour_index(reference, 1))),
+                                  static_cast<double>(reference.at(u, v, colour_index(reference, 2))));
+        }
+      if (is_whole) places.push_back({sum, {x, y, x + kSide_px, y + kSide_px}});
+    }
+  if (places.empty())
+    return {0, 0, std::min(kSide_px, reference.width), std::min(kSide_px, reference.height)};
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+  std::nth_element(places.begin(), middle, places.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  return middle->second;
+}
+
+bool is_same_picture(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height &&
+         image::select_rgb(a, "").pixels == image::select_rgb(b, "").pixels;
+}
+
+double mean_radiance(const Image& picture) {
+  double sum = 0;
+  for (const float value : image::select_rgb(picture, "").pixels) sum += static_cast<double>(value);
+  return sum / (3 * static_cast<double>(picture.pixel_count()));
+}
+
+}  // namespace orbs::studies

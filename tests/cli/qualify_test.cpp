@@ -1,0 +1,53 @@
+// orbs qualify, with a renderer that paints what the references hold.
+#include "cli/sandbox.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+TEST(QualifyCommand, LeavesWhatTheGatesSeeForTheNextRun) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"}).status, 0);
+  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("2 of 2 gates are qualified"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("'R and G swapped' is no fault here: it leaves the reference as it is"),
+            std::string::npos);
+  EXPECT_NE(sandbox.read("references/qualification.json").find("\"fault\": \"one NaN\""), std::string::npos);
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "next"});
+  EXPECT_NE(sandbox.read("next/results.json").find("more or less light everywhere is a remark"),
+            std::string::npos);
+}
+
+TEST(QualifyCommand, FailsForAGateThatCannot) {
+  const Sandbox sandbox;
+  sandbox.write("cases/m1_grey/case.json",
+                R"({"format": "orbs-case/1", "requirement": "M1", "title": "Grey", "tests": "t",
+  "typical_mistake": "m", "gate": {"metric": "l1", "max": 100}, "mean_ratio": 1, "tile_ratio": 1,
+  "scenes": [{"name": "grey", "file": "grey.json", "spp": 8}, {"name": "v1.5", "file": "grey.json", "spp": 8}]})");
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
+  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("m1_grey grey: '+2 % light' is not rejected: pass"), std::string::npos)
+      << answer.text;
+}
+
+TEST(QualifyCommand, NeedsAnHonestPicture) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "exit3", "-c", "m1_grey", "-o", "broken"});
+  const auto answer = sandbox.orbs({"qualify", "broken", "-r", "exit3", "-c", "m1_grey"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("an honest picture is not accepted: not tried"), std::string::npos)
+      << answer.text;
+}
+
+TEST(QualifyCommand, AChangedCaseIsNotShownWithOldNumbers) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
+  sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  sandbox.write("cases/m1_grey/case.json", sandbox.read("cases/m1_grey/case.json") + "\n");
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "next"});
+  EXPECT_NE(sandbox.read("next/results.json").find("not known since the case or a reference changed"),
+            std::string::npos);
+}

@@ -1,0 +1,174 @@
+// Gates that can fail and gates that cannot, on painted pictures with known noise.
+#include "studies/gate_trial.h"
+#include "studies/qualify.h"
+#include "studies/twins.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+constexpr int kSide_px = 96;
+
+// A coloured pattern with edges, a highlight of 3, and noise of 2 % that the variance knows.
+image::Image painted(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<float> noise(0, 0.02F);
+  auto picture =
+      image::make_image(kSide_px, kSide_px, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  picture.attributes = {{"orbs.seed", std::to_string(seed)}};
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const bool is_light = (x / 11 + y / 11) % 2 == 0;  // edges on odd columns, too
+        float value = (is_light ? 0.5F : 0.1F) * (1 - 0.3F * static_cast<float>(c));
+        if (x < 11 && y < 11) value = 3;
+        picture.at(x, y, c) = value * (1 + noise(random));
+        picture.at(x, y, c + 3) = 0.0004F * value * value;
+      }
+  return picture;
+}
+
+image::Image grey() {
+  auto picture = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = x < kSide_px / 2 ? 0.25F : 0.5F;
+  return picture;
+}
+
+registry::Case strict_case() {
+  registry::Case one_case;
+  one_case.name = "case";
+  one_case.scenes = {{"a", "a.json", 4}};
+  one_case.gate.min = 30;
+  one_case.mean_ratio = registry::kMeanRatio;
+  one_case.tile_ratio = registry::kTileRatio;
+  return one_case;
+}
+
+results::GateRecord tried(const registry::Case& one_case,
+                          const image::Image& reference,
+                          const image::Image& honest,
+                          const std::map<std::string, image::Image>& others = {}) {
+  const std::vector<studies::MissingLight> dark;
+  return studies::try_gate({one_case, "a", {"a.exr", reference, ""}, honest, others, dark, "its only light"});
+}
+
+const results::TwinRecord& twin(const results::GateRecord& gate, const std::string& fault) {
+  for (const auto& one : gate.twins)
+    if (one.fault == fault) return one;
+  throw std::out_of_range(fault);
+}
+
+}  // namespace
+
+TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
+  const auto other = studies::with_more_light(painted(3), 0.2);
+  const auto gate = tried(strict_case(), painted(1), painted(2), {{"a", painted(1)}, {"b", other}});
+  for (const auto& one : gate.twins)
+    EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.sentence;
+  EXPECT_TRUE(gate.accepts_honest) << gate.honest_sentence;
+  EXPECT_TRUE(results::is_qualified(gate));
+  EXPECT_TRUE(twin(gate, "the picture of b").rejected);
+  EXPECT_NE(twin(gate, "one NaN").sentence.find("invalid pixels"), std::string::npos);
+  EXPECT_NE(twin(gate, "black").sentence.find("constant image"), std::string::npos);
+}
+
+// The tolerance is 1 %; the noise of the mean of 9216 pixels is 0.03 %.
+TEST(Qualify, TheSmallestFaultsAreFound) {
+  const auto gate = tried(strict_case(), painted(1), painted(2));
+  ASSERT_TRUE(gate.global.rejected && gate.global.seen && gate.local.rejected && gate.local.seen);
+  EXPECT_GT(*gate.global.rejected, 0.0099);
+  EXPECT_LT(*gate.global.rejected, 0.014);
+  EXPECT_LT(*gate.global.seen, 0.005);
+  EXPECT_LE(*gate.local.seen, *gate.local.rejected);
+  EXPECT_LT(*gate.local.rejected, 1);
+}
+
+// 35 dB alone let 2 % more light pass: why there is a condition on the mean.
+TEST(Qualify, AGateThatCannotFailIsNotQualified) {
+  auto lax = strict_case();
+  lax.mean_ratio.reset();
+  const auto gate = tried(lax, painted(1), painted(2));
+  EXPECT_FALSE(twin(gate, "+2 % light").rejected);
+  EXPECT_FALSE(results::is_qualified(gate));
+  EXPECT_NE(studies::qualification_text({gate}).find("'+2 % light' is not rejected: pass"),
+            std::string::npos);
+}
+
+TEST(Qualify, AGateThatRefusesAnHonestPictureIsNotQualified) {
+  auto harsh = strict_case();
+  harsh.gate.min = 60;
+  const auto gate = tried(harsh, painted(1), painted(2));
+  EXPECT_FALSE(gate.accepts_honest);
+  EXPECT_FALSE(results::is_qualified(gate));
+}
+
+TEST(Qualify, WhatLeavesThePictureAsItIsIsNoFault) {
+  const auto gate = tried(strict_case(), grey(), grey());
+  EXPECT_FALSE(twin(gate, "R and G swapped").no_fault.empty());
+  EXPECT_FALSE(twin(gate, "clamped at 1").no_fault.empty());
+  EXPECT_EQ(twin(gate, "another picture").no_fault, "no other reference has its size");
+  EXPECT_EQ(twin(gate, "a missing light").no_fault, "its only light");
+  EXPECT_TRUE(twin(gate, "shifted by 1 px").no_fault.empty());
+}
+
+TEST(Twins, AreTheFaultThatTheyAreCalled) {
+  const auto picture = painted(1);
+  EXPECT_FLOAT_EQ(studies::with_more_light(picture, 0.02).at(50, 50, 1), 1.02F * picture.at(50, 50, 1));
+  EXPECT_FLOAT_EQ(studies::with_more_light(picture, 0.02).at(50, 50, 4), 1.0404F * picture.at(50, 50, 4));
+  const auto faults = studies::faults_of(picture);
+  const auto apply = [&](const std::string& name) {
+    for (const auto& fault : faults)
+      if (fault.name == name) return fault.apply(picture);
+    throw std::out_of_range(name);
+  };
+  EXPECT_EQ(apply("shifted by 1 px").at(50, 50, 0), picture.at(49, 50, 0));
+  EXPECT_EQ(apply("R and B swapped").at(50, 50, 0), picture.at(50, 50, 2));
+  EXPECT_EQ(apply("R and B swapped").at(50, 50, 3), picture.at(50, 50, 5));
+  EXPECT_EQ(apply("clamped at 1").at(3, 3, 0), 1.0F);
+  EXPECT_EQ(apply("clamped at 1").at(3, 3, 3), 0.0F);
+  EXPECT_FLOAT_EQ(
+      apply("half resolution").at(51, 50, 0),
+      (picture.at(50, 50, 0) + picture.at(51, 50, 0) + picture.at(50, 51, 0) + picture.at(51, 51, 0)) / 4);
+  EXPECT_TRUE(std::isnan(apply("one NaN").at(48, 48, 1)));
+}
+
+TEST(Twins, ALeakAvoidsTheMask) {
+  const auto where = studies::place_of_leak(painted(1), {{{0, 0, kSide_px, 60}}, {}});
+  EXPECT_GE(where.y0, 60);
+  EXPECT_EQ(where.x1 - where.x0, 16);
+  EXPECT_EQ(where.x0 % 16, 4);
+}
+
+TEST(Qualification, IsReadAsItWasWritten) {
+  auto gate = tried(strict_case(), painted(1), painted(2));
+  gate.judged_by = "0123";
+  gate.passport = {{"date", "2026-11-21T14:03:00"}};
+  const auto file = std::filesystem::path(testing::TempDir()) / "orbs-qualification.json";
+  std::FILE* out = std::fopen(file.c_str(), "w");
+  ASSERT_NE(out, nullptr);
+  std::fputs(results::qualification_json({gate}).c_str(), out);
+  std::fclose(out);
+  const auto read = results::read_qualification(file);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(results::qualification_json(read), results::qualification_json({gate}));
+  std::filesystem::remove(file);
+}
+
+TEST(Qualification, ANewRecordTakesThePlaceOfTheOldOne) {
+  results::GateRecord a;
+  a.case_name = "a";
+  results::GateRecord b;
+  b.case_name = "b";
+  auto better = a;
+  better.accepts_honest = true;
+  const auto gates = studies::merged({a, b}, {better});
+  ASSERT_EQ(gates.size(), 2U);
+  EXPECT_TRUE(gates[0].accepts_honest);
+}
