@@ -114,12 +114,14 @@ Image at_half_resolution(const Image& picture) {
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       for (std::size_t c = 0; c < picture.channel_count(); ++c) {
-        const int x1 = std::min(x / 2 * 2 + 2, picture.width);
-        const int y1 = std::min(y / 2 * 2 + 2, picture.height);
+        const int x0 = x - x % 2;
+        const int y0 = y - y % 2;
+        const int x1 = std::min(x0 + 2, picture.width);
+        const int y1 = std::min(y0 + 2, picture.height);
         float sum = 0;
-        for (int v = y / 2 * 2; v < y1; ++v)
-          for (int u = x / 2 * 2; u < x1; ++u) sum += picture.at(u, v, c);
-        const auto count = static_cast<float>((x1 - x / 2 * 2) * (y1 - y / 2 * 2));
+        for (int v = y0; v < y1; ++v)
+          for (int u = x0; u < x1; ++u) sum += picture.at(u, v, c);
+        const auto count = static_cast<float>((x1 - x0) * (y1 - y0));
         out.at(x, y, c) = sum / (picture.channels[c].starts_with("variance.") ? count * count : count);
       }
   return out;
