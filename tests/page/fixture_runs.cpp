@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
+#include "results/work_folder.h"
 
 #include <cmath>
 #include <iostream>
@@ -306,6 +307,7 @@ void write_run_of_huge_pictures(const fs::path& folder) {
 
 void play_live_run(const fs::path& folder) {
   const results::RunLock lock(folder);
+  const results::WorkFolder unfinished(folder);
   auto run = blank_run({"one"});
   run.finished = false;
   run.cases.push_back(case_of("alpha", "m1_live", "Live"));
@@ -324,7 +326,8 @@ void play_live_run(const fs::path& folder) {
   std::string line;
   for (std::size_t i = 0; i < done.size() && std::getline(std::cin, line); ++i) {
     fs::create_directories(folder / done[i].folder);
-    if (i + 1 < done.size()) fs::create_directories(folder / done[i + 1].folder);
+    fs::remove_all(unfinished.path() / done[i].folder);
+    if (i + 1 < done.size()) fs::create_directories(unfinished.path() / done[i + 1].folder);
     const auto picture = picture_of("m1_live", done[i], i == 0 ? Verdict::Pass : Verdict::Fail);
     write_file(folder / done[i].folder / "job.json", results::job_json(done[i], {picture}));
     run.jobs[i] = done[i];
