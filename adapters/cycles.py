@@ -33,6 +33,7 @@ import cycles_meshes  # noqa: E402
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 LARGEST_DOUBLED_EMITTER_AREA = 0.1
 SMALLEST_SCALE = 0.01
+MOST_BOUNCES = 1024  # that Blender takes
 LIGHT_SHAPES = {
     "rect": (("half_width", "half_length"), cycles_meshes.rect_light),
     "disk": (("radius",), cycles_meshes.disk_light),
@@ -92,7 +93,8 @@ def named(table, name, place):
 
 def build(scene, folder, scale_option):
     checked(scene, "scene", ["format", "name", "camera"],
-            ["environment", "textures", "materials", "meshes", "instances", "lights", "integrator"])  # fmt: skip
+            ["environment", "textures", "materials", "meshes", "instances", "lights", "integrator",
+             "outputs"])  # fmt: skip  # layers beside the colour are left out
     if scene["format"] != "orbs-scene/1":
         raise SceneError(f"format must be orbs-scene/1, is {scene['format']}")
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -315,6 +317,8 @@ def world_frame():
 def set_integrator(integrator, arguments):
     scene = bpy.context.scene
     depth = integrator.get("trace_depth", 5)
+    if depth == "unlimited":
+        depth = MOST_BOUNCES + 1
     if not isinstance(depth, int) or depth < 1:
         raise SceneError(f"integrator: trace_depth must be a whole number of at least 1, is {depth}")
     scene.render.engine = "CYCLES"

@@ -39,6 +39,7 @@ struct TentKernel {
   Real absorbed_reach_nm = 1;
   Real emitted_nm = 0;
   Real emitted_reach_nm = 1;
+  bool operator==(const TentKernel&) const = default;
 };
 
 template <typename Real>
@@ -134,6 +135,7 @@ struct ReradiationMatrix {
   Real width_nm = 1;
   std::size_t bins = 0;
   std::vector<Real> share;
+  bool operator==(const ReradiationMatrix&) const = default;
 };
 
 /// `bins` outside of the matrix.

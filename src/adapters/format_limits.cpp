@@ -2,10 +2,22 @@
 
 #include "adapters/light_frame.h"
 #include "adapters/masking.h"
+#include "scene/lower.h"
+
+#include <string_view>
 
 #include <fmt/format.h>
 
 namespace orbs::adapters {
+
+std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene, const char* renderer) {
+  constexpr std::string_view kOrbsGroups = "GMLA";
+  std::vector<std::string> reasons;
+  for (const auto& [requirement, what] : scene::features_called_for(scene))
+    if (kOrbsGroups.find(requirement.front()) == std::string_view::npos)
+      reasons.push_back(fmt::format("{}, which the exporter to {} does not write", what, renderer));
+  return reasons;
+}
 
 std::string light_limit(const scene::Light& light, const char* renderer) {
   if (light.ies)

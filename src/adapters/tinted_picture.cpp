@@ -20,6 +20,8 @@ struct Colour {
   scene::Rgb operator()(const scene::Ggx& m) const { return m.colour; }
   scene::Rgb operator()(const scene::RoughGlass& m) const { return m.colour; }
   scene::Rgb operator()(const scene::Emission& m) const { return m.radiance; }
+  // None of them has a texture.
+  scene::Rgb operator()(const scene::AppearanceModel auto&) const { return {}; }
 };
 
 }  // namespace

@@ -133,6 +133,7 @@ int run(const Options& options) {
   using namespace orbs;
   constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   auto scene = scene::load_scene(options.scene);
+  for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
   auto world = tracer::make_world(scene, {.light_paths = options.light_paths != "never"});
@@ -140,8 +141,9 @@ int run(const Options& options) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   ProgressLine line(options.as_json);
-  auto rendering =
-      tracer::render(world, options.render, stop, [&](const tracer::Progress& p) { line.show(p); });
+  auto settings = options.render;
+  settings.split_paths = settings.split_paths || scene.outputs.path_classes;
+  auto rendering = tracer::render(world, settings, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
   stamp(rendering, options, scene, !world.light_path_targets.empty());
   image::write_exr(rendering.picture, options.output);

@@ -21,6 +21,7 @@ std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesyste
   for (const auto& texture : scene.textures) hash = content_hash(read_file(texture.file), hash);
   for (const auto& light : scene.lights)
     if (light.ies) hash = content_hash(read_file(light.ies->file), hash);
+  for (const auto& table : scene.notes.tables) hash = content_hash(read_file(table), hash);
   return hash;
 }
 

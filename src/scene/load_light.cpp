@@ -27,11 +27,14 @@ IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) 
 
 }  // namespace
 
-Light load_light(json::ObjectReader in, const std::filesystem::path& folder) {
+Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& data) {
   Light light;
   light.name = in.text_or("name", "");
   light.shape = load_shape(in);
-  light.radiance = in.vec3("radiance", json::kNotNegative);
+  const auto radiance = load_radiance(in, "radiance", data);
+  light.radiance = radiance.rgb;
+  light.spectrum = radiance.spectrum;
+  light.reflectance = in.vec3_or("reflectance", {}, {0.0, 1.0});
   light.matrix = load_matrix(in, "matrix");
   if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) {
     const double r = sphere->radius_m;

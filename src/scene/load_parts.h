@@ -3,6 +3,7 @@
 #include "json/object_reader.h"
 #include "scene/load_scene.h"
 #include "scene/scene.h"
+#include "spectra/table_file.h"
 
 #include <filesystem>
 #include <map>
@@ -52,7 +53,45 @@ Mat4 load_matrix(json::ObjectReader& in, const std::string& key);
 /// The complaint about a matrix that cannot move things there and back; "" when it can.
 std::string matrix_problem(const Mat4& matrix);
 
-Material load_material(json::ObjectReader in, const Names& textures);
+/// What the scene file says wavelength by wavelength.
+struct SpectralData {
+  std::filesystem::path folder;  // what files are relative to
+  Names names = Names("spectrum");
+  std::vector<NamedSpectrum> spectra = {};
+  std::vector<std::filesystem::path> files = {};  // that have been read
+  std::vector<std::string> warnings = {};
+};
+
+/// Adds one entry of "spectra": a constant, an illuminant by name, a column of a file, or samples.
+void load_spectrum(json::ObjectReader in, SpectralData& data);
+/// "wavelengths" and "values", with "beyond": "hold" or "zero".
+spectra::Spectrum load_samples(json::ObjectReader& in);
+/// The spectrum of the scene that "spectrum" names.
+const spectra::Spectrum& find_spectrum(json::ObjectReader& in, const SpectralData& data);
+/// The table that "file" names.
+spectra::TableFile load_table(json::ObjectReader& in, SpectralData& data);
+
+/// What stands in the place of a colour: [r, g, b] or {"spectrum": name, "scale": number}.
+struct Colour {
+  Rgb rgb;
+  std::optional<SpectrumUse> spectrum;
+};
+/// Shares of light, in [0, 1] at every wavelength.
+Colour load_reflectance(json::ObjectReader& in, const std::string& key, const SpectralData& data);
+/// Radiance, not negative. A spectrum must be constant or zero beyond its samples.
+Colour load_radiance(json::ObjectReader& in, const std::string& key, const SpectralData& data);
+
+/// A number, or an object with "spectrum", "wavelengths", "sellmeier", "cauchy" or "file". Above 0
+/// everywhere.
+spectra::RefractiveIndex load_index(json::ObjectReader& in, const std::string& key, SpectralData& data);
+
+MaterialModel load_conductor(json::ObjectReader& in, SpectralData& data);
+MaterialModel load_dielectric(json::ObjectReader& in, SpectralData& data);
+MaterialModel load_fluorescent(json::ObjectReader& in, SpectralData& data);
+MaterialModel load_polariser(json::ObjectReader& in);
+MaterialModel load_retarder(json::ObjectReader& in);
+
+Material load_material(json::ObjectReader in, const Names& textures, SpectralData& data);
 /// Takes `wanted` things off what is `left`; the complaint at `key` when there are not so many.
 void take(const json::ObjectReader& in,
           const std::string& key,
@@ -71,6 +110,11 @@ void load_instances(json::ObjectReader in,
                     const Names& materials,
                     SceneBudget& left,
                     std::vector<Instance>& out);
-Light load_light(json::ObjectReader in, const std::filesystem::path& folder);
+/// Why the scene shows a material in a way that its model has no meaning for; "" when it does not: a sheet's
+/// axis must not stand perpendicular to a triangle of it, and nothing solid is a sheet.
+std::string sheet_problem(const Scene& scene, int material);
+
+Sphere load_shape(json::ObjectReader in, const Names& materials);
+Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& data);
 
 }  // namespace orbs::scene

@@ -44,22 +44,55 @@ Texture load_texture(json::ObjectReader in, const std::filesystem::path& folder)
   return texture;
 }
 
+void load_integrator(json::ObjectReader in, Scene& scene) {
+  if (in.has("trace_depth") && in.holds_text("trace_depth")) {
+    in.one_of("trace_depth", {"unlimited"});
+    scene.trace_depth = kUnlimitedDepth;
+  } else {
+    scene.trace_depth = in.integer_or("trace_depth", scene.trace_depth, 1, 1000);
+  }
+  in.finish();
+}
+
+Outputs load_outputs(json::ObjectReader in) {
+  Outputs outputs{in.boolean_or("stokes", false), in.boolean_or("path_classes", false)};
+  in.finish();
+  return outputs;
+}
+
+// What only the whole scene tells about its materials; the readers are those of load_materials.
+void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& readers) {
+  for (std::size_t i = 0; i < readers.size(); ++i)
+    if (const auto problem = sheet_problem(scene, static_cast<int>(i)); !problem.empty())
+      readers[i].fail("", problem);
+}
+
+void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& scene) {
+  if (!in.has("environment")) return;
+  const auto radiance = load_radiance(in, "environment", data);
+  scene.environment = radiance.rgb;
+  scene.environment_spectrum = radiance.spectrum;
+}
+
 Scene load_document(const json::Document& document, const std::filesystem::path& folder, SceneBudget left) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-scene/1"});
   Scene scene;
   scene.name = in.text("name");
   scene.camera = load_camera(in.object("camera"));
-  scene.environment = in.vec3_or("environment", {}, json::kNotNegative);
+  SpectralData data{.folder = folder};
+  for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
+  load_environment(in, data, scene);
   Names textures("texture");
   for (auto& entry : in.objects_or_none("textures")) {
     textures.add(entry, "name");
     scene.textures.push_back(load_texture(entry, folder));
   }
   Names materials("material");
-  for (auto& entry : in.objects("materials")) {
+  auto material_readers = in.objects("materials");
+  for (auto& entry : material_readers) {
     materials.add(entry, "name");
-    scene.materials.push_back(load_material(entry, textures));
+    scene.materials.push_back(load_material(entry, textures, data));
   }
   Names meshes("mesh");
   for (auto& entry : in.objects_or_none("meshes")) {
@@ -68,13 +101,14 @@ Scene load_document(const json::Document& document, const std::filesystem::path&
   }
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
-  for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folder));
-  if (in.has("integrator")) {
-    auto integrator = in.object("integrator");
-    scene.trace_depth = integrator.integer_or("trace_depth", scene.trace_depth, 1, 1000);
-    integrator.finish();
-  }
+  for (auto& entry : in.objects_or_none("shapes")) scene.spheres.push_back(load_shape(entry, materials));
+  for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folder, data));
+  if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
+  if (in.has("outputs")) scene.outputs = load_outputs(in.object("outputs"));
   in.finish();
+  scene.spectra = std::move(data.spectra);
+  scene.notes = {std::move(data.files), std::move(data.warnings)};
+  check_materials(scene, material_readers);
   return scene;
 }
 
@@ -103,6 +137,16 @@ const std::optional<TextureUse>& texture_of(const MaterialModel& model) {
   return std::visit(
       [](const auto& m) -> const std::optional<TextureUse>& {
         if constexpr (requires { m.texture; }) return m.texture;
+        return none;
+      },
+      model);
+}
+
+const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
+  static const std::optional<SpectrumUse> none;
+  return std::visit(
+      [](const auto& m) -> const std::optional<SpectrumUse>& {
+        if constexpr (requires { m.spectrum; }) return m.spectrum;
         return none;
       },
       model);

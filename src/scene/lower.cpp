@@ -1,5 +1,6 @@
 #include "scene/lower.h"
 
+#include "scene/effects.h"
 #include "scene/lower_parts.h"
 
 #include <map>
@@ -29,6 +30,8 @@ std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
           {has_several_materials(mesh) ? "G5" : "G4",
            fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
   }
+  for (const auto& sphere : scene.spheres)
+    features.push_back({"S1", fmt::format("shape '{}' is a sphere by its formula", sphere.name)});
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     if (!seen.contains(static_cast<int>(i)))
       features.push_back(
@@ -66,7 +69,13 @@ std::string lower_materials(Scene& scene, const Capabilities& capabilities) {
   return lacking(features_of_materials(scene), capabilities);
 }
 
+std::string lower_effects(Scene& scene, const Capabilities& capabilities) {
+  if (!capabilities.contains("E2") && !calls_for(effects(scene), Effect::Spectral)) drop_spectra(scene);
+  return lacking(features_of_effects(scene), capabilities);
+}
+
 std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
+  if (!capabilities.contains("S1")) tessellate_spheres(scene);
   if (!capabilities.contains("G1") && !capabilities.contains("G2"))
     return "the scene is made of triangles, which needs G1";
   if (!capabilities.contains("G3")) {
@@ -85,8 +94,8 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 
 std::vector<CalledFeature> features_called_for(const Scene& scene) {
   std::map<std::string, std::string> found;
-  for (const auto& features :
-       {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene)})
+  for (const auto& features : {features_of_geometry(scene), features_of_materials(scene),
+                               features_of_lights(scene), features_of_effects(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});
@@ -95,7 +104,7 @@ std::vector<CalledFeature> features_called_for(const Scene& scene) {
 
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;
-  for (auto* const step : {lower_materials, lower_lights, lower_geometry})
+  for (auto* const step : {lower_materials, lower_effects, lower_lights, lower_geometry})
     if (auto reason = step(lowered, capabilities); !reason.empty()) return reason;
   return lowered;
 }

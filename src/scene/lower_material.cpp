@@ -14,7 +14,8 @@ struct Need {
   const char* what;
 };
 
-// No M level defines glossy reflection and rough glass: ORB.S brings them with the paths of A2 and A4.
+// No M level defines glossy reflection and rough glass: ORB.S brings them with the paths of A2 and A4. Group
+// E is ours.
 struct ModelNeed {
   Need operator()(const Lambert&) const { return {"M1", "Lambertian"}; }
   Need operator()(const OrenNayar&) const { return {"M7", "Oren-Nayar"}; }
@@ -23,6 +24,11 @@ struct ModelNeed {
   Need operator()(const Ggx&) const { return {"A2", "a glossy reflector (GGX)"}; }
   Need operator()(const RoughGlass&) const { return {"A4", "rough glass"}; }
   Need operator()(const Emission&) const { return {"M2", "emissive"}; }
+  Need operator()(const Conductor&) const { return {"E1", "a conductor by its indices"}; }
+  Need operator()(const Dielectric&) const { return {"E1", "a dielectric by its indices"}; }
+  Need operator()(const Polariser&) const { return {"E3", "a polariser"}; }
+  Need operator()(const Retarder&) const { return {"E3", "a retarder"}; }
+  Need operator()(const Fluorescent&) const { return {"E4", "fluorescent"}; }
 };
 
 std::optional<TextureUse>* texture_slot(MaterialModel& model) {
@@ -81,6 +87,7 @@ std::set<int> visible_materials(const Scene& scene) {
     for (const int material : std::set<int>(materials.begin(), materials.end()))
       visible.insert(remapped(instance, material));
   }
+  for (const auto& sphere : scene.spheres) visible.insert(sphere.material);
   return visible;
 }
 
@@ -104,7 +111,8 @@ void replace_smooth_oren_nayar(Scene& scene) {
   for (auto& material : scene.materials) {
     const auto* model = std::get_if<OrenNayar>(&material.model);
     if (model == nullptr || model->roughness != 0) continue;
-    material.model = Lambert{model->reflectance, model->texture};  // eq. 5 with sigma = 0: A = 1, B = 0
+    // eq. 5 with sigma = 0: A = 1, B = 0
+    material.model = Lambert{model->reflectance, model->texture, model->spectrum};
   }
 }
 

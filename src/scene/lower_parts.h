@@ -8,11 +8,18 @@
 /// The steps of lower(), and what they share with features_called_for.
 namespace orbs::scene {
 
-/// Indices of the materials that an instance shows, remap lists applied.
+/// Indices of the materials that an instance or a shape shows, remap lists applied.
 std::set<int> visible_materials(const Scene& scene);
 /// What each material that an instance shows calls for; one material may call for several things.
 std::vector<CalledFeature> features_of_materials(const Scene& scene);
 std::vector<CalledFeature> features_of_lights(const Scene& scene);
+/// E2 to E6 where the scene calls for the effect that they name, E1 for lights that reflect.
+std::vector<CalledFeature> features_of_effects(const Scene& scene);
+
+/// Colours alone, in place, for a scene that does not call for Effect::Spectral.
+void drop_spectra(Scene& scene);
+/// Each sphere becomes an instance of a tessellated one with exact normals, in place.
+void tessellate_spheres(Scene& scene);
 
 /// Oren-Nayar of roughness 0 becomes Lambert, in place.
 void replace_smooth_oren_nayar(Scene& scene);

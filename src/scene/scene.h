@@ -2,6 +2,7 @@
 
 #include "base/matrix.h"
 #include "base/vec.h"
+#include "scene/spectral.h"
 
 #include <array>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -57,6 +59,7 @@ struct TextureUse {
 struct Lambert {
   Rgb reflectance;
   std::optional<TextureUse> texture;  // multiplies reflectance
+  std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Lambert&) const = default;
 };
 /// ORB.S eq. 5 with sigma = roughness * pi / 2 radians.
@@ -64,10 +67,12 @@ struct OrenNayar {
   Rgb reflectance;
   double roughness = 0;  // [0, 1]
   std::optional<TextureUse> texture;
+  std::optional<SpectrumUse> spectrum = {};
   bool operator==(const OrenNayar&) const = default;
 };
 struct Mirror {
   Rgb reflectance;
+  std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Mirror&) const = default;
 };
 /// Smooth dielectric of ORB.S REQ_M8; `ior` is inside over outside, and the vertex normals point outside.
@@ -80,6 +85,7 @@ struct Glass {
 struct Ggx {
   Rgb colour;
   double alpha = 0.1;
+  std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Ggx&) const = default;
 };
 /// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable
@@ -94,10 +100,68 @@ struct RoughGlass {
 struct Emission {
   Rgb radiance;
   std::optional<TextureUse> texture;
+  std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Emission&) const = default;
 };
 
-using MaterialModel = std::variant<Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission>;
+/// The models from here on go beyond ORB.S. Interfaces by their indices of refraction: reflectance, phase and
+/// polarisation follow from Fresnel's formulas, or with a film from Airy's sum; smooth without `roughness`.
+/// A conductor is black from behind.
+struct Conductor {
+  spectra::MetalIndex index;
+  spectra::RefractiveIndex outside = spectra::constant(1);
+  std::optional<Roughness> roughness;
+  std::optional<Film> film;
+  bool operator==(const Conductor&) const = default;
+};
+/// The vertex normals point outside; an open sheet is one interface. Radiance is scaled by the squared ratio
+/// of the indices on refraction.
+struct Dielectric {
+  spectra::RefractiveIndex index;
+  spectra::RefractiveIndex outside = spectra::constant(1);
+  std::optional<Roughness> roughness;
+  std::optional<Film> film;
+  bool operator==(const Dielectric&) const = default;
+};
+/// Ideal sheets that light crosses straight on. The axis, a world direction, is projected into the sheet:
+/// along it a polariser transmits everything, across it nothing; in a retarder it is the fast axis, and light
+/// across it comes `retardance_deg` late, at all wavelengths.
+struct Polariser {
+  Vec3d axis;
+  bool operator==(const Polariser&) const = default;
+};
+struct Retarder {
+  Vec3d axis;
+  double retardance_deg = 90;
+  bool operator==(const Retarder&) const = default;
+};
+/// Lambert's law at every wavelength, and from both sides as there, and light at longer wavelengths beside
+/// it.
+struct Fluorescent {
+  Rgb reflectance;
+  std::optional<SpectrumUse> spectrum;
+  Reradiation reradiation;
+  bool gains_energy = false;  // more leaves than came in, on purpose
+  bool operator==(const Fluorescent&) const = default;
+};
+
+using MaterialModel = std::variant<Lambert,
+                                   OrenNayar,
+                                   Mirror,
+                                   Glass,
+                                   Ggx,
+                                   RoughGlass,
+                                   Emission,
+                                   Conductor,
+                                   Dielectric,
+                                   Polariser,
+                                   Retarder,
+                                   Fluorescent>;
+
+/// The models that ORB.S does not have, for code that knows ORB.S's alone.
+template <typename Model>
+concept AppearanceModel = std::is_same_v<Model, Conductor> || std::is_same_v<Model, Dielectric> ||
+    std::is_same_v<Model, Polariser> || std::is_same_v<Model, Retarder> || std::is_same_v<Model, Fluorescent>;
 
 struct Material {
   std::string name;
@@ -127,6 +191,16 @@ struct Instance {
   Mat4 matrix;
   std::vector<std::pair<int, int>> remap;
   bool operator==(const Instance&) const = default;
+};
+
+/// A surface by its formula rather than by triangles; normals point out of the sphere, v runs from 0 at the
+/// south pole (-Y) to 1, u around the equator from +Z towards +X.
+struct Sphere {
+  std::string name;
+  Vec3d centre_m;
+  double radius_m = 1;
+  int material = 0;
+  bool operator==(const Sphere&) const = default;
 };
 
 /// In the local XZ plane, emitting towards local -Y only; the back is black, opaque and visible.
@@ -175,19 +249,43 @@ struct Light {
   Rgb radiance;
   Mat4 matrix;  // moves, turns and scales the shape; radiance stays
   std::optional<IesUse> ies;
+  std::optional<SpectrumUse> spectrum = {};
+  Rgb reflectance = {};  // of the side that shines, by Lambert's law
   bool operator==(const Light&) const = default;
+};
+
+/// What the picture holds beside the colour.
+struct Outputs {
+  bool stokes = false;        // S0 to S3 in the camera's frame
+  bool path_classes = false;  // one layer for each class of light path
+  bool operator==(const Outputs&) const = default;
+};
+
+/// A trace depth that no path reaches: Russian roulette ends them all.
+constexpr int kUnlimitedDepth = 1'000'000;
+
+/// How a scene was read, which is no part of what it is: scenes that differ in nothing else are equal.
+struct ReadNotes {
+  std::vector<std::filesystem::path> tables;  // files that spectra and indices were read from
+  std::vector<std::string> warnings;          // file:line and what was let through
+  bool operator==(const ReadNotes&) const { return true; }
 };
 
 struct Scene {
   std::string name;
   Camera camera;
   Rgb environment;  // constant radiance of everything that no surface covers
+  std::optional<SpectrumUse> environment_spectrum;
+  std::vector<NamedSpectrum> spectra;
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
+  std::vector<Sphere> spheres;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
+  Outputs outputs;
+  ReadNotes notes;
   bool operator==(const Scene&) const = default;
 };
 
@@ -196,5 +294,8 @@ int remapped(const Instance& instance, int material);
 
 /// The texture of a material, if its model has one.
 const std::optional<TextureUse>& texture_of(const MaterialModel& model);
+
+/// The spectrum that a model has in the place of its colour, if it has one.
+const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);
 
 }  // namespace orbs::scene

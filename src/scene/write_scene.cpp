@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "json/writer.h"
 #include "scene/mesh_files.h"
+#include "scene/write_material.h"
 
 #include <algorithm>
 
@@ -30,28 +31,6 @@ void write_texture_use(Writer& out, const Scene& scene, const std::optional<Text
   out.key("matrix").numbers(use->matrix.m).end_object();
 }
 
-void write_model(Writer& out, const Lambert& m) {
-  out.member("type", "lambert").member("reflectance", m.reflectance);
-}
-void write_model(Writer& out, const OrenNayar& m) {
-  out.member("type", "oren_nayar").member("reflectance", m.reflectance).member("roughness", m.roughness);
-}
-void write_model(Writer& out, const Mirror& m) {
-  out.member("type", "mirror").member("reflectance", m.reflectance);
-}
-void write_model(Writer& out, const Glass& m) {
-  out.member("type", "glass").member("colour", m.colour).member("ior", m.ior);
-}
-void write_model(Writer& out, const Ggx& m) {
-  out.member("type", "ggx").member("colour", m.colour).member("alpha", m.alpha);
-}
-void write_model(Writer& out, const RoughGlass& m) {
-  out.member("type", "rough_glass").member("colour", m.colour).member("ior", m.ior).member("alpha", m.alpha);
-}
-void write_model(Writer& out, const Emission& m) {
-  out.member("type", "emission").member("radiance", m.radiance);
-}
-
 void write_materials(Writer& out, const Scene& scene) {
   out.key("textures").begin_array();
   for (const auto& texture : scene.textures) {
@@ -62,7 +41,7 @@ void write_materials(Writer& out, const Scene& scene) {
   out.end_array().key("materials").begin_array();
   for (const auto& material : scene.materials) {
     out.begin_object().member("name", material.name);
-    std::visit([&](const auto& model) { write_model(out, model); }, material.model);
+    write_model(out, scene, material.model);
     write_texture_use(out, scene, texture_of(material.model));
     out.end_object();
   }
@@ -109,10 +88,23 @@ void write_shape(Writer& out, const SphereShape& s) {
   out.member("type", "sphere").member("radius", s.radius_m);
 }
 
-void write_light(Writer& out, const Light& light) {
+void write_spheres(Writer& out, const Scene& scene) {
+  if (scene.spheres.empty()) return;
+  out.key("shapes").begin_array();
+  for (const auto& sphere : scene.spheres) {
+    out.begin_object().member("type", "sphere").member("name", sphere.name);
+    out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
+    out.member("material", scene.materials[static_cast<std::size_t>(sphere.material)].name).end_object();
+  }
+  out.end_array();
+}
+
+void write_light(Writer& out, const Scene& scene, const Light& light) {
   out.begin_object().member("name", light.name);
   std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
-  out.member("radiance", light.radiance).key("matrix").numbers(light.matrix.m);
+  write_colour(out, scene, "radiance", light.radiance, light.spectrum);
+  if (light.reflectance != Rgb{}) out.member("reflectance", light.reflectance);
+  out.key("matrix").numbers(light.matrix.m);
   if (light.ies) {
     out.key("ies")
         .begin_object()
@@ -123,13 +115,27 @@ void write_light(Writer& out, const Light& light) {
   out.end_object();
 }
 
+void write_settings(Writer& out, const Scene& scene) {
+  out.key("integrator").begin_object().key("trace_depth");
+  if (scene.trace_depth == kUnlimitedDepth)
+    out.value("unlimited");
+  else
+    out.value(scene.trace_depth);
+  out.end_object();
+  const auto& [stokes, path_classes] = scene.outputs;
+  if (!stokes && !path_classes) return;
+  out.key("outputs").begin_object();
+  out.member("stokes", stokes).member("path_classes", path_classes).end_object();
+}
+
 }  // namespace
 
 void write_scene(const Scene& scene, const std::filesystem::path& file) {
   Writer out;
   out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
   write_camera(out, scene.camera);
-  out.member("environment", scene.environment);
+  write_spectra(out, scene);
+  write_colour(out, scene, "environment", scene.environment, scene.environment_spectrum);
   write_materials(out, scene);
   out.key("meshes").begin_array();
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
@@ -137,14 +143,13 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
                file.parent_path() / fmt::format("{}.{}.ply", file.stem().string(), i));
   out.end_array().key("instances").begin_array();
   for (const auto& instance : scene.instances) write_instance(out, scene, instance);
-  out.end_array().key("lights").begin_array();
-  for (const auto& light : scene.lights) write_light(out, light);
-  out.end_array()
-      .key("integrator")
-      .begin_object()
-      .member("trace_depth", scene.trace_depth)
-      .end_object()
-      .end_object();
+  out.end_array();
+  write_spheres(out, scene);
+  out.key("lights").begin_array();
+  for (const auto& light : scene.lights) write_light(out, scene, light);
+  out.end_array();
+  write_settings(out, scene);
+  out.end_object();
   write_file(file, out.text());
 }
 

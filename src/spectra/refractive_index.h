@@ -14,6 +14,7 @@ namespace orbs::spectra {
 struct Sellmeier {
   std::array<double, 4> b{};
   std::array<double, 4> c_um2{};
+  bool operator==(const Sellmeier&) const = default;
 };
 
 /// n = a + b / L^2 + c / L^4 + d / L^6 with L the wavelength in micrometres (A. L. Cauchy 1836).
@@ -22,6 +23,7 @@ struct Cauchy {
   double b = 0;
   double c = 0;
   double d = 0;
+  bool operator==(const Cauchy&) const = default;
 };
 
 /// A spectrum may be a constant. The formulas are used as they stand outside of the range that they were
@@ -41,6 +43,7 @@ double smallest_index(const RefractiveIndex& index);
 struct MetalIndex {
   Spectrum n;
   Spectrum k;
+  bool operator==(const MetalIndex&) const = default;
 };
 
 std::complex<double> index_at(const MetalIndex& metal, double wavelength_nm);

@@ -24,6 +24,7 @@ struct Spectrum {
   std::vector<double> values{0};       // one for each wavelength
   Beyond beyond = Beyond::HoldsEnds;
   double step_nm = 0;  // where all samples lie at the same distance: that distance; else 0
+  bool operator==(const Spectrum&) const = default;
 };
 
 Spectrum constant(double value);

@@ -1,6 +1,7 @@
 #include "studies/probe_scene.h"
 
 #include "image/image_io.h"
+#include "scene/lower_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,12 @@ class Colouring {
 
 }  // namespace
 
-ProbeScene coloured_by_thing(const scene::Scene& scene, int most_px) {
+ProbeScene coloured_by_thing(const scene::Scene& original, int most_px) {
+  scene::Scene scene = original;
+  scene::tessellate_spheres(scene);
+  scene::drop_spectra(scene);
+  scene.outputs = {};
+  for (auto& light : scene.lights) light.reflectance = {};
   ProbeScene probe{scene, {}};
   auto& out = probe.scene;
   fit_camera(out.camera, most_px);

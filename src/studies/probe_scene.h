@@ -24,7 +24,7 @@ struct ProbeScene {
 
 /// The scene with a camera of at most `most_px` pixels on the longer side, and each thing emitting a flat
 /// colour of its own. A mesh with several instances gets its materials by remap lists.
-ProbeScene coloured_by_thing(const scene::Scene& scene, int most_px);
+ProbeScene coloured_by_thing(const scene::Scene& original, int most_px);
 
 /// Side of the picture that coordinates are read from, in texels.
 inline constexpr int kRampSize = 256;

@@ -1,8 +1,10 @@
 #include "tracer/world.h"
 
+#include "base/error.h"
 #include "image/colour.h"
 #include "scene/camera_frame.h"
 #include "tracer/frame.h"
+#include "tracer/lacking.h"
 #include "tracer/surface.h"
 
 #include <algorithm>
@@ -48,6 +50,9 @@ SurfaceMaterial prepare_model(const scene::RoughGlass& m) {
 SurfaceMaterial prepare_model(const scene::Emission& m) {
   return {.model = Model::Emission, .colour = cast<float>(m.radiance)};
 }
+
+// No surface shows one: make_world has refused the scene otherwise.
+SurfaceMaterial prepare_model(const scene::AppearanceModel auto&) { return {}; }
 
 SurfaceMaterial prepare_material(const scene::Material& material) {
   SurfaceMaterial out = std::visit([](const auto& m) { return prepare_model(m); }, material.model);
@@ -228,6 +233,7 @@ void build_emitters(World& world) {
 }  // namespace
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
+  if (const auto reason = lacking_for(scene); !reason.empty()) throw InputError(reason);
   World world;
   world.camera = prepare_camera(scene.camera);
   world.environment = cast<float>(scene.environment);

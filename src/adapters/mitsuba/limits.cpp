@@ -19,6 +19,8 @@ constexpr double kLeastAlpha = 1e-4;  // its MicrofacetDistribution raises small
 struct ModelLimit {
   const std::string& name;
 
+  // beyond_orbs_limits has said so.
+  std::string operator()(const scene::AppearanceModel auto&) const { return ""; }
   std::string operator()(const scene::Lambert&) const { return ""; }
   std::string operator()(const scene::Mirror&) const { return ""; }
   std::string operator()(const scene::Glass&) const { return ""; }
@@ -62,7 +64,7 @@ std::string back_limit(const scene::Scene& scene, const Part& part) {
 }  // namespace
 
 std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
-  std::vector<std::string> reasons;
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName);
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };

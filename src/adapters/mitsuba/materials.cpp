@@ -60,6 +60,8 @@ struct BsdfWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return dielectric("roughdielectric", m.colour, m.ior, ggx(m.alpha));
   }
+  // mitsuba_limits lets none through that anything shows.
+  std::string operator()(const scene::AppearanceModel auto&) const { return diffuse({}, {}); }
 };
 
 }  // namespace

@@ -20,6 +20,8 @@ bool is_grey(scene::Rgb c) { return c.x == c.y && c.y == c.z; }
 struct ModelLimit {
   const std::string& name;
 
+  // beyond_orbs_limits has said so.
+  std::string operator()(const scene::AppearanceModel auto&) const { return ""; }
   std::string operator()(const scene::Lambert&) const { return ""; }
   std::string operator()(const scene::OrenNayar& m) const {
     return oren_nayar_limit(name, m.roughness, kName);
@@ -68,7 +70,7 @@ std::string size_limit(const scene::Texture& texture) {
 }  // namespace
 
 std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
-  std::vector<std::string> reasons;
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName);
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };

@@ -56,6 +56,8 @@ struct MaterialWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return named(name, "dielectric", fmt::format("\"float eta\" {}{}", m.ior, ggx(m.alpha)));
   }
+  // pbrt_limits lets none through that anything shows.
+  std::string operator()(const scene::AppearanceModel auto&) const { return diffuse({}, {}); }
 };
 
 }  // namespace

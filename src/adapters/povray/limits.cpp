@@ -1,3 +1,4 @@
+#include "adapters/format_limits.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/povray.h"
@@ -16,6 +17,8 @@ using povray::Surface;
 struct ModelLimit {
   const std::string& name;
 
+  // beyond_orbs_limits has said so.
+  std::string operator()(const scene::AppearanceModel auto&) const { return ""; }
   std::string operator()(const scene::Lambert&) const { return ""; }
   std::string operator()(const scene::Mirror&) const { return ""; }
   std::string operator()(const scene::Glass&) const { return ""; }
@@ -63,7 +66,7 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
 }  // namespace
 
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings) {
-  std::vector<std::string> reasons;
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray");
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };

@@ -88,6 +88,10 @@ struct TextureWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return tinted(scene, "diffuse", m.colour, {}, stem);
   }
+  // povray_limits lets none through that anything shows.
+  std::string operator()(const scene::AppearanceModel auto&) const {
+    return tinted(scene, "diffuse", {}, {}, stem);
+  }
 };
 
 }  // namespace

@@ -1,0 +1,179 @@
+#include "scene/effects.h"
+
+#include "scene/effects_parts.h"
+#include "scene/lower_parts.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+void note(SceneEffects& found, EffectVerdict verdict, const std::string& thing) {
+  auto& list = verdict.is_called_for ? found.called_for : found.not_called_for;
+  list.push_back({verdict.effect, thing, std::move(verdict.reason)});
+}
+
+// Returns whether some surface treats wavelengths differently, so that more than a light's colour counts.
+bool add_materials(const Scene& scene, SceneEffects& found) {
+  const auto visible = visible_materials(scene);
+  bool has_colour = false;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const auto& material = scene.materials[i];
+    const bool is_shown = visible.contains(static_cast<int>(i));
+    has_colour = has_colour || (is_shown && is_coloured(scene, material.model));
+    for (auto& verdict : verdicts_on(scene, material.model)) {
+      if (verdict.is_called_for && !is_shown)
+        verdict = {verdict.effect, false, "would, but no surface shows it: it " + verdict.reason};
+      note(found, verdict, fmt::format("material '{}'", material.name));
+    }
+  }
+  return has_colour;
+}
+
+void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
+  for (const auto& light : scene.lights) {
+    const auto thing = fmt::format("light '{}'", light.name);
+    if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), thing);
+    if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, thing);
+    if (light.reflectance != Rgb{})
+      note(found, {Effect::ReflectingLight, true, "reflects light as well as giving it"}, thing);
+  }
+  if (scene.environment_spectrum)
+    note(found, verdict_on_light(scene, *scene.environment_spectrum, has_colour), "the environment");
+}
+
+void add_emissive_materials(const Scene& scene, bool has_colour, SceneEffects& found) {
+  for (const int index : visible_materials(scene)) {
+    const auto& material = scene.materials[static_cast<std::size_t>(index)];
+    const auto* emission = std::get_if<Emission>(&material.model);
+    if (emission != nullptr && emission->spectrum)
+      note(found, verdict_on_light(scene, *emission->spectrum, has_colour),
+           fmt::format("material '{}'", material.name));
+  }
+}
+
+void add_geometry(const Scene& scene, SceneEffects& found) {
+  std::map<int, int> uses;
+  for (const auto& instance : scene.instances) ++uses[instance.mesh];
+  for (const auto& [mesh, count] : uses)
+    if (count > 1)
+      note(found, {Effect::Instancing, true, fmt::format("stands in {} places", count)},
+           fmt::format("mesh '{}'", scene.meshes[static_cast<std::size_t>(mesh)].name));
+  for (const auto& sphere : scene.spheres)
+    note(found, {Effect::AnalyticShape, true, "is a sphere by its formula"},
+         fmt::format("shape '{}'", sphere.name));
+}
+
+void add_outputs(const Scene& scene, SceneEffects& found) {
+  if (scene.outputs.stokes) note(found, {Effect::Polarisation, true, "holds Stokes vectors"}, "the picture");
+  if (scene.outputs.path_classes)
+    note(found, {Effect::PathClasses, true, "is split by classes of light path"}, "the picture");
+}
+
+}  // namespace
+
+std::string_view effect_name(Effect effect) {
+  switch (effect) {
+    case Effect::Spectral:
+      return "spectral";
+    case Effect::MeasuredMetal:
+      return "measured metal";
+    case Effect::Dispersion:
+      return "dispersion";
+    case Effect::ThinFilm:
+      return "thin film";
+    case Effect::Polarisation:
+      return "polarisation";
+    case Effect::Fluorescence:
+      return "fluorescence";
+    case Effect::RoughInterface:
+      return "rough interface";
+    case Effect::ReflectingLight:
+      return "reflecting light";
+    case Effect::AnalyticShape:
+      return "analytic shape";
+    case Effect::Texture:
+      return "texture";
+    case Effect::Ies:
+      return "IES profile";
+    case Effect::Instancing:
+      return "instancing";
+    case Effect::PathClasses:
+      return "path classes";
+  }
+  return "";
+}
+
+SceneEffects effects(const Scene& scene) {
+  SceneEffects found;
+  const bool has_colour = add_materials(scene, found);
+  add_emissive_materials(scene, has_colour, found);
+  add_lights(scene, has_colour, found);
+  add_geometry(scene, found);
+  add_outputs(scene, found);
+  const auto by_effect = [](const EffectFinding& a, const EffectFinding& b) { return a.effect < b.effect; };
+  std::stable_sort(found.called_for.begin(), found.called_for.end(), by_effect);
+  std::stable_sort(found.not_called_for.begin(), found.not_called_for.end(), by_effect);
+  return found;
+}
+
+bool calls_for(const SceneEffects& found, Effect effect) {
+  return std::any_of(found.called_for.begin(), found.called_for.end(),
+                     [&](const EffectFinding& finding) { return finding.effect == effect; });
+}
+
+std::string_view transport_name(LightTransport transport) {
+  switch (transport) {
+    case LightTransport::Colour:
+      return "rgb";
+    case LightTransport::Spectral:
+      return "spectral";
+    case LightTransport::Polarised:
+      return "polarised";
+    case LightTransport::Bispectral:
+      return "bispectral";
+    case LightTransport::PolarisedBispectral:
+      return "polarised bispectral";
+  }
+  return "";
+}
+
+LightTransport transport_for(Effect effect) {
+  switch (effect) {
+    case Effect::Spectral:
+    case Effect::MeasuredMetal:
+    case Effect::Dispersion:
+    case Effect::ThinFilm:
+      return LightTransport::Spectral;
+    case Effect::Polarisation:
+      return LightTransport::Polarised;
+    case Effect::Fluorescence:
+      return LightTransport::Bispectral;
+    case Effect::RoughInterface:
+    case Effect::ReflectingLight:
+    case Effect::AnalyticShape:
+    case Effect::Texture:
+    case Effect::Ies:
+    case Effect::Instancing:
+    case Effect::PathClasses:
+      return LightTransport::Colour;
+  }
+  return LightTransport::Colour;
+}
+
+LightTransport transport(const SceneEffects& found) {
+  LightTransport needed = LightTransport::Colour;
+  for (const auto& finding : found.called_for) {
+    const auto one = transport_for(finding.effect);
+    const bool both = std::max(one, needed) == LightTransport::Bispectral &&
+                      std::min(one, needed) == LightTransport::Polarised;
+    needed = both ? LightTransport::PolarisedBispectral : std::max(one, needed);
+  }
+  return needed;
+}
+
+}  // namespace orbs::scene

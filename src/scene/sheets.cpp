@@ -1,0 +1,45 @@
+#include "scene/load_parts.h"
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+// Below this sine the projected axis is rounding of the vertices' floats.
+constexpr double kLeastSine = 1e-4;
+
+std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
+  for (const auto& instance : scene.instances) {
+    const auto& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (remapped(instance, mesh.triangle_materials[i]) != material) continue;
+      const auto corner = [&](std::size_t k) {
+        return transform_point(instance.matrix, cast<double>(mesh.positions[mesh.triangles[i][k]]));
+      };
+      const Vec3d normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+      if (length(normal) == 0 || length(cross(normal, axis)) > kLeastSine * length(normal) * length(axis))
+        continue;
+      return fmt::format("the axis ({}, {}, {}) stands perpendicular to triangle {} of instance '{}'", axis.x,
+                         axis.y, axis.z, i, instance.name);
+    }
+  }
+  for (const auto& sphere : scene.spheres)
+    if (sphere.material == material)
+      return fmt::format("sphere '{}' is no sheet: an axis can be projected into flat things only",
+                         sphere.name);
+  return "";
+}
+
+}  // namespace
+
+std::string sheet_problem(const Scene& scene, int material) {
+  const auto& model = scene.materials[static_cast<std::size_t>(material)].model;
+  if (const auto* polariser = std::get_if<Polariser>(&model))
+    return axis_problem(scene, polariser->axis, material);
+  if (const auto* retarder = std::get_if<Retarder>(&model))
+    return axis_problem(scene, retarder->axis, material);
+  return "";
+}
+
+}  // namespace orbs::scene
