@@ -154,6 +154,18 @@ CaseRecord read_case(ObjectReader& in) {
           in.text_or("smallest_error_seen", "")};
 }
 
+std::vector<EffectRecord> read_effects(ObjectReader& in, const std::string& key) {
+  std::vector<EffectRecord> effects;
+  for (auto& effect : in.objects_or_none(key))
+    effects.push_back({effect.text("effect"), effect.text_or("thing", ""), effect.text_or("reason", "")});
+  return effects;
+}
+
+SceneRecord read_scene(ObjectReader& in) {
+  return {in.text("name"), in.text_or("transport", ""), read_effects(in, "called_for"),
+          read_effects(in, "not_called_for")};
+}
+
 RequirementRecord read_requirement(ObjectReader& in) {
   RequirementRecord requirement{in.text("code"), in.text_or("title", ""), {}};
   if (!in.has("renderers")) return requirement;
@@ -218,6 +230,7 @@ RunRecord read_results_file(const std::filesystem::path& file) {
   run.finished = in.boolean_or("finished", true);
   if (in.has("host")) run.host = read_host(in.object("host"));
   for (auto& one_case : in.objects_or_none("cases")) run.cases.push_back(read_case(one_case));
+  for (auto& scene : in.objects_or_none("scenes")) run.scenes.push_back(read_scene(scene));
   for (auto& renderer : in.objects_or_none("renderers")) run.renderers.push_back(read_renderer(renderer));
   for (auto& left : in.objects_or_none("left_out"))
     run.left_out.push_back({left.text("renderer"), left.text_or("reason", "")});

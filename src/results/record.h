@@ -110,6 +110,21 @@ struct CaseRecord {
   std::string smallest_error_seen = {};  // by its gate, in words; "" when nobody has tried
 };
 
+/// An effect of light, the thing in the scene that calls for it or looks as if it did, and why.
+struct EffectRecord {
+  std::string effect;  // "thin film"
+  std::string thing;   // "material 'copper'"
+  std::string reason;  // follows the thing: "has a film 550 nm high"
+};
+
+/// What a scene calls for, and what its light paths must carry for that.
+struct SceneRecord {
+  std::string name;
+  std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised bispectral"
+  std::vector<EffectRecord> called_for;
+  std::vector<EffectRecord> not_called_for;
+};
+
 /// A cell of the table: the worst picture of a requirement.
 struct Cell {
   bool declared = false;
@@ -152,6 +167,7 @@ struct RunRecord {
   bool interrupted = false;
   bool finished = true;  // false while the run goes on, and for ever after it was killed
   std::vector<CaseRecord> cases;
+  std::vector<SceneRecord> scenes;
   std::vector<RendererRecord> renderers;
   std::vector<LeftOut> left_out;
   std::vector<RequirementRecord> requirements;

@@ -93,6 +93,24 @@ void write_case(Writer& out, const CaseRecord& one_case) {
   out.member("smallest_error_seen", one_case.smallest_error_seen).end_object();
 }
 
+void write_effects(Writer& out, std::string_view key, const std::vector<EffectRecord>& effects) {
+  out.key(key).begin_array();
+  for (const auto& effect : effects)
+    out.begin_object()
+        .member("effect", effect.effect)
+        .member("thing", effect.thing)
+        .member("reason", effect.reason)
+        .end_object();
+  out.end_array();
+}
+
+void write_scene(Writer& out, const SceneRecord& scene) {
+  out.begin_object().member("name", scene.name).member("transport", scene.transport);
+  write_effects(out, "called_for", scene.called_for);
+  write_effects(out, "not_called_for", scene.not_called_for);
+  out.end_object();
+}
+
 void write_renderer(Writer& out, const RendererRecord& renderer) {
   out.begin_object().member("name", renderer.name).member("version", renderer.version);
   out.member("executable", renderer.executable);
@@ -136,6 +154,13 @@ void write_host(Writer& out, const Host& host) {
   out.end_object();
 }
 
+std::string scenes_json(const std::vector<SceneRecord>& scenes) {
+  Writer out;
+  out.begin_object().member("format", "orbs-plan/1");
+  write_array(out, "scenes", scenes, write_scene);
+  return out.end_object().text();
+}
+
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures) {
   Writer out;
   out.begin_object().member("format", "orbs-job/1");
@@ -158,6 +183,7 @@ std::string run_json(const RunRecord& run) {
   out.key("host");
   write_host(out, run.host);
   write_array(out, "cases", run.cases, write_case);
+  write_array(out, "scenes", run.scenes, write_scene);
   write_array(out, "renderers", run.renderers, write_renderer);
   write_array(out, "left_out", run.left_out, [](Writer& w, const LeftOut& left) {
     w.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();

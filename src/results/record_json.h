@@ -4,6 +4,7 @@
 #include "results/record.h"
 
 #include <string>
+#include <vector>
 
 namespace orbs::results {
 
@@ -17,6 +18,9 @@ void write_host(json::Writer& out, const Host& host);
 /// The text of a job's job.json (format "orbs-job/1"): all of the record, and what was said about the
 /// pictures that the render alone makes.
 std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures);
+
+/// What `orbs plan --json` prints (format "orbs-plan/1").
+std::string scenes_json(const std::vector<SceneRecord>& scenes);
 
 /// The text of results.json (format "orbs-results/1"): all of the record. The host of a render is left out
 /// where it is the run's.

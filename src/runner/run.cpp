@@ -11,6 +11,7 @@
 #include "runner/judge_pictures.h"
 #include "runner/qualified.h"
 #include "runner/render_jobs.h"
+#include "runner/scene_record.h"
 #include "runner/summary.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ results::RunRecord record_at_start(const Plan& plan,
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
                             one_case.tests, one_case.typical_mistake,
                             smallest_error_seen(one_case, plan.suite.references, gates)});
+  for (const auto& scene : plan.scenes) record.scenes.push_back(scene_record(scene.name, *scene.scene));
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.empty()) {

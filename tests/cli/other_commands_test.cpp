@@ -35,6 +35,20 @@ TEST(List, ShowsWhatCanBeChosen) {
   EXPECT_EQ(sandbox.orbs({"list", "things"}).status, 2);
 }
 
+TEST(Plan, SaysWhatEachSceneCallsForAndWhy) {
+  const Sandbox sandbox;
+  const auto suite = sandbox.orbs({"plan"});
+  EXPECT_EQ(suite.status, 0) << suite.text;
+  EXPECT_TRUE(contains(suite.text, "mirror")) << suite.text;
+  EXPECT_TRUE(contains(suite.text, "rgb")) << suite.text;
+  const std::string prism = ORBS_SOURCE_DIR "/data/cases/appearance/e6_dispersion/prism_SF10.json";
+  const auto one = sandbox.orbs({"plan", prism});
+  EXPECT_TRUE(contains(one.text, "material 'glass' has an index that varies by")) << one.text;
+  EXPECT_FALSE(contains(one.text, "mirror")) << one.text;
+  EXPECT_TRUE(contains(sandbox.orbs({"plan", prism, "--json"}).text, R"("effect": "dispersion")"));
+  EXPECT_EQ(sandbox.orbs({"plan", "no-such-scene"}).status, 2);
+}
+
 TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"doctor"});

@@ -1,0 +1,84 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "registry/cases.h"
+#include "registry/filters.h"
+#include "report/effects_table.h"
+#include "results/record_json.h"
+#include "runner/scene_record.h"
+#include "scene/load_scene.h"
+
+#include <filesystem>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+using results::SceneRecord;
+
+SceneRecord record_of(const std::string& name, const std::filesystem::path& file) {
+  const auto scene =
+      with_note(fmt::format("reading scene '{}'", name), [&] { return scene::load_scene(file); });
+  for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs: warning: {}\n", warning);
+  return runner::scene_record(name, scene);
+}
+
+std::vector<SceneRecord> records_of_suite(const registry::Suite& suite, const std::string& patterns) {
+  std::vector<std::string> names;
+  std::map<std::string, std::filesystem::path> files;
+  for (const auto& one_case : registry::load_cases(suite))
+    for (const auto& scene : one_case.scenes)
+      if (files.emplace(scene.name, scene.file).second) names.push_back(scene.name);
+  std::vector<SceneRecord> records;
+  for (const auto& name : registry::select_names(names, patterns, "scene"))
+    records.push_back(record_of(name, files[name]));
+  return records;
+}
+
+struct Options {
+  std::vector<std::string> scenes;
+  std::string suite;
+  bool as_json = false;
+};
+
+// A word that ends in .json is a file, others are names in the suite.
+std::vector<SceneRecord> records(const Options& options, const registry::Configuration& configuration) {
+  std::vector<SceneRecord> found;
+  std::vector<std::string> names;
+  for (const auto& word : options.scenes)
+    if (word.ends_with(".json"))
+      found.push_back(record_of(word, word));
+    else
+      names.push_back(word);
+  if (options.scenes.empty()) names.emplace_back("*");
+  if (names.empty()) return found;
+  const auto& suite = registry::find_suite(
+      configuration, options.suite.empty() ? configuration.defaults.suite : options.suite);
+  for (auto& record : records_of_suite(suite, joined_list(names))) found.push_back(std::move(record));
+  return found;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, const Program& program, Action& action) {
+  auto* command = app.add_subcommand(
+      "plan", "Shows which effects of light each scene calls for, why, and what a light path must carry");
+  const auto configuration = add_configuration_option(*command);
+  const auto options = std::make_shared<Options>();
+  command->add_option("scenes", options->scenes,
+                      "scenes of the suite by name or pattern, or scene files (default: the whole suite)");
+  command->add_option("--suite", options->suite, "the suite that has the scenes");
+  command->add_flag("--json", options->as_json, "everything that is known, for programs");
+  command->callback([=, &program, &action] {
+    action = [=, &program] {
+      const auto found = records(*options, read_configuration(*configuration, program));
+      fmt::print("{}", options->as_json ? results::scenes_json(found) : report::effects_text(found));
+      return 0;
+    };
+  });
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,39 @@
+#include "report/effects_table.h"
+
+#include "report/table.h"
+
+#include <fmt/format.h>
+
+namespace orbs::report {
+
+namespace {
+
+using results::EffectRecord;
+using Rows = std::vector<std::vector<std::string>>;
+
+// Findings of one effect stand side by side: the first one speaks for the others.
+void add_rows(const std::vector<EffectRecord>& effects, const char* mark, Rows& rows) {
+  for (std::size_t i = 0; i < effects.size();) {
+    std::size_t next = i + 1;
+    while (next < effects.size() && effects[next].effect == effects[i].effect) ++next;
+    const auto others = next - i - 1;
+    rows.push_back({fmt::format("  {}{}", mark, effects[i].effect),
+                    fmt::format("{} {}{}", effects[i].thing, effects[i].reason,
+                                others == 0 ? "" : fmt::format(" (and {} more)", others))});
+    i = next;
+  }
+}
+
+}  // namespace
+
+std::string effects_text(const std::vector<results::SceneRecord>& scenes) {
+  Rows rows;
+  for (const auto& scene : scenes) {
+    rows.push_back({scene.name, scene.transport});
+    add_rows(scene.called_for, "", rows);
+    add_rows(scene.not_called_for, "not ", rows);
+  }
+  return aligned(rows);
+}
+
+}  // namespace orbs::report
