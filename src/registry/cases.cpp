@@ -213,6 +213,17 @@ void check_references(const std::vector<Case>& cases) {
             one_case.file.string(), scene.name, scene.reference, closest(scene.reference, with_reference)));
 }
 
+// A tolerance that is not that of all cases has a reason, which says how it was found.
+void load_tolerances(ObjectReader& in, Case& one_case) {
+  const bool has_own = in.has("mean_ratio") || in.has("tile_ratio") || in.has("edge_blur");
+  one_case.mean_ratio = in.number_or("mean_ratio", kMeanRatio, {kLeastRatio, 1});
+  one_case.tile_ratio = in.number_or("tile_ratio", kTileRatio, {kLeastRatio, 1});
+  one_case.edge_blur = in.number_or("edge_blur", kEdgeBlur, {kLeastRatio, 2});
+  if (!has_own) return;
+  one_case.tolerance_reason = in.text("tolerance_reason");
+  if (one_case.tolerance_reason.empty()) in.fail("tolerance_reason", "must say why this case has its own");
+}
+
 }  // namespace
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
@@ -228,8 +239,7 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
   one_case.typical_mistake = in.text("typical_mistake");
   one_case.gate.min = 35;  // ORB.S section 2: PSNR above 35 if otherwise is not specified
   if (in.has("gate")) one_case.gate = load_gate(in.object("gate"));
-  one_case.mean_ratio = in.number_or("mean_ratio", kMeanRatio, {kLeastRatio, 1});
-  one_case.tile_ratio = in.number_or("tile_ratio", kTileRatio, {kLeastRatio, 1});
+  load_tolerances(in, one_case);
   load_scenes(in, one_case);
   if (in.has("negative_values")) {
     one_case.negative_values = in.text("negative_values");

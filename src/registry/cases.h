@@ -72,6 +72,9 @@ struct Case {
   std::optional<double> mean_ratio;
   /// How large metrics::local_bias may be; nothing: no condition.
   std::optional<double> tile_ratio;
+  /// How large |metrics::edge_blur| may be; nothing: no condition.
+  std::optional<double> edge_blur;
+  std::string tolerance_reason;  // why one of these three is not that of all cases; "" when they are
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;
@@ -79,11 +82,13 @@ struct Case {
 };
 
 /// What pictures must keep beside the gate of ORB.S, which 4 % more light can pass and which does not notice
-/// a lost detail in a large picture. Independent renderers that are right keep them: Cycles' pictures of the
-/// orbs suite differ by 0.95 % in the mean where its Oren-Nayar is another formula, else by 0.3 %; their
-/// tiles by 6 % at most.
-constexpr double kMeanRatio = 0.01;
+/// a lost detail in a large picture. Independent renderers that are right keep them: where the models are the
+/// same, Cycles' pictures of the orbs suite differ by 0.3 % in the mean and 6 % in a tile at most, and their
+/// edges by 0.05. POV-Ray's anti-aliasing makes 0.12 of that, half the resolution 0.8 to 1.4. The mean's
+/// tolerance leaves room for the noise (0.22 % at most): all of a bias of 1 % lies beyond it.
+constexpr double kMeanRatio = 0.007;
 constexpr double kTileRatio = 0.1;
+constexpr double kEdgeBlur = 0.2;
 
 /// Reads and checks one case.json. InputError with file, line and key.
 Case load_case(const std::filesystem::path& file);

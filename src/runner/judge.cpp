@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "metrics/local_bias.h"
 #include "metrics/noise_numbers.h"
 #include "runner/gate.h"
 #include "runner/passport.h"
+#include "runner/tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -60,12 +60,6 @@ Check check_share(const registry::PathShare& share, const std::map<std::string, 
   return out;
 }
 
-std::vector<double> place(const std::optional<metrics::Rectangle>& where) {
-  if (!where) return {};
-  return {static_cast<double>(where->x0), static_cast<double>(where->y0), static_cast<double>(where->x1),
-          static_cast<double>(where->y1)};
-}
-
 void add_measures(const metrics::Comparison& comparison,
                   const metrics::NoiseTest& noise,
                   PictureRecord& record) {
@@ -79,54 +73,11 @@ void add_measures(const metrics::Comparison& comparison,
                                  false,
                                  {},
                                  {},
-                                 place(where)});
+                                 rectangle_numbers(where)});
   for (const auto& number : metrics::noise_numbers(noise))
     record.measures.push_back({std::string(number.name), number.value, std::string(number.unit),
                                std::string(number.definition), true, number.is_signed, number.low,
-                               number.high, place(number.where)});
-}
-
-// A worse verdict takes over, with its sentence.
-void take(PictureRecord& record, Verdict verdict, const std::string& sentence) {
-  if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
-    record.verdict = verdict;
-    record.sentence = sentence;
-  }
-}
-
-void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecord& record) {
-  const std::array<std::pair<const char*, const char*>, 3> channels{
-      {{"R", "mean_ratio_r"}, {"G", "mean_ratio_g"}, {"B", "mean_ratio_b"}}};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto& [channel, measure] = channels.at(c);
-    const auto result = check_mean_ratio(channel, tolerance, noise.mean_ratio.at(c));
-    record.checks.push_back(
-        {measure, result.verdict == Verdict::Pass, result.sentence, -tolerance, tolerance});
-    if (result.verdict != Verdict::Pass) take(record, result.verdict, result.sentence);
-  }
-}
-
-void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias, PictureRecord& record) {
-  if (!bias) return;
-  const auto where = place(bias->where);
-  const bool passed = bias->value <= tolerance;
-  const auto sentence = fmt::format(
-      "the mean of the tile [{}] is off by {:.3g} % or more for sure, at most {:.3g} % is allowed",
-      fmt::join(where, ","), 100 * bias->value, 100 * tolerance);
-  record.measures.push_back(
-      {"local_bias",
-       bias->value,
-       "1",
-       "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five "
-       "standard errors of the tile's own pixels, over the reference's means of tile and "
-       "picture together; of R, G and B the worst; linear Rec.709, no clamp",
-       true,
-       false,
-       {},
-       {},
-       where});
-  record.checks.push_back({"local_bias", passed, sentence, {}, tolerance});
-  if (!passed) take(record, Verdict::Fail, sentence);
+                               number.high, rectangle_numbers(number.where)});
 }
 
 void check_conditions(const Case& one_case, const image::Image& result, PictureRecord& record) {
@@ -191,9 +142,7 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence,
                            one_case.gate.min, one_case.gate.max});
   take(record, gate.verdict, gate.sentence);
-  if (one_case.mean_ratio) check_means(*one_case.mean_ratio, noise, record);
-  if (one_case.tile_ratio)
-    check_tiles(*one_case.tile_ratio, metrics::local_bias(result, *reference.picture, mask), record);
+  check_tolerances(one_case, {result, *reference.picture, mask, noise}, record);
   check_conditions(one_case, result, record);
   return comparison;
 }

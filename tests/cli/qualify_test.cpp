@@ -25,6 +25,7 @@ TEST(QualifyCommand, FailsForAGateThatCannot) {
   sandbox.write("cases/m1_grey/case.json",
                 R"({"format": "orbs-case/1", "requirement": "M1", "title": "Grey", "tests": "t",
   "typical_mistake": "m", "gate": {"metric": "l1", "max": 100}, "mean_ratio": 1, "tile_ratio": 1,
+  "tolerance_reason": "a gate that cannot fail",
   "scenes": [{"name": "grey", "file": "grey.json", "spp": 8}, {"name": "v1.5", "file": "grey.json", "spp": 8}]})");
   sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
   const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});

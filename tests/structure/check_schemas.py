@@ -53,6 +53,8 @@ CASE = {
     "gate": {"metric": "psnr_srgb8", "min": 35},
     "masks": [{"scene": "1", "rectangles": [[0, 0, 4, 4]], "reason": "edges"}],
     "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.01}],
+    "mean_ratio": 0.01,
+    "tolerance_reason": "another formula",
 }
 CONFIGURATION = {
     "format": "orbs-configuration/1",
@@ -99,6 +101,8 @@ WRONG = [
     (CASE, ["requirement"], "M"),
     (CASE, ["masks", 0, "reason"], None),
     (CASE, ["path_shares", 0, "class"], "LDE"),
+    (CASE, ["tolerance_reason"], None),
+    (CASE, ["edge_blur"], 0),
     (CONFIGURATION, ["renderers", 0, "comand"], []),
     (CONFIGURATION, ["renderers", 0, "name"], "a b"),
     (CONFIGURATION, ["renderers", 0, "native_scenes"], ".xml"),

@@ -73,6 +73,16 @@ TEST(Cases, TheGateIsTheOneOfTheSpecificationUnlessTheCaseSaysOtherwise) {
   EXPECT_EQ(one_case.scenes[0].spp, 7);
 }
 
+TEST(Cases, AToleranceOfItsOwnHasAReason) {
+  EXPECT_NE(message_of(case_text(R"(, "edge_blur": 0.5)")).find("key 'tolerance_reason' is missing"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "mean_ratio": 0.5, "tolerance_reason": "")")).find("must say why"),
+            std::string::npos);
+  EXPECT_NE(message_of(case_text(R"(, "tolerance_reason": "of nothing")")).find("tolerance_reason"),
+            std::string::npos);
+  EXPECT_EQ(message_of(case_text(R"(, "tile_ratio": 0.5, "tolerance_reason": "r")")), "no error");
+}
+
 TEST(Cases, MistakesAreNamedWithTheirPlace) {
   EXPECT_NE(message_of(case_text("", R"([{"name": "1", "file": "3.json"}])"))
                 .find("/scenes/0/file: there is no file"),

@@ -159,6 +159,29 @@ TEST(Judge, AMeanRatioIsAConditionWhereTheCaseAsksForIt) {
   EXPECT_EQ(judged(strict, noisy_grey(0.2575F, 0.01F), grey_32(0.25F)).verdict, Verdict::Fail);
 }
 
+TEST(Judge, SoftEdgesFailWhereTheCaseAsksForSharpOnes) {
+  auto stripes = grey_32(0.25F);
+  for (int y = 0; y < stripes.height; ++y)
+    for (int x = 0; x < stripes.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) stripes.at(x, y, c) = x % 8 < 4 ? 0.25F : 0.5F;
+  auto soft = stripes;
+  for (int y = 0; y < stripes.height; ++y)
+    for (int x = 1; x + 1 < stripes.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        soft.at(x, y, c) = (stripes.at(x - 1, y, c) + 2 * stripes.at(x, y, c) + stripes.at(x + 1, y, c)) / 4;
+  auto sharp = one_case();
+  sharp.gate.min = 20;
+  EXPECT_EQ(judged(sharp, soft, stripes).verdict, Verdict::Pass);
+  sharp.edge_blur = 0.9;
+  const auto record = judged(sharp, soft, stripes);
+  EXPECT_EQ(record.verdict, Verdict::Fail);
+  EXPECT_EQ(record.sentence,
+            "its edges are softer than the reference's by 1 (1 to 1), at most 0.9 is allowed");
+  EXPECT_EQ(record.measures.back().name, "edge_blur");
+  sharp.edge_blur = 1.1;
+  EXPECT_EQ(judged(sharp, soft, stripes).verdict, Verdict::Pass);
+}
+
 TEST(Judge, AGateMayAskForAMetricThatIsNotAlwaysComputed) {
   auto flip = one_case();
   flip.gate = {"flip", std::nullopt, 0.02};

@@ -1,0 +1,107 @@
+#include "runner/tolerances.h"
+
+#include "metrics/edge_blur.h"
+#include "metrics/local_bias.h"
+#include "runner/gate.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::runner {
+
+namespace {
+
+using results::PictureRecord;
+using results::Verdict;
+
+void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecord& record) {
+  const std::array<std::pair<const char*, const char*>, 3> channels{
+      {{"R", "mean_ratio_r"}, {"G", "mean_ratio_g"}, {"B", "mean_ratio_b"}}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& [channel, measure] = channels.at(c);
+    const auto result = check_mean_ratio(channel, tolerance, noise.mean_ratio.at(c));
+    record.checks.push_back(
+        {measure, result.verdict == Verdict::Pass, result.sentence, -tolerance, tolerance});
+    if (result.verdict != Verdict::Pass) take(record, result.verdict, result.sentence);
+  }
+}
+
+void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias, PictureRecord& record) {
+  if (!bias) return;
+  const auto where = rectangle_numbers(bias->where);
+  const bool passed = bias->value <= tolerance;
+  const auto sentence = fmt::format(
+      "the mean of the tile [{}] is off by {:.3g} % or more for sure, at most {:.3g} % is allowed",
+      fmt::join(where, ","), 100 * bias->value, 100 * tolerance);
+  record.measures.push_back(
+      {"local_bias",
+       bias->value,
+       "1",
+       "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five "
+       "standard errors of the tile's own pixels, over the reference's means of tile and "
+       "picture together; of R, G and B the worst; linear Rec.709, no clamp",
+       true,
+       false,
+       {},
+       {},
+       where});
+  record.checks.push_back({"local_bias", passed, sentence, {}, tolerance});
+  if (!passed) take(record, Verdict::Fail, sentence);
+}
+
+void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur, PictureRecord& record) {
+  constexpr double kStandardErrors = 3;
+  if (!blur) return;
+  const double reach = kStandardErrors * blur->standard_error;
+  const double low = blur->value - reach;
+  const double high = blur->value + reach;
+  const bool passed = low <= tolerance && high >= -tolerance;
+  const auto sentence = fmt::format(
+      "its edges are {} than the reference's by {:.3g} ({:.3g} to {:.3g}), at most {:.3g} is allowed",
+      blur->value > 0 ? "softer" : "sharper", blur->value, low, high, tolerance);
+  record.measures.push_back(
+      {"edge_blur",
+       blur->value,
+       "1",
+       "sum of (result - reference) in the direction of change over sum |change|, where change "
+       "is the reference filtered by [1 2 1] / 4 in x and y less the reference: 1 is as soft as "
+       "that filter, below 0 sharper; over pixels and channels where |change| is above 5 % of "
+       "filtered reference and its mean together, each divided by these, and above five standard "
+       "deviations; linear Rec.709, no clamp. The interval is three standard errors",
+       true,
+       true,
+       low,
+       high,
+       {}});
+  record.checks.push_back({"edge_blur", passed, sentence, -tolerance, tolerance});
+  if (!passed) take(record, Verdict::Fail, sentence);
+}
+
+}  // namespace
+
+void take(results::PictureRecord& record, results::Verdict verdict, const std::string& sentence) {
+  if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
+    record.verdict = verdict;
+    record.sentence = sentence;
+  }
+}
+
+std::vector<double> rectangle_numbers(const std::optional<metrics::Rectangle>& where) {
+  if (!where) return {};
+  return {static_cast<double>(where->x0), static_cast<double>(where->y0), static_cast<double>(where->x1),
+          static_cast<double>(where->y1)};
+}
+
+void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, PictureRecord& record) {
+  const auto& [result, reference, mask, noise] = pair;
+  if (one_case.mean_ratio) check_means(*one_case.mean_ratio, noise, record);
+  if (one_case.tile_ratio)
+    check_tiles(*one_case.tile_ratio, metrics::local_bias(result, reference, mask), record);
+  if (one_case.edge_blur)
+    check_edges(*one_case.edge_blur, metrics::edge_blur(result, reference, mask), record);
+}
+
+}  // namespace orbs::runner

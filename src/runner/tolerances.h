@@ -1,0 +1,35 @@
+#pragma once
+
+#include "image/image.h"
+#include "metrics/mask.h"
+#include "metrics/noise_test.h"
+#include "registry/cases.h"
+#include "results/record.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a picture must keep beside the gate of ORB.S: the mean of each channel, that of each tile, and how
+/// sharp its edges are.
+namespace orbs::runner {
+
+/// Comparable pictures and what is known about their noise.
+struct JudgedPair {
+  const image::Image& result;
+  const image::Image& reference;
+  const metrics::Mask& mask;
+  const metrics::NoiseTest& noise;
+};
+
+/// Adds a check for each tolerance of the case, the measures that these rest on, and takes over the verdict
+/// of one that is not kept.
+void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, results::PictureRecord& record);
+
+/// A worse verdict takes over, with its sentence.
+void take(results::PictureRecord& record, results::Verdict verdict, const std::string& sentence);
+
+/// x0, y0, x1, y1; empty for nothing.
+std::vector<double> rectangle_numbers(const std::optional<metrics::Rectangle>& where);
+
+}  // namespace orbs::runner

@@ -1,0 +1,132 @@
+// Stripes whose edges are filtered, halved in resolution, or only noisy.
+#include "metrics/edge_blur.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+constexpr int kSide_px = 66;
+
+image::Image stripes() {
+  auto picture = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = (x / 5) % 2 == 0 ? 0.2F : 0.6F;
+  return picture;
+}
+
+// [1 2 1] / 4 in x; y has no edges.
+image::Image filtered(const image::Image& picture) {
+  auto out = picture;
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 1; x + 1 < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y, c) = (picture.at(x - 1, y, c) + 2 * picture.at(x, y, c) + picture.at(x + 1, y, c)) / 4;
+  return out;
+}
+
+// Means of 2 px in x.
+image::Image halved(const image::Image& picture) {
+  auto out = picture;
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y, c) = (picture.at(x - x % 2, y, c) + picture.at(x - x % 2 + 1, y, c)) / 2;
+  return out;
+}
+
+image::Image noisy(const image::Image& picture, float deviation, std::mt19937& random) {
+  std::normal_distribution<float> noise(0, deviation);
+  auto out = picture;
+  for (auto& value : out.pixels) value += noise(random);
+  return out;
+}
+
+// Noise of 4 %, and in every tenth pixel as large as the picture; the picture knows both.
+image::Image noisy_reference(std::mt19937& random) {
+  const auto right = stripes();
+  auto out = image::make_image(kSide_px, kSide_px, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float deviation = (x + 3 * y) % 10 == 0 ? 0.4F : 0.016F;
+        out.at(x, y, c) = right.at(x, y, c) + std::normal_distribution<float>(0, deviation)(random);
+        out.at(x, y, c + 3) = deviation * deviation;
+      }
+  return out;
+}
+
+}  // namespace
+
+TEST(EdgeBlur, OfTheFilterItselfIsOne) {
+  const auto blur = metrics::edge_blur(filtered(stripes()), stripes());
+  ASSERT_TRUE(blur);
+  EXPECT_NEAR(blur->value, 1, 1e-5);
+  EXPECT_NEAR(blur->standard_error, 0, 1e-5);
+  EXPECT_EQ(metrics::edge_blur(stripes(), stripes())->value, 0);
+}
+
+// An edge at an odd column becomes a pair of means, each half a step off where the filter changes a quarter:
+// 2. Every second edge of these stripes lies so.
+TEST(EdgeBlur, OfHalfTheResolutionIsOneOnAverage) {
+  EXPECT_NEAR(metrics::edge_blur(halved(stripes()), stripes())->value, 1, 0.1);
+}
+
+// Twice the picture less its filtered self: what the filter takes from an edge is added to it.
+TEST(EdgeBlur, OfAPictureThatIsSharperIsBelowZero) {
+  auto sharp = stripes();
+  const auto soft = filtered(sharp);
+  for (std::size_t i = 0; i < sharp.pixels.size(); ++i)
+    sharp.pixels[i] = 2 * sharp.pixels[i] - soft.pixels[i];
+  EXPECT_NEAR(metrics::edge_blur(sharp, stripes())->value, -1, 1e-5);
+}
+
+TEST(EdgeBlur, NoiseOfTheResultDoesNotMoveIt) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) {
+    const auto blur = metrics::edge_blur(noisy(stripes(), 0.1F, random), stripes());
+    ASSERT_TRUE(blur);
+    EXPECT_GT(blur->standard_error, 0.01);
+    EXPECT_NEAR(blur->value, 0, 4 * blur->standard_error);
+  }
+}
+
+// It is in the error and in what the filter makes of the reference.
+TEST(EdgeBlur, NoiseOfTheReferenceIsNoBlurOfTheResult) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 20; ++i) {
+    const auto blur = metrics::edge_blur(noisy(stripes(), 0.1F, random), noisy_reference(random));
+    ASSERT_TRUE(blur);
+    EXPECT_NEAR(blur->value, 0, 4 * blur->standard_error);
+  }
+}
+
+TEST(EdgeBlur, TheChannelsOfAPixelAreNotThreePixels) {
+  std::mt19937 random(3);
+  auto grey = noisy(stripes(), 0.1F, random);
+  const double independent = metrics::edge_blur(grey, stripes())->standard_error;
+  for (std::size_t i = 0; i < grey.pixels.size(); i += 3)
+    grey.pixels[i + 1] = grey.pixels[i + 2] = grey.pixels[i];
+  EXPECT_NEAR(metrics::edge_blur(grey, stripes())->standard_error / independent, std::sqrt(3.0), 0.1);
+}
+
+TEST(EdgeBlur, MaskedEdgesDoNotCount) {
+  auto result = stripes();
+  const auto blurred = filtered(result);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < kSide_px; ++x)
+      for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) = blurred.at(x, y, c);
+  EXPECT_GT(metrics::edge_blur(result, stripes())->value, 0.3);
+  EXPECT_EQ(metrics::edge_blur(result, stripes(), {{{0, 0, kSide_px, 30}}, {}})->value, 0);
+}
+
+TEST(EdgeBlur, OfAPictureWithoutEdgesThereIsNone) {
+  auto grey = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  grey.pixels.assign(grey.pixels.size(), 0.5F);
+  EXPECT_FALSE(metrics::edge_blur(grey, grey));
+}
