@@ -1,5 +1,7 @@
 #include "report/table.h"
 
+#include "report/probe_hint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -192,7 +194,7 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   text += renderer_lines(run);
   for (const auto& left : run.left_out)
     text += fmt::format("{} was left out: {}\n", left.renderer, left.reason);
-  for (const auto& lines : {verdict_lines(run, style), remark_lines(run)})
+  for (const auto& lines : {verdict_lines(run, style), remark_lines(run), probe_hints(run)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
   if (run.interrupted) text += "\nThe run was interrupted; what was finished stands above.\n";
   return text;

@@ -75,6 +75,25 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
   EXPECT_NE(text.find("The run was interrupted"), std::string::npos);
 }
 
+TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
+  auto run = small_run();
+  auto& bad = run.pictures[2];
+  bad.measures = {{"psnr_srgb8", 28.9, "dB", "", false}};
+  bad.checks = {{"psnr_srgb8", false, "", 35, {}}};
+  bad.reference_passport = {{"program", "orbs-tracer"}};
+  const std::string hint = "\nbb is far off in 101: 'orbs probe -r bb' tells whether";
+  EXPECT_NE(summary_text(run, {}).find(hint), std::string::npos);
+  const auto is_silent = [&] { return summary_text(run, {}).find("orbs probe") == std::string::npos; };
+  bad.measures[0].value = 29.1;
+  EXPECT_TRUE(is_silent());
+  bad.measures[0].value = 9.5;
+  run.renderers[1].version = "orbs-tracer 0.1.0";
+  EXPECT_TRUE(is_silent());
+  run.renderers[1].version = "";
+  bad.verdict = Verdict::Pass;
+  EXPECT_TRUE(is_silent());
+}
+
 TEST(Table, ARemarkIsToldOnceForAllCasesOfThePicture) {
   auto run = small_run();
   run.pictures.resize(2);
