@@ -2,6 +2,7 @@
 import { spawn, spawnSync, type ChildProcess } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
+import type { Socket } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
@@ -24,6 +25,20 @@ export class Scratch {
   }
 }
 
+// A test that fails ends before it can end its server: Node must not wait for that, but end it.
+const children: ChildProcess[] = [];
+process.on("exit", () => children.forEach((child) => child.kill("SIGKILL")));
+
+/** Starts a program of the build and waits for the first line that it writes. */
+async function startChild(program: string, args: string[], stdin: "pipe" | "ignore"): Promise<{ child: ChildProcess; line: string }> {
+  const child = spawn(join(build, program), args, { stdio: [stdin, "pipe", "inherit"] });
+  children.push(child);
+  const line = await firstLine(child);
+  child.unref();
+  for (const pipe of [child.stdin, child.stdout]) (pipe as Socket | null)?.unref();
+  return { child, line };
+}
+
 function firstLine(process: ChildProcess): Promise<string> {
   return new Promise((resolve, reject) => {
     let text = "";
@@ -41,16 +56,13 @@ export interface Served {
 }
 
 export async function serve(...runs: string[]): Promise<Served> {
-  const process = spawn(join(build, "orbs"), ["serve", ...runs], { stdio: ["ignore", "pipe", "inherit"] });
-  const line = await firstLine(process);
-  return { url: /http:\S+\//.exec(line)?.[0] ?? "", process };
+  const { child, line } = await startChild("orbs", ["serve", ...runs], "ignore");
+  return { url: /http:\S+\//.exec(line)?.[0] ?? "", process: child };
 }
 
 /** A run that goes on; a line on its stdin ends a render. */
 export async function playLive(folder: string): Promise<ChildProcess> {
-  const process = spawn(join(build, "orbs-page-fixture"), ["live", folder], { stdio: ["pipe", "pipe", "inherit"] });
-  await firstLine(process);
-  return process;
+  return (await startChild("orbs-page-fixture", ["live", folder], "pipe")).child;
 }
 
 export function report(run: string, output: string): void {
