@@ -1,5 +1,6 @@
 // orbs qualify, with a renderer that paints what the references hold.
 #include "cli/sandbox.h"
+#include "image/image_io.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,20 @@ TEST(QualifyCommand, NeedsAnHonestPicture) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("an honest picture is not accepted: not tried"), std::string::npos)
       << answer.text;
+}
+
+// Noise that both share cancels in the comparison: every gate would accept such a picture.
+TEST(QualifyCommand, TakesNoPictureWithTheSeedOfTheReference) {
+  const Sandbox sandbox;
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
+  for (const auto& file : {"references/grey.exr", "honest/good/grey/result.exr"}) {
+    auto picture = image::read_image(sandbox.folder() / file);
+    picture.attributes["orbs.seed"] = "7";
+    image::write_exr(picture, sandbox.folder() / file);
+  }
+  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey", "-s", "grey"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("its picture has the seed of the reference"), std::string::npos) << answer.text;
 }
 
 TEST(QualifyCommand, AChangedCaseIsNotShownWithOldNumbers) {

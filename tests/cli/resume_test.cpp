@@ -67,7 +67,7 @@ TEST(Resume, DoesWhatIsMissingAndWhatIsTornAndNothingElse) {
   EXPECT_NO_THROW(results::read_job_file(sandbox.folder() / "out/good/v1.5/job.json"));
 }
 
-TEST(Resume, RendersAgainWhatHasAnotherSceneVersionOrCommand) {
+TEST(Resume, RendersAgainWhatHasAnotherSceneOrCommand) {
   const Sandbox sandbox;
   first_run(sandbox, "good,dark");
   const auto kept = rendered_at(sandbox, "dark/mirror");
@@ -80,6 +80,20 @@ TEST(Resume, RendersAgainWhatHasAnotherSceneVersionOrCommand) {
   EXPECT_FALSE(contains(answer.text, "dark mirror:")) << answer.text;
   EXPECT_EQ(rendered_at(sandbox, "dark/mirror"), kept);
   EXPECT_TRUE(contains(sandbox.read("out/good/mirror/log.txt"), "something is odd"));
+}
+
+TEST(Resume, RendersAgainWhatAnotherVersionOrSeedHasMade) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  replace_in(sandbox, "out/good/mirror/job.json", "fake renderer 7.8", "fake renderer 7.7");
+  replace_in(sandbox, "cases/m1_grey/case.json", R"("file": "grey.json", "spp": 8}])",
+             R"("file": "grey.json", "spp": 16}])");
+  const auto answer = resume(sandbox);
+  EXPECT_TRUE(contains(
+      answer.text, "good mirror: it was rendered by 'fake renderer 7.7', now there is 'fake renderer 7.8'"))
+      << answer.text;
+  EXPECT_TRUE(contains(answer.text, "good v1.5: its samples or its seed have changed")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "good grey:")) << answer.text;
 }
 
 TEST(Resume, RendersAgainUnderNewLimitsOnlyWhatHasNoPicture) {
