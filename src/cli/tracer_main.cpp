@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
+#include "scene/effects.h"
 #include "scene/load_scene.h"
 #include "tracer/choose_light_paths.h"
 #include "tracer/render.h"
@@ -8,7 +9,9 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,7 +35,15 @@ struct Options {
   bool as_json = false;
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
+  std::optional<orbs::scene::LightTransport> transport;  // nothing: what the scene calls for
 };
+
+std::vector<std::string> transport_choices() {
+  std::vector<std::string> choices{"auto"};
+  for (const auto transport : orbs::scene::kTransports)
+    choices.emplace_back(orbs::scene::transport_name(transport));
+  return choices;
+}
 
 Options parse_options(int argc, char** argv) {
   Options options;
@@ -59,12 +70,19 @@ Options parse_options(int argc, char** argv) {
                  "or never; the picture is the same but for its noise")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
+  std::string transport = "auto";
+  app.add_option("--transport", transport,
+                 "what light paths carry: auto (no more than the scene calls for), or one that has more: the "
+                 "picture is the same but for its noise")
+      ->check(CLI::IsMember(transport_choices()))
+      ->capture_default_str();
   app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     std::exit(app.exit(e) == 0 ? 0 : 2);
   }
+  options.transport = orbs::scene::transport_named(transport);
   return options;
 }
 
@@ -103,7 +121,7 @@ class ProgressLine {
 void stamp(orbs::tracer::Rendering& rendering,
            const Options& options,
            const orbs::scene::Scene& scene,
-           bool has_light_paths) {
+           const orbs::tracer::World& world) {
   auto& header = rendering.picture.attributes;
   header["orbs.program"] = "orbs-tracer";
   header["orbs.version"] = ORBS_VERSION;
@@ -112,7 +130,12 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.spp"] = std::to_string(rendering.samples_per_pixel);
   header["orbs.seed"] = std::to_string(options.render.seed);
   header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
-  header["orbs.light_paths"] = has_light_paths ? "yes" : "no";
+  header["orbs.light_paths"] = world.light_path_targets.empty() ? "no" : "yes";
+  header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
+  if (world.wants_stokes)
+    header["orbs.stokes"] =
+        "S0 to S3 in the frame of the picture, for who looks at the oncoming light: S1 > 0 horizontal, S2 > 0 "
+        "at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 
@@ -136,7 +159,8 @@ int run(const Options& options) {
   for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  auto world = tracer::make_world(scene, {.light_paths = options.light_paths != "never"});
+  auto world = tracer::make_world(
+      scene, {.transport = options.transport, .light_paths = options.light_paths != "never"});
   if (options.light_paths == "auto") tracer::choose_light_paths(world);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
@@ -145,7 +169,7 @@ int run(const Options& options) {
   settings.split_paths = settings.split_paths || scene.outputs.path_classes;
   auto rendering = tracer::render(world, settings, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
-  stamp(rendering, options, scene, !world.light_path_targets.empty());
+  stamp(rendering, options, scene, world);
   image::write_exr(rendering.picture, options.output);
   print_summary(rendering, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;

@@ -120,7 +120,7 @@ struct EffectRecord {
 /// What a scene calls for, and what its light paths must carry for that.
 struct SceneRecord {
   std::string name;
-  std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised bispectral"
+  std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"
   std::vector<EffectRecord> called_for;
   std::vector<EffectRecord> not_called_for;
 };

@@ -137,9 +137,15 @@ std::string_view transport_name(LightTransport transport) {
     case LightTransport::Bispectral:
       return "bispectral";
     case LightTransport::PolarisedBispectral:
-      return "polarised bispectral";
+      return "polarised-bispectral";
   }
   return "";
+}
+
+std::optional<LightTransport> transport_named(std::string_view name) {
+  for (const auto transport : kTransports)
+    if (transport_name(transport) == name) return transport;
+  return std::nullopt;
 }
 
 LightTransport transport_for(Effect effect) {
@@ -163,6 +169,19 @@ LightTransport transport_for(Effect effect) {
       return LightTransport::Colour;
   }
   return LightTransport::Colour;
+}
+
+bool covers(LightTransport richer, LightTransport needed) {
+  if (richer == LightTransport::Bispectral && needed == LightTransport::Polarised) return false;
+  return richer >= needed;
+}
+
+std::string reason_for(const SceneEffects& found) {
+  // The last one in the order of effects is what makes the transport as rich as it is.
+  for (auto finding = found.called_for.rbegin(); finding != found.called_for.rend(); ++finding)
+    if (transport_for(finding->effect) != LightTransport::Colour)
+      return fmt::format(" because {} {}", finding->thing, finding->reason);
+  return "";
 }
 
 LightTransport transport(const SceneEffects& found) {

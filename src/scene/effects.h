@@ -2,6 +2,8 @@
 
 #include "scene/scene.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,14 +55,28 @@ bool calls_for(const SceneEffects& found, Effect effect);
 /// 1000 pixels.
 constexpr double kLeastDispersion = 1e-6;
 
+/// Whether the interface refracts light of different wavelengths differently by more than that.
+bool is_dispersive(const Dielectric& glass);
+
 /// What a light path must carry.
 enum class LightTransport { Colour, Spectral, Polarised, Bispectral, PolarisedBispectral };
 
+inline constexpr std::array kTransports{LightTransport::Colour, LightTransport::Spectral, LightTransport::Polarised,
+                                 LightTransport::Bispectral, LightTransport::PolarisedBispectral};
+
 /// The word for it; "rgb" for Colour.
 std::string_view transport_name(LightTransport transport);
+/// Nothing for other words.
+std::optional<LightTransport> transport_named(std::string_view name);
 
 /// The cheapest one that has all effects. All but Colour carry wavelengths.
 LightTransport transport(const SceneEffects& found);
+
+/// True when `richer` has all that `needed` has.
+bool covers(LightTransport richer, LightTransport needed);
+
+/// " because material 'prism' has an index that varies by 0.0425": what the transport is for; "" for Colour.
+std::string reason_for(const SceneEffects& found);
 
 /// The transport that an effect alone calls for.
 LightTransport transport_for(Effect effect);

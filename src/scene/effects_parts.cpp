@@ -148,7 +148,7 @@ struct Coloured {
 
   bool operator()(const Conductor& m) const { return is_measured(m) || m.film; }
   bool operator()(const Dielectric& m) const {
-    return ratio_of(m.index, m.outside).span() > kLeastDispersion || m.film;
+    return is_dispersive(m) || m.film;
   }
   bool operator()(const Polariser&) const { return false; }
   bool operator()(const Retarder&) const { return false; }
@@ -184,6 +184,10 @@ bool is_dark(const Spectrum& light) {
 }
 
 }  // namespace
+
+bool is_dispersive(const Dielectric& glass) {
+  return ratio_of(glass.index, glass.outside).span() > kLeastDispersion;
+}
 
 std::vector<EffectVerdict> verdicts_on(const Scene& scene, const MaterialModel& model) {
   std::vector<EffectVerdict> out;

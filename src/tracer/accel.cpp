@@ -40,7 +40,7 @@ std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far)
   return std::nullopt;
 }
 
-struct LightSurface {
+struct CurvedSurface {
   Vec3d centre;
   std::array<Vec3d, 3> inverse_rows;
   bool is_sphere = false;
@@ -51,31 +51,31 @@ std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
   return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
 }
 
-std::optional<double> light_distance(
-    const LightSurface& light, Vec3f origin, Vec3f direction, float near, float far) {
+std::optional<double> distance_to(
+    const CurvedSurface& surface, Vec3f origin, Vec3f direction, float near, float far) {
   const auto local = [&](Vec3d v) {
-    return Vec3d{dot(light.inverse_rows[0], v), dot(light.inverse_rows[1], v), dot(light.inverse_rows[2], v)};
+    return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v), dot(surface.inverse_rows[2], v)};
   };
-  const Vec3d o = local(cast<double>(origin) - light.centre);
+  const Vec3d o = local(cast<double>(origin) - surface.centre);
   const Vec3d d = local(cast<double>(direction));
-  return light.is_sphere ? sphere_distance(o, d, near, far) : disk_distance(o, d, near, far);
+  return surface.is_sphere ? sphere_distance(o, d, near, far) : disk_distance(o, d, near, far);
 }
 
-std::optional<double> light_distance(const LightSurface& light,
+std::optional<double> distance_to(const CurvedSurface& surface,
                                      RTCRayN* rays,
                                      unsigned int n,
                                      unsigned int i) {
-  return light_distance(light,
+  return distance_to(surface,
                         {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
                         {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
                         RTCRayN_tnear(rays, n, i), RTCRayN_tfar(rays, n, i));
 }
 
-void light_bounds(const RTCBoundsFunctionArguments* args) {
-  const auto& light = *static_cast<const LightSurface*>(args->geometryUserPtr);
+void curved_bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
   // The map's columns are what the inverse rows are dual to. The image of the unit ball reaches as far along
   // a world axis as the length of the map's row for that axis. One float step more for rounding.
-  const auto columns = inverse_rows(light.inverse_rows[0], light.inverse_rows[1], light.inverse_rows[2]);
+  const auto columns = inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
   const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
                      std::hypot(columns[0].y, columns[1].y, columns[2].y),
                      std::hypot(columns[0].z, columns[1].z, columns[2].z)};
@@ -86,21 +86,21 @@ void light_bounds(const RTCBoundsFunctionArguments* args) {
     return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
   };
   RTCBounds& out = *args->bounds_o;
-  out.lower_x = low(light.centre.x - extent.x);
-  out.lower_y = low(light.centre.y - extent.y);
-  out.lower_z = low(light.centre.z - extent.z);
-  out.upper_x = high(light.centre.x + extent.x);
-  out.upper_y = high(light.centre.y + extent.y);
-  out.upper_z = high(light.centre.z + extent.z);
+  out.lower_x = low(surface.centre.x - extent.x);
+  out.lower_y = low(surface.centre.y - extent.y);
+  out.lower_z = low(surface.centre.z - extent.z);
+  out.upper_x = high(surface.centre.x + extent.x);
+  out.upper_y = high(surface.centre.y + extent.y);
+  out.upper_z = high(surface.centre.z + extent.z);
 }
 
-void light_intersect(const RTCIntersectFunctionNArguments* args) {
-  const auto& light = *static_cast<const LightSurface*>(args->geometryUserPtr);
+void curved_intersect(const RTCIntersectFunctionNArguments* args) {
+  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
   for (unsigned int i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
-    const auto t = light_distance(light, rays, args->N, i);
+    const auto t = distance_to(surface, rays, args->N, i);
     if (!t) continue;
     RTCRayN_tfar(rays, args->N, i) = static_cast<float>(*t);
     RTCHitN_geomID(hits, args->N, i) = args->geomID;
@@ -111,14 +111,14 @@ void light_intersect(const RTCIntersectFunctionNArguments* args) {
   }
 }
 
-void light_occluded(const RTCOccludedFunctionNArguments* args) {
-  const auto& light = *static_cast<const LightSurface*>(args->geometryUserPtr);
+void curved_occluded(const RTCOccludedFunctionNArguments* args) {
+  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
   for (unsigned int i = 0; i < args->N; ++i)
-    if (args->valid[i] != 0 && light_distance(light, args->ray, args->N, i))
+    if (args->valid[i] != 0 && distance_to(surface, args->ray, args->N, i))
       RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
 }
 
-LightSurface surface_of(const DiskEmitter& disk) {
+CurvedSurface surface_of(const DiskEmitter& disk) {
   const Vec3d a = cast<double>(disk.a);
   const Vec3d b = cast<double>(disk.b);
   // The middle axis only completes the basis; the disk has no extent along it.
@@ -126,11 +126,16 @@ LightSurface surface_of(const DiskEmitter& disk) {
           inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
 }
 
-LightSurface surface_of(const SphereEmitter& sphere) {
+CurvedSurface surface_of(const SphereEmitter& sphere) {
   return {
       cast<double>(sphere.centre),
       inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])),
       true};
+}
+
+CurvedSurface surface_of(const SphereSurface& sphere) {
+  const double r = sphere.radius;
+  return {cast<double>(sphere.centre), inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
 }
 
 void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
@@ -141,7 +146,7 @@ struct Accel::State {
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<RTCScene> mesh_scenes;
-  std::vector<LightSurface> lights;
+  std::vector<CurvedSurface> curved;
   std::vector<std::array<Vec3f, 4>> rect_corners;
 
   State() : device(rtcNewDevice(nullptr)) {
@@ -199,15 +204,15 @@ struct Accel::State {
     attach(top, geometry, id);
   }
 
-  void add_curved(const LightSurface& surface, unsigned int id) {
-    lights.push_back(surface);  // capacity was reserved: the pointer stays valid
+  void add_curved(const CurvedSurface& surface, unsigned int id) {
+    curved.push_back(surface);  // capacity was reserved: the pointer stays valid
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, 1);
-    rtcSetGeometryUserData(geometry, &lights.back());
+    rtcSetGeometryUserData(geometry, &curved.back());
     rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* args) { light_bounds(args); }, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, light_intersect);
-    rtcSetGeometryOccludedFunction(geometry, light_occluded);
+        geometry, [](const RTCBoundsFunctionArguments* args) { curved_bounds(args); }, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, curved_intersect);
+    rtcSetGeometryOccludedFunction(geometry, curved_occluded);
     attach(top, geometry, id);
   }
 
@@ -229,11 +234,13 @@ struct Accel::State {
 };
 
 Accel::Accel(const World& world) : state_(std::make_unique<State>()) {
-  state_->lights.reserve(world.parts.size());
+  state_->curved.reserve(world.parts.size());
   for (unsigned int id = 0; id < world.parts.size(); ++id) {
     const Part& part = world.parts[id];
     if (part.kind == PartKind::WorldMesh) state_->add_mesh(state_->top, world.meshes[part.mesh], id);
     if (part.kind == PartKind::InstancedMesh) state_->add_instance(part, world.meshes[part.mesh], id);
+    if (part.kind == PartKind::Sphere)
+      state_->add_curved(surface_of(world.spheres[part.sphere]), id);
     if (part.kind != PartKind::Light) continue;
     const auto& shape = world.lights[part.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape)) state_->add_rect(*rect, id);

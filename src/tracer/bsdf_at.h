@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tracer/sampler.h"
+#include "tracer/scatter/bsdf.h"
 #include "tracer/surface.h"
 #include "tracer/transport.h"
 
@@ -7,22 +9,33 @@
 
 namespace orbs::tracer {
 
-/// The scattering function of a material at a point, seen from outside (where the vertex normal points) or
-/// inside. Built where it is needed: as a return value it would be copied in pieces that the processor cannot
-/// forward, 25 ns each.
+/// A path at a surface, which may change its wavelengths.
 template <Transport T>
-void place_bsdf(Bsdf<typename T::Value>& out,
-                const World& world,
-                const SurfaceMaterial& material,
-                const Hit& hit,
-                bool is_outside,
-                const typename T::Lambda& lambda) {
+struct Visit {
+  typename T::Lambda& lambda;
+  typename T::Weight& weight;
+  SampleBlock block;  // its random numbers
+  std::uint32_t index = 0;
+  std::uint32_t bounce = 0;
+};
+
+inline bool is_of_orbs(Model model) { return model < Model::Conductor; }
+
+/// The models of ORB.S, seen from outside (where the vertex normal points) or inside. Built where it is
+/// needed: as a return value it would be copied in pieces that the processor cannot forward, 25 ns each.
+template <Transport T>
+void place_orbs_bsdf(typename T::Bsdf& out,
+                     const World& world,
+                     const MetSurface& met,
+                     bool is_outside,
+                     const typename T::Lambda& lambda) {
   using Value = typename T::Value;
-  Vec3f rgb = material.colour;
+  const SurfaceMaterial& material = met.material;
+  Colour surface = material.colour;
   if (material.texture >= 0)
-    rgb *= lookup(world.textures[static_cast<std::size_t>(material.texture)],
-                  apply(material.uv, texture_coordinates(world, hit)));
-  const Value colour = T::from_rgb(rgb, lambda);
+    surface.rgb *= lookup(world.textures[static_cast<std::size_t>(material.texture)],
+                          apply(material.uv, texture_coordinates(world, met)));
+  const Value colour = T::reflectance(world, surface, lambda);
   const float eta = is_outside ? material.ior : 1 / material.ior;
   switch (material.model) {
     case Model::Lambert:
@@ -43,21 +56,33 @@ void place_bsdf(Bsdf<typename T::Value>& out,
     case Model::RoughGlass:
       out = RoughGlassBsdf<Value>{colour, eta, material.alpha};
       return;
-    case Model::Emission:
+    default:
       break;
   }
   assert(false && "emissive surfaces end the path before they scatter");
 }
 
+/// The models beyond ORB.S (place_interface.h).
 template <Transport T>
-Bsdf<typename T::Value> bsdf_at(const World& world,
-                                const SurfaceMaterial& material,
-                                const Hit& hit,
-                                bool is_outside,
-                                const typename T::Lambda& lambda) {
-  Bsdf<typename T::Value> out;
-  place_bsdf<T>(out, world, material, hit, is_outside, lambda);
-  return out;
+void place_interface_bsdf(typename T::Bsdf& out,
+                          const World& world,
+                          const SurfaceMaterial& material,
+                          bool is_outside,
+                          const Visit<T>& visit);
+
+/// The scattering function of a material at a point. Dispersion and fluorescence change the path first.
+template <Transport T>
+void place_bsdf(typename T::Bsdf& out,
+                const World& world,
+                const MetSurface& met,
+                bool is_outside,
+                const Visit<T>& visit) {
+  if constexpr (requires { T::kWavelengths; })
+    if (!is_of_orbs(met.material.model)) {
+      place_interface_bsdf<T>(out, world, met.material, is_outside, visit);
+      return;
+    }
+  place_orbs_bsdf<T>(out, world, met, is_outside, visit.lambda);
 }
 
 }  // namespace orbs::tracer

@@ -6,7 +6,7 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
   const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
   const float chance = world.emitters.chance(chosen);
   std::optional<EmitterPoint> point;
-  Vec3f radiance;
+  Radiance radiance;
   if (chosen < world.emitters.light_count()) {
     const AreaLight& light = world.lights[chosen];
     point = sample_towards(light.shape, from, u, v);
@@ -18,7 +18,7 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
     if (point)
       radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
   }
-  if (!point || radiance == Vec3f{} || !(point->pdf > 0)) return std::nullopt;
+  if (!point || is_dark(radiance) || !(point->pdf > 0)) return std::nullopt;
   // The shadow ray ends short of the light's own surface by the bound of both points' rounding.
   return DirectLight{radiance, point->position + point->normal * (2 * point->position_error),
                      point->pdf * chance};
@@ -28,21 +28,19 @@ MetEmission met_light(
     const World& world, const Part& part, const Ray& ray, const Hit& hit, Vec3f asked_from) {
   const AreaLight& light = world.lights[part.light];
   const Vec3f position = ray.origin + ray.direction * hit.distance;
-  const Vec3f radiance = radiance_towards(light, position, ray.origin);
-  if (radiance == Vec3f{}) return {};
+  const Radiance radiance = radiance_towards(light, position, ray.origin);
+  if (is_dark(radiance)) return {};
   return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, asked_from, position)};
 }
 
-MetEmission met_emissive_surface(const World& world,
-                                 const SurfacePoint& point,
-                                 const SurfaceMaterial& material,
-                                 const Ray& ray,
-                                 const Hit& hit,
-                                 Vec3f asked_from) {
+MetEmission met_emissive_surface(const World& world, const MetSurface& met, const Ray& ray, Vec3f asked_from) {
+  const auto& [point, material, hit] = met;
   const Vec3f d = point.position - asked_from;
   const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
-  return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, hit))),
-          cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};
+  // Only triangles are asked for light.
+  const bool is_emitter = cosine > 0 && world.parts[hit.part].kind != PartKind::Sphere;
+  return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, met))),
+          is_emitter ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};
 }
 
 }  // namespace orbs::tracer

@@ -11,21 +11,16 @@ namespace orbs::tracer {
 /// light sampling at `asked_from` would have picked that direction: at the ray's origin, or at its image
 /// behind a flat mirror.
 struct MetEmission {
-  Vec3f radiance;
+  Radiance radiance;
   float light_pdf = 0;
 };
 
 MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit, Vec3f asked_from);
-MetEmission met_emissive_surface(const World& world,
-                                 const SurfacePoint& point,
-                                 const SurfaceMaterial& material,
-                                 const Ray& ray,
-                                 const Hit& hit,
-                                 Vec3f asked_from);
+MetEmission met_emissive_surface(const World& world, const MetSurface& met, const Ray& ray, Vec3f asked_from);
 
 /// A light sample as the shading point sees it.
 struct DirectLight {
-  Vec3f radiance;
+  Radiance radiance;
   Vec3f target;   // end of the shadow ray, off the light's surface
   float pdf = 0;  // per solid angle, choice of the light included
 };

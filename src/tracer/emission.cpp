@@ -75,7 +75,7 @@ EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::a
   return out;
 }
 
-Vec3f emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {
+Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {
   if (emitted.emitter < world.emitters.light_count())
     return radiance_towards(world.lights[emitted.emitter], emitted.position, target);
   const TriangleEmitter& triangle = world.emitters.triangle(emitted.emitter);

@@ -23,6 +23,6 @@ struct EmittedRay {
 EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice);
 
 /// Radiance that the emitter sends along the ray that meets something at `target`.
-Vec3f emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target);
+Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target);
 
 }  // namespace orbs::tracer

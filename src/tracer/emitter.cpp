@@ -145,7 +145,7 @@ float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position) {
   return std::visit([&](const auto& s) { return pdf_shape(s, from, position); }, shape);
 }
 
-Vec3f radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
+Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
   const Vec3f to_viewer = to - position;
   if (!std::visit([&](const auto& s) { return shows_bright_side(s, position, to_viewer); }, light.shape))
     return {};
@@ -153,8 +153,10 @@ Vec3f radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
   const Vec3f d = light.ies->point_area ? to - light.centre : to_viewer;
   const Vec3f local{dot(d, light.ies_axes[0]), dot(d, light.ies_axes[1]), dot(d, light.ies_axes[2])};
   const auto& profile = *light.ies->profile;
-  return light.radiance *
-         static_cast<float>(scene::candela_towards(profile, cast<double>(local)) / profile.max_candela);
+  const auto share =
+      static_cast<float>(scene::candela_towards(profile, cast<double>(local)) / profile.max_candela);
+  if (share == 0) return {};
+  return {light.radiance.rgb * share, light.radiance.spectrum, share};
 }
 
 void EmitterTable::build(const std::vector<float>& powers,

@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 #include "scene/scene.h"
+#include "tracer/colour.h"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +62,8 @@ using EmitterShape = std::variant<RectEmitter, DiskEmitter, SphereEmitter>;
 
 struct AreaLight {
   EmitterShape shape;
-  Vec3f radiance;
+  Radiance radiance;
+  Vec3f reflectance;  // of the bright side, by Lambert's law
   std::optional<scene::IesUse> ies;
   std::array<Vec3f, 3> ies_axes;  // unit world directions of the profile's local x, y, z
   Vec3f centre;
@@ -92,7 +94,7 @@ std::optional<EmitterPoint> sample_towards(const TriangleEmitter& triangle,
 float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position);
 
 /// Radiance that leaves the light at `position` towards `to`: zero on the dark side; IES profile applied.
-Vec3f radiance_towards(const AreaLight& light, Vec3f position, Vec3f to);
+Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to);
 
 /// One table over all emitters: area lights first, then emissive triangles; chosen in proportion to power.
 class EmitterTable {

@@ -4,6 +4,7 @@
 #include "tracer/mirrored_light.h"
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,10 +20,14 @@ struct Splat {
   Vec3f value;
 };
 
-template <Transport T>
+/// Light paths carry plain factors: matrices would have to be multiplied from the other side.
+template <typename T>
+concept LightTransport = Transport<T> && std::same_as<typename T::Weight, typename T::Value>;
+
+template <LightTransport T>
 struct LightPath {
-  typename T::Weight weight = T::one();  // of all scatterings, nearest to the eye first
-  typename T::Light emitted{};           // what left the light, over the density of the path's start
+  typename T::Value weight{};   // of all scatterings
+  typename T::Value emitted{};  // what left the light, over the density of the path's start
   [[no_unique_address]] typename T::Lambda lambda{};
   EmittedRay start;
   Ray ray;
@@ -33,16 +38,16 @@ struct LightPath {
 };
 
 /// Light on its way to the eye by a flat mirror.
-template <Transport T>
+template <LightTransport T>
 struct MirroredEyeQuery {
-  typename T::Weight weight = T::one();  // from the light up to the mirror
+  typename T::Value weight{};  // from the light up to the mirror
   std::uint32_t path = 0;
   std::uint32_t pixel = 0;
   int plane = 0;
   int path_class = 0;
 };
 
-template <Transport T>
+template <LightTransport T>
 struct LightWave {
   std::vector<LightPath<T>> paths;
   std::vector<std::uint32_t> active;
@@ -75,23 +80,17 @@ inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
   return std::abs(dot(point.geometric_normal, direction));
 }
 
-/// What a light path's ray has met.
-struct MetSurface {
-  const SurfacePoint& point;
-  const SurfaceMaterial& material;
-  const Hit& hit;
-};
-
 /// A light path's scattering towards the eye.
-template <Transport T>
+template <LightTransport T>
 struct TowardsEye {
-  typename T::Weight weight = T::one();  // of the path with this scattering
+  typename T::Value weight{};  // of the path with this scattering
+  [[no_unique_address]] typename T::Lambda lambda{};
   PathClass events;
   Vec3f origin;  // of the ray to the eye
 };
 
 /// At a surface that the path has met, in the direction `to_eye`; `importance` as in EyeView.
-template <Transport T>
+template <LightTransport T>
 std::optional<TowardsEye<T>> scattered_to_eye(
     const World& world, const LightPath<T>& path, const MetSurface& met, Vec3f to_eye, float importance) {
   const SurfacePoint& point = met.point;
@@ -102,19 +101,22 @@ std::optional<TowardsEye<T>> scattered_to_eye(
   const Vec3f wo = frame.to_local(to_eye);
   const Vec3f wi = frame.to_local(to_light);
   if (!(wo.z > 0)) return std::nullopt;
-  const auto bsdf = bsdf_at<T>(world, met.material, met.hit, side > 0, path.lambda);
+  TowardsEye<T> out;
+  out.lambda = path.lambda;
+  out.weight = path.weight;
+  typename T::Bsdf bsdf;
+  place_bsdf<T>(bsdf, world, met, side > 0, {out.lambda, out.weight, {}});
   const auto value = evaluate(bsdf, wo, wi);
   if (!(value.pdf > 0)) return std::nullopt;
-  TowardsEye<T> out;
   out.events = path.events;
   out.events.add_before(event_of(bsdf), wi.z < 0);
   const float factor = importance * surface_cosine(point, to_eye) / surface_cosine(point, to_light);
-  out.weight = T::chain(T::scaled(T::depolarising(value.f_cos), factor), path.weight);
+  out.weight = out.weight * (value.f_cos * factor);
   out.origin = offset_origin(point.position, point.position_error, point.geometric_normal, to_eye);
   return out;
 }
 
-template <Transport T>
+template <LightTransport T>
 void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& path, const MetSurface& met) {
   const EyeView view = view_of(world.camera, met.point.position);
   if (!(view.importance > 0)) return;
@@ -123,11 +125,11 @@ void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& pat
   if (!found) return;
   wave.eye_rays.push_back({found->origin, world.camera.position - found->origin, 1});
   wave.queries.push_back({view.pixel, found->events.index(),
-                          T::to_rgb(T::contribute(found->weight, path.emitted), path.lambda)});
+                          T::to_rgb(found->weight * path.emitted, path.lambda)});
 }
 
 /// By way of every flat mirror that has both the point and the camera before it.
-template <Transport T>
+template <LightTransport T>
 void ask_for_mirrored_eye(LightWave<T>& wave,
                           const World& world,
                           std::uint32_t index,
@@ -151,28 +153,28 @@ void ask_for_mirrored_eye(LightWave<T>& wave,
 }
 
 /// The queries whose ray meets the mirror go on from there to the eye.
-template <Transport T>
+template <LightTransport T>
 void reflect_eye_queries(LightWave<T>& wave, const World& world) {
   wave.mirror_hits.resize(wave.mirror_rays.size());
   timed_traversal(wave, [&] { world.accel->intersect(wave.mirror_rays, wave.mirror_hits); });
   for (std::size_t i = 0; i < wave.mirror_queries.size(); ++i) {
     const MirroredEyeQuery<T>& query = wave.mirror_queries[i];
     const LightPath<T>& path = wave.paths[query.path];
-    const auto at_mirror = reflection_at<T>(world, wave.mirror_hits[i], query.plane, path.lambda);
+    const auto at_mirror = reflection_at<T>(world, wave.mirror_rays[i], wave.mirror_hits[i], query.plane, path.lambda);
     if (!at_mirror) continue;
     const Vec3f to_eye = world.camera.position - at_mirror->point.position;
     const Vec3f origin = offset_origin(at_mirror->point.position, at_mirror->point.position_error,
                                        at_mirror->point.geometric_normal, to_eye);
-    const auto through = T::chain(at_mirror->weight, query.weight);
+    const auto through = at_mirror->reflectance * query.weight;
     wave.eye_rays.push_back({origin, world.camera.position - origin, 1});
     wave.queries.push_back(
-        {query.pixel, query.path_class, T::to_rgb(T::contribute(through, path.emitted), path.lambda)});
+        {query.pixel, query.path_class, T::to_rgb(through * path.emitted, path.lambda)});
   }
   wave.mirror_rays.clear();
   wave.mirror_queries.clear();
 }
 
-template <Transport T>
+template <LightTransport T>
 void settle_eye_queries(LightWave<T>& wave, const World& world) {
   wave.blocked.resize(wave.eye_rays.size());
   timed_traversal(wave, [&] { world.accel->occluded(wave.eye_rays, wave.blocked); });

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include <fmt/format.h>
+
 namespace orbs::tracer {
 
 void add_sample(PixelSums& pixel, Vec3d radiance) {
@@ -48,7 +50,7 @@ void merge(BadSamples& all, const BadSamples& more) {
 }
 
 Film make_film(int width, int height) {
-  Film film{width, height, {}, {}};
+  Film film{width, height, {}, {}, {}};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
 }
@@ -66,25 +68,32 @@ void store(image::Image& picture, std::size_t pixel, std::size_t channel, Vec3d 
 
 image::Image develop(const Film& film) {
   std::vector<std::string> channels;
+  // Sums to divide by the number of samples, in the order of the channels behind R, G, B and their variance.
+  std::vector<const std::vector<Vec3d>*> layers;
   const auto add_layer = [&](const std::string& prefix) {
     for (const char* colour : {"R", "G", "B"}) channels.push_back(prefix + colour);
   };
   add_layer("");
   add_layer("variance.");
-  std::vector<std::size_t> classes;
   for (std::size_t c = 0; c < film.class_sums.size(); ++c) {
     if (film.class_sums[c].empty()) continue;
-    classes.push_back(c);
+    layers.push_back(&film.class_sums[c]);
     add_layer("path." + path_class_name(static_cast<int>(c)) + ".");
   }
+  for (std::size_t k = 0; k < film.stokes.size(); ++k) {
+    layers.push_back(&film.stokes[k]);
+    add_layer(fmt::format("S{}.", k + 1));
+  }
+  if (!film.stokes.empty()) add_layer("S0.");
   auto picture = image::make_image(film.width, film.height, channels);
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
     const PixelSums& pixel = film.pixels[i];
     const double count = pixel.finished_count + pixel.current_count;
     store(picture, i, 0, mean_of(pixel));
     store(picture, i, 3, variance_of_mean(pixel));
-    for (std::size_t k = 0; k < classes.size(); ++k)
-      store(picture, i, 6 + 3 * k, count > 0 ? film.class_sums[classes[k]][i] / count : Vec3d{});
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      store(picture, i, 6 + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
+    if (!film.stokes.empty()) store(picture, i, 6 + 3 * layers.size(), mean_of(pixel));
   }
   return picture;
 }

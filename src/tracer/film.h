@@ -44,11 +44,13 @@ struct Film {
   int height = 0;
   std::vector<PixelSums> pixels;
   std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty where a class never occurred
+  std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3, or nothing
 };
 
 Film make_film(int width, int height);
 
-/// R, G, B and variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which add up to R, G, B.
+/// R, G, B and variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which add up to R, G, B;
+/// with Stokes parameters S0.R to S3.B, S0 being R, G, B again.
 image::Image develop(const Film& film);
 
 }  // namespace orbs::tracer

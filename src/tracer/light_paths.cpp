@@ -1,34 +1,7 @@
 #include "tracer/light_paths.h"
 
-#include "base/parallel.h"
-#include "base/random.h"
-#include "tracer/trace_light_wave.h"
-
-#include <algorithm>
-
 namespace orbs::tracer {
 
-namespace {
-
-constexpr std::uint32_t kWave = 1024;          // as for camera paths
-constexpr std::uint64_t kLightSeed = 0x11947;  // keeps light paths off the camera paths' numbers
-constexpr std::size_t kSamplesPerLightPath = 4;
-constexpr int kChunksAtOnce = 256;  // their splats wait in memory: about a million paths'
-
-// One block of jointly stratified paths: the unit of work, so that the order of sums is fixed.
-struct Chunk {
-  std::vector<Splat> splats;
-  double traversal_seconds = 0;
-};
-
-Chunk trace_chunk(const World& world, SampleBlock block, std::uint32_t count) {
-  LightWave<RgbTransport> wave;
-  for (std::uint32_t first = 0; first < count; first += kWave)
-    trace_light_wave(wave, world, block, first, std::min(kWave, count - first));
-  return {std::move(wave.splats), wave.traversal_seconds};
-}
-
-// `share`: what turns the mean over the light paths into a sum over the camera samples.
 void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadSamples& bad) {
   for (const Splat& splat : splats) {
     if (!is_finite(splat.value)) {
@@ -40,35 +13,6 @@ void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadS
     if (!film.class_sums.empty())
       film.class_sums[static_cast<std::size_t>(splat.path_class)][splat.pixel] += radiance;
   }
-}
-
-}  // namespace
-
-LightPassResult add_light_paths(const World& world, const LightPass& pass, Film& film) {
-  LightPassResult result;
-  if (world.light_path_targets.empty()) return result;
-  const auto samples = film.pixels.size() * static_cast<std::size_t>(pass.samples_per_pixel);
-  const auto paths = (samples + kSamplesPerLightPath - 1) / kSamplesPerLightPath;
-  const auto chunks = static_cast<int>((paths + kBlock - 1) / kBlock);
-  const double share = static_cast<double>(pass.samples_per_pixel) / static_cast<double>(paths);
-  std::vector<Chunk> done(kChunksAtOnce);
-  for (int first = 0; first < chunks; first += kChunksAtOnce) {
-    const int count = std::min(kChunksAtOnce, chunks - first);
-    for_each_index(count, pass.threads, [&](int i) {
-      const auto chunk = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
-      const auto block =
-          sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk), pass.number);
-      const auto left = std::min<std::size_t>(kBlock, paths - chunk * kBlock);
-      done[static_cast<std::size_t>(i)] = trace_chunk(world, block, static_cast<std::uint32_t>(left));
-    });
-    for (int i = 0; i < count; ++i) {
-      const Chunk& chunk = done[static_cast<std::size_t>(i)];
-      add_splats(chunk.splats, share, film, result.bad_samples);
-      result.traversal_seconds += chunk.traversal_seconds;
-      result.arrived += chunk.splats.size();
-    }
-  }
-  return result;
 }
 
 PinholeCamera mirrored(const MirrorPlane& plane, const PinholeCamera& camera) {

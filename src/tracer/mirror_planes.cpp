@@ -51,7 +51,7 @@ int index_of(std::vector<MirrorPlane>& planes, const MirrorPlane& plane) {
 
 // Stops at the first plane too many.
 void find_in_part(World& world, Part& part) {
-  if (part.kind == PartKind::Light) return;
+  if (part.kind == PartKind::Light || part.kind == PartKind::Sphere) return;
   const TriangleMesh& mesh = world.meshes[part.mesh];
   for (std::size_t i = 0; i < mesh.faces.size() && world.mirror_planes.size() <= kMostPlanes; ++i) {
     const int material = part.material_of[static_cast<std::size_t>(mesh.faces[i].material)];

@@ -37,11 +37,15 @@ void ask_for_mirrored_light(Wave<T>& wave,
   events.add(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
   events.add(Event::Specular, false);
   const auto emitted =
-      T::unpolarised(T::from_rgb(light->radiance * (mis_weight(pdf, value.pdf) / pdf), path.lambda));
+      T::radiance(world, light->radiance, path.lambda) * (mis_weight(pdf, value.pdf) / pdf);
   wave.mirror_rays.push_back(
       {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});
-  wave.mirror_queries.push_back({T::chain(path.weight, T::depolarising(value.f_cos)), emitted, light->target,
-                                 chosen, vertices.path[lane], events.index()});
+  const auto through = T::chain(path.weight, value.f_cos, [&] {
+    return Scattering<typename T::Bsdf>{vertices.bsdf[lane], frame, lane_of(vertices.to_viewer, lane), wo,
+                                        frame.to_local(direction)};
+  });
+  wave.mirror_queries.push_back(
+      {through, emitted, light->target, chosen, vertices.path[lane], events.index()});
 }
 
 template <Transport T>
@@ -61,25 +65,24 @@ void ask_for_mirrored_light(Wave<T>& wave,
   }
 }
 
-/// What a ray meets in a mirror.
+/// What a ray meets in a flat mirror.
 template <Transport T>
 struct AtMirror {
   SurfacePoint point;
-  typename T::Weight weight = T::one();
+  typename T::Bsdf bsdf;
+  typename T::Value reflectance{};
 };
 
 /// Nothing when the hit is not in that mirror's plane.
 template <Transport T>
-std::optional<AtMirror<T>> reflection_at(const World& world,
-                                         const Hit& hit,
-                                         int plane,
-                                         const typename T::Lambda& lambda) {
+std::optional<AtMirror<T>> reflection_at(
+    const World& world, const Ray& ray, const Hit& hit, int plane, const typename T::Lambda& lambda) {
   if (hit.part == kNothing || mirror_plane_of(world, hit.part, hit.primitive) != plane) return std::nullopt;
   AtMirror<T> out;
-  out.point = surface_point(world, hit);
+  out.point = surface_point(world, ray, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(out.point.material)];
-  const auto bsdf = bsdf_at<T>(world, material, hit, true, lambda);
-  out.weight = T::depolarising(std::get<MirrorBsdf<typename T::Value>>(bsdf).reflectance);
+  place_orbs_bsdf<T>(out.bsdf, world, {out.point, material, hit}, true, lambda);
+  out.reflectance = std::get<MirrorBsdf<typename T::Value>>(out.bsdf).reflectance;
   return out;
 }
 
@@ -90,10 +93,15 @@ void reflect_mirror_queries(Wave<T>& wave, const World& world) {
   timed_traversal(wave, [&] { world.accel->intersect(wave.mirror_rays, wave.mirror_hits); });
   for (std::size_t i = 0; i < wave.mirror_queries.size(); ++i) {
     const MirrorQuery<T>& query = wave.mirror_queries[i];
+    const Ray& ray = wave.mirror_rays[i];
     const auto at_mirror =
-        reflection_at<T>(world, wave.mirror_hits[i], query.plane, wave.paths[query.path].lambda);
+        reflection_at<T>(world, ray, wave.mirror_hits[i], query.plane, wave.paths[query.path].lambda);
     if (!at_mirror) continue;
-    const auto through = T::chain(query.weight, at_mirror->weight);
+    const auto through = T::chain(query.weight, at_mirror->reflectance, [&] {
+      const Frame frame = frame_around(world.mirror_planes[static_cast<std::size_t>(query.plane)].normal);
+      const Vec3f wo = frame.to_local(-ray.direction);
+      return Scattering<typename T::Bsdf>{at_mirror->bsdf, frame, -ray.direction, wo, {-wo.x, -wo.y, wo.z}};
+    });
     const SurfacePoint& point = at_mirror->point;
     const Vec3f origin = offset_origin(point.position, point.position_error, point.geometric_normal,
                                        query.target - point.position);

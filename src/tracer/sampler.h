@@ -9,7 +9,15 @@ namespace orbs::tracer {
 
 /// What a group of four random numbers is for. The numbers are a function of (seed, pixel, replicate, sample,
 /// bounce, purpose), so that switching one use on or off does not shift the others.
-enum class Purpose : std::uint32_t { PixelAndFirstLight, LightPick, Light, Scatter, MirroredLight };
+enum class Purpose : std::uint32_t {
+  PixelAndFirstLight,
+  LightPick,
+  Light,
+  Scatter,
+  MirroredLight,
+  Wavelength,
+  Reradiation
+};
 
 /// One block of at most kBlock samples of one pixel: an independently scrambled copy of the same point set.
 struct SampleBlock {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "tracer/bsdf_at.h"
 #include "tracer/direct_light.h"
 #include "tracer/frame.h"
+#include "tracer/place_interface.h"
 #include "tracer/sampling.h"
+#include "tracer/scattering.h"
 #include "tracer/wave.h"
 
 #include <array>
@@ -23,11 +24,21 @@ struct VertexLanes {
   Word8 block{};  // of the samples
   Word8 index{};
   std::array<std::uint32_t, kLanes> path{};
-  std::array<Bsdf<typename T::Value>, kLanes> bsdf;
+  std::array<typename T::Bsdf, kLanes> bsdf;
   std::array<bool, kLanes> wants_light{};
   std::array<int, kLanes> mirror_plane{};  // of the surface, or -1
   std::size_t count = 0;  // lanes in use; the others compute with what they held before, for nobody
 };
+
+template <Transport T>
+Scattering<typename T::Bsdf> scattering_at(
+    const VertexLanes<T>& vertices, const FrameOf<Vec8>& frame, std::size_t lane, const Vec8& wo, const Vec8& wi) {
+  return {vertices.bsdf[lane],
+          {lane_of(frame.x, lane), lane_of(frame.y, lane), lane_of(frame.z, lane)},
+          lane_of(vertices.to_viewer, lane),
+          lane_of(wo, lane),
+          lane_of(wi, lane)};
+}
 
 /// Light that comes out of a sharp surface and reaches the camera from one that is not, by itself or by a
 /// flat mirror: light paths bring it (see World::light_path_targets).
@@ -61,7 +72,7 @@ std::array<Float8, 3> light_numbers(const Wave<T>& wave,
 struct LightLanes {
   Vec8 target{};
   Float8 pdf{};
-  std::array<Vec3f, kLanes> radiance;
+  std::array<Radiance, kLanes> radiance;
 };
 
 template <Transport T>
@@ -110,8 +121,9 @@ void ask_for_direct_light(Wave<T>& wave,
     const PathState<T>& path = wave.paths[vertices.path[lane]];
     PathClass events = path.events;
     events.add(event_of(vertices.bsdf[lane]), wi.z[lane] < 0);
-    const auto emitted = T::unpolarised(T::from_rgb(light.radiance[lane] * share[lane], path.lambda));
-    const auto through = T::chain(path.weight, T::depolarising(f_cos[lane]));
+    const auto emitted = T::radiance(world, light.radiance[lane], path.lambda) * share[lane];
+    const auto through =
+        T::chain(path.weight, f_cos[lane], [&] { return scattering_at(vertices, frame, lane, wo, wi); });
     const Vec3f from = lane_of(origin, lane);
     wave.shadow_rays.push_back({from, lane_of(light.target, lane) - from, 1});
     wave.shadows.push_back({T::contribute(through, emitted), vertices.path[lane], events.index()});
@@ -172,7 +184,8 @@ void scatter(Wave<T>& wave,
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (!chosen[lane] || agree[lane] == 0) continue;
     PathState<T>& path = wave.paths[vertices.path[lane]];
-    path.weight = T::chain(path.weight, T::depolarising(chosen[lane]->weight));
+    path.weight = T::chain(path.weight, chosen[lane]->weight,
+                           [&] { return scattering_at(vertices, frame, lane, wo, wi); });
     path.radiance_scale *= chosen[lane]->radiance_scale;
     remember_scattering<T>(path, world, vertices, lane, chosen[lane]->pdf);
     path.events.add(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);

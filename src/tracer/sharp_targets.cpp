@@ -1,6 +1,7 @@
 #include "tracer/sharp_targets.h"
 
 #include "tracer/frame.h"
+#include "tracer/materials.h"
 #include "tracer/sampling.h"
 #include "tracer/world.h"
 
@@ -31,7 +32,7 @@ class Box {
 
 template <typename F>
 void for_each_sharp_corner(const World& world, const Part& part, const F& visit) {
-  if (part.kind == PartKind::Light) return;
+  if (part.kind == PartKind::Light || part.kind == PartKind::Sphere) return;
   const TriangleMesh& mesh = world.meshes[part.mesh];
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const int material = part.material_of[static_cast<std::size_t>(mesh.materials[i])];
@@ -44,6 +45,11 @@ void for_each_sharp_corner(const World& world, const Part& part, const F& visit)
 }
 
 std::optional<BoundingSphere> sphere_about(const World& world, const Part& part) {
+  if (part.kind == PartKind::Sphere) {
+    const SphereSurface& sphere = world.spheres[part.sphere];
+    if (!is_sharp(world.materials[static_cast<std::size_t>(sphere.material)])) return std::nullopt;
+    return BoundingSphere{sphere.centre, sphere.radius};
+  }
   Box box;
   for_each_sharp_corner(world, part, [&](Vec3f p) { box.add(p); });
   if (box.empty()) return std::nullopt;
@@ -92,19 +98,16 @@ float density(const BoundingSphere& target, Vec3f from, Vec3f normal, Vec3f dire
 }  // namespace
 
 bool is_sharp(const SurfaceMaterial& material) {
+  if (is_smooth(material)) return true;
   switch (material.model) {
-    case Model::Mirror:
-    case Model::Glass:
-      return true;
     case Model::Ggx:
     case Model::RoughGlass:
+    case Model::Conductor:
+    case Model::Dielectric:
       return material.alpha < kSharpestAlphaLeft;
-    case Model::Lambert:
-    case Model::OrenNayar:
-    case Model::Emission:
+    default:
       return false;
   }
-  return false;
 }
 
 std::vector<BoundingSphere> sharp_targets(const World& world) {

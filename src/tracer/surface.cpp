@@ -1,5 +1,7 @@
 #include "tracer/surface.h"
 
+#include "tracer/sampling.h"
+
 #include <algorithm>
 
 namespace orbs::tracer {
@@ -27,8 +29,11 @@ constexpr float kFaceRounding = 12 * 0x1p-24F;
 // The transform of an instance adds 4 for each of the corner and the edges' ends.
 constexpr float kInstanceRounding = 20 * 0x1p-24F;
 
-void place_on_instance(
-    const Part& part, const Face& face, const TriangleMesh& mesh, const Hit& hit, SurfacePoint& out) {
+SurfacePoint point_on_instance(const World& world, const Part& part, const Hit& hit) {
+  const TriangleMesh& mesh = world.meshes[part.mesh];
+  const Face& face = mesh.faces[hit.primitive];
+  SurfacePoint out;
+  out.material = part.material_of[static_cast<std::size_t>(face.material)];
   const Vec3f p0 = apply_to_point(part.to_world, face.corner);
   const Vec3f e1 = apply_to_direction(part.to_world, face.edge1);
   const Vec3f e2 = apply_to_direction(part.to_world, face.edge2);
@@ -38,6 +43,37 @@ void place_on_instance(
   out.shading_normal = unit_or(apply_to_direction(part.normal_to_world, normal), out.geometric_normal);
   out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
                                                      largest_magnitude(p0 + e2)});
+  return out;
+}
+
+// A point that the ray has met, moved onto the sphere along its normal. What is left is the rounding of the
+// sum, of the division that makes the normal unit, and of the centre and the radius in the next ray's own
+// test: below 8 half units in the last place.
+constexpr float kSphereRounding = 8 * 0x1p-24F;
+
+SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const Hit& hit) {
+  SurfacePoint out;
+  out.material = sphere.material;
+  out.geometric_normal = normalised(ray.origin + ray.direction * hit.distance - sphere.centre);
+  out.shading_normal = out.geometric_normal;
+  out.position = sphere.centre + out.geometric_normal * sphere.radius;
+  out.position_error = kSphereRounding * (largest_magnitude(sphere.centre) + sphere.radius);
+  return out;
+}
+
+Vec3f normal_of(const RectEmitter& rect, Vec3f) { return rect.normal; }
+Vec3f normal_of(const DiskEmitter& disk, Vec3f) { return disk.normal; }
+// The gradient of |inverse (p - centre)|^2.
+Vec3f normal_of(const SphereEmitter& sphere, Vec3f position) {
+  const Vec3f d = position - sphere.centre;
+  const Vec3f local{dot(sphere.inverse[0], d), dot(sphere.inverse[1], d), dot(sphere.inverse[2], d)};
+  return normalised(sphere.inverse[0] * local.x + sphere.inverse[1] * local.y + sphere.inverse[2] * local.z);
+}
+
+float rounding_on(const RectEmitter& rect) { return rounding_of(rect.centre, rect.a, rect.b); }
+float rounding_on(const DiskEmitter& disk) { return rounding_of(disk.centre, disk.a, disk.b); }
+float rounding_on(const SphereEmitter& sphere) {
+  return rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
 }
 
 }  // namespace
@@ -62,16 +98,27 @@ void prepare_faces(TriangleMesh& mesh) {
   }
 }
 
-SurfacePoint surface_point(const World& world, const Hit& hit) {
+SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit) {
+  SurfacePoint out;
+  out.position = ray.origin + ray.direction * hit.distance;
+  out.geometric_normal =
+      std::visit([&](const auto& shape) { return normal_of(shape, out.position); }, light.shape);
+  out.shading_normal = out.geometric_normal;
+  // The distance is rounded, too, and the ray's origin with it.
+  out.position_error = std::visit([](const auto& shape) { return rounding_on(shape); }, light.shape) +
+                       4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
+  return out;
+}
+
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   const Part& part = world.parts[hit.part];
+  if (part.kind != PartKind::WorldMesh)
+    return part.kind == PartKind::Sphere ? point_on_sphere(world.spheres[part.sphere], ray, hit)
+                                         : point_on_instance(world, part, hit);
   const TriangleMesh& mesh = world.meshes[part.mesh];
   const Face& face = mesh.faces[hit.primitive];
   SurfacePoint out;
   out.material = part.material_of[static_cast<std::size_t>(face.material)];
-  if (part.kind == PartKind::InstancedMesh) {
-    place_on_instance(part, face, mesh, hit, out);
-    return out;
-  }
   out.position = face.corner + face.edge1 * hit.barycentric.x + face.edge2 * hit.barycentric.y;
   out.geometric_normal = face.geometric_normal;
   out.shading_normal = face.has_one_normal ? face.shading_normal
@@ -80,8 +127,16 @@ SurfacePoint surface_point(const World& world, const Hit& hit) {
   return out;
 }
 
-Vec2f texture_coordinates(const World& world, const Hit& hit) {
-  const TriangleMesh& mesh = world.meshes[world.parts[hit.part].mesh];
+Vec2f texture_coordinates(const World& world, const MetSurface& met) {
+  const Hit& hit = met.hit;
+  const Part& part = world.parts[hit.part];
+  if (part.kind == PartKind::Sphere) {
+    const Vec3f n = met.point.geometric_normal;
+    const float around = std::atan2(n.x, n.z) / (2 * kPi);
+    // Rounding only: n is a unit vector.
+    return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
+  }
+  const TriangleMesh& mesh = world.meshes[part.mesh];
   const auto& corners = mesh.triangles[hit.primitive];
   const float b1 = hit.barycentric.x;
   const float b2 = hit.barycentric.y;
@@ -92,9 +147,10 @@ Vec2f texture_coordinates(const World& world, const Hit& hit) {
   return {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
 }
 
-Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv) {
-  if (material.texture < 0) return material.colour;
-  return material.colour * lookup(world.textures[static_cast<std::size_t>(material.texture)], uv);
+Radiance emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv) {
+  const Colour& colour = material.colour;
+  if (material.texture < 0) return {colour.rgb, colour.spectrum};
+  return {colour.rgb * lookup(world.textures[static_cast<std::size_t>(material.texture)], uv)};
 }
 
 }  // namespace orbs::tracer

@@ -19,13 +19,24 @@ struct SurfacePoint {
 /// Works out `faces`.
 void prepare_faces(TriangleMesh& mesh);
 
-SurfacePoint surface_point(const World& world, const Hit& hit);
+/// Where the ray has met a mesh or a sphere.
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
 
-/// Texture coordinates at a hit, as the mesh gives them.
-Vec2f texture_coordinates(const World& world, const Hit& hit);
+/// Where it has met a light, whose bright side it must see. There is no material.
+SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit);
+
+/// What a ray has met.
+struct MetSurface {
+  const SurfacePoint& point;
+  const SurfaceMaterial& material;
+  const Hit& hit;
+};
+
+/// Texture coordinates as the mesh gives them; of a sphere as scene::Sphere says.
+Vec2f texture_coordinates(const World& world, const MetSurface& met);
 
 /// Radiance that an emissive material sends out at these coordinates.
-Vec3f emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
+Radiance emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
 
 /// `position` moved off the surface to the side of `direction`, beyond the error of the position.
 template <typename V, typename Real>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracer/eye_queries.h"
+#include "tracer/materials.h"
 #include "tracer/trace_wave.h"
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace orbs::tracer {
 
 /// The path continues with the chance of what is left of its weight, so that the survivors carry as much
 /// light as they began with.
-template <Transport T>
+template <LightTransport T>
 bool survives_light_roulette(LightPath<T>& path, float u) {
   const float chance = T::magnitude(path.weight);
   if (chance >= 1) return true;
@@ -21,68 +22,61 @@ bool survives_light_roulette(LightPath<T>& path, float u) {
   return true;
 }
 
-template <Transport T>
-bool scatter_light(LightPath<T>& path,
-                   SampleBlock block,
-                   const World& world,
-                   const SurfacePoint& point,
-                   const SurfaceMaterial& material,
-                   const Hit& hit) {
+template <LightTransport T>
+bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, const MetSurface& met) {
+  const SurfacePoint& point = met.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_light);
   if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return false;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f from = frame.to_local(to_light);
   if (!(from.z > 0)) return false;
-  const auto u = draw(block, path.index, static_cast<std::uint32_t>(path.scatterings), Purpose::Scatter);
-  return std::visit(
-      [&](const auto& bsdf) {
-        using B = std::decay_t<decltype(bsdf)>;
-        const auto chosen = sample(bsdf, from, u);
-        if (!chosen) return false;
-        const Vec3f direction = frame.to_world(chosen->wi);
-        // The eye's f |cos| over the light's: Veach 1997, eq. 5.19; and light does not change with the index
-        // of refraction as radiance does.
-        const float adjoint =
-            surface_cosine(point, direction) * from.z /
-            (std::abs(chosen->wi.z) * surface_cosine(point, to_light) * chosen->radiance_scale);
-        path.weight = T::chain(T::scaled(T::depolarising(chosen->weight), adjoint), path.weight);
-        path.events.add_before(B::kEvent, chosen->is_transmitted);
-        path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
-                    direction};
-        ++path.scatterings;
-        return survives_light_roulette<T>(path, u[3]);
-      },
-      bsdf_at<T>(world, material, hit, side > 0, path.lambda));
+  const auto bounce = static_cast<std::uint32_t>(path.scatterings);
+  typename T::Bsdf bsdf;
+  place_bsdf<T>(bsdf, world, met, side > 0, {path.lambda, path.weight, block, path.index, bounce});
+  const auto u = draw(block, path.index, bounce, Purpose::Scatter);
+  const auto chosen = sample(bsdf, from, u);
+  if (!chosen) return false;
+  const Vec3f direction = frame.to_world(chosen->wi);
+  // The eye's f |cos| over the light's: Veach 1997, eq. 5.19; and light does not change with the index of
+  // refraction as radiance does.
+  const float adjoint = surface_cosine(point, direction) * from.z /
+                        (std::abs(chosen->wi.z) * surface_cosine(point, to_light) * chosen->radiance_scale);
+  path.weight = path.weight * (chosen->weight * adjoint);
+  path.events.add_before(event_of(bsdf), chosen->is_transmitted);
+  path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
+              direction};
+  ++path.scatterings;
+  return survives_light_roulette<T>(path, u[3]);
 }
 
 /// Handles what the path's ray has met; true when the path goes on with a new ray.
-template <Transport T>
+template <LightTransport T>
 bool advance_light(
     LightWave<T>& wave, const World& world, std::uint32_t index, SampleBlock block, const Hit& hit) {
   LightPath<T>& path = wave.paths[index];
   if (hit.part == kNothing || world.parts[hit.part].kind == PartKind::Light) return false;
-  const SurfacePoint point = surface_point(world, hit);
+  const SurfacePoint point = surface_point(world, path.ray, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
   if (material.model == Model::Emission || path.scatterings == world.trace_depth) return false;
   if (path.scatterings == 0) {
     if (!material.is_sharp) return false;  // camera paths bring this light
-    const Vec3f radiance = emitted_towards(world, path.start, point.position);
-    if (radiance == Vec3f{}) return false;
-    path.emitted = T::unpolarised(T::from_rgb(radiance * path.start.weight, path.lambda));
+    const Radiance radiance = emitted_towards(world, path.start, point.position);
+    if (is_dark(radiance)) return false;
+    path.emitted = T::radiance(world, radiance, path.lambda) * path.start.weight;
     path.began_at_flat_mirror = mirror_plane_of(world, hit.part, hit.primitive) >= 0;
   }
   // Camera paths ask flat mirrors for light from wherever they can (mirrored_light.h).
-  const bool is_specular = material.model == Model::Mirror || material.model == Model::Glass;
+  const bool is_specular = is_smooth(material);
   if (path.scatterings == 1 && path.began_at_flat_mirror && !is_specular) return false;
   if (!material.is_sharp) {
     ask_for_eye<T>(wave, world, path, {point, material, hit});
     ask_for_mirrored_eye<T>(wave, world, index, {point, material, hit});
   }
-  return scatter_light<T>(path, block, world, point, material, hit);
+  return scatter_light<T>(path, block, world, {point, material, hit});
 }
 
-template <Transport T>
+template <LightTransport T>
 void start_light_paths(
     LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
   wave.paths.assign(count, {});
@@ -93,12 +87,14 @@ void start_light_paths(
     path.start = emit(world, draw(block, path.index, 0, Purpose::PixelAndFirstLight),
                       draw(block, path.index, 0, Purpose::LightPick));
     path.ray = path.start.ray;
+    path.weight = T::start(world.camera, path.ray);
+    path.lambda = T::sample_lambda([&] { return draw(block, path.index, 0, Purpose::Wavelength)[0]; });
     if (path.start.weight > 0) wave.active.push_back(i);
   }
 }
 
 /// Traces the points [first, first + count) of the block and appends to wave.splats.
-template <Transport T>
+template <LightTransport T>
 void trace_light_wave(
     LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
   start_light_paths(wave, world, block, first, count);
@@ -118,8 +114,5 @@ void trace_light_wave(
     settle_eye_queries(wave, world);
   }
 }
-
-extern template void trace_light_wave<RgbTransport>(
-    LightWave<RgbTransport>&, const World&, SampleBlock, std::uint32_t, std::uint32_t);
 
 }  // namespace orbs::tracer

@@ -12,18 +12,18 @@ namespace orbs::tracer {
 
 template <Transport T>
 void add_emission(Wave<T>& wave, const World& world, PathState<T>& path, const MetEmission& met) {
-  if (met.radiance == Vec3f{}) return;
+  if (is_dark(met.radiance)) return;
   if (is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
   const float light_pdf = path.came_by_mirror ? met.light_pdf * path.mirror_chance : met.light_pdf;
   const float weight = path.scatter_pdf > 0 ? mis_weight(path.scatter_pdf, light_pdf) : 1;
-  const auto light = T::unpolarised(T::from_rgb(met.radiance * weight, path.lambda));
+  const auto light = T::radiance(world, met.radiance, path.lambda) * weight;
   add_light(wave, path, T::contribute(path.weight, light), path.events.index());
 }
 
 template <Transport T>
 void add_environment(Wave<T>& wave, const World& world, PathState<T>& path) {
-  if (world.environment == Vec3f{}) return;
-  const auto light = T::unpolarised(T::from_rgb(world.environment, path.lambda));
+  if (is_dark(world.environment)) return;
+  const auto light = T::radiance(world, world.environment, path.lambda);
   add_light(wave, path, T::contribute(path.weight, light), path.events.index());
 }
 
@@ -48,6 +48,49 @@ void note_sharpness(PathState<T>& path,
     path.is_met_by_light_paths = !material.is_sharp;
 }
 
+/// Gives the path a lane, its scattering function left open.
+template <Transport T>
+std::size_t take_lane(VertexLanes<T>& vertices,
+                      std::uint32_t index,
+                      const Sample& sample,
+                      const SurfacePoint& point,
+                      Vec3f to_viewer) {
+  const std::size_t lane = vertices.count++;
+  const float side = dot(point.shading_normal, to_viewer);
+  set_lane(vertices.position, lane, point.position);
+  set_lane(vertices.geometric_normal, lane, point.geometric_normal);
+  set_lane(vertices.shading_normal, lane, side > 0 ? point.shading_normal : -point.shading_normal);
+  set_lane(vertices.to_viewer, lane, to_viewer);
+  vertices.position_error[lane] = point.position_error;
+  vertices.block[lane] = sample.block.seed;
+  vertices.index[lane] = sample.index;
+  vertices.path[lane] = index;
+  vertices.mirror_plane[lane] = -1;
+  return lane;
+}
+
+/// What the path has met is a light, which may reflect as well.
+template <Transport T>
+void meet_light(Wave<T>& wave,
+                const World& world,
+                VertexLanes<T>& vertices,
+                std::uint32_t index,
+                const Sample& sample,
+                const Hit& hit) {
+  PathState<T>& path = wave.paths[index];
+  const Part& part = world.parts[hit.part];
+  add_emission<T>(wave, world, path, met_light(world, part, path.ray, hit, pdf_origin(path)));
+  const AreaLight& light = world.lights[part.light];
+  if (light.reflectance == Vec3f{} || path.scatterings == world.trace_depth) return;
+  const SurfacePoint point = light_point(light, path.ray, hit);
+  const Vec3f to_viewer = -path.ray.direction;
+  if (!(dot(point.geometric_normal, to_viewer) > 0)) return;  // black from behind
+  const std::size_t lane = take_lane(vertices, index, sample, point, to_viewer);
+  vertices.bsdf[lane] =
+      LambertBsdf<typename T::Value>{T::reflectance(world, {light.reflectance}, path.lambda)};
+  vertices.wants_light[lane] = !world.emitters.empty();
+}
+
 /// Handles what the path's ray has met. A path that is to scatter takes a lane; the others have ended.
 template <Transport T>
 void meet(Wave<T>& wave,
@@ -61,16 +104,15 @@ void meet(Wave<T>& wave,
     add_environment<T>(wave, world, path);
     return;
   }
-  const Part& part = world.parts[hit.part];
-  if (part.kind == PartKind::Light) {
-    add_emission<T>(wave, world, path, met_light(world, part, path.ray, hit, pdf_origin(path)));
+  if (world.parts[hit.part].kind == PartKind::Light) {
+    meet_light<T>(wave, world, vertices, index, sample, hit);
     return;
   }
-  const SurfacePoint point = surface_point(world, hit);
+  const SurfacePoint point = surface_point(world, path.ray, hit);
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  const MetSurface met{point, material, hit};
   if (material.model == Model::Emission) {
-    add_emission<T>(wave, world, path,
-                    met_emissive_surface(world, point, material, path.ray, hit, pdf_origin(path)));
+    add_emission<T>(wave, world, path, met_emissive_surface(world, met, path.ray, pdf_origin(path)));
     return;
   }
   if (path.scatterings == world.trace_depth) return;
@@ -79,17 +121,11 @@ void meet(Wave<T>& wave,
   if (side == 0) return;  // exactly edge-on to the shading normal: nothing is reflected towards the viewer
   const int mirror_plane = world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.part, hit.primitive);
   note_sharpness<T>(path, world, material, mirror_plane);
-  const std::size_t lane = vertices.count++;
-  set_lane(vertices.position, lane, point.position);
-  set_lane(vertices.geometric_normal, lane, point.geometric_normal);
-  set_lane(vertices.shading_normal, lane, side > 0 ? point.shading_normal : -point.shading_normal);
-  set_lane(vertices.to_viewer, lane, to_viewer);
-  vertices.position_error[lane] = point.position_error;
-  vertices.block[lane] = sample.block.seed;
-  vertices.index[lane] = sample.index;
-  vertices.path[lane] = index;
+  const std::size_t lane = take_lane(vertices, index, sample, point, to_viewer);
   vertices.mirror_plane[lane] = mirror_plane;
-  place_bsdf<T>(vertices.bsdf[lane], world, material, hit, side > 0, path.lambda);
+  const auto bounce = static_cast<std::uint32_t>(path.scatterings);
+  place_bsdf<T>(vertices.bsdf[lane], world, met, side > 0,
+                {path.lambda, path.weight, sample.block, sample.index, bounce});
   vertices.wants_light[lane] =
       !world.emitters.empty() && !is_delta(vertices.bsdf[lane]) && !is_left_to_light_paths<T>(world, path);
 }
@@ -107,6 +143,9 @@ void start_paths(Wave<T>& wave, const World& world, std::span<const Sample> samp
     path.first_light = {u[2], u[3]};
     path.ray = camera_ray(world.camera, static_cast<float>(samples[i].x) + u[0],
                           static_cast<float>(samples[i].y) + u[1]);
+    path.weight = T::start(world.camera, path.ray);
+    path.lambda = T::sample_lambda(
+        [&] { return draw(samples[i].block, samples[i].index, 0, Purpose::Wavelength)[0]; });
     wave.active[i] = i;
   }
 }
@@ -161,7 +200,5 @@ void trace_wave(Wave<T>& wave, const World& world, std::span<const Sample> sampl
     settle_shadows(wave, world);
   }
 }
-
-extern template void trace_wave<RgbTransport>(Wave<RgbTransport>&, const World&, std::span<const Sample>);
 
 }  // namespace orbs::tracer

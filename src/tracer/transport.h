@@ -1,7 +1,10 @@
 #pragma once
 
 #include "base/vec.h"
+#include "tracer/ray.h"
+#include "tracer/world.h"
 
+#include <array>
 #include <concepts>
 
 /// What a path carries. The path loop (trace_wave.h) is written once over the verbs below; an effect of light
@@ -10,57 +13,34 @@
 namespace orbs::tracer {
 
 template <typename T>
-concept Transport = requires(typename T::Weight weight,
+concept Transport = requires(const World& world,
+                             typename T::Weight weight,
                              typename T::Light light,
                              typename T::Value value,
                              typename T::Lambda lambda,
-                             Vec3f rgb,
                              float u) {
-  /// The wavelengths of a new path (nothing for colour).
-  { T::sample_lambda(u) } -> std::same_as<typename T::Lambda>;
-  /// A colour of the scene at these wavelengths.
-  { T::from_rgb(rgb, lambda) } -> std::same_as<typename T::Value>;
-  /// Weight of a path that has met nothing.
-  { T::one() } -> std::same_as<typename T::Weight>;
-  /// (path so far, next bounce): the order matters where weights are matrices.
-  { T::chain(weight, weight) } -> std::same_as<typename T::Weight>;
+  /// Scattering functions of the surfaces that such paths can meet: a std::variant.
+  typename T::Bsdf;
+  /// Layers that it fills beside the colour: S1 to S3.
+  { T::kHasStokes } -> std::convertible_to<bool>;
+  /// The wavelengths of a new path (nothing for colour). The argument draws a number in [0, 1).
+  { T::sample_lambda([] { return 0.0F; }) } -> std::same_as<typename T::Lambda>;
+  /// A share of the light, and light, of the scene at these wavelengths.
+  { T::reflectance(world, Colour{}, lambda) } -> std::same_as<typename T::Value>;
+  { T::radiance(world, Radiance{}, lambda) } -> std::same_as<typename T::Value>;
+  /// Weight of a path that has met nothing and begins along the ray.
+  { T::start(world.camera, Ray{}) } -> std::same_as<typename T::Weight>;
+  /// (path so far, factor of the next scattering, where): the order matters where weights are matrices. The
+  /// last argument, which makes a Scattering, is called where more than the factor counts.
+  { T::chain(weight, value, [] { return 0; }) } -> std::same_as<typename T::Weight>;
   { T::scaled(weight, u) } -> std::same_as<typename T::Weight>;
-  /// What light, seen through the path, adds to the pixel.
-  { T::contribute(weight, light) } -> std::same_as<typename T::Light>;
+  /// What unpolarised light, seen through the path, adds to the pixel.
+  { T::contribute(weight, value) } -> std::same_as<typename T::Light>;
   { T::add(light, light) } -> std::same_as<typename T::Light>;
-  /// Light without any preferred orientation.
-  { T::unpolarised(value) } -> std::same_as<typename T::Light>;
-  /// Weight of a surface that forgets orientation (Lambert and its like).
-  { T::depolarising(value) } -> std::same_as<typename T::Weight>;
   /// Steers Russian roulette.
   { T::magnitude(weight) } -> std::same_as<float>;
-  /// (wavelengths now, wavelengths that the surface proposes): only fluorescence takes the second.
-  { T::next_lambda(lambda, lambda) } -> std::same_as<typename T::Lambda>;
   /// The pixel's linear Rec.709 value.
   { T::to_rgb(light, lambda) } -> std::same_as<Vec3f>;
 };
-
-struct NoWavelengths {};
-
-/// Three channels of linear Rec.709 and nothing else.
-struct RgbTransport {
-  using Value = Vec3f;
-  using Weight = Vec3f;
-  using Light = Vec3f;
-  using Lambda = NoWavelengths;
-  static Lambda sample_lambda(float) { return {}; }
-  static Value from_rgb(Vec3f rgb, Lambda) { return rgb; }
-  static Weight one() { return {1, 1, 1}; }
-  static Weight chain(Weight path, Weight bounce) { return path * bounce; }
-  static Weight scaled(Weight weight, float factor) { return weight * factor; }
-  static Light contribute(Weight path, Light light) { return path * light; }
-  static Light add(Light a, Light b) { return a + b; }
-  static Light unpolarised(Value value) { return value; }
-  static Weight depolarising(Value value) { return value; }
-  static float magnitude(Weight weight) { return largest(weight); }
-  static Lambda next_lambda(Lambda current, Lambda) { return current; }
-  static Vec3f to_rgb(Light light, Lambda) { return light; }
-};
-static_assert(Transport<RgbTransport>);
 
 }  // namespace orbs::tracer

@@ -29,7 +29,7 @@ struct ClassedLight {
 
 template <Transport T>
 struct PathState {
-  typename T::Weight weight = T::one();
+  typename T::Weight weight{};
   typename T::Light light{};
   [[no_unique_address]] typename T::Lambda lambda{};
   Ray ray;
@@ -60,8 +60,8 @@ struct ShadowQuery {
 /// Light on its way by a flat mirror, see mirrored_light.h.
 template <Transport T>
 struct MirrorQuery {
-  typename T::Weight weight = T::one();  // up to the mirror
-  typename T::Light emitted{};
+  typename T::Weight weight{};  // up to the mirror
+  typename T::Value emitted{};
   Vec3f target;  // on the light
   int plane = 0;
   std::uint32_t path = 0;

@@ -4,11 +4,14 @@
 #include "image/colour.h"
 #include "scene/camera_frame.h"
 #include "tracer/frame.h"
-#include "tracer/lacking.h"
+#include "tracer/materials.h"
+#include "tracer/sampling.h"
 #include "tracer/surface.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace orbs::tracer {
 
@@ -22,46 +25,6 @@ PinholeCamera prepare_camera(const scene::Camera& camera) {
           cast<float>(frame.up * frame.half_height),
           camera.width_px,
           camera.height_px};
-}
-
-SurfaceMaterial prepare_model(const scene::Lambert& m) {
-  return {.model = Model::Lambert, .colour = cast<float>(m.reflectance)};
-}
-SurfaceMaterial prepare_model(const scene::OrenNayar& m) {
-  return {.model = Model::OrenNayar,
-          .colour = cast<float>(m.reflectance),
-          .roughness = static_cast<float>(m.roughness)};
-}
-SurfaceMaterial prepare_model(const scene::Mirror& m) {
-  return {.model = Model::Mirror, .colour = cast<float>(m.reflectance)};
-}
-SurfaceMaterial prepare_model(const scene::Glass& m) {
-  return {.model = Model::Glass, .colour = cast<float>(m.colour), .ior = static_cast<float>(m.ior)};
-}
-SurfaceMaterial prepare_model(const scene::Ggx& m) {
-  return {.model = Model::Ggx, .colour = cast<float>(m.colour), .alpha = static_cast<float>(m.alpha)};
-}
-SurfaceMaterial prepare_model(const scene::RoughGlass& m) {
-  return {.model = Model::RoughGlass,
-          .colour = cast<float>(m.colour),
-          .alpha = static_cast<float>(m.alpha),
-          .ior = static_cast<float>(m.ior)};
-}
-SurfaceMaterial prepare_model(const scene::Emission& m) {
-  return {.model = Model::Emission, .colour = cast<float>(m.radiance)};
-}
-
-// No surface shows one: make_world has refused the scene otherwise.
-SurfaceMaterial prepare_model(const scene::AppearanceModel auto&) { return {}; }
-
-SurfaceMaterial prepare_material(const scene::Material& material) {
-  SurfaceMaterial out = std::visit([](const auto& m) { return prepare_model(m); }, material.model);
-  if (const auto& use = scene::texture_of(material.model)) {
-    out.texture = use->texture;
-    out.uv = uv_map(use->matrix);
-  }
-  out.is_sharp = is_sharp(out);
-  return out;
 }
 
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
@@ -152,12 +115,13 @@ EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
   return out;
 }
 
-AreaLight prepare_light(const scene::Light& light) {
+AreaLight prepare_light(const scene::Scene& scene, const scene::Light& light, World& world) {
   const Mat4 back = inverse(light.matrix).value();
   const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
   AreaLight out{
       .shape = std::visit([&](const auto& s) { return prepare_shape(s, light.matrix, normal); }, light.shape),
-      .radiance = cast<float>(light.radiance),
+      .radiance = {cast<float>(light.radiance), add_spectrum(scene, light.spectrum, world)},
+      .reflectance = cast<float>(light.reflectance),
       .ies = light.ies,
       .ies_axes = {},
       .centre = cast<float>(transform_point(light.matrix, {}))};
@@ -176,16 +140,28 @@ float mean_share(const scene::IesProfile& profile) {
 
 float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, rgb.y, rgb.z)); }
 
-// Steers only how often a light is chosen, never what it gives.
-float power_of(const AreaLight& light) {
-  const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
-  return area * luminance(light.radiance) * (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+// Steers only how often a light is chosen, never what it gives. Where light can become visible on its way,
+// what the eye makes of it is no measure.
+float brightness(const World& world, const Radiance& radiance) {
+  const bool can_change = world.transport == scene::LightTransport::Bispectral ||
+                          world.transport == scene::LightTransport::PolarisedBispectral;
+  if (radiance.spectrum < 0 || !can_change) return luminance(radiance.rgb);
+  const auto& spectrum = world.spectra[static_cast<std::size_t>(radiance.spectrum)];
+  const auto one = spectra::constant(1);
+  constexpr double kFrom = spectra::kShortestLight_nm;
+  constexpr double kTo = spectra::kLongestSeen_nm;
+  return static_cast<float>(spectra::integral_of_product(spectrum, one, one, kFrom, kTo) / (kTo - kFrom));
 }
 
-Vec3f mean_emission(const World& world, const SurfaceMaterial& material) {
-  return material.texture < 0
-             ? material.colour
-             : material.colour * world.textures[static_cast<std::size_t>(material.texture)].average;
+float power_of(const World& world, const AreaLight& light) {
+  const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
+  return area * brightness(world, light.radiance) * (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+}
+
+float mean_brightness(const World& world, const SurfaceMaterial& material) {
+  const Colour& colour = material.colour;
+  if (material.texture < 0) return brightness(world, {colour.rgb, colour.spectrum});
+  return luminance(colour.rgb * world.textures[static_cast<std::size_t>(material.texture)].average);
 }
 
 void add_emissive_triangles(const World& world,
@@ -206,8 +182,7 @@ void add_emissive_triangles(const World& world,
     }
     const Vec3f normal = cross(p[1] - p[0], p[2] - p[0]);
     const float area = 0.5F * length(normal);
-    const Vec3f mean = mean_emission(world, m);
-    const float power = area * luminance(mean);
+    const float power = area * mean_brightness(world, m);
     if (!(power > 0)) continue;  // a sliver, or black: rays that hit it by chance still see its emission
     powers.push_back(power);
     out.push_back({p[0], p[1] - p[0], p[2] - p[0], normalised(normal), area, uv, material});
@@ -217,41 +192,82 @@ void add_emissive_triangles(const World& world,
 void build_emitters(World& world) {
   std::vector<float> powers;
   std::vector<TriangleEmitter> triangles;
-  for (const AreaLight& light : world.lights) powers.push_back(power_of(light));
+  for (const AreaLight& light : world.lights) powers.push_back(power_of(world, light));
   for (const Part& part : world.parts)
-    if (part.kind != PartKind::Light) add_emissive_triangles(world, part, powers, triangles);
+    if (part.kind == PartKind::WorldMesh || part.kind == PartKind::InstancedMesh)
+      add_emissive_triangles(world, part, powers, triangles);
   double total = 0;
   for (const float power : powers) total += power;
   for (SurfaceMaterial& m : world.materials) {
-    const Vec3f mean = mean_emission(world, m);
     if (m.model == Model::Emission && total > 0)
-      m.emitter_pdf_per_area = static_cast<float>(luminance(mean) / total);
+      m.emitter_pdf_per_area = static_cast<float>(mean_brightness(world, m) / total);
   }
   world.emitters.build(powers, std::move(triangles), world.lights.size());
+}
+
+void add_spheres(const scene::Scene& scene, World& world) {
+  for (const auto& sphere : scene.spheres) {
+    Part part;
+    part.kind = PartKind::Sphere;
+    part.sphere = world.spheres.size();
+    world.spheres.push_back(
+        {cast<float>(sphere.centre_m), static_cast<float>(sphere.radius_m), sphere.material});
+    world.parts.push_back(std::move(part));
+  }
+}
+
+void add_lights(const scene::Scene& scene, World& world) {
+  for (const auto& light : scene.lights) {
+    Part part;
+    part.kind = PartKind::Light;
+    part.light = world.lights.size();
+    world.lights.push_back(prepare_light(scene, light, world));
+    world.parts.push_back(std::move(part));
+  }
+}
+
+// The transport that is asked for must have every effect of the scene's own.
+scene::LightTransport checked_transport(const scene::Scene& scene,
+                                        const std::optional<scene::LightTransport>& asked) {
+  const auto found = scene::effects(scene);
+  const auto needed = scene::transport(found);
+  if (!asked || *asked == needed) return needed;
+  if (scene::covers(*asked, needed)) return *asked;
+  throw InputError(fmt::format("scene '{}' calls for {} transport{}, which {} transport does not have",
+                               scene.name, scene::transport_name(needed), scene::reason_for(found),
+                               scene::transport_name(*asked)));
+}
+
+// Light paths end at lights, go from the absorbed wavelength to the emitted one, and multiply matrices from
+// the other side: none of which they do where lights reflect, surfaces fluoresce, or polarisation counts.
+bool has_use_for_light_paths(const World& world) {
+  const bool is_plain = world.transport == scene::LightTransport::Colour ||
+                        world.transport == scene::LightTransport::Spectral;
+  const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(), [](const auto& light) {
+    return !(light.reflectance == Vec3f{});
+  });
+  return is_plain && !lights_reflect && !world.emitters.empty();
 }
 
 }  // namespace
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
-  if (const auto reason = lacking_for(scene); !reason.empty()) throw InputError(reason);
   World world;
+  world.transport = checked_transport(scene, settings.transport);
   world.camera = prepare_camera(scene.camera);
-  world.environment = cast<float>(scene.environment);
+  world.wants_stokes = scene.outputs.stokes;
+  world.environment = {cast<float>(scene.environment),
+                       add_spectrum(scene, scene.environment_spectrum, world)};
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
-  for (const auto& material : scene.materials) world.materials.push_back(prepare_material(material));
+  add_materials(scene, world);
   add_meshes(scene, settings, world);
-  for (const auto& light : scene.lights) {
-    Part part;
-    part.kind = PartKind::Light;
-    part.light = world.lights.size();
-    world.lights.push_back(prepare_light(light));
-    world.parts.push_back(part);
-  }
+  add_spheres(scene, world);
+  add_lights(scene, world);
   build_emitters(world);
   for (TriangleMesh& mesh : world.meshes) prepare_faces(mesh);
   if (settings.mirrored_light) find_mirror_planes(world);
-  if (settings.light_paths && !world.emitters.empty()) world.light_path_targets = sharp_targets(world);
+  if (settings.light_paths && has_use_for_light_paths(world)) world.light_path_targets = sharp_targets(world);
   world.accel = std::make_unique<Accel>(world);
   return world;
 }

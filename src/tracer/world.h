@@ -1,10 +1,12 @@
 #pragma once
 
+#include "scene/effects.h"
 #include "scene/scene.h"
+#include "snippets/fresnel_mueller.h"
 #include "tracer/accel.h"
+#include "tracer/colour.h"
 #include "tracer/emitter.h"
 #include "tracer/mirror_planes.h"
-#include "tracer/scatter/bsdf.h"
 #include "tracer/sharp_targets.h"
 #include "tracer/texture.h"
 
@@ -48,33 +50,65 @@ struct TriangleMesh {
   std::vector<Face> faces;     // per triangle
 };
 
-enum class PartKind { WorldMesh, InstancedMesh, Light };
+struct SphereSurface {
+  Vec3f centre;
+  float radius = 0;
+  int material = 0;
+};
+
+enum class PartKind { WorldMesh, InstancedMesh, Light, Sphere };
 
 /// One thing that rays can hit: a mesh whose vertices are in world space, an instance of a mesh in its own
-/// space, or a light.
+/// space, a light, or a sphere.
 struct Part {
   PartKind kind = PartKind::WorldMesh;
   std::size_t mesh = 0;   // of meshes
   std::size_t light = 0;  // of lights
+  std::size_t sphere = 0;  // of spheres
   Affine to_world;        // InstancedMesh only
   Affine normal_to_world;
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle, see mirror_planes.h; empty where there is none
 };
 
-enum class Model { Lambert, OrenNayar, Mirror, Glass, Ggx, RoughGlass, Emission };
+/// Those of ORB.S, then those beyond it.
+enum class Model {
+  Lambert,
+  OrenNayar,
+  Mirror,
+  Glass,
+  Ggx,
+  RoughGlass,
+  Emission,
+  Conductor,
+  Dielectric,
+  Sheet,
+  Fluorescent
+};
 
 struct SurfaceMaterial {
   Model model = Model::Lambert;
-  Vec3f colour{};  // reflectance, tint or radiance
+  Colour colour{};  // reflectance, tint or radiance
   float roughness = 0;
   float alpha = 0;
   float ior = 1;
   int texture = -1;
+  int details = -1;       // of conductors, dielectrics, sheets or reradiations, by the model
   bool is_sharp = false;  // see sharp_targets.h
   UvMap uv{};
   float emitter_pdf_per_area =
       0;  // Emission: chance per m^2 that light sampling picks a point, selection included
+};
+
+struct DielectricSurface {
+  scene::Dielectric model;
+  bool is_dispersive = false;
+};
+
+/// A polariser or retarder, whose x lies along the axis.
+struct Sheet {
+  snippets::AlignedMueller<float> element;
+  Vec3f axis;  // in the world
 };
 
 struct PinholeCamera {
@@ -88,11 +122,20 @@ struct PinholeCamera {
 
 struct World {
   PinholeCamera camera;
-  Vec3f environment;
+  scene::LightTransport transport = scene::LightTransport::Colour;  // what its paths carry
+  bool has_interfaces = false;                                      // materials beyond ORB.S
+  bool wants_stokes = false;
+  Radiance environment;
   int trace_depth = 1;
+  std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; none for Colour
+  std::vector<scene::Conductor> conductors;
+  std::vector<DielectricSurface> dielectrics;
+  std::vector<Sheet> sheets;
+  std::vector<scene::Reradiation> reradiations;
   std::vector<TexelGrid> textures;
   std::vector<SurfaceMaterial> materials;
   std::vector<TriangleMesh> meshes;
+  std::vector<SphereSurface> spheres;
   std::vector<Part> parts;
   std::vector<AreaLight> lights;
   EmitterTable emitters;
@@ -107,13 +150,15 @@ struct WorldSettings {
   /// Above this many triangles in world space, meshes with several instances are instanced instead of copied.
   /// Copies trace faster; two million triangles take about 0.4 GB.
   std::size_t most_copied_triangles = 500'000;
+  /// What paths carry; nothing: no more than the scene calls for.
+  std::optional<scene::LightTransport> transport = {};
   /// Off: camera paths find all light by themselves. The picture is the same but for its noise.
   bool light_paths = true;
   /// Off: no light is asked for by way of flat mirrors. The picture is the same but for its noise.
   bool mirrored_light = true;
 };
 
-/// InputError when a texture cannot be read.
+/// InputError when a texture cannot be read, or the transport asked for lacks what the scene calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 
 /// Unit direction and origin through film position (x, y) in pixels from the upper left corner.

@@ -2,7 +2,6 @@
 #include "scene/effects.h"
 #include "scene/load_scene.h"
 #include "scene/lower.h"
-#include "tracer/lacking.h"
 
 #include <filesystem>
 #include <map>
@@ -162,21 +161,7 @@ TEST(Effects, ScenesOfOrbsCallForColoursAlone) {
     if (!std::filesystem::exists(cases / file)) continue;
     const auto loaded = scene::load_scene(cases / file);
     EXPECT_EQ(scene::transport(scene::effects(loaded)), LightTransport::Colour) << file;
-    EXPECT_EQ(tracer::lacking_for(loaded), "") << file;
   }
-}
-
-TEST(Lacking, NamesTheTransportAndWhatCallsForIt) {
-  EXPECT_EQ(
-      tracer::lacking_for(scene_of(R"("type": "polariser", "axis": [1, 0, 0])")),
-      "scene 's' calls for polarised transport because material 'm' is a polariser, which this build does "
-      "not have");
-  EXPECT_EQ(tracer::lacking_for(scene_of(conductor(""))),
-            "scene 's': material 'm' is a conductor by its indices, which this build does not have");
-  const auto red_dye = scene_of(tents(0.01), R"(, "environment": {"spectrum": "D50"})");
-  EXPECT_EQ(tracer::lacking_for(red_dye),
-            "scene 's' calls for bispectral transport because material 'm' turns light of 330 to 410 nm into "
-            "light of 600 to 700 nm, which this build does not have");
 }
 
 // By appearance-scenes, what each scene of the suite is there to show.

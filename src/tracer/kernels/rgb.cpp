@@ -1,9 +1,16 @@
-#include "tracer/trace_light_wave.h"
+#include "tracer/kernels/kernels.h"
+#include "tracer/rgb_transport.h"
+#include "tracer/render_with.h"
 
 namespace orbs::tracer {
 
-template void trace_wave<RgbTransport>(Wave<RgbTransport>&, const World&, std::span<const Sample>);
-template void trace_light_wave<RgbTransport>(
-    LightWave<RgbTransport>&, const World&, SampleBlock, std::uint32_t, std::uint32_t);
+void rgb_pass(const World& world,
+              const RenderSettings& settings,
+              const NumberedPass& pass,
+              Film& film,
+              Rendering& out,
+              const std::function<void()>& tile_done) {
+  render_pass<RgbTransport>(world, settings, pass, film, out, tile_done);
+}
 
 }  // namespace orbs::tracer

@@ -16,31 +16,32 @@ namespace orbs::tracer {
 ///   kIsDelta, kEvent          whether it is a delta function, and its letter in the notation of light paths
 ///   evaluate(bsdf, wo, wi) -> BsdfValue        f |cos wi| and pdf of wi, in the local frame with wo.z > 0
 ///   sample(bsdf, wo, u)    -> BsdfSample       or nothing when the chosen facet reflects into the surface
+/// These are the surfaces of ORB.S; interface_bsdf.h has more.
 template <typename Value>
-using Bsdf = std::variant<LambertBsdf<Value>,
-                          OrenNayarBsdf<Value>,
-                          MirrorBsdf<Value>,
-                          GlassBsdf<Value>,
-                          GgxBsdf<Value>,
-                          RoughGlassBsdf<Value>>;
+using OrbsBsdf = std::variant<LambertBsdf<Value>,
+                              OrenNayarBsdf<Value>,
+                              MirrorBsdf<Value>,
+                              GlassBsdf<Value>,
+                              GgxBsdf<Value>,
+                              RoughGlassBsdf<Value>>;
 
-template <typename Value>
-bool is_delta(const Bsdf<Value>& bsdf) {
+template <typename... B>
+bool is_delta(const std::variant<B...>& bsdf) {
   return std::visit([](const auto& b) { return b.kIsDelta; }, bsdf);
 }
 
-template <typename Value>
-Event event_of(const Bsdf<Value>& bsdf) {
+template <typename... B>
+Event event_of(const std::variant<B...>& bsdf) {
   return std::visit([](const auto& b) { return b.kEvent; }, bsdf);
 }
 
-template <typename Value>
-BsdfValue<Value> evaluate(const Bsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
+template <typename... B>
+auto evaluate(const std::variant<B...>& bsdf, Vec3f wo, Vec3f wi) {
   return std::visit([&](const auto& b) { return evaluate(b, wo, wi); }, bsdf);
 }
 
-template <typename Value>
-std::optional<BsdfSample<Value>> sample(const Bsdf<Value>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
+template <typename... B>
+auto sample(const std::variant<B...>& bsdf, Vec3f wo, const std::array<float, 4>& u) {
   return std::visit([&](const auto& b) { return sample(b, wo, u); }, bsdf);
 }
 

@@ -5,6 +5,7 @@
 #include "tracer/sampling.h"
 #include "tracer/scatter/bsdf_sample.h"
 #include "tracer/scatter/ggx.h"
+#include "tracer/scatter/refraction.h"
 
 #include <array>
 #include <optional>
@@ -26,25 +27,17 @@ struct RoughGlassBsdf {
 
 template <typename Value>
 BsdfValue<Value> evaluate(const RoughGlassBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
-  if (wi.z == 0) return {};
-  const bool reflects = wi.z > 0;
-  const Vec3f half = reflects ? wo + wi : wo + wi * bsdf.eta;
-  if (dot(half, half) == 0) return {};  // eta = 1 straight through
-  const Vec3f m = normalised(half) * (half.z < 0 ? -1.0F : 1.0F);
-  const float cos_o = dot(wo, m);
-  const float cos_i = dot(wi, m);
-  if (cos_o <= 0 || (cos_i > 0) != reflects) return {};  // the facet faces away from one of the two
+  const auto m = facet_between(wo, wi, bsdf.eta);
+  if (!m) return {};
+  const float cos_o = dot(wo, *m);
   const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
-  const float d = snippets::ggx_d(m, bsdf.alpha);
+  const float d = snippets::ggx_d(*m, bsdf.alpha);
   const float visible = snippets::ggx_g1(wo, bsdf.alpha) * cos_o * d / wo.z;
-  if (reflects) {
+  if (wi.z > 0) {
     const float f_cos = fresnel * d * ggx_g2(wo, wi, bsdf.alpha) / (4 * wo.z);
     return {bsdf.colour * f_cos, fresnel * visible / (4 * cos_o)};
   }
-  // Solid angle of wi per solid angle of m: Walter eq. 17 with both indices over the viewer's side's.
-  const float root = cos_i + cos_o / bsdf.eta;
-  const float jacobian = -cos_i / (root * root);
-  const float pdf = (1 - fresnel) * visible * jacobian;
+  const float pdf = (1 - fresnel) * visible * refraction_jacobian(cos_o, dot(wi, *m), bsdf.eta);
   return {bsdf.colour * (pdf * snippets::ggx_g1(wi, bsdf.alpha) / (bsdf.eta * bsdf.eta)), pdf};
 }
 
@@ -67,13 +60,11 @@ std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
   }
   const auto wi = refracted(wo, m, bsdf.eta);
   if (!wi || wi->z >= 0) return std::nullopt;
-  const float cos_i = dot(*wi, m);
-  const float root = cos_i + cos_o / bsdf.eta;
   out.wi = *wi;
   out.is_transmitted = true;
   out.radiance_scale = 1 / (bsdf.eta * bsdf.eta);
   out.weight = bsdf.colour * (snippets::ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
-  out.pdf = (1 - fresnel) * visible * -cos_i / (root * root);
+  out.pdf = (1 - fresnel) * visible * refraction_jacobian(cos_o, dot(*wi, m), bsdf.eta);
   return out;
 }
 

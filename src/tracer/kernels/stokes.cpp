@@ -1,0 +1,16 @@
+#include "tracer/kernels/kernels.h"
+#include "tracer/polarised_transport.h"
+#include "tracer/render_with.h"
+
+namespace orbs::tracer {
+
+void stokes_pass(const World& world,
+                 const RenderSettings& settings,
+                 const NumberedPass& pass,
+                 Film& film,
+                 Rendering& out,
+                 const std::function<void()>& tile_done) {
+  render_pass<PolarisedTransport<SpectralTransport, 4>>(world, settings, pass, film, out, tile_done);
+}
+
+}  // namespace orbs::tracer
