@@ -134,7 +134,8 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
-        "S0 to S3 in the frame of the picture, for who looks at the oncoming light: S1 > 0 horizontal, S2 > 0 "
+        "S0 to S3 in the frame of the picture, for who looks at the oncoming light: S1 > 0 horizontal, S2 > "
+        "0 "
         "at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }

@@ -61,8 +61,9 @@ bool is_dispersive(const Dielectric& glass);
 /// What a light path must carry.
 enum class LightTransport { Colour, Spectral, Polarised, Bispectral, PolarisedBispectral };
 
-inline constexpr std::array kTransports{LightTransport::Colour, LightTransport::Spectral, LightTransport::Polarised,
-                                 LightTransport::Bispectral, LightTransport::PolarisedBispectral};
+inline constexpr std::array kTransports{LightTransport::Colour, LightTransport::Spectral,
+                                        LightTransport::Polarised, LightTransport::Bispectral,
+                                        LightTransport::PolarisedBispectral};
 
 /// The word for it; "rgb" for Colour.
 std::string_view transport_name(LightTransport transport);

@@ -147,9 +147,7 @@ struct Coloured {
   const Scene& scene;
 
   bool operator()(const Conductor& m) const { return is_measured(m) || m.film; }
-  bool operator()(const Dielectric& m) const {
-    return is_dispersive(m) || m.film;
-  }
+  bool operator()(const Dielectric& m) const { return is_dispersive(m) || m.film; }
   bool operator()(const Polariser&) const { return false; }
   bool operator()(const Retarder&) const { return false; }
   bool operator()(const Emission&) const { return false; }

@@ -54,7 +54,8 @@ std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
 std::optional<double> distance_to(
     const CurvedSurface& surface, Vec3f origin, Vec3f direction, float near, float far) {
   const auto local = [&](Vec3d v) {
-    return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v), dot(surface.inverse_rows[2], v)};
+    return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v),
+                 dot(surface.inverse_rows[2], v)};
   };
   const Vec3d o = local(cast<double>(origin) - surface.centre);
   const Vec3d d = local(cast<double>(direction));
@@ -62,20 +63,21 @@ std::optional<double> distance_to(
 }
 
 std::optional<double> distance_to(const CurvedSurface& surface,
-                                     RTCRayN* rays,
-                                     unsigned int n,
-                                     unsigned int i) {
+                                  RTCRayN* rays,
+                                  unsigned int n,
+                                  unsigned int i) {
   return distance_to(surface,
-                        {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
-                        {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
-                        RTCRayN_tnear(rays, n, i), RTCRayN_tfar(rays, n, i));
+                     {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
+                     {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
+                     RTCRayN_tnear(rays, n, i), RTCRayN_tfar(rays, n, i));
 }
 
 void curved_bounds(const RTCBoundsFunctionArguments* args) {
   const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
   // The map's columns are what the inverse rows are dual to. The image of the unit ball reaches as far along
   // a world axis as the length of the map's row for that axis. One float step more for rounding.
-  const auto columns = inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
+  const auto columns =
+      inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
   const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
                      std::hypot(columns[0].y, columns[1].y, columns[2].y),
                      std::hypot(columns[0].z, columns[1].z, columns[2].z)};
@@ -239,8 +241,7 @@ Accel::Accel(const World& world) : state_(std::make_unique<State>()) {
     const Part& part = world.parts[id];
     if (part.kind == PartKind::WorldMesh) state_->add_mesh(state_->top, world.meshes[part.mesh], id);
     if (part.kind == PartKind::InstancedMesh) state_->add_instance(part, world.meshes[part.mesh], id);
-    if (part.kind == PartKind::Sphere)
-      state_->add_curved(surface_of(world.spheres[part.sphere]), id);
+    if (part.kind == PartKind::Sphere) state_->add_curved(surface_of(world.spheres[part.sphere]), id);
     if (part.kind != PartKind::Light) continue;
     const auto& shape = world.lights[part.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape)) state_->add_rect(*rect, id);

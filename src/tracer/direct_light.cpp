@@ -33,7 +33,10 @@ MetEmission met_light(
   return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, asked_from, position)};
 }
 
-MetEmission met_emissive_surface(const World& world, const MetSurface& met, const Ray& ray, Vec3f asked_from) {
+MetEmission met_emissive_surface(const World& world,
+                                 const MetSurface& met,
+                                 const Ray& ray,
+                                 Vec3f asked_from) {
   const auto& [point, material, hit] = met;
   const Vec3f d = point.position - asked_from;
   const float cosine = std::abs(dot(point.geometric_normal, ray.direction));

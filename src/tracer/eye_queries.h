@@ -124,8 +124,8 @@ void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& pat
   const auto found = scattered_to_eye(world, path, met, to_eye, view.importance);
   if (!found) return;
   wave.eye_rays.push_back({found->origin, world.camera.position - found->origin, 1});
-  wave.queries.push_back({view.pixel, found->events.index(),
-                          T::to_rgb(found->weight * path.emitted, path.lambda)});
+  wave.queries.push_back(
+      {view.pixel, found->events.index(), T::to_rgb(found->weight * path.emitted, path.lambda)});
 }
 
 /// By way of every flat mirror that has both the point and the camera before it.
@@ -160,15 +160,15 @@ void reflect_eye_queries(LightWave<T>& wave, const World& world) {
   for (std::size_t i = 0; i < wave.mirror_queries.size(); ++i) {
     const MirroredEyeQuery<T>& query = wave.mirror_queries[i];
     const LightPath<T>& path = wave.paths[query.path];
-    const auto at_mirror = reflection_at<T>(world, wave.mirror_rays[i], wave.mirror_hits[i], query.plane, path.lambda);
+    const auto at_mirror =
+        reflection_at<T>(world, wave.mirror_rays[i], wave.mirror_hits[i], query.plane, path.lambda);
     if (!at_mirror) continue;
     const Vec3f to_eye = world.camera.position - at_mirror->point.position;
     const Vec3f origin = offset_origin(at_mirror->point.position, at_mirror->point.position_error,
                                        at_mirror->point.geometric_normal, to_eye);
     const auto through = at_mirror->reflectance * query.weight;
     wave.eye_rays.push_back({origin, world.camera.position - origin, 1});
-    wave.queries.push_back(
-        {query.pixel, query.path_class, T::to_rgb(through * path.emitted, path.lambda)});
+    wave.queries.push_back({query.pixel, query.path_class, T::to_rgb(through * path.emitted, path.lambda)});
   }
   wave.mirror_rays.clear();
   wave.mirror_queries.clear();

@@ -43,8 +43,8 @@ LightChunk trace_light_chunk(const World& world, SampleBlock block, std::uint32_
   return {std::move(wave.splats), wave.traversal_seconds};
 }
 
-/// Adds the splats to their pixels. `share`: what turns the mean over the light paths into a sum over the camera
-/// samples.
+/// Adds the splats to their pixels. `share`: what turns the mean over the light paths into a sum over the
+/// camera samples.
 void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadSamples& bad);
 
 /// Adds what the light paths bring to the current replicates of the film's pixels, in an order that does not
@@ -65,7 +65,8 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
       const auto block =
           sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk), pass.number);
       const auto left = std::min<std::size_t>(kBlock, paths - chunk * kBlock);
-      done[static_cast<std::size_t>(i)] = trace_light_chunk<T>(world, block, static_cast<std::uint32_t>(left));
+      done[static_cast<std::size_t>(i)] =
+          trace_light_chunk<T>(world, block, static_cast<std::uint32_t>(left));
     });
     for (int i = 0; i < count; ++i) {
       const LightChunk& chunk = done[static_cast<std::size_t>(i)];

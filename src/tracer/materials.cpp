@@ -32,9 +32,8 @@ struct Preparation {
     return {.model = Model::Glass, .colour = colour(m.colour, {}), .ior = static_cast<float>(m.ior)};
   }
   SurfaceMaterial operator()(const scene::Ggx& m) const {
-    return {.model = Model::Ggx,
-            .colour = colour(m.colour, m.spectrum),
-            .alpha = static_cast<float>(m.alpha)};
+    return {
+        .model = Model::Ggx, .colour = colour(m.colour, m.spectrum), .alpha = static_cast<float>(m.alpha)};
   }
   SurfaceMaterial operator()(const scene::RoughGlass& m) const {
     return {.model = Model::RoughGlass,

@@ -36,8 +36,7 @@ void ask_for_mirrored_light(Wave<T>& wave,
   PathClass events = path.events;
   events.add(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
   events.add(Event::Specular, false);
-  const auto emitted =
-      T::radiance(world, light->radiance, path.lambda) * (mis_weight(pdf, value.pdf) / pdf);
+  const auto emitted = T::radiance(world, light->radiance, path.lambda) * (mis_weight(pdf, value.pdf) / pdf);
   wave.mirror_rays.push_back(
       {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});
   const auto through = T::chain(path.weight, value.f_cos, [&] {

@@ -21,8 +21,8 @@ struct NumberedPass {
   Pass pass;
 };
 
-/// Replicates are powers of two, the lengths at which the points are stratified, so that at least four of them
-/// fit.
+/// Replicates are powers of two, the lengths at which the points are stratified, so that at least four of
+/// them fit.
 std::vector<Pass> plan_passes(int samples_per_pixel);
 
 struct Tile {

@@ -92,8 +92,7 @@ void place_interface_bsdf(typename T::Bsdf& out,
       return;
     case Model::Fluorescent:
       if constexpr (requires { requires T::kFluoresces; }) {
-        out = LambertBsdf<Value>{
-            reradiate<T>(world, material.colour, world.reradiations[details], visit)};
+        out = LambertBsdf<Value>{reradiate<T>(world, material.colour, world.reradiations[details], visit)};
       } else {
         // Its kernel is zero, or the scene would have called for another transport.
         out = LambertBsdf<Value>{T::reflectance(world, material.colour, visit.lambda)};

@@ -44,8 +44,8 @@ Rendering render(const World& world,
   for (std::uint32_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {
     int tiles_done = 0;
     render_pass(world, settings, {p, passes[p]}, film, out, [&] {
-      const double done = (p + static_cast<double>(++tiles_done) / tile_count(film)) /
-                          static_cast<double>(passes.size());
+      const double done =
+          (p + static_cast<double>(++tiles_done) / tile_count(film)) / static_cast<double>(passes.size());
       report({done, out.samples_per_pixel, seconds()});
     });
     out.samples_per_pixel += static_cast<int>(passes[p].count);

@@ -31,8 +31,11 @@ struct VertexLanes {
 };
 
 template <Transport T>
-Scattering<typename T::Bsdf> scattering_at(
-    const VertexLanes<T>& vertices, const FrameOf<Vec8>& frame, std::size_t lane, const Vec8& wo, const Vec8& wi) {
+Scattering<typename T::Bsdf> scattering_at(const VertexLanes<T>& vertices,
+                                           const FrameOf<Vec8>& frame,
+                                           std::size_t lane,
+                                           const Vec8& wo,
+                                           const Vec8& wi) {
   return {vertices.bsdf[lane],
           {lane_of(frame.x, lane), lane_of(frame.y, lane), lane_of(frame.z, lane)},
           lane_of(vertices.to_viewer, lane),

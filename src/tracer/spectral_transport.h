@@ -7,12 +7,12 @@
 
 namespace orbs::tracer {
 
-/// The wavelengths of a path: the hero, which chooses where the path goes, and three companions (Wilkie et al.
-/// 2014, "Hero Wavelength Spectral Sampling").
+/// The wavelengths of a path: the hero, which chooses where the path goes, and three companions (Wilkie et
+/// al. 2014, "Hero Wavelength Spectral Sampling").
 struct HeroWavelengths {
-  std::array<float, 4> nm{};    // at which the path looks for light now
-  spectra::RgbBasis basis{};    // of colours, at these
-  spectra::RgbMatching eye{};   // what a contribution adds to R, G and B, by the wavelengths it arrives with
+  std::array<float, 4> nm{};   // at which the path looks for light now
+  spectra::RgbBasis basis{};   // of colours, at these
+  spectra::RgbMatching eye{};  // what a contribution adds to R, G and B, by the wavelengths it arrives with
   bool has_companions = true;
 };
 

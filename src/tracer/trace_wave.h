@@ -144,8 +144,8 @@ void start_paths(Wave<T>& wave, const World& world, std::span<const Sample> samp
     path.ray = camera_ray(world.camera, static_cast<float>(samples[i].x) + u[0],
                           static_cast<float>(samples[i].y) + u[1]);
     path.weight = T::start(world.camera, path.ray);
-    path.lambda = T::sample_lambda(
-        [&] { return draw(samples[i].block, samples[i].index, 0, Purpose::Wavelength)[0]; });
+    path.lambda =
+        T::sample_lambda([&] { return draw(samples[i].block, samples[i].index, 0, Purpose::Wavelength)[0]; });
     wave.active[i] = i;
   }
 }

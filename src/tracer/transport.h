@@ -24,7 +24,9 @@ concept Transport = requires(const World& world,
   /// Layers that it fills beside the colour: S1 to S3.
   { T::kHasStokes } -> std::convertible_to<bool>;
   /// The wavelengths of a new path (nothing for colour). The argument draws a number in [0, 1).
-  { T::sample_lambda([] { return 0.0F; }) } -> std::same_as<typename T::Lambda>;
+  {
+    T::sample_lambda([] { return 0.0F; })
+    } -> std::same_as<typename T::Lambda>;
   /// A share of the light, and light, of the scene at these wavelengths.
   { T::reflectance(world, Colour{}, lambda) } -> std::same_as<typename T::Value>;
   { T::radiance(world, Radiance{}, lambda) } -> std::same_as<typename T::Value>;
@@ -32,7 +34,9 @@ concept Transport = requires(const World& world,
   { T::start(world.camera, Ray{}) } -> std::same_as<typename T::Weight>;
   /// (path so far, factor of the next scattering, where): the order matters where weights are matrices. The
   /// last argument, which makes a Scattering, is called where more than the factor counts.
-  { T::chain(weight, value, [] { return 0; }) } -> std::same_as<typename T::Weight>;
+  {
+    T::chain(weight, value, [] { return 0; })
+    } -> std::same_as<typename T::Weight>;
   { T::scaled(weight, u) } -> std::same_as<typename T::Weight>;
   /// What unpolarised light, seen through the path, adds to the pixel.
   { T::contribute(weight, value) } -> std::same_as<typename T::Light>;

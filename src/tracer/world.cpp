@@ -241,11 +241,10 @@ scene::LightTransport checked_transport(const scene::Scene& scene,
 // Light paths end at lights, go from the absorbed wavelength to the emitted one, and multiply matrices from
 // the other side: none of which they do where lights reflect, surfaces fluoresce, or polarisation counts.
 bool has_use_for_light_paths(const World& world) {
-  const bool is_plain = world.transport == scene::LightTransport::Colour ||
-                        world.transport == scene::LightTransport::Spectral;
-  const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(), [](const auto& light) {
-    return !(light.reflectance == Vec3f{});
-  });
+  const bool is_plain =
+      world.transport == scene::LightTransport::Colour || world.transport == scene::LightTransport::Spectral;
+  const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
+                                          [](const auto& light) { return !(light.reflectance == Vec3f{}); });
   return is_plain && !lights_reflect && !world.emitters.empty();
 }
 

@@ -62,10 +62,10 @@ enum class PartKind { WorldMesh, InstancedMesh, Light, Sphere };
 /// space, a light, or a sphere.
 struct Part {
   PartKind kind = PartKind::WorldMesh;
-  std::size_t mesh = 0;   // of meshes
-  std::size_t light = 0;  // of lights
+  std::size_t mesh = 0;    // of meshes
+  std::size_t light = 0;   // of lights
   std::size_t sphere = 0;  // of spheres
-  Affine to_world;        // InstancedMesh only
+  Affine to_world;         // InstancedMesh only
   Affine normal_to_world;
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle, see mirror_planes.h; empty where there is none

@@ -1,7 +1,7 @@
 // What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf,
 // light is not created, and paths may be walked backwards.
 #include "base/random.h"
-#include "tracer/scatter/bsdf.h"
+#include "tracer/scatter/interface_bsdf.h"
 
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace {
 using namespace orbs;
 using namespace orbs::tracer;
 using Rgb = Vec3f;
-using AnyBsdf = Bsdf<Rgb>;
+using AnyBsdf = InterfaceBsdf<Rgb, 1>;
 
 struct NamedBsdf {
   const char* name;
@@ -21,6 +21,19 @@ struct NamedBsdf {
 
 const Rgb kWhite{1, 1, 1};
 
+constexpr Microfacets kGgx{0.4F, false, false};
+constexpr Microfacets kGgxCorrelated{0.4F, false, true};
+constexpr Microfacets kBeckmann{0.4F, true, false};
+
+Interface<1> boundary(std::complex<float> index) { return {.index = {index}, .film_index = {}, .nm = {}}; }
+
+Interface<1> filmed(std::complex<float> index) {
+  return {.index = {index}, .film_index = {1.8F}, .film_height_nm = 300, .nm = {550}};
+}
+
+// Reflects nearly all, so that what is lost is lost to masking.
+const std::complex<float> kSilver{0.06F, 3.6F};
+
 std::vector<NamedBsdf> smooth_enough_to_integrate() {
   return {{"lambert", LambertBsdf<Rgb>{kWhite}},
           {"oren_nayar", make_oren_nayar(kWhite, 0.5F)},
@@ -28,7 +41,14 @@ std::vector<NamedBsdf> smooth_enough_to_integrate() {
           {"ggx 0.8", GgxBsdf<Rgb>{kWhite, 0.8F}},
           {"rough glass into", RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F}},
           {"rough glass out of", RoughGlassBsdf<Rgb>{kWhite, 1 / 1.5F, 0.4F}},
-          {"rough glass 0.7", RoughGlassBsdf<Rgb>{kWhite, 1.2F, 0.7F}}};
+          {"rough glass 0.7", RoughGlassBsdf<Rgb>{kWhite, 1.2F, 0.7F}},
+          {"rough conductor", RoughConductorBsdf<Rgb, 1>{boundary(kSilver), kGgx}},
+          {"beckmann conductor", RoughConductorBsdf<Rgb, 1>{boundary(kSilver), kBeckmann}},
+          {"conductor with film", RoughConductorBsdf<Rgb, 1>{filmed(kSilver), kGgxCorrelated}},
+          {"rough dielectric into", RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kGgx}},
+          {"rough dielectric out of", RoughDielectricBsdf<Rgb, 1>{boundary(1 / 1.5F), kGgxCorrelated}},
+          {"beckmann dielectric", RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kBeckmann}},
+          {"dielectric with film", RoughDielectricBsdf<Rgb, 1>{filmed(1.5F), kGgx}}};
 }
 
 std::array<float, 4> numbers(std::uint64_t i) {
@@ -150,6 +170,41 @@ TEST(Bsdf, OrenNayarFollowsEquation5) {
   const Vec3f opposite = direction(std::cos(0.5F), std::numbers::pi_v<float>);
   EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, opposite).f_cos.x, 0.67427 * std::cos(0.5) / std::numbers::pi,
               1e-5);
+}
+
+// Both mask separably there; in reflection ORB.S's correlates.
+TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
+  const AnyBsdf by_index = RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kGgx};
+  const AnyBsdf of_orbs = RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F};
+  for (const Vec3f wo : kViews)
+    for (const Vec3f wi : {direction(-0.9F, 1), direction(-0.4F, 3)}) {
+      const auto a = evaluate(by_index, wo, wi);
+      const auto b = evaluate(of_orbs, wo, wi);
+      EXPECT_NEAR(a.f_cos.x, b.f_cos.x, 1e-5 * b.f_cos.x);
+      EXPECT_NEAR(a.pdf, b.pdf, 1e-5 * b.pdf);
+    }
+}
+
+// Some wavelengths of a path may be reflected well where others are not: whatever the first of them does, all
+// carry on, and on average each with its own reflectance.
+TEST(Bsdf, ADielectricGivesEachWavelengthItsOwnReflectance) {
+  Interface<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
+                     .film_index = {1.9F, 1.9F, 1.9F, 1.9F},
+                     .film_height_nm = 150,
+                     .nm = {400, 480, 560, 640}};
+  const DielectricBsdf<Float4, 4> bsdf{at};
+  const auto expected = reflectances(at, 0.7F);
+  EXPECT_GT(std::abs(expected[0] - expected[3]), 0.02F);
+  constexpr int kSamples = 1000;
+  Float4 reflected{};
+  for (int i = 0; i < kSamples; ++i) {
+    const auto chosen =
+        sample(bsdf, direction(0.7F, 1), {0, 0, (static_cast<float>(i) + 0.5F) / kSamples, 0});
+    ASSERT_TRUE(chosen);
+    if (!chosen->is_transmitted) reflected += chosen->weight * (1.0F / kSamples);
+    EXPECT_LE(chosen->weight[0] / chosen->radiance_scale, 4);
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(reflected[i], expected[i], 1e-3);
 }
 
 TEST(Fresnel, KnownAngles) {

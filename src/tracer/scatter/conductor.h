@@ -60,10 +60,10 @@ std::optional<BsdfSample<Value>> sample(const RoughConductorBsdf<Value, N>& bsdf
   const Vec3f wi = m * (2 * cos_o) - wo;
   if (wi.z <= 0) return std::nullopt;  // the facet reflects below the horizon: masked
   const float g1 = snippets::smith_g1(facet_lambda(bsdf.facets, wo));
-  return BsdfSample<Value>{.wi = wi,
-                           .weight = value_of<Value>(reflectances(bsdf.interface, cos_o)) *
-                                     (facet_g2(bsdf.facets, wo, wi) / g1),
-                           .pdf = facet_pdf(bsdf.facets, wo, m) / (4 * cos_o)};
+  return BsdfSample<Value>{
+      .wi = wi,
+      .weight = value_of<Value>(reflectances(bsdf.interface, cos_o)) * (facet_g2(bsdf.facets, wo, wi) / g1),
+      .pdf = facet_pdf(bsdf.facets, wo, m) / (4 * cos_o)};
 }
 
 }  // namespace orbs::tracer

@@ -69,8 +69,7 @@ BsdfValue<Value> evaluate(const RoughDielectricBsdf<Value, N>& bsdf, Vec3f wo, V
   // G2 D cos_o / (wo.z) over the density of the facet: what sample() has for a weight, too.
   const float seen =
       facet_g2(bsdf.facets, wo, wi) / snippets::smith_g1(facet_lambda(bsdf.facets, wo)) * visible;
-  if (wi.z > 0)
-    return {value_of<Value>(reflected) * (seen / (4 * cos_o)), chance * visible / (4 * cos_o)};
+  if (wi.z > 0) return {value_of<Value>(reflected) * (seen / (4 * cos_o)), chance * visible / (4 * cos_o)};
   const float jacobian = refraction_jacobian(cos_o, dot(wi, *m), eta);
   return {value_of<Value>(rest_of(reflected)) * (seen * jacobian / (eta * eta)),
           (1 - chance) * visible * jacobian};

@@ -16,7 +16,7 @@ struct Interface {
   std::array<std::complex<float>, N> index{};  // beyond the surface over this side's
   std::array<float, N> film_index{};           // over this side's
   float film_height_nm = 0;                    // 0: no film
-  std::array<float, N> nm{};  // wavelengths within this side's medium; unused without a film
+  std::array<float, N> nm{};                   // wavelengths within this side's medium; unused without a film
 };
 
 template <std::size_t N>
