@@ -1,14 +1,12 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "registry/cases.h"
-#include "registry/filters.h"
 #include "report/effects_table.h"
 #include "results/record_json.h"
 #include "runner/scene_record.h"
 #include "scene/load_scene.h"
 
 #include <filesystem>
-#include <map>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,18 +22,6 @@ SceneRecord record_of(const std::string& name, const std::filesystem::path& file
       with_note(fmt::format("reading scene '{}'", name), [&] { return scene::load_scene(file); });
   for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs: warning: {}\n", warning);
   return runner::scene_record(name, scene);
-}
-
-std::vector<SceneRecord> records_of_suite(const registry::Suite& suite, const std::string& patterns) {
-  std::vector<std::string> names;
-  std::map<std::string, std::filesystem::path> files;
-  for (const auto& one_case : registry::load_cases(suite))
-    for (const auto& scene : one_case.scenes)
-      if (files.emplace(scene.name, scene.file).second) names.push_back(scene.name);
-  std::vector<SceneRecord> records;
-  for (const auto& name : registry::select_names(names, patterns, "scene"))
-    records.push_back(record_of(name, files[name]));
-  return records;
 }
 
 struct Options {
@@ -57,7 +43,8 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
   if (names.empty()) return found;
   const auto& suite = registry::find_suite(
       configuration, options.suite.empty() ? configuration.defaults.suite : options.suite);
-  for (auto& record : records_of_suite(suite, joined_list(names))) found.push_back(std::move(record));
+  for (const auto& scene : registry::scenes_of(suite, joined_list(names)))
+    found.push_back(record_of(scene.name, scene.file));
   return found;
 }
 

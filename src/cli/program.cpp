@@ -48,6 +48,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   add_renderer_command(app, program, action);
   add_reference_command(app, program, action);
   add_plan_command(app, program, action);
+  add_effects_command(app, program, action);
   add_probe_command(app, program, action);
   add_qualify_command(app, program, action);
   add_bench_command(app, program, action);

@@ -36,6 +36,7 @@ struct Options {
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
   std::optional<orbs::scene::LightTransport> transport;  // nothing: what the scene calls for
+  bool may_lose_effects = false;
 };
 
 std::vector<std::string> transport_choices() {
@@ -76,6 +77,8 @@ Options parse_options(int argc, char** argv) {
                  "picture is the same but for its noise")
       ->check(CLI::IsMember(transport_choices()))
       ->capture_default_str();
+  app.add_flag("--lossy", options.may_lose_effects,
+               "allow a transport that lacks what the scene calls for: the picture shows what is lost");
   app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
   try {
     app.parse(argc, argv);
@@ -160,8 +163,9 @@ int run(const Options& options) {
   for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  auto world = tracer::make_world(
-      scene, {.transport = options.transport, .light_paths = options.light_paths != "never"});
+  auto world = tracer::make_world(scene, {.transport = options.transport,
+                                          .may_lose_effects = options.may_lose_effects,
+                                          .light_paths = options.light_paths != "never"});
   if (options.light_paths == "auto") tracer::choose_light_paths(world);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "json/object_reader.h"
+#include "registry/filters.h"
 #include "registry/plain_name.h"
 
 #include <algorithm>
@@ -283,6 +284,17 @@ std::vector<std::string> picture_names(const Case& one_case) {
 
 const std::string& reference_name(const CaseScene& scene) {
   return scene.reference.empty() ? scene.name : scene.reference;
+}
+
+std::vector<CaseScene> scenes_of(const Suite& suite, const std::string& patterns) {
+  std::vector<std::string> names;
+  std::map<std::string, CaseScene> by_name;
+  for (const auto& one_case : load_cases(suite))
+    for (const auto& scene : one_case.scenes)
+      if (by_name.emplace(scene.name, scene).second) names.push_back(scene.name);
+  std::vector<CaseScene> chosen;
+  for (const auto& name : select_names(names, patterns, "scene")) chosen.push_back(by_name.at(name));
+  return chosen;
 }
 
 }  // namespace orbs::registry

@@ -102,6 +102,10 @@ Case parse_case(const std::filesystem::path& file, const std::string& text);
 /// no case at all.
 std::vector<Case> load_cases(const Suite& suite);
 
+/// The scenes of the suite whose names match (registry/filters.h), each once, in its order. InputError for a
+/// pattern that matches none.
+std::vector<CaseScene> scenes_of(const Suite& suite, const std::string& patterns);
+
 /// Names of the pictures that a case judges: its scenes, then its differences.
 std::vector<std::string> picture_names(const Case& one_case);
 

@@ -45,6 +45,7 @@ struct BenchRender {
   double wall_seconds = 0;
   double warden_cpu_seconds = 0;          // what watching it cost beside that
   std::optional<double> traversal_share;  // of its threads' time; only the built-in tracer says it
+  std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
 };
 
 /// Two renders of one seed right after each other. They differ in their samples alone, so the difference of

@@ -14,17 +14,25 @@ namespace orbs::studies {
 
 namespace {
 
+struct TracerReport {
+  std::optional<double> traversal_share;
+  std::optional<double> samples_cpu_seconds;
+};
+
 // From the last line of the tracer's --json report. It clocks traversal by the wall in each thread, so the
 // whole is the wall clock of all threads: on a machine that others use, CPU time would be less than the part.
-std::optional<double> traversal_share(const std::string& output, int threads) {
+TracerReport read_report(const std::string& output, int threads) {
   for (const auto& line : split(output, '\n')) {
     if (!line.starts_with('{') || line.find("\"traversal_seconds\"") == std::string::npos) continue;
     const auto document = json::parse("the report of orbs-tracer", line);
     json::ObjectReader report(document);
+    TracerReport found;
+    found.samples_cpu_seconds = report.number("cpu_seconds", json::kNotNegative);
     const double whole = report.number("render_seconds", json::kNotNegative) * threads;
-    if (whole > 0) return report.number("traversal_seconds", json::kNotNegative) / whole;
+    if (whole > 0) found.traversal_share = report.number("traversal_seconds", json::kNotNegative) / whole;
+    return found;
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -56,12 +64,14 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
   job_settings.spp = settings.spp;
   job_settings.seed = settings.seed;
   job_settings.threads = settings.threads;
-  const auto job = adapters::make_job(entry, subject.scene, job_settings, subject.folder);
+  auto job = adapters::make_job(entry, subject.scene, job_settings, subject.folder);
+  job.may_be_negative = settings.may_be_negative;
   std::filesystem::remove(job.image);
   adapters::ProcessRequest request;
   request.argv = job.argv;
   request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
   if (subject.is_built_in) request.argv.emplace_back("--json");
+  for (const auto& argument : settings.more_arguments) request.argv.push_back(argument);
   request.folder = job.folder;
   request.environment = adapters::child_environment(entry.environment);
   request.limits = entry.limits;
@@ -73,9 +83,10 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
     throw InputError(
         fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));
   BenchPicture made;
-  made.render = {settings.spp, process.user_seconds + process.system_seconds, process.wall_seconds,
-                 process.warden_cpu_seconds,
-                 subject.is_built_in ? traversal_share(process.output, settings.threads) : std::nullopt};
+  const auto report = subject.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
+  made.render = {settings.spp,           process.user_seconds + process.system_seconds,
+                 process.wall_seconds,   process.warden_cpu_seconds,
+                 report.traversal_share, report.samples_cpu_seconds};
   made.picture = std::move(*outcome.picture);
   return made;
 }

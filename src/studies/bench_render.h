@@ -9,6 +9,8 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace orbs::studies {
 
@@ -25,6 +27,8 @@ struct BenchRenderSettings {
   int spp = 64;
   int seed = 1;
   int threads = 1;
+  std::vector<std::string> more_arguments{};  // for the built-in tracer
+  bool may_be_negative = false;               // the pixels, as colours beyond Rec.709 are
 };
 
 struct BenchPicture {

@@ -13,7 +13,7 @@ std::array<float, T::kWavelengths> wavelengths_of(const typename T::Lambda& lamb
   if constexpr (requires { lambda.nm; })
     return lambda.nm;
   else
-    return {550};
+    return {550};  // or, where the colour paths were asked for all the same, some in the middle
 }
 
 /// `beyond` is real for dielectrics, complex for metals.
@@ -94,7 +94,7 @@ void place_interface_bsdf(typename T::Bsdf& out,
       if constexpr (requires { requires T::kFluoresces; }) {
         out = LambertBsdf<Value>{reradiate<T>(world, material.colour, world.reradiations[details], visit)};
       } else {
-        // Its kernel is zero, or the scene would have called for another transport.
+        // Its kernel is zero, or fluorescence is to be left out.
         out = LambertBsdf<Value>{T::reflectance(world, material.colour, visit.lambda)};
       }
       return;

@@ -227,12 +227,12 @@ void add_lights(const scene::Scene& scene, World& world) {
 }
 
 // The transport that is asked for must have every effect of the scene's own.
-scene::LightTransport checked_transport(const scene::Scene& scene,
-                                        const std::optional<scene::LightTransport>& asked) {
+scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSettings& settings) {
+  const auto& asked = settings.transport;
   const auto found = scene::effects(scene);
   const auto needed = scene::transport(found);
   if (!asked || *asked == needed) return needed;
-  if (scene::covers(*asked, needed)) return *asked;
+  if (settings.may_lose_effects || scene::covers(*asked, needed)) return *asked;
   throw InputError(fmt::format("scene '{}' calls for {} transport{}, which {} transport does not have",
                                scene.name, scene::transport_name(needed), scene::reason_for(found),
                                scene::transport_name(*asked)));
@@ -252,9 +252,10 @@ bool has_use_for_light_paths(const World& world) {
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   World world;
-  world.transport = checked_transport(scene, settings.transport);
+  world.transport = checked_transport(scene, settings);
   world.camera = prepare_camera(scene.camera);
-  world.wants_stokes = scene.outputs.stokes;
+  world.wants_stokes =
+      scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
   world.environment = {cast<float>(scene.environment),
                        add_spectrum(scene, scene.environment_spectrum, world)};
   world.trace_depth = scene.trace_depth;

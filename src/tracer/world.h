@@ -152,6 +152,9 @@ struct WorldSettings {
   std::size_t most_copied_triangles = 500'000;
   /// What paths carry; nothing: no more than the scene calls for.
   std::optional<scene::LightTransport> transport = {};
+  /// Whether that may be less than the scene calls for. Indices are then those of 550 nm, spectra are
+  /// colours, light is not polarised or keeps its wavelength.
+  bool may_lose_effects = false;
   /// Off: camera paths find all light by themselves. The picture is the same but for its noise.
   bool light_paths = true;
   /// Off: no light is asked for by way of flat mirrors. The picture is the same but for its noise.

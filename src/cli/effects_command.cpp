@@ -1,0 +1,76 @@
+#include "adapters/interrupt.h"
+#include "base/files.h"
+#include "cli/commands.h"
+#include "studies/price_list.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct EffectsOptions {
+  studies::PriceSettings prices;
+  std::vector<std::string> scenes;
+  std::string suite;
+  std::string output = "prices.json";
+  bool as_markdown = false;
+};
+
+void add_options(CLI::App& command, EffectsOptions& options) {
+  command.add_option("scenes", options.scenes,
+                     "scenes of the suite by name or pattern (default: the whole suite)");
+  command.add_option("--suite", options.suite, "the suite that has the scenes");
+  command.add_option("--rounds", options.prices.rounds, "rounds; each renders with its own seed")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  command.add_option("--spp", options.prices.spp, "samples per pixel of each render")
+      ->check(CLI::Range(8, 1 << 20))
+      ->capture_default_str();
+  command.add_option("--size", options.prices.size_px, "longer side in pixels")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command.add_option("-o,--output", options.output, "file for all numbers")->capture_default_str();
+  command.add_flag("--markdown", options.as_markdown, "print the table in Markdown");
+}
+
+int effects(const registry::Configuration& configuration,
+            const EffectsOptions& options,
+            const Program& program) {
+  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
+  studies::PriceContext context;
+  context.build = program.folder;
+  context.orbs_version = program.version;
+  context.stop = &adapters::catch_interrupts();
+  context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
+  const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
+  const auto list = studies::make_price_list(configuration, suite, scenes, options.prices, context);
+  if (!list) return kInterrupted;
+  write_file(options.output, studies::price_json(*list));
+  fmt::print("{}\nall numbers: {}\n",
+             options.as_markdown ? studies::price_markdown(*list) : studies::price_table(*list),
+             options.output);
+  return studies::all_agree(*list) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_effects_command(CLI::App& app, const Program& program, Action& action) {
+  auto* command = app.add_subcommand(
+      "effects", "Prices the effects of light: what richer transports cost, what poorer ones lose");
+  const auto configuration = add_configuration_option(*command);
+  const auto options = std::make_shared<EffectsOptions>();
+  add_options(*command, *options);
+  command->footer(
+      "Renders with the built-in tracer. Exit status: 0 every richer transport gives the same picture, 1 one "
+      "does not.");
+  command->callback([=, &program, &action] {
+    action = [=, &program] {
+      return effects(read_configuration(*configuration, program), *options, program);
+    };
+  });
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,91 @@
+#include "studies/picture_change.h"
+
+#include "image/colour.h"
+#include "metrics/noise_numbers.h"
+#include "metrics/seeds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbs::studies {
+
+namespace {
+
+MeanOfRounds mean_of_rounds(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double v : values) sum += v;
+  double scatter = 0;
+  for (const double v : values) scatter += (v - sum / n) * (v - sum / n);
+  return {sum / n, std::sqrt(scatter / (n - 1) / n)};
+}
+
+double luminance_at(const image::Image& picture, int x, int y) {
+  return image::luminance(static_cast<double>(picture.at(x, y, 0)), static_cast<double>(picture.at(x, y, 1)),
+                          static_cast<double>(picture.at(x, y, 2)));
+}
+
+// Mean luminance of the pixels [x0, x0 + side) x [y0, y0 + side) that there are.
+double block_mean(const image::Image& picture, int x0, int y0, int width, int height) {
+  double sum = 0;
+  int count = 0;
+  for (int y = y0; y < std::min(y0 + height, picture.height); ++y)
+    for (int x = x0; x < std::min(x0 + width, picture.width); ++x, ++count)
+      sum += luminance_at(picture, x, y);
+  return sum / count;
+}
+
+bool are_equal(const image::Image& a, const image::Image& b) {
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (a.at(x, y, c) != b.at(x, y, c)) return false;
+  return true;
+}
+
+}  // namespace
+
+PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
+  constexpr int kBlock_px = 8;
+  const int width = usual.front().width;
+  const int height = usual.front().height;
+  const auto changes = [&](int x, int y, int w, int h) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < usual.size(); ++i)
+      values.push_back(block_mean(other[i], x, y, w, h) - block_mean(usual[i], x, y, w, h));
+    return mean_of_rounds(values);
+  };
+  double whole = 0;
+  for (const auto& picture : usual)
+    whole += block_mean(picture, 0, 0, width, height) / static_cast<double>(usual.size());
+  const auto relative = [&](MeanOfRounds m) {
+    return whole > 0 ? MeanOfRounds{m.value / whole, m.standard_error / whole} : m;
+  };
+  PictureChange change;
+  change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), are_equal);
+  if (change.is_equal) return change;
+  change.mean = relative(changes(0, 0, width, height));
+  for (int y = 0; y < height; y += kBlock_px)
+    for (int x = 0; x < width; x += kBlock_px) {
+      const auto found = relative(changes(x, y, kBlock_px, kBlock_px));
+      if (std::abs(found.value) <= std::abs(change.largest.value)) continue;
+      change.largest = found;
+      change.x = x;
+      change.y = y;
+    }
+  change.bias = metrics::bias_sentence(
+      metrics::test_noise(metrics::mean_and_variance_of(other), metrics::mean_and_variance_of(usual)));
+  return change;
+}
+
+double mean_variance(const std::vector<image::Image>& pictures) {
+  constexpr std::size_t kVariance = 3;  // the channels behind R, G and B
+  double sum = 0;
+  for (const auto& picture : pictures)
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(picture.at(x, y, kVariance + c));
+  return sum / (3 * static_cast<double>(pictures.size() * pictures.front().pixel_count()));
+}
+
+}  // namespace orbs::studies

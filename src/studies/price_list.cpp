@@ -1,0 +1,151 @@
+#include "studies/price_list.h"
+
+#include "base/error.h"
+#include "base/scratch_folder.h"
+#include "registry/cases.h"
+#include "runner/choose.h"
+#include "runner/execute.h"
+#include "runner/host.h"
+#include "scene/load_scene.h"
+#include "scene/without_effect.h"
+#include "studies/bench_render.h"
+#include "studies/picture_change.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// One way to render a scene.
+struct Way {
+  std::string name;
+  BenchSubject subject;
+  std::vector<std::string> arguments;
+  bool is_enough = false;
+  std::vector<double> cpu_seconds{};  // of each round
+  std::vector<image::Image> pictures{};
+};
+
+scene::Scene scaled_scene(const std::filesystem::path& file, int size_px) {
+  auto scene = scene::load_scene(file);
+  auto& camera = scene.camera;
+  const double scale = static_cast<double>(size_px) / std::max(camera.width_px, camera.height_px);
+  if (scale < 1) {
+    camera.width_px = std::max(1, static_cast<int>(camera.width_px * scale));
+    camera.height_px = std::max(1, static_cast<int>(camera.height_px * scale));
+  }
+  return scene;
+}
+
+// What the scene calls for comes first.
+std::vector<Way> ways_for(const scene::Scene& scene,
+                          const runner::Plan& plan,
+                          const std::filesystem::path& scratch) {
+  const auto& renderer = plan.renderers.front();
+  const auto found = scene::effects(scene);
+  const auto needed = scene::transport(found);
+  std::vector<Way> ways;
+  const auto subject = prepare_subject(renderer, plan, scene, scratch / "scene");
+  ways.push_back({std::string(transport_name(needed)), subject, {}, true});
+  for (const auto transport : scene::kTransports) {
+    if (transport == needed) continue;
+    const std::string name(transport_name(transport));
+    ways.push_back({name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed)});
+  }
+  std::set<scene::Effect> effects;
+  for (const auto& finding : found.called_for) effects.insert(finding.effect);
+  for (const auto effect : effects) {
+    auto without = scene;
+    if (!scene::leave_out(effect, without)) continue;
+    const auto name = fmt::format("without {}", effect_name(effect));
+    // As rich as before, or the saving of time would count for the effect.
+    ways.push_back({name,
+                    prepare_subject(renderer, plan, without, scratch / name),
+                    {"--transport", std::string(transport_name(needed))},
+                    false});
+  }
+  return ways;
+}
+
+// Nothing when stopped.
+bool render_rounds(std::vector<Way>& ways, const PriceSettings& settings, const PriceContext& context) {
+  for (int round = 0; round < settings.rounds; ++round)
+    for (std::size_t turn = 0; turn < ways.size(); ++turn) {
+      // Every other round backwards: none is always the one that comes after a rest.
+      auto& way = ways[round % 2 == 0 ? turn : ways.size() - 1 - turn];
+      auto made = render(way.subject, {settings.spp, round + 1, 1, way.arguments, true}, context.stop);
+      if (!made) return false;
+      way.cpu_seconds.push_back(made->render.samples_cpu_seconds.value_or(made->render.cpu_seconds));
+      way.pictures.push_back(std::move(made->picture));
+    }
+  return true;
+}
+
+Alternative compare_ways(const Way& usual, const Way& other) {
+  Alternative out{other.name, other.is_enough, {}, 0, change_between(usual.pictures, other.pictures)};
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < usual.cpu_seconds.size(); ++i)
+    ratios.push_back(other.cpu_seconds[i] / usual.cpu_seconds[i]);
+  out.time_ratio = *spread_of(ratios);
+  const double variance = mean_variance(usual.pictures);
+  out.error_ratio = variance > 0 ? out.time_ratio.median * mean_variance(other.pictures) / variance : 0;
+  return out;
+}
+
+ScenePrices prices_of(const std::string& name, const std::vector<Way>& ways, const PriceSettings& settings) {
+  const Way& usual = ways.front();
+  ScenePrices prices{name, usual.name, {}, 0, {}};
+  const auto paths = static_cast<double>(usual.pictures.front().pixel_count()) * settings.spp;
+  prices.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
+  for (const auto& finding : scene::effects(usual.subject.scene).called_for) {
+    const std::string effect(effect_name(finding.effect));
+    if (prices.effects.empty() || prices.effects.back() != effect) prices.effects.push_back(effect);
+  }
+  for (std::size_t i = 1; i < ways.size(); ++i) prices.alternatives.push_back(compare_ways(usual, ways[i]));
+  return prices;
+}
+
+}  // namespace
+
+std::optional<PriceList> make_price_list(const registry::Configuration& configuration,
+                                         const std::string& suite,
+                                         const std::string& scenes,
+                                         const PriceSettings& settings,
+                                         const PriceContext& context) {
+  runner::Plan plan;
+  plan.root = configuration.root;
+  plan.build = context.build;
+  plan.settings.renderers = "orbs";
+  runner::choose_renderers(configuration, plan);
+  PriceList list{settings,
+                 context.orbs_version,
+                 suite,
+                 runner::local_time_now(),
+                 runner::this_host(),
+                 runner::load_average(),
+                 {}};
+  const auto chosen = registry::scenes_of(registry::find_suite(configuration, suite), scenes);
+  for (const auto& one : chosen) {
+    const ScratchFolder scratch("orbs-effects");
+    const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
+                                 [&] { return scaled_scene(one.file, settings.size_px); });
+    auto ways = ways_for(scene, plan, scratch.path());
+    if (!render_rounds(ways, settings, context)) return std::nullopt;
+    list.scenes.push_back(prices_of(one.name, ways, settings));
+    context.say(fmt::format("[{}/{}] {}", list.scenes.size(), chosen.size(), one.name));
+  }
+  return list;
+}
+
+bool all_agree(const PriceList& list) {
+  return std::all_of(list.scenes.begin(), list.scenes.end(), [](const ScenePrices& scene) {
+    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(),
+                       [](const Alternative& way) { return !way.is_enough || way.change.bias.empty(); });
+  });
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,126 @@
+#include "json/writer.h"
+#include "results/record_json.h"
+#include "studies/price_list.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+std::string percent(const MeanOfRounds& m) {
+  return fmt::format("{:+.3g} +- {:.2g} %", 100 * m.value, 100 * m.standard_error);
+}
+
+// What a reader wants to know of the picture: that it is the same, or what is lost.
+std::string picture_text(const Alternative& way) {
+  const auto& change = way.change;
+  if (change.is_equal) return "same to the bit";
+  if (change.bias.empty()) return "same but for noise";
+  return fmt::format("{}mean {}, most {} at ({}, {})", way.is_enough ? "DIFFERS: " : "", percent(change.mean),
+                     percent(change.largest), change.x, change.y);
+}
+
+std::string what_it_costs(double ratio, int decimals) {
+  return ratio > 0 ? fmt::format("{:.{}f}", ratio, decimals) : "-";
+}
+
+void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
+  out.key(name)
+      .begin_object()
+      .member("value", m.value)
+      .member("standard_error", m.standard_error)
+      .end_object();
+}
+
+void put(json::Writer& out, const Alternative& way) {
+  const auto& change = way.change;
+  out.begin_object().member("name", way.name).member("is_enough", way.is_enough);
+  out.key("time_ratio")
+      .begin_object()
+      .member("median", way.time_ratio.median)
+      .member("least", way.time_ratio.least)
+      .member("most", way.time_ratio.most)
+      .end_object();
+  out.member("error_ratio", way.error_ratio).member("is_equal", change.is_equal);
+  put(out, "mean_change", change.mean);
+  put(out, "largest_change", change.largest);
+  out.member("largest_x", change.x).member("largest_y", change.y).member("bias", change.bias).end_object();
+}
+
+void put_definitions(json::Writer& out) {
+  out.key("definitions")
+      .begin_object()
+      .member("time_ratio",
+              "CPU time of the samples over that of the same samples with what the scene calls for; median, "
+              "least and most of the rounds")
+      .member(
+          "error_ratio",
+          "median time ratio times the ratio of the mean variances in linear Rec.709: what the same noise "
+          "costs")
+      .member("mean_change",
+              "difference of the mean Rec.709 luminances over the mean of the picture that the scene calls "
+              "for; same random numbers, standard error over the rounds")
+      .member("largest_change", "the same of the block of 8 x 8 px where it is largest")
+      .member("bias", "what differs by more than noise: means, blocks and squares as orbs compare tests them")
+      .end_object();
+}
+
+}  // namespace
+
+std::string price_table(const PriceList& list) {
+  std::string text;
+  for (const auto& scene : list.scenes) {
+    text += fmt::format("{}: {}, {:.2f} million paths per CPU second{}\n", scene.scene, scene.transport,
+                        scene.paths_per_cpu_second / 1e6,
+                        scene.effects.empty() ? "" : fmt::format("; {}", fmt::join(scene.effects, ", ")));
+    for (const auto& way : scene.alternatives)
+      text += fmt::format("  {:<24} time x {:<5} to equal noise x {:<7} {}\n", way.name,
+                          what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
+                          picture_text(way));
+  }
+  return text;
+}
+
+std::string price_markdown(const PriceList& list) {
+  std::string text =
+      "| scene | calls for | instead | time | to equal noise | picture |\n|---|---|---|---|---|---|\n";
+  for (const auto& scene : list.scenes)
+    for (const auto& way : scene.alternatives)
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, way.name,
+                          what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
+                          picture_text(way));
+  return text;
+}
+
+std::string price_json(const PriceList& list) {
+  json::Writer out;
+  out.begin_object()
+      .member("format", "orbs-prices/1")
+      .member("orbs_version", list.orbs_version)
+      .member("suite", list.suite)
+      .member("started", list.started)
+      .member("load", list.load)
+      .member("rounds", list.settings.rounds)
+      .member("spp", list.settings.spp)
+      .member("size_px", list.settings.size_px);
+  out.key("host");
+  results::write_host(out, list.host);
+  out.key("scenes").begin_array();
+  for (const auto& scene : list.scenes) {
+    out.begin_object()
+        .member("scene", scene.scene)
+        .member("transport", scene.transport)
+        .member("effects", scene.effects)
+        .member("paths_per_cpu_second", scene.paths_per_cpu_second);
+    out.key("alternatives").begin_array();
+    for (const auto& way : scene.alternatives) put(out, way);
+    out.end_array().end_object();
+  }
+  out.end_array();
+  put_definitions(out);
+  return out.end_object().text();
+}
+
+}  // namespace orbs::studies
