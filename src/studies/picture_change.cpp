@@ -43,6 +43,11 @@ bool are_equal(const image::Image& a, const image::Image& b) {
   return true;
 }
 
+bool has_light_paths(const image::Image& picture) {
+  const auto found = picture.attributes.find("orbs.light_paths");
+  return found != picture.attributes.end() && found->second == "yes";
+}
+
 }  // namespace
 
 PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
@@ -62,6 +67,7 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
     return whole > 0 ? MeanOfRounds{m.value / whole, m.standard_error / whole} : m;
   };
   PictureChange change;
+  change.is_comparable = has_light_paths(usual.front()) == has_light_paths(other.front());
   change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), are_equal);
   if (change.is_equal) return change;
   change.mean = relative(changes(0, 0, width, height));

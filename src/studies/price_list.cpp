@@ -143,8 +143,9 @@ std::optional<PriceList> make_price_list(const registry::Configuration& configur
 
 bool all_agree(const PriceList& list) {
   return std::all_of(list.scenes.begin(), list.scenes.end(), [](const ScenePrices& scene) {
-    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(),
-                       [](const Alternative& way) { return !way.is_enough || way.change.bias.empty(); });
+    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(), [](const Alternative& way) {
+      return !way.is_enough || !way.change.is_comparable || way.change.bias.empty();
+    });
   });
 }
 

@@ -43,6 +43,8 @@ struct PictureChange {
   int x = 0;             // the block's upper left pixel
   int y = 0;
   std::string bias;  // more than noise, in words; "" when it is not
+  /// One of the two has light paths and the other cannot: what caustics it has are too rare to compare.
+  bool is_comparable = true;
 };
 
 /// The scene rendered otherwise than it calls for.

@@ -18,6 +18,7 @@ std::string picture_text(const Alternative& way) {
   const auto& change = way.change;
   if (change.is_equal) return "same to the bit";
   if (change.bias.empty()) return "same but for noise";
+  if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
   return fmt::format("{}mean {}, most {} at ({}, {})", way.is_enough ? "DIFFERS: " : "", percent(change.mean),
                      percent(change.largest), change.x, change.y);
 }
@@ -46,7 +47,11 @@ void put(json::Writer& out, const Alternative& way) {
   out.member("error_ratio", way.error_ratio).member("is_equal", change.is_equal);
   put(out, "mean_change", change.mean);
   put(out, "largest_change", change.largest);
-  out.member("largest_x", change.x).member("largest_y", change.y).member("bias", change.bias).end_object();
+  out.member("largest_x", change.x)
+      .member("largest_y", change.y)
+      .member("bias", change.bias)
+      .member("is_comparable", change.is_comparable)
+      .end_object();
 }
 
 void put_definitions(json::Writer& out) {

@@ -238,14 +238,14 @@ scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSe
                                scene::transport_name(*asked)));
 }
 
-// Light paths end at lights, go from the absorbed wavelength to the emitted one, and multiply matrices from
-// the other side: none of which they do where lights reflect, surfaces fluoresce, or polarisation counts.
+// Light paths end at lights, keep their wavelengths, and multiply no matrices from the other side: they are
+// of no use where lights reflect, surfaces fluoresce, or polarisation counts.
 bool has_use_for_light_paths(const World& world) {
-  const bool is_plain =
-      world.transport == scene::LightTransport::Colour || world.transport == scene::LightTransport::Spectral;
+  const bool is_polarised = world.transport == scene::LightTransport::Polarised ||
+                            world.transport == scene::LightTransport::PolarisedBispectral;
   const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
                                           [](const auto& light) { return !(light.reflectance == Vec3f{}); });
-  return is_plain && !lights_reflect && !world.emitters.empty();
+  return !is_polarised && !lights_reflect && world.reradiations.empty() && !world.emitters.empty();
 }
 
 }  // namespace
