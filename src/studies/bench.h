@@ -43,8 +43,8 @@ struct BenchRender {
   int spp = 0;
   double cpu_seconds = 0;  // user and system
   double wall_seconds = 0;
-  double warden_cpu_seconds = 0;          // what watching it cost beside that
-  std::optional<double> traversal_share;  // of its threads' time; only the built-in tracer says it
+  double warden_cpu_seconds = 0;                   // what watching it cost beside that
+  std::optional<double> traversal_share;           // of its threads' time; only the built-in tracer says it
   std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
 };
 

@@ -1,0 +1,106 @@
+// What richer transports cost is for people on a quiet machine; that the pictures agree, and what is lost
+// without an effect, holds on any.
+#include "cli/sandbox.h"
+#include "image/image_io.h"
+#include "json/object_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+std::vector<std::string> effects_of(const std::string& scenes) {
+  return {"effects", scenes,       "--configuration", ORBS_SOURCE_DIR "/configuration.json",
+          "--suite", "appearance", "--size",          "32",
+          "--spp",   "16",         "--rounds",        "2"};
+}
+
+struct Found {
+  bool is_equal = false;
+  bool is_enough = false;
+  double mean = 0;
+  std::string bias;
+};
+
+std::map<std::string, Found> alternatives_in(const std::string& text) {
+  const auto document = json::parse("prices.json", text);
+  json::ObjectReader prices(document);
+  auto scenes = prices.objects("scenes");
+  std::map<std::string, Found> found;
+  for (auto& way : scenes.at(0).objects("alternatives"))
+    found[way.text("name")] = {way.boolean_or("is_equal", false), way.boolean_or("is_enough", false),
+                               way.object("mean_change").number("value"), way.text("bias")};
+  return found;
+}
+
+}  // namespace
+
+TEST(EffectsCommand, RicherTransportsGiveTheSamePictureAndAFilmIsWorthSomething) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(effects_of("iridescent_spheres_film"));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("iridescent_spheres_film: spectral"), std::string::npos) << answer.text;
+  const auto ways = alternatives_in(sandbox.read("prices.json"));
+  EXPECT_TRUE(ways.at("bispectral").is_equal);
+  EXPECT_TRUE(ways.at("polarised").is_enough);
+  EXPECT_EQ(ways.at("polarised").bias, "");
+  EXPECT_FALSE(ways.at("rgb").is_enough);
+  EXPECT_FALSE(ways.at("without thin film").is_enough);
+  EXPECT_GT(std::abs(ways.at("without thin film").mean), 0.01);
+}
+
+TEST(EffectsCommand, ScenesThatMatchNothingAreAnError) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(effects_of("no_such_scene"));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("no_such_scene"), std::string::npos) << answer.text;
+  EXPECT_FALSE(sandbox.has("prices.json"));
+}
+
+namespace {
+
+// A tiny picture of a scene of group E3, out.exr.
+cli_tests::Answer render_tiny(const Sandbox& sandbox, const std::string& scene, const std::string& more) {
+  return sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR
+                                       "/data/cases/appearance/e3_polarisation/" +
+                       scene + ".json -o out.exr --spp 4 --width 8 --height 8 " + more);
+}
+
+}  // namespace
+
+TEST(TracerTransport, LessThanTheSceneCallsForIsRefusedWithTheReason) {
+  const Sandbox sandbox;
+  const auto answer = render_tiny(sandbox, "polarizing_plane_0", "--transport rgb");
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.text.find("calls for polarised transport because material 'filter' is a polariser, "
+                             "which rgb transport does not have"),
+            std::string::npos)
+      << answer.text;
+  EXPECT_FALSE(sandbox.has("out.exr"));
+}
+
+TEST(TracerTransport, LossyAllowsIt) {
+  const Sandbox sandbox;
+  const auto answer = render_tiny(sandbox, "polarizing_plane_0", "--transport rgb --lossy");
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto picture = image::read_image(sandbox.folder() / "out.exr");
+  EXPECT_EQ(picture.attributes.at("orbs.transport"), "rgb");
+}
+
+TEST(TracerTransport, StokesVectorsComeWithTheirConvention) {
+  const Sandbox sandbox;
+  const auto answer = render_tiny(sandbox, "polarizing_spheres", "");
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto picture = image::read_image(sandbox.folder() / "out.exr");
+  EXPECT_EQ(picture.attributes.at("orbs.transport"), "polarised");
+  EXPECT_TRUE(picture.attributes.contains("orbs.stokes"));
+  for (const char* channel : {"S0.R", "S1.G", "S2.B", "S3.R"})
+    EXPECT_NE(std::find(picture.channels.begin(), picture.channels.end(), channel), picture.channels.end())
+        << channel;
+}
