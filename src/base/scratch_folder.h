@@ -5,7 +5,7 @@
 
 namespace orbs {
 
-/// A folder of this process for unfinished files, below the system's temporary folder; gone with the object.
+/// A folder of its own for unfinished files, below the system's temporary folder; gone with the object.
 class ScratchFolder {
  public:
   /// `name` tells people whose it is. Throws std::filesystem::filesystem_error when it cannot be made.

@@ -93,8 +93,11 @@ std::map<std::string, double> path_shares(const image::Image& picture) {
 }
 
 image::Image shortened_picture(const image::Image& picture) {
-  auto out = image::make_image(picture.width, picture.height,
-                               {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  std::vector<std::string> channels{"R", "G", "B", "variance.R", "variance.G", "variance.B"};
+  // S0 is the colour itself.
+  for (const auto& name : picture.channels)
+    if (name.starts_with("S") && !name.starts_with("S0.")) channels.push_back(name);
+  auto out = image::make_image(picture.width, picture.height, channels);
   out.attributes = picture.attributes;
   const auto colour = image::select_rgb(picture, "");
   const auto variance = image::select_rgb(picture, "variance.");
@@ -102,9 +105,16 @@ image::Image shortened_picture(const image::Image& picture) {
     for (std::size_t c = 0; c < 3; ++c) {
       const float mean = colour.pixels[3 * pixel + c];
       const float spread = variance.pixels[3 * pixel + c];
-      out.pixels[6 * pixel + c] = spread == 0 ? mean : image::rounded_to_bits(mean, kColourBits);
-      out.pixels[6 * pixel + 3 + c] = image::rounded_to_bits(spread, kVarianceBits);
+      out.pixels[channels.size() * pixel + c] =
+          spread == 0 ? mean : image::rounded_to_bits(mean, kColourBits);
+      out.pixels[channels.size() * pixel + 3 + c] = image::rounded_to_bits(spread, kVarianceBits);
     }
+  for (std::size_t c = 6; c < channels.size(); ++c) {
+    const auto from = static_cast<std::size_t>(image::channel_index(picture, channels[c]));
+    for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
+      out.pixels[channels.size() * pixel + c] =
+          image::rounded_to_bits(picture.pixels[picture.channel_count() * pixel + from], kColourBits);
+  }
   return out;
 }
 

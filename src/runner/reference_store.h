@@ -12,8 +12,9 @@ namespace orbs::runner {
 /// "path.<class>.R/G/B", by class.
 std::map<std::string, double> path_shares(const image::Image& picture);
 
-/// R, G, B and their variances alone, rounded so that they compress: 9 significant bits of a colour, 2 of a
-/// variance. A colour without variance (black, a lamp that fills the pixel) is exact and stays as it is.
+/// R, G, B, their variances and Stokes parameters S1 to S3 alone, rounded so that they compress: 9
+/// significant bits of a colour or Stokes parameter, 2 of a variance. A colour without variance (black, a
+/// lamp that fills the pixel) is exact and stays as it is.
 image::Image shortened_picture(const image::Image& picture);
 
 /// Writes the picture with its passport to wanted.target; the passport of the one that it replaces goes to

@@ -2,6 +2,7 @@
 
 #include "metrics/edge_blur.h"
 #include "metrics/local_bias.h"
+#include "metrics/stokes.h"
 #include "runner/gate.h"
 
 #include <array>
@@ -80,6 +81,35 @@ void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur,
   if (!passed) take(record, Verdict::Fail, sentence);
 }
 
+void check_stokes(double tolerance, const JudgedPair& pair, PictureRecord& record) {
+  if (!metrics::has_stokes(pair.reference)) return;
+  const auto error = metrics::stokes_error(pair.result, pair.reference, pair.mask);
+  if (!error) {
+    const std::string sentence =
+        "it has no Stokes parameters (layers S1, S2 and S3), which the scene asks for";
+    record.checks.push_back({"stokes_error", false, sentence, {}, tolerance});
+    take(record, Verdict::Fail, sentence);
+    return;
+  }
+  const bool passed = *error <= tolerance;
+  const auto sentence =
+      fmt::format("its Stokes parameters are off by {:.3g} % of the light, at most {:.3g} % is allowed",
+                  100 * *error, 100 * tolerance);
+  record.measures.push_back(
+      {"stokes_error",
+       *error,
+       "1",
+       "root mean square over S1, S2, S3 and blocks of 8 x 8 px of mean(result) - "
+       "mean(reference) in linear Rec.709 luminance, over the reference's mean luminance",
+       true,
+       false,
+       {},
+       {},
+       {}});
+  record.checks.push_back({"stokes_error", passed, sentence, {}, tolerance});
+  if (!passed) take(record, Verdict::Fail, sentence);
+}
+
 }  // namespace
 
 void take(results::PictureRecord& record, results::Verdict verdict, const std::string& sentence) {
@@ -102,6 +132,7 @@ void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, Pi
     check_tiles(*one_case.tile_ratio, metrics::local_bias(result, reference, mask), record);
   if (one_case.edge_blur)
     check_edges(*one_case.edge_blur, metrics::edge_blur(result, reference, mask), record);
+  if (one_case.stokes_error) check_stokes(*one_case.stokes_error, pair, record);
 }
 
 }  // namespace orbs::runner

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What a picture must keep beside the gate of ORB.S: the mean of each channel, that of each tile, and how
-/// sharp its edges are.
+/// What a picture must keep beside the gate of ORB.S: the mean of each channel, that of each tile, how sharp
+/// its edges are, and how its light is polarised.
 namespace orbs::runner {
 
 /// Comparable pictures and what is known about their noise.

@@ -67,8 +67,8 @@ const std::vector<Vec3f> kViews{direction(0.95F, 0.3F), direction(0.5F, 2), dire
 // Integral over the whole sphere by the midpoint rule in (cos, phi).
 template <typename F>
 double over_sphere(const F& f) {
-  constexpr int kRows = 600;
-  constexpr int kColumns = 300;
+  constexpr int kRows = 1000;
+  constexpr int kColumns = 400;
   double sum = 0;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column)

@@ -72,6 +72,36 @@ TEST(Judge, TheGateSeparatesASmallErrorFromALargeOne) {
   EXPECT_NE(bad.sentence.find("at least 35 is needed"), std::string::npos) << bad.sentence;
 }
 
+namespace {
+
+// Grey with an even S1.
+image::Image polarised_grey(float s1) {
+  auto picture = image::make_image(
+      16, 16, {"R", "G", "B", "S1.R", "S1.G", "S1.B", "S2.R", "S2.G", "S2.B", "S3.R", "S3.G", "S3.B"});
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] = i % 12 < 3 ? 0.5F : (i % 12 < 6 ? s1 : 0);
+  return picture;
+}
+
+}  // namespace
+
+TEST(Judge, StokesParametersMustBeThereAndRight) {
+  auto polarised = one_case();
+  polarised.stokes_error = 0.02;
+  EXPECT_EQ(judged(polarised, polarised_grey(0.1F), polarised_grey(0.1F)).verdict, Verdict::Pass);
+  const auto turned = judged(polarised, polarised_grey(-0.1F), polarised_grey(0.1F));
+  EXPECT_EQ(turned.verdict, Verdict::Fail);
+  EXPECT_NE(turned.sentence.find("Stokes parameters are off by 23.1 %"), std::string::npos)
+      << turned.sentence;
+  const auto without = judged(polarised, image::select_rgb(polarised_grey(0), ""), polarised_grey(0.1F));
+  EXPECT_EQ(without.verdict, Verdict::Fail);
+  EXPECT_NE(without.sentence.find("has no Stokes parameters"), std::string::npos) << without.sentence;
+  EXPECT_EQ(
+      judged(polarised, image::select_rgb(polarised_grey(0), ""), image::select_rgb(polarised_grey(0), ""))
+          .verdict,
+      Verdict::Pass);
+}
+
 TEST(Judge, NumbersCarryTheirDefinitions) {
   const auto record = judged(one_case(), grey(0.26F), grey(0.25F));
   ASSERT_FALSE(record.measures.empty());
@@ -324,6 +354,17 @@ TEST(ImageHash, IsOfThePixelsAndTheirNamesWhateverTheirOrder) {
   auto darker = picture;
   darker.pixels[0] -= 1e-6F;
   EXPECT_NE(runner::image_hash(picture), runner::image_hash(darker));
+}
+
+TEST(Maps, StokesParametersAreShownBesideTheErrors) {
+  const structure::TestFolder scratch("runner-stokes");
+  scratch.write("keep", "");
+  const auto picture = polarised_grey(0.1F);
+  const auto maps = runner::write_maps(picture, metrics::compare(picture, picture), scratch.path());
+  const auto s1 = std::find_if(maps.begin(), maps.end(), [](const auto& map) { return map.name == "S1"; });
+  ASSERT_NE(s1, maps.end());
+  EXPECT_TRUE(s1->is_signed);
+  EXPECT_EQ(image::read_image(scratch.path() / s1->image).at(3, 3, 1), 0.1F);
 }
 
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {

@@ -131,6 +131,16 @@ TEST(ShortenedPicture, HasNoLayersButItsPassport) {
   EXPECT_EQ(shortened.attributes, picture.attributes);
 }
 
+TEST(ShortenedPicture, KeepsStokesParametersButNotTheColourTwice) {
+  auto picture = image::make_image(
+      1, 1, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "S1.R", "S0.R", "S3.B"});
+  picture.pixels = {0.5F, 0.5F, 0.5F, 0.1F, 0.1F, 0.1F, -0.25F, 0.5F, 0.125F};
+  const auto shortened = runner::shortened_picture(picture);
+  EXPECT_EQ(image::channel_index(shortened, "S0.R"), -1);
+  EXPECT_EQ(shortened.at(0, 0, static_cast<std::size_t>(image::channel_index(shortened, "S1.R"))), -0.25F);
+  EXPECT_EQ(shortened.at(0, 0, static_cast<std::size_t>(image::channel_index(shortened, "S3.B"))), 0.125F);
+}
+
 // Layers of 3/4 and 1/4 of the light.
 TEST(PathShares, AreSharesOfTheMeanRadiance) {
   auto picture = image::make_image(2, 1,
