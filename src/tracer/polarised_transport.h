@@ -3,6 +3,8 @@
 #include "tracer/polarisation.h"
 #include "tracer/spectral_transport.h"
 
+#include <algorithm>
+
 namespace orbs::tracer {
 
 /// What the path so far makes of a Stokes vector that arrives at its end, for each of the Stokes parameters
@@ -58,8 +60,9 @@ struct PolarisedTransport : S {
     for (std::size_t k = 0; k < kRows; ++k) a[k] += b[k];
     return a;
   }
-  /// The first row outweighs the others: no light has more than all of itself polarised.
-  static float magnitude(const Weight& weight) { return S::magnitude(weight.row[0][0]); }
+  /// The first row outweighs the others: no light has more than all of itself polarised. Rounding only:
+  /// behind crossed polarisers what is zero may come out below it.
+  static float magnitude(const Weight& weight) { return std::max(0.0F, S::magnitude(weight.row[0][0])); }
   static Vec3f to_rgb(const Light& light, const Lambda& lambda) { return S::to_rgb(light[0], lambda); }
   /// Stokes parameter k in linear Rec.709.
   static Vec3f stokes(const Light& light, std::size_t k, const Lambda& lambda) {

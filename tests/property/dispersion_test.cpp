@@ -1,0 +1,176 @@
+// Where light of each wavelength goes, against Snell's law in double, and what dispersion costs where there
+// is none.
+#include "property/light_pictures.h"
+#include "property/light_quadrature.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+using namespace orbs::tests;
+
+constexpr double kRadians = std::numbers::pi / 180;
+
+// n of N-BK7 by Sellmeier's formula with the coefficients of the glass catalogue.
+double index_of_bk7(double nm) {
+  const double l2 = nm * nm * 1e-6;
+  return std::sqrt(1 + 1.03961212 * l2 / (l2 - 0.00600069867) + 0.231792344 * l2 / (l2 - 0.0200179144) +
+                   1.01046945 * l2 / (l2 - 103.560653));
+}
+
+// A prism with edges along z: entered where the outside is at `entry` degrees, left where it is at `exit`.
+constexpr double kEntry_deg = 150;
+constexpr double kExit_deg = 30;
+constexpr double kHalfFace = 0.001;  // so small that the beam through it is a spot on the screen
+
+Vec3d direction_at(double degrees) { return {std::cos(degrees * kRadians), std::sin(degrees * kRadians), 0}; }
+
+// By vectors; `eta`: beyond over this side. The normal points against d.
+Vec3d refracted(Vec3d d, Vec3d normal, double eta) {
+  const double cos_i = -dot(d, normal);
+  const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (eta * eta));
+  return d / eta + normal * (cos_i / eta - cos_t);
+}
+
+constexpr double kIncidence_deg = 49.3233;  // least deviation at 587.6 nm
+const Vec3d kTowardsPrism = direction_at(kEntry_deg + 180 + kIncidence_deg);
+
+Vec3d direction_behind_prism(double nm) {
+  const double n = index_of_bk7(nm);
+  const Vec3d within = refracted(kTowardsPrism, direction_at(kEntry_deg), n);
+  return refracted(within, -direction_at(kExit_deg), 1 / n);
+}
+
+double deviation_deg(double nm) {
+  return std::acos(dot(kTowardsPrism, direction_behind_prism(nm))) / kRadians;
+}
+
+const Vec3d kEntry = direction_at(kEntry_deg) * kHalfFace;
+const Vec3d kExit = direction_at(kExit_deg) * kHalfFace;
+
+// The picture: a strip of a screen 4 m behind the prism, 160 by 16 pixels of 0.8 mm. Those of the suite's
+// prism, 512 pixels high, are four times as wide: half of one is 1.6 mm.
+constexpr double kPixel = 0.0008;
+constexpr double kHalfPixelOfSuite = 0.0016;
+constexpr int kHeight = 16;
+const Vec3d kScreen = direction_behind_prism(540) * 4;
+
+// Where a ray of the wavelength from the lamp by the middle of the entry meets the screen, from its centre to
+// the right.
+double spot(double nm) {
+  const Vec3d within = refracted(kTowardsPrism, direction_at(kEntry_deg), index_of_bk7(nm));
+  const Vec3d left = kEntry + within * (dot(kExit - kEntry, kExit) / dot(within, kExit));
+  const Vec3d d = direction_behind_prism(nm);
+  const Vec3d met = left + d * (dot(kScreen - left, kScreen) / dot(d, kScreen));
+  return dot(met - kScreen, normalised(cross(kScreen, {0, 0, 1})));
+}
+
+// A black wall before the prism with a hole that is little wider: squares to all four sides of it.
+std::vector<std::string> wall() {
+  constexpr double kHalfSquare = 2;
+  const Vec3d hole = kEntry - kTowardsPrism * 0.01;
+  const Vec3d up = cross({0, 0, 1}, kTowardsPrism);
+  std::vector<std::string> squares;
+  for (const Vec3d side : {up, -up, Vec3d{0, 0, 1}, Vec3d{0, 0, -1}})
+    squares.push_back(
+        square(hole + side * (kHalfSquare + 1.2 * kHalfFace), kTowardsPrism, kHalfSquare, "black"));
+  return squares;
+}
+
+// A lamp that shines in 4 nm around `nm`.
+image::Image prism_picture(double nm) {
+  const Vec3d eye = kScreen * 0.75 + Vec3d{0, 0, 0.2};
+  const View view{.position = text_of(eye),
+                  .look_at = text_of(kScreen),
+                  .up = "[0, 0, 1]",
+                  .fov_deg = 2 * std::atan(kHeight / 2 * kPixel / length(kScreen - eye)) / kRadians,
+                  .width = 160,
+                  .height = kHeight};
+  auto squares = wall();
+  squares.push_back(square(kEntry, kEntry, kHalfFace, "glass"));
+  squares.push_back(square(kExit, kExit, kHalfFace, "glass"));
+  squares.push_back(square(kScreen, -kScreen, 0.3, "screen"));
+  const auto text = scene_of(
+      view,
+      fmt::format(
+          R"("spectra": [{{"name": "line", "wavelengths": [{}, {}, {}], "values": [0, 1000, 0], "beyond": "zero"}}], )"
+          R"("materials": [{{"name": "glass", "type": "dielectric", )"
+          R"("index": {{"file": "data/common/spectra/glasses_sellmeier.csv", "material": "BK7"}}}}, )"
+          R"({{"name": "black", "type": "lambert", "reflectance": [0, 0, 0]}}, )"
+          R"({{"name": "screen", "type": "lambert", "reflectance": [1, 1, 1]}}], {}, )"
+          R"("lights": [{{"type": "sphere", "radius": 0.0005, "radiance": {{"spectrum": "line"}}, )"
+          R"("matrix": [{{"translate": {}}}]}}])",
+          nm - 2, nm, nm + 2, meshes(squares), text_of(kEntry - kTowardsPrism * 2)));
+  return picture_of(text, 128);
+}
+
+// On the screen, as spot(). By luminance: of one wavelength alone some channel is negative.
+double centre_of_light(const image::Image& picture) {
+  double sum = 0;
+  double moment = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double light = luminance_by_sum({picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)});
+      sum += light;
+      moment += light * (x + 0.5);
+    }
+  return (moment / sum - 0.5 * picture.width) * kPixel;
+}
+
+}  // namespace
+
+// Numbers from outside of this program.
+TEST(Dispersion, SnellsLawHasTheKnownDeviations) {
+  EXPECT_NEAR(deviation_deg(404.6561), 39.840987, 1e-5);
+  EXPECT_NEAR(deviation_deg(587.5618), 38.646699, 1e-5);
+  EXPECT_NEAR(deviation_deg(706.5188), 38.304248, 1e-5);
+}
+
+TEST(Dispersion, APrismSendsEachWavelengthWhereSnellsLawDoes) {
+  for (const double nm : {435.8, 486.1, 546.1, 587.6, 656.3}) {
+    const double found = centre_of_light(prism_picture(nm));
+    EXPECT_NEAR(found, spot(nm), kHalfPixelOfSuite) << nm;
+    RecordProperty(fmt::format("off_by_pixels_{}", std::lround(nm)),
+                   fmt::format("{:.3f}", (found - spot(nm)) / (2 * kHalfPixelOfSuite)));
+  }
+}
+
+namespace {
+
+// A ball in light from all around and a lamp beside it, in spectral light whatever the ball is.
+image::Image ball_of(const std::string& material) {
+  return picture_of(
+      scene_of(
+          {.position = "[0, 1, 5]", .fov_deg = 30, .width = 24, .height = 24},
+          R"("environment": [1, 1, 1], "materials": [{"name": "ball", )" + material +
+              R"(}, {"name": "floor", "type": "lambert", "reflectance": [0.7, 0.7, 0.7]}], )"
+              R"("shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "ball"}], )" +
+              meshes({square({0, -1, 0}, {0, 1, 0}, 5, "floor")}),
+          "8"),
+      32, {.transport = scene::LightTransport::Spectral});
+}
+
+double mean_variance(const image::Image& picture) {
+  return (mean_of(picture, "variance.R") + mean_of(picture, "variance.G") + mean_of(picture, "variance.B")) /
+         3;
+}
+
+}  // namespace
+
+// An index without a wavelength, one that is the same at all of a table, and ORB.S's glass.
+TEST(Dispersion, AConstantIndexCostsNoNoise) {
+  const auto achromatic = ball_of(R"("type": "glass", "ior": 1.5)");
+  const auto constant = ball_of(R"("type": "dielectric", "index": 1.5)");
+  const auto table =
+      ball_of(R"("type": "dielectric", "index": {"wavelengths": [400, 700], "values": [1.5, 1.5]})");
+  EXPECT_EQ(table.pixels, constant.pixels);
+  EXPECT_NEAR(mean_variance(constant) / mean_variance(achromatic), 1, 0.05);
+  const auto dispersive = ball_of(R"("type": "dielectric", "index": {"cauchy": [1.4847, 0.0042]})");
+  EXPECT_GT(mean_variance(dispersive), 3 * mean_variance(constant));
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(mean_of_channel(dispersive, channel), mean_of_channel(constant, channel),
+                4 * std::hypot(error_of_mean(dispersive, channel), error_of_mean(constant, channel)) + 1e-3);
+}

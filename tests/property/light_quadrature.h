@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/vec.h"
+
+#include <functional>
+#include <string>
+
+/// Colours by plain sums over the wavelengths in double, from the tables as the files have them and apart
+/// from src/spectra: what the tests of spectral pictures expect.
+namespace orbs::tests {
+
+using OfWavelength = std::function<double(double nm)>;
+
+/// A column of a table in data/common/spectra, linear between its rows; beyond them its ends, or zero.
+OfWavelength table_column(const std::string& file, const std::string& column, bool holds_ends);
+
+/// X, Y and Z of light per nm; the equal-energy light of 1 has Y = 1.
+Vec3d xyz_by_sum(const OfWavelength& light);
+
+/// The same in linear Rec.709 whose white is D65.
+Vec3d rgb_by_sum(const OfWavelength& light);
+
+/// "D65" or "D50", scaled to Y = 1.
+OfWavelength illuminant_by_table(const std::string& name);
+
+/// Y of a linear Rec.709 colour.
+double luminance_by_sum(Vec3d rgb);
+
+}  // namespace orbs::tests

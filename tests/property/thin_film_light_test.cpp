@@ -1,0 +1,118 @@
+// Reflectances of films as the paths see them, in float, against characteristic matrices in double.
+#include "tracer/place_interface.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+using Complex = std::complex<double>;
+
+// A film of real index between two media; the base may absorb.
+struct Stack {
+  double outside = 1;
+  double film = 1;
+  double height_nm = 0;
+  Complex base = 1;
+};
+
+// Normal component of the wave vector over that in vacuum.
+Complex normal_component(Complex index, double across) {
+  const Complex root = std::sqrt(index * index - across * across);
+  return root.imag() < 0 ? -root : root;
+}
+
+// Fields at the top of the film from those at its foot by the matrix of the film, and the reflected amplitude
+// from the admittance that they have there (Macleod, "Thin-Film Optical Filters", 4th edition, eq. 2.88 to
+// 2.98): no sum over reflections, nor any Fresnel formula.
+double reflectance_by_matrix(const Stack& stack, double cos_i, double nm) {
+  const double across = stack.outside * std::sqrt(1 - cos_i * cos_i);
+  double sum = 0;
+  for (const bool is_p : {false, true}) {
+    const auto admittance = [&](Complex index) {
+      const Complex normal = normal_component(index, across);
+      return is_p ? index * index / normal : normal;
+    };
+    const Complex phase = 2 * std::numbers::pi * stack.height_nm / nm * normal_component(stack.film, across);
+    const Complex film = admittance(stack.film);
+    const Complex base = admittance(stack.base);
+    const Complex i(0, 1);
+    const Complex electric = std::cos(phase) - i * std::sin(phase) / film * base;
+    const Complex magnetic = -i * std::sin(phase) * film + std::cos(phase) * base;
+    const Complex outside = admittance(stack.outside);
+    sum += std::norm((outside * electric - magnetic) / (outside * electric + magnetic));
+  }
+  return sum / 2;
+}
+
+constexpr std::array<float, 5> kDegrees{0, 30, 45, 60, 80};
+constexpr std::array<std::array<float, 4>, 2> kWavelengths{{{400, 450, 500, 550}, {600, 650, 700, 780}}};
+
+// What a path at four wavelengths has, for 5 angles and 8 wavelengths, against the stack; the largest
+// difference.
+double largest_difference(const Stack& stack) {
+  double largest = 0;
+  for (const auto& nm : kWavelengths) {
+    const scene::Film film{spectra::constant(stack.film), stack.height_nm};
+    const spectra::MetalIndex metal{spectra::constant(stack.base.real()),
+                                    spectra::constant(stack.base.imag())};
+    const auto interface = tracer::interface_between<4>(nm, spectra::constant(stack.outside), metal, film);
+    for (const float degrees : kDegrees) {
+      const float cos_i = std::cos(degrees * std::numbers::pi_v<float> / 180);
+      const auto found = tracer::reflectances(interface, cos_i);
+      for (std::size_t i = 0; i < 4; ++i)
+        largest = std::max(largest, std::abs(static_cast<double>(found[i]) -
+                                             reflectance_by_matrix(stack, static_cast<double>(cos_i),
+                                                                   static_cast<double>(nm[i]))));
+    }
+  }
+  return largest;
+}
+
+void expect_reflectances(const std::string& name, const Stack& stack) {
+  const double difference = largest_difference(stack);
+  EXPECT_LT(difference, 1e-5) << name;
+  testing::Test::RecordProperty(name, fmt::format("{:.1e}", difference));
+}
+
+}  // namespace
+
+// Numbers from outside of this program: a soap film in air, and magnesium fluoride on glass, a quarter wave
+// at 550 nm.
+TEST(ThinFilmLight, TheMatrixHasTheKnownReflectancesAtNormalIncidence) {
+  EXPECT_NEAR(reflectance_by_matrix({1, 1.33, 300, 1}, 1, 550), 0.07543020, 1e-8);
+  EXPECT_NEAR(reflectance_by_matrix({1, 1.38, 550 / (4 * 1.38), 1.52}, 1, 550), 0.01260079, 1e-8);
+  EXPECT_NEAR(reflectance_by_matrix({1, 1.38, 550 / (4 * 1.38), 1.52}, 1, 400), 0.02205252, 1e-8);
+  EXPECT_NEAR(reflectance_by_matrix({1, 2.4, 100, 1.5}, 1, 600), 0.17265815, 1e-8);
+}
+
+TEST(ThinFilmLight, FilmsReflectByAirysSumAtFiveAnglesAndEightWavelengths) {
+  expect_reflectances("on_aluminium", {1, 1.5, 400, {1.1, 6.9}});
+  expect_reflectances("on_silver", {1, 2.2, 250, {0.05, 3.9}});
+  expect_reflectances("on_glass", {1, 1.38, 100, 1.52});
+  expect_reflectances("on_glass_thick", {1, 2.4, 1200, 1.5});
+  expect_reflectances("on_glass_in_water", {1.33, 1.8, 500, 1.52});
+  expect_reflectances("on_metal_in_oil", {1.5, 1.3, 300, {2.9, 3.0}});
+}
+
+// From the inside of the glass, where beyond some angles nothing leaves, through films that light enters or
+// only tunnels through.
+TEST(ThinFilmLight, FilmsReflectByAirysSumFromWithin) {
+  expect_reflectances("glass_to_air", {1.52, 1.38, 100, 1});
+  expect_reflectances("glass_to_air_dense_film", {1.5, 2.4, 150, 1});
+  expect_reflectances("glass_to_air_thick", {1.5, 1.33, 800, 1});
+  expect_reflectances("glass_to_water", {1.52, 1.8, 500, 1.33});
+}
+
+// Light of no wavelength notices it.
+TEST(ThinFilmLight, AFilmOfTheBasesIndexChangesNothing) {
+  const spectra::RefractiveIndex glass = spectra::constant(1.5);
+  const spectra::RefractiveIndex air = spectra::constant(1);
+  const auto with = tracer::interface_between<4>(kWavelengths[0], air, glass, scene::Film{glass, 300});
+  const auto without = tracer::interface_between<4>(kWavelengths[0], air, glass, std::nullopt);
+  for (const float cos_i : {1.0F, 0.7F, 0.2F})
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(tracer::reflectances(with, cos_i)[i], tracer::reflectances(without, cos_i)[i], 1e-6);
+}
