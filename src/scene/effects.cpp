@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -178,9 +179,9 @@ bool covers(LightTransport richer, LightTransport needed) {
 
 std::string reason_for(const SceneEffects& found) {
   // The last one in the order of effects is what makes the transport as rich as it is.
-  for (auto finding = found.called_for.rbegin(); finding != found.called_for.rend(); ++finding)
-    if (transport_for(finding->effect) != LightTransport::Colour)
-      return fmt::format(" because {} {}", finding->thing, finding->reason);
+  for (const auto& finding : std::views::reverse(found.called_for))
+    if (transport_for(finding.effect) != LightTransport::Colour)
+      return fmt::format(" because {} {}", finding.thing, finding.reason);
   return "";
 }
 

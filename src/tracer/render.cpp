@@ -39,7 +39,7 @@ Rendering render(const World& world,
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Film film = film_for(world, settings);
   const auto passes = plan_passes(settings.samples_per_pixel);
-  const PassRenderer* render_pass = kernel_for(world);
+  PassRenderer* const render_pass = kernel_for(world);
   Rendering out;
   for (std::uint32_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {
     int tiles_done = 0;
