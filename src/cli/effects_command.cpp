@@ -1,6 +1,7 @@
 #include "adapters/interrupt.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "results/prices.h"
 #include "studies/price_list.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +15,7 @@ struct EffectsOptions {
   studies::PriceSettings prices;
   std::vector<std::string> scenes;
   std::string suite;
-  std::string output = "prices.json";
+  std::string output;
   bool as_markdown = false;
 };
 
@@ -31,7 +32,10 @@ void add_options(CLI::App& command, EffectsOptions& options) {
   command.add_option("--size", options.prices.size_px, "longer side in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
-  command.add_option("-o,--output", options.output, "file for all numbers")->capture_default_str();
+  command.add_option(
+      "-o,--output", options.output,
+      "file for all numbers (default: prices.json in the working folder; beside the references "
+      "of the suite, runs and their pages show it)");
   command.add_flag("--markdown", options.as_markdown, "print the table in Markdown");
 }
 
@@ -48,10 +52,10 @@ int effects(const registry::Configuration& configuration,
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
   const auto list = studies::make_price_list(configuration, suite, scenes, options.prices, context);
   if (!list) return kInterrupted;
-  write_file(options.output, studies::price_json(*list));
+  const auto file = options.output.empty() ? results::kPricesFile : options.output;
+  write_file(file, studies::price_json(*list));
   fmt::print("{}\nall numbers: {}\n",
-             options.as_markdown ? studies::price_markdown(*list) : studies::price_table(*list),
-             options.output);
+             options.as_markdown ? studies::price_markdown(*list) : studies::price_table(*list), file);
   return studies::all_agree(*list) ? 0 : 1;
 }
 

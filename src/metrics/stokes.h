@@ -2,7 +2,6 @@
 
 #include "image/image.h"
 #include "metrics/mask.h"
-#include "metrics/metric.h"
 
 #include <array>
 #include <optional>
@@ -21,12 +20,5 @@ bool has_stokes(const image::Image& picture);
 std::optional<double> stokes_error(const image::Image& result,
                                    const image::Image& reference,
                                    const Mask& mask = {});
-
-/// How the layers are shown, beside the error maps: as they are.
-inline constexpr std::array kStokesMaps{
-    MapInfo{"S1", "Stokes parameter S1 of the result, above 0: level; linear Rec.709", true, 0.25F},
-    MapInfo{"S2", "Stokes parameter S2 of the result, above 0: +45 degrees, up and to the right", true,
-            0.25F},
-    MapInfo{"S3", "Stokes parameter S3 of the result, above 0: right-circular", true, 0.25F}};
 
 }  // namespace orbs::metrics

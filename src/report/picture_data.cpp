@@ -86,6 +86,18 @@ void write_measures(Writer& out, const PictureRecord& picture) {
   out.end_array();
 }
 
+// The scenes that the picture's renders show.
+void write_scenes(Writer& out, const RunRecord& run, const PictureRecord& picture) {
+  out.key("scenes").begin_array();
+  for (const auto& scene : run.scenes)
+    if (std::any_of(run.jobs.begin(), run.jobs.end(), [&](const JobRecord& job) {
+          return job.scene == scene.name &&
+                 std::find(picture.jobs.begin(), picture.jobs.end(), job.id) != picture.jobs.end();
+        }))
+      results::write_scene(out, scene);
+  out.end_array();
+}
+
 // What renders this picture alone once more, and judges it in the same way.
 std::vector<std::string> run_command(const RunRecord& run,
                                      const PictureRecord& picture,
@@ -155,7 +167,9 @@ std::string picture_json(const RunView& view, std::size_t index) {
     if (first == nullptr) first = &job;
     write_job(out, job, view.run);
   }
-  out.end_array().member("command", shell_text(run_command(view.run, picture, first)));
+  out.end_array();
+  write_scenes(out, view.run, picture);
+  out.member("command", shell_text(run_command(view.run, picture, first)));
   return out.end_object().text();
 }
 

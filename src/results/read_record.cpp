@@ -162,8 +162,12 @@ std::vector<EffectRecord> read_effects(ObjectReader& in, const std::string& key)
 }
 
 SceneRecord read_scene(ObjectReader& in) {
-  return {in.text("name"), in.text_or("transport", ""), read_effects(in, "called_for"),
-          read_effects(in, "not_called_for")};
+  SceneRecord scene{in.text("name"), in.text_or("transport", ""), read_effects(in, "called_for"),
+                    read_effects(in, "not_called_for")};
+  for (auto& price : in.objects_or_none("prices"))
+    scene.prices.push_back({price.text("name"), price.number("time_ratio"), price.number("error_ratio"),
+                            price.text_or("picture", "")});
+  return scene;
 }
 
 RequirementRecord read_requirement(ObjectReader& in) {

@@ -117,12 +117,21 @@ struct EffectRecord {
   std::string reason;  // follows the thing: "has a film 550 nm high"
 };
 
+/// A scene rendered otherwise than it calls for: what that costs, and what becomes of the picture.
+struct PriceRecord {
+  std::string name;        // "polarised", "without dispersion"
+  double time_ratio = 0;   // CPU time per sample over that of what the scene calls for
+  double error_ratio = 0;  // CPU time to the same noise, likewise; 0 where nobody knows
+  std::string picture;     // "same to the bit", or how it differs
+};
+
 /// What a scene calls for, and what its light paths must carry for that.
 struct SceneRecord {
   std::string name;
   std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"
   std::vector<EffectRecord> called_for;
   std::vector<EffectRecord> not_called_for;
+  std::vector<PriceRecord> prices = {};  // by orbs effects; none when nobody has asked
 };
 
 /// A cell of the table: the worst picture of a requirement.

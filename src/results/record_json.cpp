@@ -104,12 +104,24 @@ void write_effects(Writer& out, std::string_view key, const std::vector<EffectRe
   out.end_array();
 }
 
+}  // namespace
+
 void write_scene(Writer& out, const SceneRecord& scene) {
   out.begin_object().member("name", scene.name).member("transport", scene.transport);
   write_effects(out, "called_for", scene.called_for);
   write_effects(out, "not_called_for", scene.not_called_for);
-  out.end_object();
+  out.key("prices").begin_array();
+  for (const auto& price : scene.prices)
+    out.begin_object()
+        .member("name", price.name)
+        .member("time_ratio", price.time_ratio)
+        .member("error_ratio", price.error_ratio)
+        .member("picture", price.picture)
+        .end_object();
+  out.end_array().end_object();
 }
+
+namespace {
 
 void write_renderer(Writer& out, const RendererRecord& renderer) {
   out.begin_object().member("name", renderer.name).member("version", renderer.version);

@@ -14,6 +14,7 @@ void write_measure(json::Writer& out, const Measure& measure);
 
 /// All that is known of the machine, as an object.
 void write_host(json::Writer& out, const Host& host);
+void write_scene(json::Writer& out, const SceneRecord& scene);
 
 /// The text of a job's job.json (format "orbs-job/1"): all of the record, and what was said about the
 /// pictures that the render alone makes.

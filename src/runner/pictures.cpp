@@ -3,7 +3,6 @@
 #include "image/colour.h"
 #include "image/false_colour.h"
 #include "image/image_io.h"
-#include "metrics/stokes.h"
 #include "runner/judge.h"
 #include "runner/passport.h"
 
@@ -92,18 +91,6 @@ std::string read_reference(const std::filesystem::path& file,
   return problem;
 }
 
-// `picture` as it is and in false colours.
-results::MapRecord write_map(const metrics::MapInfo& info,
-                             const image::Image& picture,
-                             const std::string& stem,
-                             const std::filesystem::path& folder) {
-  const auto scale = info.is_signed ? image::ColourScale::Diverging : image::ColourScale::Sequential;
-  image::write_exr(picture, folder / (stem + ".exr"));
-  image::write_png(image::false_colour(picture, scale, info.scale_maximum), folder / (stem + ".png"));
-  return {std::string(info.name), stem + ".exr", std::string(info.definition), info.is_signed,
-          static_cast<double>(info.scale_maximum)};
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
@@ -164,12 +151,14 @@ std::vector<results::MapRecord> write_maps(const image::Image& result,
                                            const std::filesystem::path& folder) {
   image::write_png(image::display_picture(result), folder / "result.png");
   std::vector<results::MapRecord> maps;
-  for (const auto& map : comparison.maps)
-    maps.push_back(write_map(map.info, map.image, fmt::format("error-{}", map.info.name), folder));
-  if (metrics::has_stokes(result))
-    for (std::size_t k = 0; k < metrics::kStokesMaps.size(); ++k)
-      maps.push_back(write_map(metrics::kStokesMaps[k], image::select_rgb(result, metrics::kStokesLayers[k]),
-                               fmt::format("stokes-{}", metrics::kStokesMaps[k].name), folder));
+  for (const auto& map : comparison.maps) {
+    const auto stem = fmt::format("error-{}", map.info.name);
+    const auto scale = map.info.is_signed ? image::ColourScale::Diverging : image::ColourScale::Sequential;
+    image::write_exr(map.image, folder / (stem + ".exr"));
+    image::write_png(image::false_colour(map.image, scale, map.info.scale_maximum), folder / (stem + ".png"));
+    maps.push_back({std::string(map.info.name), stem + ".exr", std::string(map.info.definition),
+                    map.info.is_signed, static_cast<double>(map.info.scale_maximum)});
+  }
   return maps;
 }
 

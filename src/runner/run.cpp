@@ -1,6 +1,7 @@
 #include "runner/run.h"
 
 #include "base/files.h"
+#include "results/prices.h"
 #include "results/qualification.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
@@ -62,7 +63,11 @@ results::RunRecord record_at_start(const Plan& plan,
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
                             one_case.tests, one_case.typical_mistake,
                             smallest_error_seen(one_case, plan.suite.references, gates)});
-  for (const auto& scene : plan.scenes) record.scenes.push_back(scene_record(scene.name, *scene.scene));
+  auto prices = results::read_prices(plan.suite.references / results::kPricesFile);
+  for (const auto& scene : plan.scenes) {
+    record.scenes.push_back(scene_record(scene.name, *scene.scene));
+    record.scenes.back().prices = prices[scene.name];
+  }
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.empty()) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -179,10 +178,10 @@ bool covers(LightTransport richer, LightTransport needed) {
 
 std::string reason_for(const SceneEffects& found) {
   // The last one in the order of effects is what makes the transport as rich as it is.
-  for (const auto& finding : std::views::reverse(found.called_for))
-    if (transport_for(finding.effect) != LightTransport::Colour)
-      return fmt::format(" because {} {}", finding.thing, finding.reason);
-  return "";
+  const auto last = std::find_if(found.called_for.rbegin(), found.called_for.rend(), [](const auto& finding) {
+    return transport_for(finding.effect) != LightTransport::Colour;
+  });
+  return last == found.called_for.rend() ? "" : fmt::format(" because {} {}", last->thing, last->reason);
 }
 
 LightTransport transport(const SceneEffects& found) {

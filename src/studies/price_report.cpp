@@ -44,7 +44,9 @@ void put(json::Writer& out, const Alternative& way) {
       .member("least", way.time_ratio.least)
       .member("most", way.time_ratio.most)
       .end_object();
-  out.member("error_ratio", way.error_ratio).member("is_equal", change.is_equal);
+  out.member("error_ratio", way.error_ratio)
+      .member("is_equal", change.is_equal)
+      .member("picture", picture_text(way));
   put(out, "mean_change", change.mean);
   put(out, "largest_change", change.largest);
   out.member("largest_x", change.x)

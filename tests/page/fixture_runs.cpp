@@ -220,6 +220,12 @@ RunRecord small_run(const fs::path& folder) {
   run.jobs.push_back(by_two);
   run.pictures.push_back(picture_of("m1_values", by_two, Verdict::Pass));
   run.cases.push_back(case_of("beta", "a1_stokes", "Polarised light"));
+  run.scenes.push_back({"stokes",
+                        "polarised",
+                        {{"polarisation", "material 'filter'", "is a polariser"},
+                         {"polarisation", "the picture", "holds Stokes vectors"}},
+                        {{"spectral", "material 'grey'", "is constant <b>"}},
+                        {{"spectral", 0.8, 0.5, "mean -15 +- 0.1 %"}, {"rgb", 0.6, 0, "mean -15 +- 0.2 %"}}});
   const auto stokes = job_of("stokes", "one", 3);
   run.jobs.push_back(stokes);
   run.pictures.push_back(picture_of("a1_stokes", stokes, Verdict::Pass));

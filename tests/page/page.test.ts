@@ -189,6 +189,19 @@ test("Stokes layers are numbers of both signs and get a diverging scale", async 
   await page.close();
 });
 
+test("a case says what its scene calls for, and what that costs", async () => {
+  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one`);
+  const effects = page.locator(".effects");
+  await effects.waitFor();
+  assert.match(await effects.innerText(), /stokes calls for polarised light paths/);
+  assert.match(await effects.innerText(), /polarisation: material 'filter' is a polariser and 1 more/);
+  assert.match(await effects.innerText(), /spectral: material 'grey' is constant <b>/);
+  assert.deepEqual(await effects.locator("tbody tr").allInnerTexts(),
+    ["spectral\t× 0.80\t× 0.50\tmean -15 +- 0.1 %", "rgb\t× 0.60\t–\tmean -15 +- 0.2 %"]);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("text of cases and logs is never markup", async () => {
   const { page, errors } = await open(browser, `${url}#/case/e1_markup/markup/one`);
   await page.locator(".logs pre").waitFor();

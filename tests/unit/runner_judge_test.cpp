@@ -356,17 +356,6 @@ TEST(ImageHash, IsOfThePixelsAndTheirNamesWhateverTheirOrder) {
   EXPECT_NE(runner::image_hash(picture), runner::image_hash(darker));
 }
 
-TEST(Maps, StokesParametersAreShownBesideTheErrors) {
-  const structure::TestFolder scratch("runner-stokes");
-  scratch.write("keep", "");
-  const auto picture = polarised_grey(0.1F);
-  const auto maps = runner::write_maps(picture, metrics::compare(picture, picture), scratch.path());
-  const auto s1 = std::find_if(maps.begin(), maps.end(), [](const auto& map) { return map.name == "S1"; });
-  ASSERT_NE(s1, maps.end());
-  EXPECT_TRUE(s1->is_signed);
-  EXPECT_EQ(image::read_image(scratch.path() / s1->image).at(3, 3, 1), 0.1F);
-}
-
 TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
   const structure::TestFolder scratch("runner-maps");
   scratch.write("keep", "");

@@ -7,6 +7,7 @@ import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
 import { Viewer } from "../viewer/Viewer";
 import { Cost } from "./Cost";
+import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Passports } from "./Passports";
@@ -110,6 +111,7 @@ function Detail({ session, route, one, detail }: { session: Session; route: Rout
             </>
           ) : null}
         </section>
+        <Effects detail={detail} />
         <Measures detail={detail} />
         <Cost detail={detail} />
         <Passports session={session} detail={detail} />

@@ -187,6 +187,30 @@ export interface Job {
   log: string;
 }
 
+/** An effect of light, and what in the scene calls for it. */
+export interface Effect {
+  effect: string;
+  thing: string;
+  reason: string;
+}
+
+/** The scene rendered otherwise than it calls for. */
+export interface Price {
+  name: string;
+  time_ratio: number;
+  /** 0 where nobody knows. */
+  error_ratio: number;
+  picture: string;
+}
+
+export interface Scene {
+  name: string;
+  transport: string;
+  called_for: Effect[];
+  not_called_for: Effect[];
+  prices: Price[];
+}
+
 export interface PictureDetail {
   case: string;
   picture: string;
@@ -201,6 +225,8 @@ export interface PictureDetail {
   images: ImageEntry[];
   reference_passport: Record<string, string>;
   jobs: Job[];
+  /** Those that its renders show. */
+  scenes: Scene[];
   command: string;
 }
 

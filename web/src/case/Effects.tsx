@@ -1,0 +1,76 @@
+import type { Effect, PictureDetail, Scene } from "../data/types";
+
+/** The first thing speaks for the others that call for the same effect. */
+function grouped(effects: Effect[]): { first: Effect; others: number }[] {
+  const groups = new Map<string, { first: Effect; others: number }>();
+  for (const one of effects) {
+    const group = groups.get(one.effect);
+    if (group) ++group.others;
+    else groups.set(one.effect, { first: one, others: 0 });
+  }
+  return [...groups.values()];
+}
+
+function List({ effects }: { effects: Effect[] }) {
+  return (
+    <ul>
+      {grouped(effects).map(({ first, others }) => (
+        <li key={first.effect}>
+          <b>{first.effect}</b>: {first.thing} {first.reason}
+          {others > 0 ? <span class="quiet"> and {others} more</span> : null}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+const times = (ratio: number) => (ratio > 0 ? `× ${ratio.toFixed(2)}` : "–");
+
+function Prices({ scene }: { scene: Scene }) {
+  return (
+    <table>
+      <caption>Instead of {scene.transport} transport</caption>
+      <thead>
+        <tr>
+          <th scope="col">Transport</th>
+          <th scope="col" class="number" title="CPU time per sample, over that of what the scene calls for">Time</th>
+          <th scope="col" class="number" title="CPU time to the same noise, over that of what the scene calls for">To equal noise</th>
+          <th scope="col">Picture</th>
+        </tr>
+      </thead>
+      <tbody>
+        {scene.prices.map((price) => (
+          <tr key={price.name}>
+            <th scope="row">{price.name}</th>
+            <td class="number">{times(price.time_ratio)}</td>
+            <td class="number">{times(price.error_ratio)}</td>
+            <td>{price.picture}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** What the scene calls for, what that costs, and what would be lost without. */
+export function Effects({ detail }: { detail: PictureDetail }) {
+  return (
+    <>
+      {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.prices.length > 0).map((scene) => (
+        <section key={scene.name} class="effects">
+          <h2>
+            {scene.name} calls for {scene.transport} light paths
+          </h2>
+          <List effects={scene.called_for} />
+          {scene.not_called_for.length > 0 ? (
+            <>
+              <p class="quiet">What looks like an effect and is none:</p>
+              <List effects={scene.not_called_for} />
+            </>
+          ) : null}
+          {scene.prices.length > 0 ? <Prices scene={scene} /> : null}
+        </section>
+      ))}
+    </>
+  );
+}
