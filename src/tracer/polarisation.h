@@ -87,7 +87,8 @@ template <typename V, std::size_t N>
 std::optional<Polarisation> polarisation_by(const SheetBsdf<V, N>& b, const auto& where) {
   Polarisation out;
   for (std::size_t i = 0; i < N; ++i) set_shape(out.element, i, b.element);
-  out.x_leaving = normalised(b.axis - where.to_viewer * dot(where.to_viewer, b.axis));
+  const Vec3f within = b.axis - where.frame.z * dot(where.frame.z, b.axis);
+  out.x_leaving = normalised(within - where.to_viewer * dot(where.to_viewer, within));
   out.x_arriving = out.x_leaving;  // the light goes straight on
   return out;
 }

@@ -3,6 +3,7 @@
 #include "property/light_pictures.h"
 #include "property/light_quadrature.h"
 
+#include <complex>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -118,13 +119,13 @@ TEST(LightFurnace, NoPixelIsMorePolarisedThanLightCanBe) {
 
 namespace {
 
-struct RoughGlass {
+struct RoughSurface {
   double alpha = 0.3;
   bool is_beckmann = false;
   bool is_correlated = false;
 };
 
-double lambda_of(const RoughGlass& glass, double cosine) {
+double lambda_of(const RoughSurface& glass, double cosine) {
   const double slope = std::sqrt(1 - cosine * cosine) / cosine;  // tan
   if (slope == 0) return 0;
   if (!glass.is_beckmann) return (std::sqrt(1 + glass.alpha * glass.alpha * slope * slope) - 1) / 2;
@@ -133,23 +134,25 @@ double lambda_of(const RoughGlass& glass, double cosine) {
 }
 
 // Share of the facets seen from one side, for which the surface hides nothing on the other.
-double both_seen(const RoughGlass& glass, double lambda_o, double cosine_i) {
+double both_seen(const RoughSurface& glass, double lambda_o, double cosine_i) {
   const double lambda_i = lambda_of(glass, std::abs(cosine_i));
   return glass.is_correlated ? 1 / (1 + lambda_o + lambda_i) : 1 / ((1 + lambda_o) * (1 + lambda_i));
 }
 
-double fresnel(double cos_i, double eta) {
-  const double square = eta * eta - 1 + cos_i * cos_i;
-  if (square <= 0) return 1;
-  const double beyond = std::sqrt(square);
-  return (std::pow((cos_i - beyond) / (cos_i + beyond), 2) +
-          std::pow((eta * eta * cos_i - beyond) / (eta * eta * cos_i + beyond), 2)) /
+using Complex = std::complex<double>;
+
+double fresnel(double cos_i, Complex eta) {
+  const Complex beyond = std::sqrt(eta * eta - 1.0 + cos_i * cos_i);
+  return (std::norm((cos_i - beyond) / (cos_i + beyond)) +
+          std::norm((eta * eta * cos_i - beyond) / (eta * eta * cos_i + beyond))) /
          2;
 }
 
-// What the surface shows in direction `cosine` where the radiance is 1 on both sides; eta: beyond over this
-// side. Walter et al. 2007 by facets: their slopes follow D cos, in proportion to what of them is seen.
-double radiance_by_quadrature(const RoughGlass& glass, double cosine, double eta) {
+// What the surface shows in direction `cosine` where the radiance is 1 on both sides; index: beyond over this
+// side, of metals complex. Walter et al. 2007 by facets: their slopes follow D cos, in proportion to what of
+// them is seen.
+double radiance_by_quadrature(const RoughSurface& glass, double cosine, Complex index) {
+  const double eta = index.real();
   constexpr int kSteps = 400;
   const Vec3d o{std::sqrt(1 - cosine * cosine), 0, cosine};
   const double lambda_o = lambda_of(glass, cosine);
@@ -166,10 +169,11 @@ double radiance_by_quadrature(const RoughGlass& glass, double cosine, double eta
       const double cos_o = dot(o, m);
       if (cos_o <= 0) continue;
       const double seen = 2 * left * cos_o / (cosine * cos_m);  // times the masking, below
-      const double reflected = fresnel(cos_o, eta);
+      const double reflected = fresnel(cos_o, index);
       const double up = 2 * cos_o * m.z - o.z;
       if (up > 0) sum += seen * reflected * both_seen(glass, lambda_o, up);
-      if (reflected == 1) continue;
+      // Nothing comes out of a metal, nor through a facet that reflects totally.
+      if (index.imag() > 0 || 1 - cos_o * cos_o >= eta * eta) continue;
       const double beyond = std::sqrt(1 - (1 - cos_o * cos_o) / (eta * eta));
       const double down = (cos_o / eta - beyond) * m.z - o.z / eta;
       if (down < 0) sum += seen * (1 - reflected) * both_seen(glass, lambda_o, down) / (eta * eta);
@@ -190,8 +194,8 @@ TEST(LightFurnace, TheIntegralOverFacetsHasTheKnownValues) {
 
 // One interface between two worlds of radiance 1, seen from the outside and from within.
 TEST(LightFurnace, RoughGlassShowsWhatItsFacetsSee) {
-  for (const RoughGlass glass :
-       {RoughGlass{0.3, false, false}, RoughGlass{0.3, false, true}, RoughGlass{0.4, true, false}})
+  for (const RoughSurface glass :
+       {RoughSurface{0.3, false, false}, RoughSurface{0.3, false, true}, RoughSurface{0.4, true, false}})
     for (const bool is_outside : {true, false}) {
       const auto text = scene_of(
           {.position = is_outside ? "[8.660254037844386, 0, 5]" : "[8.660254037844386, 0, -5]"},
@@ -212,4 +216,27 @@ TEST(LightFurnace, RoughGlassShowsWhatItsFacetsSee) {
         EXPECT_LT(error, 0.005);
       }
     }
+}
+
+TEST(LightFurnace, RoughMetalShowsWhatItsFacetsSee) {
+  for (const RoughSurface metal :
+       {RoughSurface{0.5, false, false}, RoughSurface{0.5, false, true}, RoughSurface{0.3, true, true}}) {
+    const auto text = scene_of(
+        {.position = "[8.660254037844386, 0, 5]"},
+        fmt::format(
+            R"("environment": [1, 1, 1], "materials": [{{"name": "m", "type": "conductor", )"
+            R"("index": {{"n": 2.9, "k": 3.0}}, "alpha": {}, "distribution": "{}", "masking": "{}"}}], {})",
+            metal.alpha, metal.is_beckmann ? "beckmann" : "ggx",
+            metal.is_correlated ? "correlated" : "separable", meshes({square({0, 0, 0}, {0, 0, 1}, 1, "m")})),
+        "1");
+    const double expected = radiance_by_quadrature(metal, 0.5, {2.9, 3.0});
+    for (const auto transport :
+         {scene::LightTransport::Colour, scene::LightTransport::Spectral, scene::LightTransport::Polarised}) {
+      const auto picture = picture_of(text, 256, with(transport));
+      const double error = error_of_mean(picture, 1);
+      EXPECT_NEAR(mean_of_channel(picture, 1), expected, 4 * error + 1e-4 * expected)
+          << scene::transport_name(transport) << " alpha " << metal.alpha;
+      EXPECT_LT(error, 0.002);
+    }
+  }
 }

@@ -125,6 +125,20 @@ TEST(PolarisedLight, AQuarterWaveRetarderMakesCircularLightOfTheStatedSign) {
   expect_stokes(through({1, 0, 0}, 60), {0.5, 0, 0.25, -0.25 * std::sqrt(3)});
 }
 
+// The axis is a direction in the world: what a tilted sheet has of it lies within the sheet, and of that
+// counts what lies across the light. An axis along the light leaves one, too.
+TEST(PolarisedLight, TheAxisOfATiltedPolariserLiesInTheSheet) {
+  const Vec3d normal = normalised(Vec3d{0.3, 1, 0.8});
+  for (const Vec3d axis : {Vec3d{1, 0.2, 0}, Vec3d{1, 0.5, 1}, Vec3d{0, 0, 1}}) {
+    const auto content =
+        fmt::format(R"("environment": [1, 1, 1], "materials": [{}], {})", polariser("filter", axis),
+                    meshes({square({0, 0, 0}, normal, 1, "filter")}));
+    const Beam beam = polarised_along(
+        unpolarised({0, 0, 1}), axis - normal * (axis.x * normal.x + axis.y * normal.y + axis.z * normal.z));
+    expect_exact_stokes(stokes({}, content, 4), stokes_of(beam, {1, 0, 0}), 2e-6);
+  }
+}
+
 namespace {
 
 // A glass surface at Brewster's angle, seen from the side of -x; the light is where the reflection shows it.
@@ -142,8 +156,8 @@ std::string brewster_scene(const std::vector<std::string>& filters, const std::v
 
 const Vec3d kBrewsterEye = normalised(Vec3d{-kIndex, 1, 0}) * 5;
 
-image::Image brewster_picture(const std::string& content) {
-  return picture_of(scene_of({.position = text_of(kBrewsterEye)}, content + kStokes), 64);
+image::Image brewster_picture(const std::string& content, int samples_per_pixel) {
+  return picture_of(scene_of({.position = text_of(kBrewsterEye)}, content + kStokes), samples_per_pixel);
 }
 
 }  // namespace
@@ -151,19 +165,22 @@ image::Image brewster_picture(const std::string& content) {
 // tan of the angle = index: r_p = 0, and of unpolarised light ((n^2 - 1) / (n^2 + 1))^2 / 2 is reflected.
 TEST(PolarisedLight, AtBrewstersAngleTheReflectionIsExtinctThroughTheCrossedPolariser) {
   const double kept = std::pow((kIndex * kIndex - 1) / (kIndex * kIndex + 1), 2) / 2;
-  const auto open = brewster_picture(brewster_scene({}, {}));
+  const auto open = brewster_picture(brewster_scene({}, {}), 64);
   const auto open_s0 = estimate_of(open, "S0.R");
   EXPECT_NEAR(open_s0.mean, kept, 4 * open_s0.error);
   // Right is z here, across the plane of incidence: all that is reflected is polarised along it.
   EXPECT_NEAR(mean_of(open, "S1.R") / open_s0.mean, 1, 1e-6);
-  const auto through = [](Vec3d axis) {
+  const auto through = [](Vec3d axis, int samples_per_pixel) {
     return brewster_picture(
-        brewster_scene({polariser("filter", axis)}, {square(kBrewsterEye * 0.5, kBrewsterEye, 1, "filter")}));
+        brewster_scene({polariser("filter", axis)}, {square(kBrewsterEye * 0.5, kBrewsterEye, 1, "filter")}),
+        samples_per_pixel);
   };
-  const double crossed = mean_of(through({1, kIndex, 0}), "S0.R");
+  // Roulette lets the square root of what is left survive: of 1e-6, ten of the ten thousand paths that are
+  // reflected.
+  const double crossed = mean_of(through({1, kIndex, 0}, 2048), "S0.R");
   EXPECT_LT(std::abs(crossed), 1e-6 * open_s0.mean);
   RecordProperty("extinction", fmt::format("{:.2e}", crossed / open_s0.mean));
-  const auto aligned = estimate_of(through({0, 0, 1}), "S0.R");
+  const auto aligned = estimate_of(through({0, 0, 1}, 64), "S0.R");
   EXPECT_NEAR(aligned.mean, kept, 4 * aligned.error);
 }
 
@@ -300,4 +317,65 @@ TEST(PolarisedLight, AGlassSlabTransmitsEachPolarisationByItself) {
     EXPECT_LT(s.error + p.error, 0.01);
     RecordProperty(fmt::format("s_and_p_at_{}", degrees), fmt::format("{:.5f} {:.5f}", s.mean, p.mean));
   }
+}
+
+namespace {
+
+// A floor of the material lit by a large lamp above it, seen at 65 degrees; below it another, dimmer.
+image::Image lit_floor(const std::string& material) {
+  const auto content =
+      R"("materials": [{"name": "m", )" + material +
+      R"(}, {"name": "glow", "type": "emission", "radiance": [0.2, 0.2, 0.2]}], )" +
+      meshes({square({0, 0, 0}, {0, 1, 0}, 1, "m"), square({0, -1, 0}, {0, 1, 0}, 30, "glow")}) +
+      R"(, "lights": [{"type": "rect", "half_width": 3, "half_length": 3, "radiance": [1, 1, 1],
+                       "matrix": [{"translate": [2.7, 1.26, 0]}, {"rotate_z": -65}]}])" +
+      kStokes;
+  return picture_of(
+      scene_of({.position = "[-9.063, 4.226, 0]", .up = "[0.3, 1, 0.8]", .width = 16, .height = 16}, content),
+      64);
+}
+
+}  // namespace
+
+// Light that a rough surface asks for, and light that it finds by itself, are polarised by its facets: almost
+// smooth, it shows what the smooth one does.
+TEST(PolarisedLight, AnAlmostSmoothSurfacePolarisesAsASmoothOne) {
+  for (const std::string material :
+       {R"("type": "conductor", "index": {"n": 2.9, "k": 3.0})", R"("type": "dielectric", "index": 1.5)",
+        R"("type": "dielectric", "index": 1.5, "film": {"index": 2.2, "height_nm": 300})"})
+    for (const std::string roughness :
+         {R"(, "alpha": 0.002)", R"(, "alpha": 0.002, "distribution": "beckmann")"}) {
+      const auto smooth = lit_floor(material);
+      const auto rough = lit_floor(material + roughness);
+      for (const char* channel : kNames) {
+        const auto a = estimate_of(smooth, channel);
+        const auto b = estimate_of(rough, channel);
+        EXPECT_NEAR(a.mean, b.mean, 4 * std::hypot(a.error, b.error) + 1e-4)
+            << material << roughness << " " << channel;
+      }
+      EXPECT_GT(std::abs(mean_of(smooth, "S2.R")), 0.02) << material;
+    }
+}
+
+// Light asked for by way of a flat mirror arrives as polarised as light that finds its way there.
+TEST(PolarisedLight, LightByAFlatMirrorIsAsPolarisedAsLightThatFindsIt) {
+  const auto text = scene_of(
+      {.position = "[0, 2, 6]", .look_at = "[0, 0, 0]", .fov_deg = 10, .width = 16, .height = 16},
+      R"("materials": [{"name": "floor", "type": "conductor", "index": {"n": 2.9, "k": 3.0}, "alpha": 0.5},
+                       {"name": "mirror", "type": "mirror", "reflectance": [1, 1, 1]},
+                       {"name": "wall", "type": "lambert", "reflectance": [0, 0, 0]}], )" +
+          meshes({square({0, 0, 0}, {0, 1, 0}, 3, "floor"), square({-2, 2, -1}, {1, 0, 0.3}, 2, "mirror"),
+                  square({0.5, 1.2, -1}, {1, 0, 0}, 0.9, "wall")}) +
+          R"(, "lights": [{"type": "rect", "half_width": 0.7, "half_length": 0.7, "radiance": [20, 20, 20],
+                           "matrix": [{"translate": [2.5, 2, -1]}, {"rotate_z": -90}]}])" +
+          kStokes);
+  const auto asked = picture_of(text, 256);
+  const auto found = picture_of(text, 1024, {.mirrored_light = false}, 2);
+  for (const char* channel : kNames) {
+    const auto a = estimate_of(asked, channel);
+    const auto b = estimate_of(found, channel);
+    EXPECT_NEAR(a.mean, b.mean, 4 * std::hypot(a.error, b.error)) << channel;
+    EXPECT_LT(b.error, 0.1 * mean_of(asked, "S0.R")) << channel;
+  }
+  EXPECT_NE(asked.pixels, picture_of(text, 256, {.mirrored_light = false}).pixels);
 }

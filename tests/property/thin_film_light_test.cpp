@@ -1,4 +1,6 @@
 // Reflectances of films as the paths see them, in float, against characteristic matrices in double.
+#include "property/light_pictures.h"
+#include "property/light_quadrature.h"
 #include "tracer/place_interface.h"
 
 #include <numbers>
@@ -115,4 +117,41 @@ TEST(ThinFilmLight, AFilmOfTheBasesIndexChangesNothing) {
   for (const float cos_i : {1.0F, 0.7F, 0.2F})
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(tracer::reflectances(with, cos_i)[i], tracer::reflectances(without, cos_i)[i], 1e-6);
+}
+
+namespace {
+
+// A smooth material in a surrounding of D65, seen at 60 degrees from the normal.
+void expect_colour_at_60_degrees(const std::string& material, const tests::OfWavelength& reflectance) {
+  const auto text =
+      tests::scene_of({.position = "[8.660254037844386, 0, 5]"},
+                      R"("environment": [1, 1, 1], "materials": [{"name": "m", )" + material + "}], " +
+                          tests::meshes({tests::square({0, 0, 0}, {0, 0, 1}, 1, "m")}));
+  const auto picture = tests::picture_of(text, 256);
+  const auto d65 = tests::illuminant_by_table("D65");
+  const Vec3d expected = tests::rgb_by_sum([&](double nm) { return d65(nm) * reflectance(nm); });
+  const std::array<double, 3> channels{expected.x, expected.y, expected.z};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double error = tests::error_of_mean(picture, channel);
+    EXPECT_NEAR(tests::mean_of_channel(picture, channel), channels[channel], 4 * error + 1e-5)
+        << material << " channel " << channel;
+    EXPECT_LT(error, 0.003);
+  }
+}
+
+}  // namespace
+
+// Interference and metals in the picture: every wavelength by its own reflectance, integrated.
+TEST(ThinFilmLight, FilmsAndMetalsHaveTheirColours) {
+  expect_colour_at_60_degrees(
+      R"("type": "conductor", "index": {"n": 1.1, "k": 6.9}, "film": {"index": 1.5, "height_nm": 400})",
+      [](double nm) {
+        return reflectance_by_matrix({1, 1.5, 400, {1.1, 6.9}}, 0.5, nm);
+      });
+  const auto n = tests::table_column("metals/copper.csv", "n", true);
+  const auto k = tests::table_column("metals/copper.csv", "k", true);
+  expect_colour_at_60_degrees(
+      R"("type": "conductor", "index": {"file": "data/common/spectra/metals/copper.csv"})", [&](double nm) {
+        return reflectance_by_matrix({1, 1, 0, {n(nm), k(nm)}}, 0.5, nm);
+      });
 }

@@ -16,7 +16,7 @@ struct SheetBsdf {
   static constexpr bool kIsDelta = true;
   static constexpr Event kEvent = Event::Specular;
   snippets::AlignedMueller<float> element;
-  Vec3f axis;  // of the element, in the world; not across the light yet
+  Vec3f axis;  // of the element, in the world; neither within the sheet nor across the light yet
 };
 
 template <typename Value, std::size_t N>
