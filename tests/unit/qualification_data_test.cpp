@@ -1,0 +1,51 @@
+// What is stored about the gates of each suite: every one can fail, and notices a bias of 1 %.
+#include "registry/cases.h"
+#include "registry/configuration.h"
+#include "results/qualification.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+// Of the suites that have been qualified.
+std::vector<results::GateRecord> stored_gates() {
+  std::vector<results::GateRecord> gates;
+  for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
+    for (auto& gate : results::read_qualification(suite.references / results::kQualificationFile))
+      gates.push_back(std::move(gate));
+  return gates;
+}
+
+}  // namespace
+
+TEST(StoredQualification, EveryGateAcceptsAnHonestPictureAndRejectsEveryFault) {
+  const auto gates = stored_gates();
+  EXPECT_GT(gates.size(), 40U);
+  for (const auto& gate : gates) {
+    EXPECT_TRUE(gate.accepts_honest) << gate.picture << ": " << gate.honest_sentence;
+    EXPECT_TRUE(results::is_qualified(gate)) << gate.case_name << " " << gate.picture;
+  }
+}
+
+TEST(StoredQualification, EveryGateNoticesABiasOfOnePercent) {
+  for (const auto& gate : stored_gates()) {
+    ASSERT_TRUE(gate.global.seen) << gate.case_name << " " << gate.picture;
+    EXPECT_LE(*gate.global.seen, 0.01) << gate.case_name << " " << gate.picture;
+  }
+}
+
+// The numbers are those of the gates as they are: a gate that is no longer in a case is none.
+TEST(StoredQualification, IsAboutCasesThatThereAre) {
+  std::set<std::string> pictures;
+  for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
+    for (const auto& one_case : registry::load_cases(suite))
+      for (const auto& picture : registry::picture_names(one_case))
+        pictures.insert(one_case.name + " " + picture);
+  for (const auto& gate : stored_gates())
+    EXPECT_TRUE(pictures.contains(gate.case_name + " " + gate.picture))
+        << gate.case_name << " " << gate.picture;
+}
