@@ -48,6 +48,12 @@ bool has_light_paths(const image::Image& picture) {
   return found != picture.attributes.end() && found->second == "yes";
 }
 
+// As where no light is found at all.
+bool have_no_noise(const std::vector<image::Image>& pictures) {
+  return std::all_of(pictures.begin(), pictures.end(),
+                     [&](const image::Image& picture) { return are_equal(picture, pictures.front()); });
+}
+
 }  // namespace
 
 PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
@@ -79,6 +85,10 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
       change.x = x;
       change.y = y;
     }
+  if (have_no_noise(usual) || have_no_noise(other)) {
+    change.bias = "the pictures differ, and one of the two has no noise";
+    return change;
+  }
   change.bias = metrics::bias_sentence(
       metrics::test_noise(metrics::mean_and_variance_of(other), metrics::mean_and_variance_of(usual)));
   return change;
