@@ -31,8 +31,25 @@ std::vector<registry::Suite> suites() {
 // noise and say "inconclusive" where it could explain a failure.
 const std::map<std::string, double> kNoisier_db = {{"248-full", 40.1}, {"102", 44.9}, {"a4-water", 44.9}};
 
+// Scenes of the appearance suite whose references are still to be rendered; runs say "missing reference". The
+// rough glass and the dispersive caustics are hours of work on two cores.
+const std::set<std::string> kMissing = {"ggx_glass",
+                                        "polarizing_plane_0",
+                                        "polarizing_plane_90",
+                                        "iridescent_spheres_film_original",
+                                        "iridescent_spheres_height",
+                                        "iridescent_spheres_height_original",
+                                        "iridescent_spheres_materials",
+                                        "iridescent_spheres_materials_original",
+                                        "caustic_BK7",
+                                        "caustic_BK7_achromatic",
+                                        "caustic_diamond",
+                                        "caustic_diamond_achromatic"};
+
 // What is wrong with the reference of a scene, "" when nothing is.
 std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
+  if (kMissing.contains(scene.name))
+    return std::filesystem::exists(file) ? "is there: take it off the list of those that are missing" : "";
   if (!std::filesystem::exists(file)) return "is missing";
   const auto picture = image::read_image(file);
   const auto read = scene::load_scene(scene.file);
