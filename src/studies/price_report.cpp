@@ -2,6 +2,9 @@
 #include "results/record_json.h"
 #include "studies/price_list.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,8 +12,11 @@ namespace orbs::studies {
 
 namespace {
 
+// With as many decimals as two digits of the error need.
 std::string percent(const MeanOfRounds& m) {
-  return fmt::format("{:+.3g} +- {:.2g} %", 100 * m.value, 100 * m.standard_error);
+  const double error = 100 * m.standard_error;
+  const int decimals = error > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6) : 3;
+  return fmt::format("{:+.{}f} ± {:.{}f} %", 100 * m.value, decimals, error, decimals);
 }
 
 // What a reader wants to know of the picture: that it is the same, or what is lost.
