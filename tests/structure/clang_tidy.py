@@ -46,7 +46,8 @@ def check(tool, build, clean, entry, mark):
     if (clean / mark).exists():
         return None
     # The commands are for g++: clang does not know each of its optimisation flags.
-    command = [tool, "--quiet", "--extra-arg=-Wno-ignored-optimization-argument", "-p", str(build), entry["file"]]
+    gcc_only = ["--extra-arg=-Wno-ignored-optimization-argument", "--extra-arg=-Wno-unused-command-line-argument"]
+    command = [tool, "--quiet", *gcc_only, "-p", str(build), entry["file"]]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode == 0:
         (clean / mark).touch()
