@@ -37,12 +37,9 @@ const std::set<std::string> kMissing = {"ggx_glass",
                                         "polarizing_plane_0",
                                         "polarizing_plane_90",
                                         "iridescent_spheres_film_original",
-                                        "iridescent_spheres_height",
                                         "iridescent_spheres_height_original",
-                                        "iridescent_spheres_materials",
                                         "iridescent_spheres_materials_original",
                                         "caustic_BK7",
-                                        "caustic_BK7_achromatic",
                                         "caustic_diamond",
                                         "caustic_diamond_achromatic"};
 
