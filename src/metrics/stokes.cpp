@@ -1,6 +1,7 @@
 #include "metrics/stokes.h"
 
 #include "image/colour.h"
+#include "metrics/noise_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,6 @@
 namespace orbs::metrics {
 
 namespace {
-
-constexpr int kBlock = 8;  // px
 
 double luminance_of(const image::Image& rgb, std::size_t pixel) {
   return image::luminance(static_cast<double>(rgb.pixels[3 * pixel]),
@@ -23,12 +22,12 @@ double mean_square_of_blocks(const image::Image& a,
                              const std::vector<std::uint8_t>& included) {
   double squares = 0;
   double counted = 0;
-  for (int y0 = 0; y0 < a.height; y0 += kBlock)
-    for (int x0 = 0; x0 < a.width; x0 += kBlock) {
+  for (int y0 = 0; y0 < a.height; y0 += kBlock_px)
+    for (int x0 = 0; x0 < a.width; x0 += kBlock_px) {
       double sum = 0;
       double count = 0;
-      for (int y = y0; y < std::min(y0 + kBlock, a.height); ++y)
-        for (int x = x0; x < std::min(x0 + kBlock, a.width); ++x) {
+      for (int y = y0; y < std::min(y0 + kBlock_px, a.height); ++y)
+        for (int x = x0; x < std::min(x0 + kBlock_px, a.width); ++x) {
           const auto pixel =
               static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
           if (included[pixel] == 0) continue;

@@ -7,19 +7,6 @@ namespace orbs::studies {
 
 namespace {
 
-void put(json::Writer& out, const char* name, const std::optional<Spread>& spread) {
-  out.key(name);
-  if (!spread) {
-    out.null();
-    return;
-  }
-  out.begin_object()
-      .member("median", spread->median)
-      .member("least", spread->least)
-      .member("most", spread->most)
-      .end_object();
-}
-
 void put(json::Writer& out, const char* name, const std::optional<SeedNoise>& noise) {
   out.key(name);
   if (!noise) {
@@ -48,14 +35,14 @@ void put(json::Writer& out, const char* name, const BenchRender& render) {
 void put_renderer(json::Writer& out, const BenchRecord& record, const BenchRenderer& renderer) {
   const auto seconds = equal_cpu_seconds(record);
   out.begin_object().member("name", renderer.name).member("version", renderer.version);
-  put(out, "camera_paths_per_cpu_second", paths_per_cpu_second(record, renderer));
-  put(out, "camera_paths_per_second", paths_per_second(record, renderer));
-  put(out, "start_cpu_seconds", start_cpu_seconds(renderer));
-  put(out, "traversal_share", traversal_share(renderer));
+  write_spread(out, "camera_paths_per_cpu_second", paths_per_cpu_second(record, renderer));
+  write_spread(out, "camera_paths_per_second", paths_per_second(record, renderer));
+  write_spread(out, "start_cpu_seconds", start_cpu_seconds(renderer));
+  write_spread(out, "traversal_share", traversal_share(renderer));
   put(out, "noise", renderer.noise);
   put(out, "noise_in_equal_cpu_time", seconds ? noise_at(renderer, *seconds) : std::nullopt);
   if (&renderer != &record.renderers.front())
-    put(out, "speed_of_first_over_this", speed_ratio(record.renderers.front(), renderer));
+    write_spread(out, "speed_of_first_over_this", speed_ratio(record.renderers.front(), renderer));
   out.key("rounds").begin_array();
   for (const auto& round : renderer.rounds) {
     out.begin_object();
@@ -68,8 +55,9 @@ void put_renderer(json::Writer& out, const BenchRecord& record, const BenchRende
 
 void put_overhead(json::Writer& out, const BenchRecord& record) {
   out.key("overhead").begin_object();
-  put(out, "harness_ms", record.overhead ? std::optional(record.overhead->harness_ms) : std::nullopt);
-  put(out, "bare_ms", record.overhead ? std::optional(record.overhead->bare_ms) : std::nullopt);
+  write_spread(out, "harness_ms",
+               record.overhead ? std::optional(record.overhead->harness_ms) : std::nullopt);
+  write_spread(out, "bare_ms", record.overhead ? std::optional(record.overhead->bare_ms) : std::nullopt);
   put(out, "added_ms", overhead_ms(record));
   put(out, "watching_share", watching_share(record));
   out.end_object();

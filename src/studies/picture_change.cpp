@@ -36,11 +36,7 @@ double block_mean(const image::Image& picture, int x0, int y0, int width, int he
 }
 
 bool are_equal(const image::Image& a, const image::Image& b) {
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (a.at(x, y, c) != b.at(x, y, c)) return false;
-  return true;
+  return image::select_rgb(a, "").pixels == image::select_rgb(b, "").pixels;
 }
 
 bool has_light_paths(const image::Image& picture) {
@@ -57,7 +53,6 @@ bool have_no_noise(const std::vector<image::Image>& pictures) {
 }  // namespace
 
 PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
-  constexpr int kBlock_px = 8;
   const int width = usual.front().width;
   const int height = usual.front().height;
   const auto changes = [&](int x, int y, int w, int h) {
@@ -77,9 +72,9 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
   change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), are_equal);
   if (change.is_equal) return change;
   change.mean = relative(changes(0, 0, width, height));
-  for (int y = 0; y < height; y += kBlock_px)
-    for (int x = 0; x < width; x += kBlock_px) {
-      const auto found = relative(changes(x, y, kBlock_px, kBlock_px));
+  for (int y = 0; y < height; y += metrics::kBlock_px)
+    for (int x = 0; x < width; x += metrics::kBlock_px) {
+      const auto found = relative(changes(x, y, metrics::kBlock_px, metrics::kBlock_px));
       if (std::abs(found.value) <= std::abs(change.largest.value)) continue;
       change.largest = found;
       change.x = x;

@@ -44,12 +44,7 @@ void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
 void put(json::Writer& out, const Alternative& way) {
   const auto& change = way.change;
   out.begin_object().member("name", way.name).member("is_enough", way.is_enough);
-  out.key("time_ratio")
-      .begin_object()
-      .member("median", way.time_ratio.median)
-      .member("least", way.time_ratio.least)
-      .member("most", way.time_ratio.most)
-      .end_object();
+  write_spread(out, "time_ratio", way.time_ratio);
   out.member("error_ratio", way.error_ratio)
       .member("is_equal", change.is_equal)
       .member("picture", picture_text(way));

@@ -13,4 +13,17 @@ std::optional<Spread> spread_of(std::vector<double> values) {
   return Spread{(values[lower] + values[upper]) / 2, values.front(), values.back()};
 }
 
+void write_spread(json::Writer& out, const char* name, const std::optional<Spread>& spread) {
+  out.key(name);
+  if (!spread) {
+    out.null();
+    return;
+  }
+  out.begin_object()
+      .member("median", spread->median)
+      .member("least", spread->least)
+      .member("most", spread->most)
+      .end_object();
+}
+
 }  // namespace orbs::studies

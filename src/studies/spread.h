@@ -1,5 +1,7 @@
 #pragma once
 
+#include "json/writer.h"
+
 #include <optional>
 #include <vector>
 
@@ -14,5 +16,8 @@ struct Spread {
 
 /// Nothing when there are no values.
 std::optional<Spread> spread_of(std::vector<double> values);
+
+/// As the member `name` of an object; null for nothing.
+void write_spread(json::Writer& out, const char* name, const std::optional<Spread>& spread);
 
 }  // namespace orbs::studies

@@ -19,17 +19,13 @@ EmittingPoint point_on(const RectEmitter& rect, float u, float v) {
   return {rect.centre + rect.a * (2 * u - 1) + rect.b * (2 * v - 1),
           rect.normal,
           1 / rect.area,
-          rounding_of(rect.centre, rect.a, rect.b),
+          rounding_of(rect),
           {}};
 }
 
 EmittingPoint point_on(const DiskEmitter& disk, float u, float v) {
   const Vec2f at = sample_disk(u, v);
-  return {disk.centre + disk.a * at.x + disk.b * at.y,
-          disk.normal,
-          1 / disk.area,
-          rounding_of(disk.centre, disk.a, disk.b),
-          {}};
+  return {disk.centre + disk.a * at.x + disk.b * at.y, disk.normal, 1 / disk.area, rounding_of(disk), {}};
 }
 
 // Uniform on the unit sphere. A linear map A takes an area dA with normal n to |det A| |A^-T n| dA.
@@ -43,7 +39,7 @@ EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
   return {sphere.centre + sphere.axes[0] * p.x + sphere.axes[1] * p.y + sphere.axes[2] * p.z,
           normal / stretch,
           1 / (4 * kPi * sphere.determinant * stretch),
-          rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]),
+          rounding_of(sphere),
           {}};
 }
 
@@ -51,7 +47,7 @@ EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
 EmittingPoint point_on(const TriangleEmitter& t, float u, float v, float side) {
   const Vec2f b = triangle_point({u, v});
   return {t.corner + t.edge1 * b.x + t.edge2 * b.y, side < 0.5F ? t.normal : -t.normal, 0.5F / t.area,
-          rounding_of(t.corner, t.edge1, t.edge2), interpolated_uv(t, b)};
+          rounding_of(t), interpolated_uv(t, b)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f 
 }
 
 std::optional<EmitterPoint> sample_shape(const RectEmitter& rect, Vec3f from, float u, float v) {
-  const float error = rounding_of(rect.centre, rect.a, rect.b);
+  const float error = rounding_of(rect);
   if (dot(rect.normal, from - rect.centre) <= 0) return std::nullopt;
   if (const auto spherical = near_rectangle(rect, from))
     return EmitterPoint{sample_point(*spherical, u, v), rect.normal, 1 / spherical->solid_angle, error};
@@ -50,7 +50,7 @@ float pdf_shape(const RectEmitter& rect, Vec3f from, Vec3f position) {
 std::optional<EmitterPoint> sample_shape(const DiskEmitter& disk, Vec3f from, float u, float v) {
   const Vec2f at = sample_disk(u, v);
   return point_by_area(from, disk.centre + disk.a * at.x + disk.b * at.y, disk.normal, disk.area,
-                       rounding_of(disk.centre, disk.a, disk.b));
+                       rounding_of(disk));
 }
 
 float pdf_shape(const DiskEmitter& disk, Vec3f from, Vec3f position) {
@@ -81,7 +81,7 @@ float cone_height(float distance2) {
 std::optional<EmitterPoint> sample_shape(const SphereEmitter& sphere, Vec3f from, float u, float v) {
   const Vec3f view = to_local(sphere, from - sphere.centre);
   const float distance2 = dot(view, view);
-  const float error = rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
+  const float error = rounding_of(sphere);
   if (distance2 <= 1) return std::nullopt;  // inside, where the light is dark
   // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle by the law of
   // sines, which keeps its digits for small spheres (Pharr, Jakob, Humphreys, Physically Based Rendering, 4th
@@ -138,7 +138,7 @@ std::optional<EmitterPoint> sample_towards(const TriangleEmitter& t,
   const Vec3f position = t.corner + t.edge1 * b.x + t.edge2 * b.y;
   texture_uv = interpolated_uv(t, b);
   const Vec3f normal = dot(t.normal, from - position) < 0 ? -t.normal : t.normal;
-  return point_by_area(from, position, normal, t.area, rounding_of(t.corner, t.edge1, t.edge2));
+  return point_by_area(from, position, normal, t.area, rounding_of(t));
 }
 
 float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position) {

@@ -81,6 +81,13 @@ struct EmitterPoint {
 inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
   return 16 * 0x1p-24F * (largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
 }
+/// Of a point on the emitter.
+inline float rounding_of(const RectEmitter& rect) { return rounding_of(rect.centre, rect.a, rect.b); }
+inline float rounding_of(const DiskEmitter& disk) { return rounding_of(disk.centre, disk.a, disk.b); }
+inline float rounding_of(const SphereEmitter& sphere) {
+  return rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
+}
+inline float rounding_of(const TriangleEmitter& t) { return rounding_of(t.corner, t.edge1, t.edge2); }
 
 /// Samples by solid angle where that is worth it (spheres always, rectangles at short distance), else by
 /// area. Nothing when the emitter shows its dark side.

@@ -22,9 +22,9 @@ struct Splat {
 
 /// Light paths carry plain factors: matrices would have to be multiplied from the other side.
 template <typename T>
-concept LightTransport = Transport<T> && std::same_as<typename T::Weight, typename T::Value>;
+concept TracesFromLights = Transport<T> && std::same_as<typename T::Weight, typename T::Value>;
 
-template <LightTransport T>
+template <TracesFromLights T>
 struct LightPath {
   typename T::Value weight{};   // of all scatterings
   typename T::Value emitted{};  // what left the light, over the density of the path's start
@@ -38,7 +38,7 @@ struct LightPath {
 };
 
 /// Light on its way to the eye by a flat mirror.
-template <LightTransport T>
+template <TracesFromLights T>
 struct MirroredEyeQuery {
   typename T::Value weight{};  // from the light up to the mirror
   std::uint32_t path = 0;
@@ -47,7 +47,7 @@ struct MirroredEyeQuery {
   int path_class = 0;
 };
 
-template <LightTransport T>
+template <TracesFromLights T>
 struct LightWave {
   std::vector<LightPath<T>> paths;
   std::vector<std::uint32_t> active;
@@ -81,7 +81,7 @@ inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
 }
 
 /// A light path's scattering towards the eye.
-template <LightTransport T>
+template <TracesFromLights T>
 struct TowardsEye {
   typename T::Value weight{};  // of the path with this scattering
   [[no_unique_address]] typename T::Lambda lambda{};
@@ -90,7 +90,7 @@ struct TowardsEye {
 };
 
 /// At a surface that the path has met, in the direction `to_eye`; `importance` as in EyeView.
-template <LightTransport T>
+template <TracesFromLights T>
 std::optional<TowardsEye<T>> scattered_to_eye(
     const World& world, const LightPath<T>& path, const MetSurface& met, Vec3f to_eye, float importance) {
   const SurfacePoint& point = met.point;
@@ -116,7 +116,7 @@ std::optional<TowardsEye<T>> scattered_to_eye(
   return out;
 }
 
-template <LightTransport T>
+template <TracesFromLights T>
 void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& path, const MetSurface& met) {
   const EyeView view = view_of(world.camera, met.point.position);
   if (!(view.importance > 0)) return;
@@ -129,7 +129,7 @@ void ask_for_eye(LightWave<T>& wave, const World& world, const LightPath<T>& pat
 }
 
 /// By way of every flat mirror that has both the point and the camera before it.
-template <LightTransport T>
+template <TracesFromLights T>
 void ask_for_mirrored_eye(LightWave<T>& wave,
                           const World& world,
                           std::uint32_t index,
@@ -153,7 +153,7 @@ void ask_for_mirrored_eye(LightWave<T>& wave,
 }
 
 /// The queries whose ray meets the mirror go on from there to the eye.
-template <LightTransport T>
+template <TracesFromLights T>
 void reflect_eye_queries(LightWave<T>& wave, const World& world) {
   wave.mirror_hits.resize(wave.mirror_rays.size());
   timed_traversal(wave, [&] { world.accel->intersect(wave.mirror_rays, wave.mirror_hits); });
@@ -174,7 +174,7 @@ void reflect_eye_queries(LightWave<T>& wave, const World& world) {
   wave.mirror_queries.clear();
 }
 
-template <LightTransport T>
+template <TracesFromLights T>
 void settle_eye_queries(LightWave<T>& wave, const World& world) {
   wave.blocked.resize(wave.eye_rays.size());
   timed_traversal(wave, [&] { world.accel->occluded(wave.eye_rays, wave.blocked); });

@@ -35,7 +35,7 @@ struct LightChunk {
   double traversal_seconds = 0;
 };
 
-template <LightTransport T>
+template <TracesFromLights T>
 LightChunk trace_light_chunk(const World& world, SampleBlock block, std::uint32_t count) {
   LightWave<T> wave;
   for (std::uint32_t first = 0; first < count; first += kLightWave)
@@ -49,7 +49,7 @@ void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadS
 
 /// Adds what the light paths bring to the current replicates of the film's pixels, in an order that does not
 /// depend on the threads. Does nothing where the world has no light_path_targets.
-template <LightTransport T>
+template <TracesFromLights T>
 LightPassResult add_light_paths(const World& world, const LightPass& pass, Film& film) {
   LightPassResult result;
   if (world.light_path_targets.empty()) return result;

@@ -93,8 +93,6 @@ std::optional<Polarisation> polarisation_by(const SheetBsdf<V, N>& b, const auto
   return out;
 }
 
-/// ORB.S's glass polarises as any glass does. Its perfect mirror has no index; it is taken to turn the field
-/// over as a perfect conductor does.
 inline Interface<4> interface_of(float eta) {
   Interface<4> at;
   at.index.fill(eta);
@@ -108,6 +106,7 @@ template <typename V>
 std::optional<Polarisation> polarisation_by(const RoughGlassBsdf<V>& b, const auto& where) {
   return facet_polarisation_between(interface_of(b.eta), where);
 }
+/// ORB.S's perfect mirror has no index; it turns the field over as a perfect conductor does.
 template <typename V>
 std::optional<Polarisation> polarisation_by(const MirrorBsdf<V>&, const auto& where) {
   constexpr snippets::AlignedMueller<float> kTurnedOver{1, 0, -1, 0};

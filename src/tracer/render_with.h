@@ -88,7 +88,7 @@ void render_pass(const World& world,
                  Rendering& out,
                  const std::function<void()>& tile_done) {
   // First, because the tiles end the replicate that this pass belongs to.
-  if constexpr (LightTransport<T>) {
+  if constexpr (TracesFromLights<T>) {
     const auto light = add_light_paths<T>(
         world, {settings.seed, pass.number, static_cast<int>(pass.pass.count), settings.threads}, film);
     merge(out.bad_samples, light.bad_samples);

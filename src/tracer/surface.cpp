@@ -70,12 +70,6 @@ Vec3f normal_of(const SphereEmitter& sphere, Vec3f position) {
   return normalised(sphere.inverse[0] * local.x + sphere.inverse[1] * local.y + sphere.inverse[2] * local.z);
 }
 
-float rounding_on(const RectEmitter& rect) { return rounding_of(rect.centre, rect.a, rect.b); }
-float rounding_on(const DiskEmitter& disk) { return rounding_of(disk.centre, disk.a, disk.b); }
-float rounding_on(const SphereEmitter& sphere) {
-  return rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
-}
-
 }  // namespace
 
 void prepare_faces(TriangleMesh& mesh) {
@@ -105,7 +99,7 @@ SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit)
       std::visit([&](const auto& shape) { return normal_of(shape, out.position); }, light.shape);
   out.shading_normal = out.geometric_normal;
   // The distance is rounded, too, and the ray's origin with it.
-  out.position_error = std::visit([](const auto& shape) { return rounding_on(shape); }, light.shape) +
+  out.position_error = std::visit([](const auto& shape) { return rounding_of(shape); }, light.shape) +
                        4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
   return out;
 }

@@ -13,7 +13,7 @@ namespace orbs::tracer {
 
 /// The path continues with the chance of what is left of its weight, so that the survivors carry as much
 /// light as they began with.
-template <LightTransport T>
+template <TracesFromLights T>
 bool survives_light_roulette(LightPath<T>& path, float u) {
   const float chance = T::magnitude(path.weight);
   if (chance >= 1) return true;
@@ -22,7 +22,7 @@ bool survives_light_roulette(LightPath<T>& path, float u) {
   return true;
 }
 
-template <LightTransport T>
+template <TracesFromLights T>
 bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, const MetSurface& met) {
   const SurfacePoint& point = met.point;
   const Vec3f to_light = -path.ray.direction;
@@ -51,7 +51,7 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
 }
 
 /// Handles what the path's ray has met; true when the path goes on with a new ray.
-template <LightTransport T>
+template <TracesFromLights T>
 bool advance_light(
     LightWave<T>& wave, const World& world, std::uint32_t index, SampleBlock block, const Hit& hit) {
   LightPath<T>& path = wave.paths[index];
@@ -76,7 +76,7 @@ bool advance_light(
   return scatter_light<T>(path, block, world, {point, material, hit});
 }
 
-template <LightTransport T>
+template <TracesFromLights T>
 void start_light_paths(
     LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
   wave.paths.assign(count, {});
@@ -94,7 +94,7 @@ void start_light_paths(
 }
 
 /// Traces the points [first, first + count) of the block and appends to wave.splats.
-template <LightTransport T>
+template <TracesFromLights T>
 void trace_light_wave(
     LightWave<T>& wave, const World& world, SampleBlock block, std::uint32_t first, std::uint32_t count) {
   start_light_paths(wave, world, block, first, count);

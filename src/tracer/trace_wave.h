@@ -85,6 +85,7 @@ void meet_light(Wave<T>& wave,
   const SurfacePoint point = light_point(light, path.ray, hit);
   const Vec3f to_viewer = -path.ray.direction;
   if (!(dot(point.geometric_normal, to_viewer) > 0)) return;  // black from behind
+  // No note_sharpness: where lights reflect there are no light paths (has_use_for_light_paths).
   const std::size_t lane = take_lane(vertices, index, sample, point, to_viewer);
   vertices.bsdf[lane] =
       LambertBsdf<typename T::Value>{T::reflectance(world, {light.reflectance}, path.lambda)};

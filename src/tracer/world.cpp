@@ -143,8 +143,7 @@ float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, r
 // Steers only how often a light is chosen, never what it gives. Where light can become visible on its way,
 // what the eye makes of it is no measure.
 float brightness(const World& world, const Radiance& radiance) {
-  const bool can_change = world.transport == scene::LightTransport::Bispectral ||
-                          world.transport == scene::LightTransport::PolarisedBispectral;
+  const bool can_change = scene::covers(world.transport, scene::LightTransport::Bispectral);
   if (radiance.spectrum < 0 || !can_change) return luminance(radiance.rgb);
   const auto& spectrum = world.spectra[static_cast<std::size_t>(radiance.spectrum)];
   const auto one = spectra::constant(1);
@@ -241,8 +240,7 @@ scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSe
 // Light paths end at lights, keep their wavelengths, and multiply no matrices from the other side: they are
 // of no use where lights reflect, surfaces fluoresce, or polarisation counts.
 bool has_use_for_light_paths(const World& world) {
-  const bool is_polarised = world.transport == scene::LightTransport::Polarised ||
-                            world.transport == scene::LightTransport::PolarisedBispectral;
+  const bool is_polarised = scene::covers(world.transport, scene::LightTransport::Polarised);
   const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
                                           [](const auto& light) { return !(light.reflectance == Vec3f{}); });
   return !is_polarised && !lights_reflect && world.reradiations.empty() && !world.emitters.empty();
