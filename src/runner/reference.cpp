@@ -63,20 +63,32 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
   return all;
 }
 
-// Before hours of rendering.
-void refuse_replacing(const std::vector<WantedReference>& all, const std::string& reason) {
+bool exists(const WantedReference& wanted) {
+  std::error_code ignored;
+  return std::filesystem::exists(wanted.target, ignored);
+}
+
+// Without a reason only what is missing. Refuses before hours of rendering.
+std::vector<WantedReference> due_references(std::vector<WantedReference> all,
+                                            const std::string& reason,
+                                            const ReferenceContext& context) {
+  if (trim(reason).empty()) {
+    const auto missing = std::stable_partition(all.begin(), all.end(), exists);
+    std::vector<std::string> existing;
+    for (auto kept = all.begin(); kept != missing; ++kept) existing.push_back(kept->name);
+    if (missing == all.end() && !existing.empty())
+      throw InputError(
+          fmt::format("references exist for {}; say why they may be replaced with --accept \"reason\"",
+                      fmt::join(existing, ", ")));
+    if (!existing.empty())
+      context.say(fmt::format("kept, for want of a reason to replace them (--accept): {}",
+                              fmt::join(existing, ", ")));
+    all.erase(all.begin(), missing);
+  }
   for (const auto& wanted : all)
     with_note(fmt::format("reading the history of the reference '{}'", wanted.name),
               [&] { read_history(wanted.target); });
-  if (!trim(reason).empty()) return;
-  std::vector<std::string> existing;
-  std::error_code ignored;
-  for (const auto& wanted : all)
-    if (std::filesystem::exists(wanted.target, ignored)) existing.push_back(wanted.name);
-  if (!existing.empty())
-    throw InputError(
-        fmt::format("references exist for {}; say why they may be replaced with --accept \"reason\"",
-                    fmt::join(existing, ", ")));
+  return all;
 }
 
 }  // namespace
@@ -86,8 +98,7 @@ int render_references(const registry::Configuration& configuration,
                       const ReferenceSettings& settings,
                       const ReferenceContext& context) {
   const auto& suite = registry::find_suite(configuration, selection.suite);
-  const auto all = wanted_references(suite, selection, context);
-  refuse_replacing(all, settings.reason);
+  const auto all = due_references(wanted_references(suite, selection, context), settings.reason, context);
   std::filesystem::create_directories(suite.references);
   const ScratchFolder scratch("orbs-reference");
   bool too_noisy = false;

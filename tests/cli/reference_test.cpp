@@ -28,6 +28,18 @@ TEST(Reference, IsNotReplacedWithoutAReason) {
   EXPECT_EQ(sandbox.read("references/grey.exr"), before);
 }
 
+TEST(Reference, ThatIsMissingIsRenderedWhereOthersExist) {
+  const Sandbox sandbox;
+  std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
+  const auto before = sandbox.read("references/mirror.exr");
+  const auto answer = sandbox.orbs({"reference", "-s", "grey,mirror", "--spp", "4"});
+  EXPECT_NE(answer.status, 2) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "kept, for want of a reason to replace them (--accept): mirror"))
+      << answer.text;
+  EXPECT_TRUE(sandbox.has("references/grey.exr")) << answer.text;
+  EXPECT_EQ(sandbox.read("references/mirror.exr"), before);
+}
+
 TEST(Reference, CarriesItsPassport) {
   const Sandbox sandbox;
   std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
