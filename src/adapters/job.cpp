@@ -29,7 +29,7 @@ Job make_job(const registry::Renderer& renderer,
   job.folder = folder;
   job.scene_file =
       folder / (settings.scene_file.empty() ? scene_file_name(renderer.scene_format) : settings.scene_file);
-  job.image = folder / "result.exr";
+  job.image = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
   job.argv = registry::fill_placeholders(renderer.command,

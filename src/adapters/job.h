@@ -30,10 +30,11 @@ struct JobSettings {
   int spp = 64;
   int seed = 1;
   int threads = 1;
-  std::filesystem::path root;        // {root}
-  std::filesystem::path build;       // {build}
-  std::filesystem::path executable;  // {executable}, already found
-  std::string scene_file{};          // its name in the job's folder; "" for that of an exported scene
+  std::filesystem::path root;             // {root}
+  std::filesystem::path build;            // {build}
+  std::filesystem::path executable;       // {executable}, already found
+  std::string image_file = "result.exr";  // its name in the job's folder
+  std::string scene_file{};               // its name in the job's folder; "" for that of an exported scene
 };
 
 /// Samples that a renderer gets for a case's `spp`, rounded, at least 1. InputError above 2^30.

@@ -42,4 +42,8 @@ Image select_rgb(const Image& image, std::string_view prefix) {
   return rgb;
 }
 
+bool has_same_colours(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && select_rgb(a, "").pixels == select_rgb(b, "").pixels;
+}
+
 }  // namespace orbs::image

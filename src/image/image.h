@@ -44,4 +44,7 @@ int channel_index(const Image& image, std::string_view name);
 /// itself, "variance." for its variance). InputError when one is missing.
 Image select_rgb(const Image& image, std::string_view prefix);
 
+/// Whether R, G and B are the same to the bit, and the sizes. InputError as select_rgb.
+bool has_same_colours(const Image& a, const Image& b);
+
 }  // namespace orbs::image

@@ -32,14 +32,18 @@ void check_seeds(const std::vector<image::Image>& colours) {
     if (colour.width != first.width || colour.height != first.height)
       throw InputError(fmt::format("renders of one scene differ in size: {} x {} px and {} x {} px",
                                    first.width, first.height, colour.width, colour.height));
-  if (std::all_of(colours.begin(), colours.end(),
-                  [&](const auto& colour) { return colour.pixels == first.pixels; }))
+  if (are_equal(colours))
     throw InputError(
         "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene has "
         "no noise");
 }
 
 }  // namespace
+
+bool are_equal(const std::vector<image::Image>& pictures) {
+  return std::all_of(pictures.begin(), pictures.end(),
+                     [&](const auto& picture) { return image::has_same_colours(picture, pictures.front()); });
+}
 
 image::Image mean_of(const std::vector<image::Image>& pictures) {
   const auto colours = colours_of(pictures);

@@ -6,6 +6,9 @@
 
 namespace orbs::metrics {
 
+/// Whether all are the same to the bit: of a renderer that ignores its seed, or a scene without noise.
+bool are_equal(const std::vector<image::Image>& pictures);
+
 /// The mean of the pictures in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& pictures);
 

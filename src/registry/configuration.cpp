@@ -19,6 +19,7 @@ namespace {
 using json::ObjectReader;
 
 constexpr double kMostMegabytes = 1 << 30;
+constexpr int kMostSeeds = 16;  // of one render
 
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
@@ -185,6 +186,10 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
     for (const auto& name : scenes.keys())
       renderer.spp_scale_of_scenes[name] = scenes.number(name, json::kPositive);
   }
+  renderer.seeds = in.integer_or("seeds", renderer.seeds, 1, kMostSeeds);
+  const auto has_seed = [](const auto& word) { return uses_placeholder(word, "seed"); };
+  if (renderer.seeds > 1 && std::none_of(renderer.command.begin(), renderer.command.end(), has_seed))
+    in.fail("seeds", "needs {seed} in the command, or all renders would be the same");
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.environment = load_environment(in);
   in.finish();

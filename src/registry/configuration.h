@@ -56,6 +56,9 @@ struct Renderer {
   warden::Limits limits;  // those of the file, with the entry's own in their place
   double spp_scale = 1;   // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
+  /// More than one: each render is so many, with seeds that follow each other and the samples shared among
+  /// them. For renderers that write no variance: their noise is then known from the scatter.
+  int seeds = 1;
   RenderSeconds render_seconds;
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };

@@ -42,7 +42,10 @@ void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
       .member("native_scene", job.native_scene);
   out.member("renderer_version", job.renderer_version)
       .member("command", job.command.empty() ? shell_text(job.argv) : job.command);
-  out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
+  out.member("spp", job.spp)
+      .member("seed", job.seed)
+      .member("seeds", job.seeds)
+      .member("threads", job.threads);
   out.member("started", job.started).member("sentence", job.sentence);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   if (job.render_seconds) out.member("render_seconds", *job.render_seconds);

@@ -80,6 +80,7 @@ JobRecord read_job(ObjectReader& in, const Host& usual) {
   job.native_scene = in.text_or("native_scene", "");
   job.spp = in.integer_or("spp", 0, 0, kAnyInteger);
   job.seed = in.integer_or("seed", 0, -kAnyInteger, kAnyInteger);
+  job.seeds = in.integer_or("seeds", 1, 1, kAnyInteger);
   job.threads = in.integer_or("threads", 0, 0, kAnyInteger);
   job.host = in.has("host") ? read_host(in.object("host")) : usual;
   job.started = in.text_or("started", "");

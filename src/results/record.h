@@ -60,7 +60,8 @@ struct JobRecord {
   std::string native_scene;   // the hand-written one that was rendered; "" when it was exported
   std::string folder;
   int spp = 0;
-  int seed = 0;
+  int seed = 0;   // the first of
+  int seeds = 1;  // so many, which share the samples
   int threads = 0;
   Host host;
   std::string started;  // local time, ISO 8601

@@ -26,7 +26,10 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("scene_hash", job.scene_hash).member("settings_hash", job.settings_hash);
   out.member("limits_hash", job.limits_hash);
   out.member("judged_hash", job.judged_hash).member("native_scene", job.native_scene);
-  out.member("spp", job.spp).member("seed", job.seed).member("threads", job.threads);
+  out.member("spp", job.spp)
+      .member("seed", job.seed)
+      .member("seeds", job.seeds)
+      .member("threads", job.threads);
   out.member("started", job.started).member("load", job.load);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   write_optional(out, "render_seconds", job.render_seconds);

@@ -8,15 +8,19 @@
 #include "base/files.h"
 #include "base/shell.h"
 #include "base/text.h"
+#include "image/image_io.h"
+#include "metrics/seeds.h"
 #include "registry/placeholders.h"
 #include "runner/host.h"
 #include "runner/outcome.h"
 #include "runner/render_seconds.h"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::runner {
 
@@ -48,7 +52,8 @@ void make_folder(const std::filesystem::path& folder) {
     throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
-// The job in its folder, with the scene written there and all that will prove its picture to be its own.
+// The job in its folder, with the scene written there and all that will prove its picture to be its own. With
+// several seeds that of the first.
 adapters::Job prepare_job(const Plan& plan,
                           const PlannedJob& planned,
                           const scene::Scene& prepared,
@@ -68,17 +73,58 @@ adapters::Job prepare_job(const Plan& plan,
   return job;
 }
 
+// Adds to what the seeds before took; how it ended is its own.
 void note_process(const adapters::ProcessResult& process,
                   const registry::Renderer& renderer,
                   const std::filesystem::path& folder,
                   JobRecord& record) {
-  record.wall_seconds = process.wall_seconds;
-  record.cpu_seconds = process.user_seconds + process.system_seconds;
-  record.peak_rss_bytes = process.peak_rss_bytes;
+  record.wall_seconds += process.wall_seconds;
+  record.cpu_seconds += process.user_seconds + process.system_seconds;
+  record.peak_rss_bytes = std::max(record.peak_rss_bytes, process.peak_rss_bytes);
   record.exit_code = process.exit_code;
   record.core_dumped = process.core_dumped;
   if (process.signal != 0) record.signal = adapters::signal_name(process.signal);
-  record.render_seconds = render_seconds(renderer.render_seconds, process.output, folder);
+  if (const auto seconds = render_seconds(renderer.render_seconds, process.output, folder))
+    record.render_seconds = record.render_seconds.value_or(0) + *seconds;
+}
+
+// One process for each seed, until one leaves no usable picture: record.image is then its.
+Outcome run_seeds(const Plan& plan,
+                  const PlannedJob& planned,
+                  adapters::Job& job,
+                  const std::filesystem::path& unfinished,
+                  const std::atomic<bool>* stop,
+                  JobRecord& record) {
+  const auto& renderer = plan.renderers[planned.renderer].entry;
+  std::vector<image::Image> pictures;
+  for (int turn = 0; turn < renderer.seeds; ++turn) {
+    const auto own = job_in(plan, planned, unfinished, turn);
+    job.argv = own.argv;
+    job.image = own.image;
+    const auto process = adapters::run_process(process_request(renderer, job, stop));
+    note_process(process, renderer, job.folder, record);
+    auto outcome = classify(process, job, renderer.limits);
+    if (outcome.verdict != Verdict::Pass || renderer.seeds == 1) return outcome;
+    pictures.push_back(std::move(*outcome.picture));
+  }
+  for (int turn = 0; turn < renderer.seeds; ++turn)
+    std::filesystem::remove(job_in(plan, planned, unfinished, turn).image);
+  job.image = job.folder / adapters::JobSettings{}.image_file;
+  auto together = metrics::are_equal(pictures) ? pictures.front() : metrics::mean_and_variance_of(pictures);
+  image::write_exr(together, job.image);
+  return {Verdict::Pass, "", std::move(together)};
+}
+
+// The renders of all seeds once more, in their place.
+std::string command_of(const Plan& plan,
+                       const PlannedJob& planned,
+                       const adapters::ProcessRequest& request,
+                       const std::filesystem::path& run) {
+  std::vector<std::string> commands;
+  for (int turn = 0; turn < plan.renderers[planned.renderer].entry.seeds; ++turn)
+    commands.push_back(
+        shell_command(run / planned.folder, request.environment, job_in(plan, planned, run, turn).argv));
+  return fmt::format("{}", fmt::join(commands, " && "));
 }
 
 }  // namespace
@@ -100,6 +146,7 @@ JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   record.renderer = plan.renderers[job.renderer].entry.name;
   record.spp = job.spp;
   record.seed = plan.settings.seed;
+  record.seeds = plan.renderers[job.renderer].entry.seeds;
   record.threads = plan.threads;
   record.folder = job.folder.string();
   if (!job.native_scene.empty())
@@ -123,16 +170,13 @@ Execution execute(const Plan& plan,
     record.sentence = *reason;
     return execution;
   }
-  const auto job = prepare_job(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
-  const auto request = process_request(renderer, job, stop);
+  auto job = prepare_job(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
   // As it can be repeated once the folder is in its place.
   record.argv = job_in(plan, planned, folders.run).argv;
-  record.command = shell_command(folders.run / planned.folder, request.environment, record.argv);
+  record.command = command_of(plan, planned, process_request(renderer, job, stop), folders.run);
   record.started = local_time_now();
   record.load = load_average();
-  const auto process = adapters::run_process(request);
-  note_process(process, renderer, job.folder, record);
-  auto outcome = classify(process, job, renderer.limits);
+  auto outcome = run_seeds(plan, planned, job, folders.unfinished, stop, record);
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;
   record.rendered = outcome.verdict == Verdict::Pass;

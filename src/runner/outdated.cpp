@@ -28,6 +28,7 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
                       entry.render_seconds.unit_seconds);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
   text += fmt::format("{}", job.may_be_negative);
+  if (entry.seeds > 1) text += fmt::format("\n{} seeds", entry.seeds);
   return hash_text(content_hash(text));
 }
 

@@ -173,19 +173,27 @@ Plan make_plan(const registry::Configuration& configuration,
   return plan;
 }
 
-adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job) {
-  return {job.spp,
-          plan.settings.seed,
-          plan.threads,
-          plan.root,
-          plan.build,
-          plan.renderers[job.renderer].executable,
-          job.native_scene.filename().string()};
+adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int turn) {
+  const auto& renderer = plan.renderers[job.renderer];
+  const int seeds = renderer.entry.seeds;
+  adapters::JobSettings settings;
+  settings.spp = (job.spp + seeds - 1) / seeds;
+  settings.seed = plan.settings.seed + turn;
+  settings.threads = plan.threads;
+  settings.root = plan.root;
+  settings.build = plan.build;
+  settings.executable = renderer.executable;
+  if (seeds > 1) settings.image_file = fmt::format("seed-{}.exr", settings.seed);
+  settings.scene_file = job.native_scene.filename().string();
+  return settings;
 }
 
-adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder) {
+adapters::Job job_in(const Plan& plan,
+                     const PlannedJob& job,
+                     const std::filesystem::path& run_folder,
+                     int turn) {
   return adapters::make_job(plan.renderers[job.renderer].entry, *plan.scenes[job.scene].scene,
-                            job_settings(plan, job), run_folder / job.folder);
+                            job_settings(plan, job, turn), run_folder / job.folder);
 }
 
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job) {
@@ -211,7 +219,8 @@ std::string plan_text(const Plan& plan) {
       continue;
     }
     if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
-    text += fmt::format("    {}\n", shell_text(job_in(plan, job, "OUTPUT").argv));
+    for (int turn = 0; turn < renderer.entry.seeds; ++turn)
+      text += fmt::format("    {}\n", shell_text(job_in(plan, job, "OUTPUT", turn).argv));
   }
   for (const auto& left : plan.left_out)
     text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);

@@ -72,14 +72,17 @@ Plan make_plan(const registry::Configuration& configuration,
                const std::filesystem::path& program_folder);
 
 /// The settings of one job for its command.
-adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job);
+adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int turn = 0);
 
 /// The scene as the job's renderer can read it: prepared for its format, or as it is where somebody has
 /// written it by hand for the renderer. Or the reason why there is none.
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
 
 /// The job with all paths, in the run folder `run_folder`.
-adapters::Job job_in(const Plan& plan, const PlannedJob& job, const std::filesystem::path& run_folder);
+adapters::Job job_in(const Plan& plan,
+                     const PlannedJob& job,
+                     const std::filesystem::path& run_folder,
+                     int turn = 0);
 
 /// The renderer's program with its placeholders filled: a path or a name.
 std::string program_name(const registry::Renderer& renderer,

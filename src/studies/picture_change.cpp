@@ -35,20 +35,13 @@ double block_mean(const image::Image& picture, int x0, int y0, int width, int he
   return sum / count;
 }
 
-bool are_equal(const image::Image& a, const image::Image& b) {
-  return image::select_rgb(a, "").pixels == image::select_rgb(b, "").pixels;
-}
-
 bool has_light_paths(const image::Image& picture) {
   const auto found = picture.attributes.find("orbs.light_paths");
   return found != picture.attributes.end() && found->second == "yes";
 }
 
 // As where no light is found at all.
-bool have_no_noise(const std::vector<image::Image>& pictures) {
-  return std::all_of(pictures.begin(), pictures.end(),
-                     [&](const image::Image& picture) { return are_equal(picture, pictures.front()); });
-}
+bool have_no_noise(const std::vector<image::Image>& pictures) { return metrics::are_equal(pictures); }
 
 }  // namespace
 
@@ -69,7 +62,7 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
   };
   PictureChange change;
   change.is_comparable = has_light_paths(usual.front()) == has_light_paths(other.front());
-  change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), are_equal);
+  change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), image::has_same_colours);
   if (change.is_equal) return change;
   change.mean = relative(changes(0, 0, width, height));
   for (int y = 0; y < height; y += metrics::kBlock_px)

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -38,6 +39,16 @@ Image grey_picture(const Arguments& arguments) {
                                          std::stoi(arguments.at("--height")), {"R", "G", "B"});
   for (auto& value : picture.pixels) value = std::stof(arguments.at("--grey"));
   return picture;
+}
+
+// As many samples as --spp says, each of them off by 0.2 up or down.
+void add_noise(const Arguments& arguments, Image& picture) {
+  std::mt19937 random(static_cast<unsigned>(std::stoi(arguments.at("--seed"))));
+  const int samples = std::stoi(arguments.at("--spp"));
+  for (auto& value : picture.pixels) {
+    const auto up = std::binomial_distribution<int>(samples, 0.5)(random);
+    value += 0.2F * static_cast<float>(2 * up - samples) / static_cast<float>(samples);
+  }
 }
 
 // Waits for a signal, far beyond any time limit of the tests.
@@ -168,7 +179,9 @@ int behave(const std::string& mode, const Arguments& arguments) {
   if (mode == "wrong-size")
     picture = orbs::image::make_image(picture.width / 2, picture.height, {"R", "G", "B"});
   if (mode == "wrong-channels") picture = orbs::image::make_image(picture.width, picture.height, {"Y"});
-  if (mode == "nan") picture.at(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
+  if (mode.starts_with("noisy")) add_noise(arguments, picture);
+  if (mode == "nan" || (mode == "noisy-nan" && arguments.at("--seed") == "2"))
+    picture.at(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
   if (mode == "infinite") picture.at(5, 1, 0) = std::numeric_limits<float>::infinity();
   if (mode == "negative") picture.at(4, 3, 2) = picture.at(6, 5, 0) = -0.001F;
   if (mode == "other-scene") picture.attributes["orbs.scene_hash"] = "0123456789abcdef";

@@ -26,6 +26,9 @@ namespace {
 const std::vector<std::pair<std::string, std::string>> kModes{
     {"good", ""},
     {"dark", ""},
+    {"noisy", ""},
+    {"noisy-dark", ""},
+    {"noisy-nan", ""},
     {"segfault", ""},
     {"abort", ""},
     {"exit3", ""},
@@ -63,8 +66,10 @@ std::string renderer_entry(const std::string& mode, const std::string& limits) {
   "declares": "G5/M8", "limits": {{{1}}}, "render_seconds": {{"pattern": "^fake: render_seconds ([0-9.]+)"}},
   "command": ["{{executable}}", "--mode", "{0}", "--output", "{{output}}", "--scene", "{{scene}}", "--width", "{{width}}", "--height", "{{height}}",
               "--grey", "{2}", "--threads", "{{threads}}", "--spp", "{{spp}}", "--seed", "{{seed}}"]}})x",
-      mode, limits, mode == "dark" ? "0.2" : "0.5",
-      mode == "good" ? R"( "version_command": ["{executable}", "--version"],)" : "");
+      mode, limits, mode.ends_with("dark") ? "0.2" : "0.5",
+      mode == "good"              ? R"( "version_command": ["{executable}", "--version"],)"
+      : mode.starts_with("noisy") ? R"( "seeds": 4,)"
+                                  : "");
 }
 
 std::string scene_text(const std::string& material) {

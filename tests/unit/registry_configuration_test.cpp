@@ -56,6 +56,15 @@ TEST(Configuration, ASmallEntryIsCompleteAndTheRestHasDefaults) {
   EXPECT_TRUE(configuration.defaults.log);
 }
 
+TEST(Configuration, SeveralSeedsNeedAPlaceForThemInTheCommand) {
+  const auto message = message_of(with_renderer(kRenderer + R"(, "seeds": 2)"));
+  EXPECT_NE(message.find("/renderers/0/seeds: needs {seed} in the command"), std::string::npos) << message;
+  EXPECT_NE(message_of(with_renderer(kRenderer + R"(, "seeds": 17)")).find("/seeds:"), std::string::npos);
+  const auto fitting = load(with_renderer(
+      R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}", "{seed}"], "seeds": 16)"));
+  EXPECT_EQ(fitting.renderers[0].seeds, 16);
+}
+
 TEST(Configuration, FoldersAreRelativeToTheFile) {
   const auto configuration = load(with_renderer(kRenderer));
   EXPECT_EQ(configuration.suites[0].cases, configuration.root / "c");

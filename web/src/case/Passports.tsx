@@ -45,7 +45,7 @@ export function Passports({ session, detail }: { session: Session; detail: Pictu
             ["program", job.renderer_version],
             ["hand-written scene", job.native_scene],
             ["samples per pixel", String(job.spp)],
-            ["seed", String(job.seed)],
+            ["seed", job.seeds > 1 ? `${job.seed} to ${job.seed + job.seeds - 1}, together` : String(job.seed)],
             ["threads", String(job.threads)],
             ["started", job.started.replace("T", " ")],
             ...hostPairs(job.host, job.load),

@@ -172,6 +172,7 @@ export interface Job {
   command: string;
   spp: number;
   seed: number;
+  seeds: number; // from `seed` on; they share the samples
   threads: number;
   started: string;
   load: number;

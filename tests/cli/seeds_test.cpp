@@ -1,0 +1,77 @@
+// Renderers that do not know their noise: it is known from the scatter of several seeds.
+#include "metrics/seeds.h"
+
+#include "cli/sandbox.h"
+#include "image/image_io.h"
+#include "results/read_record.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+results::JobRecord job_of(const Sandbox& sandbox, const std::string& renderer) {
+  return results::read_job_file(sandbox.folder() / "out" / renderer / "grey" / "job.json").job;
+}
+
+}  // namespace
+
+// 8 samples of +-0.2 have a standard error of 0.07 around the grey of the reference: 20 dB.
+TEST(Seeds, ANoisyPictureIsInconclusiveAndSaysWhatItNeeds) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "-o", "out"});
+  EXPECT_TRUE(contains(answer.text, "but noise alone gives")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "times the samples")) << answer.text;
+  const auto picture = image::read_image(sandbox.folder() / "out/noisy/grey/result.exr");
+  EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
+}
+
+TEST(Seeds, AWrongPictureFailsHoweverNoisyItIs) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "noisy-dark", "-s", "grey", "-o", "out"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_TRUE(contains(answer.text, "fail")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "but noise alone gives")) << answer.text;
+}
+
+// The case asks for 8 samples: 2 for each of 4 seeds.
+TEST(Seeds, ShareTheSamplesAndAddUpTheirTimes) {
+  const Sandbox sandbox;
+  const auto dry = sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "--dry-run"});
+  for (const char* seed : {"--spp 2 --seed 1", "--spp 2 --seed 2", "--spp 2 --seed 3", "--spp 2 --seed 4"})
+    EXPECT_TRUE(contains(dry.text, seed)) << dry.text;
+  EXPECT_FALSE(contains(dry.text, "--seed 5")) << dry.text;
+  sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "-o", "out"});
+  const auto job = job_of(sandbox, "noisy");
+  EXPECT_EQ(job.spp, 8);
+  EXPECT_EQ(job.seeds, 4);
+  EXPECT_EQ(job.render_seconds, 4 * 0.25);
+  EXPECT_TRUE(contains(job.command, "--seed 4")) << job.command;
+  EXPECT_FALSE(sandbox.has("out/noisy/grey/seed-1.exr"));
+}
+
+TEST(Seeds, ABadPictureOfOneOfThemIsTheVerdict) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "noisy-nan", "-s", "grey", "-o", "out"});
+  EXPECT_EQ(answer.status, 1);
+  const auto job = job_of(sandbox, "noisy-nan");
+  EXPECT_EQ(job.verdict, results::Verdict::InvalidPixels);
+  EXPECT_TRUE(contains(job.sentence, "1 pixels are NaN")) << job.sentence;
+  EXPECT_TRUE(contains(job.image, "seed-2.exr")) << job.image;
+  EXPECT_FALSE(sandbox.has("out/noisy-nan/grey/result.exr"));
+}
+
+// A renderer that ignores its seed, or a scene without noise: nothing is known, and nothing is made up.
+TEST(Seeds, EqualPicturesHaveNoVariance) {
+  const auto grey = image::make_image(3, 2, {"R", "G", "B"});
+  auto other = grey;
+  EXPECT_TRUE(metrics::are_equal({grey, grey}));
+  other.at(1, 1, 2) = 1e-7F;
+  EXPECT_FALSE(metrics::are_equal({grey, other}));
+}
