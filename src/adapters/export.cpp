@@ -3,6 +3,7 @@
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
+#include "adapters/transports.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/lower.h"
@@ -106,6 +107,7 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
                                                       const scene::Scene& scene) {
   auto lowered = scene::lower(scene, registry::feature_codes(renderer.declares));
   if (std::holds_alternative<std::string>(lowered)) return lowered;
+  if (auto reason = transport_limit(renderer, scene); !reason.empty()) return reason;
   if (const auto limits = limits_of_format(renderer, std::get<scene::Scene>(lowered)); !limits.empty())
     return limits.front();
   return lowered;
