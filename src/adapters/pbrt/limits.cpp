@@ -70,7 +70,7 @@ std::string size_limit(const scene::Texture& texture) {
 }  // namespace
 
 std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
-  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName);
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName, {});
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };

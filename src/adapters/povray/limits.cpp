@@ -66,7 +66,7 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
 }  // namespace
 
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings) {
-  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray");
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray", {});
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
