@@ -68,7 +68,7 @@ void expect_spectrum(const tests::ReadSpectrum& found,
 }
 
 class Spectral : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Formats, Spectral, testing::Values("mitsuba"), [](const auto& format) {
+INSTANTIATE_TEST_SUITE_P(Formats, Spectral, testing::Values("mitsuba", "pbrt"), [](const auto& format) {
   return std::string(format.param);
 });
 
@@ -199,6 +199,102 @@ TEST(MitsubaAppearance, WhatMitsubaLacksIsRefusedWithTheReason) {
     scene.materials[0].model = model;
     EXPECT_NE(refusal("mitsuba", scene).find(word), std::string::npos) << refusal("mitsuba", scene);
   }
+}
+
+// The whole of the index, over what is outside: one number would be a glass without dispersion.
+TEST(PbrtAppearance, GlassThatDispersesHasItsIndexAtEveryWavelength) {
+  for (const auto& [name, nm_and_index] : std::map<std::string, std::pair<double, double>>{
+           {"prism_SF10", {550, 1.733661}}, {"caustic_BK7", {587.5618, 1.5168}}}) {
+    const auto [scene, read] = exported("pbrt", appearance_scene("e6_dispersion/" + name));
+    const auto& glass = read.surfaces.at("material0");
+    EXPECT_EQ(glass.type, "dielectric");
+    EXPECT_EQ(glass.words, (std::map<std::string, std::string>{{"roughness", "0"}}));
+    const auto& eta = glass.spectra.at("eta");
+    EXPECT_NEAR(tests::value_at(eta, nm_and_index.first), nm_and_index.second, 2e-6);
+    for (const double nm : kProbes_nm)
+      EXPECT_NEAR(tests::value_at(eta, nm),
+                  index_at(std::get<scene::Dielectric>(scene.materials[0].model).index, nm), 1e-6)
+          << nm;
+  }
+  const auto read = exported("pbrt", appearance_scene("e6_dispersion/caustic_BK7_achromatic")).read;
+  EXPECT_TRUE(read.surfaces.at("material0").spectra.empty());
+  EXPECT_EQ(read.surfaces.at("material0").words.at("eta"), "1.5168");
+}
+
+// What the entry does not declare as a whole, for who has such a material in a scene of his own.
+scene::Scene scene_of_balls(const scene::MaterialModel& model) {
+  scene::Scene scene = appearance_scene("e6_dispersion/caustic_BK7");
+  scene.materials[0].model = model;
+  return scene;
+}
+
+registry::Renderer pbrt_with_e1() {
+  registry::Renderer out = renderer("pbrt");
+  out.declares = registry::parse_features("G5/M8-(6,7)/L3/A4/E6-(3-5)");
+  return out;
+}
+
+TEST(PbrtAppearance, MetalsAndRoughGlassHaveIndicesOverTheOutsideAndAlpha) {
+  const scene::Roughness rough{0.3, scene::Distribution::Ggx, scene::Masking::Correlated};
+  const ScratchFolder folder("orbs-exported-appearance-e1");
+  const auto read_of = [&](const scene::MaterialModel& model) {
+    const auto prepared = adapters::prepare_scene(pbrt_with_e1(), scene_of_balls(model));
+    if (const auto* reason = std::get_if<std::string>(&prepared)) throw std::runtime_error(*reason);
+    adapters::export_scene(pbrt_with_e1(), std::get<scene::Scene>(prepared), folder.path() / "scene.pbrt");
+    return tests::read_pbrt(folder.path() / "scene.pbrt").surfaces.at("material0");
+  };
+  const auto metal = read_of(scene::Conductor{
+      {spectra::tabulated({400, 700}, {0.2, 0.8}, spectra::Beyond::HoldsEnds), spectra::constant(3)},
+      spectra::constant(1.25),
+      rough,
+      {}});
+  EXPECT_EQ(metal.type, "conductor");
+  EXPECT_EQ(metal.words,
+            (std::map<std::string, std::string>{{"roughness", "0.3"}, {"remaproughness", "false"}}));
+  EXPECT_NEAR(tests::value_at(metal.spectra.at("eta"), 830), 0.8 / 1.25, 1e-6);
+  EXPECT_NEAR(tests::value_at(metal.spectra.at("eta"), 550), 0.5 / 1.25, 1e-6);
+  EXPECT_NEAR(tests::value_at(metal.spectra.at("k"), 612.5), 3 / 1.25, 1e-6);
+  const auto glass = read_of(scene::Dielectric{spectra::constant(1.5), spectra::constant(1.25), rough, {}});
+  EXPECT_EQ(glass.words, (std::map<std::string, std::string>{
+                             {"eta", "1.2"}, {"roughness", "0.3"}, {"remaproughness", "false"}}));
+  EXPECT_EQ(
+      read_of(scene::Conductor{{spectra::constant(1), spectra::constant(3)}, spectra::constant(1), {}, {}})
+          .words.at("roughness"),
+      "0");
+}
+
+TEST(PbrtAppearance, WhatPbrtLacksIsRefusedWithTheReason) {
+  const std::map<std::string, std::string> reasons{
+      {"e1_ggx_reflectance/ggx_copper_60", "which needs E1"},
+      {"e3_polarisation/polarizing_plane_0", "which needs E3"},
+      {"e4_fluorescence/fluorescent_sphere_D50_red", "which needs E4"},
+      {"e5_iridescence/iridescent_spheres_film", "which needs E"}};
+  for (const auto& [name, reason] : reasons)
+    EXPECT_NE(refusal("pbrt", appearance_scene(name)).find(reason), std::string::npos)
+        << refusal("pbrt", appearance_scene(name));
+  const auto refusal_with_e1 = [](const scene::Scene& scene) {
+    const auto prepared = adapters::prepare_scene(pbrt_with_e1(), scene);
+    return std::holds_alternative<std::string>(prepared) ? std::get<std::string>(prepared) : "";
+  };
+  const auto with = [](scene::Roughness roughness) {
+    return scene_of_balls(scene::Dielectric{spectra::constant(1.5), spectra::constant(1), roughness, {}});
+  };
+  EXPECT_EQ(refusal_with_e1(with({0.3, scene::Distribution::Beckmann, scene::Masking::Correlated})),
+            "material 'glass' has Beckmann's distribution: pbrt has GGX alone");
+  EXPECT_NE(refusal_with_e1(with({0.3, scene::Distribution::Ggx, scene::Masking::Separable}))
+                .find("masking is height-correlated"),
+            std::string::npos);
+  EXPECT_EQ(refusal_with_e1(with({0.3, scene::Distribution::Ggx, scene::Masking::Correlated})), "");
+  scene::Scene scene =
+      scene_of_balls(scene::Dielectric{spectra::constant(1.5), spectra::constant(1), {}, {}});
+  scene.lights[0].reflectance = {0.5, 0.5, 0.5};
+  EXPECT_NE(refusal_with_e1(scene).find("reflect on both sides"), std::string::npos)
+      << refusal_with_e1(scene);
+  scene.lights[0].reflectance = {};
+  scene.materials[1].model =
+      scene::Conductor{{spectra::constant(1), spectra::constant(3)}, spectra::constant(1), {}, {}};
+  EXPECT_NE(refusal_with_e1(scene).find("conductors reflect from behind"), std::string::npos)
+      << refusal_with_e1(scene);
 }
 
 }  // namespace
