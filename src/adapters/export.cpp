@@ -32,6 +32,8 @@ const std::vector<Setting>& povray_settings_table() {
       {"area_split", [](PovraySettings& s, double x) { s.area_split = static_cast<int>(x); }, true},
       {"area_adaptive", [](PovraySettings& s, double x) { s.area_adaptive = static_cast<int>(x); }, true},
       {"photons", [](PovraySettings& s, double x) { s.photons = static_cast<int>(x); }, true},
+      {"dispersion_samples", [](PovraySettings& s, double x) { s.dispersion_samples = static_cast<int>(x); },
+       true},
       {"radiosity_count", [](PovraySettings& s, double x) { s.radiosity.count = static_cast<int>(x); }, true},
       {"radiosity_error_bound", [](PovraySettings& s, double x) { s.radiosity.error_bound = x; }, false},
   };
