@@ -218,7 +218,8 @@ class SceneReader {
     const int segments = static_cast<int>(path.number("max_depth"));  // counts the emitter's vertex
     scene.trace_depth = segments < 0 ? scene::kUnlimitedDepth : segments - 1;
     // Without roulette a path between mirrors has no end.
-    if (segments < 0 && path.number("rr_depth") > 100) throw std::runtime_error("no roulette");
+    if (scene.trace_depth == scene::kUnlimitedDepth && path.number("rr_depth") > 100)
+      throw std::runtime_error("no roulette");
   }
   void camera(const Element& e) {
     if (e.value("fov_axis") != "y") throw std::runtime_error("fov_axis");
