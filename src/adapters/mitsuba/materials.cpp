@@ -91,7 +91,9 @@ struct BsdfWriter {
     return dielectric(m.roughness ? "roughdielectric" : "dielectric", index_at(m.index, kAnywhere_nm),
                       index_at(m.outside, kAnywhere_nm), m.roughness ? roughness(*m.roughness) : "");
   }
-  // The axis stands with the shapes, as their texture coordinates.
+  // The axis stands with the shapes, as their texture coordinates. Of light that crosses at a slant Mitsuba
+  // projects the absorbing axis across the ray, we the transmitting one: in the corners of a picture of 34
+  // degrees these are 4.9 degrees apart, which lets 0.7 % of crossed light through.
   std::string operator()(const scene::Polariser&) const {
     return fmt::format("<bsdf type=\"polarizer\" id=\"{}\"/>\n", id);
   }
