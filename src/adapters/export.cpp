@@ -3,6 +3,7 @@
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
+#include "adapters/transports.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/lower.h"
@@ -31,6 +32,8 @@ const std::vector<Setting>& povray_settings_table() {
       {"area_split", [](PovraySettings& s, double x) { s.area_split = static_cast<int>(x); }, true},
       {"area_adaptive", [](PovraySettings& s, double x) { s.area_adaptive = static_cast<int>(x); }, true},
       {"photons", [](PovraySettings& s, double x) { s.photons = static_cast<int>(x); }, true},
+      {"dispersion_samples", [](PovraySettings& s, double x) { s.dispersion_samples = static_cast<int>(x); },
+       true},
       {"radiosity_count", [](PovraySettings& s, double x) { s.radiosity.count = static_cast<int>(x); }, true},
       {"radiosity_error_bound", [](PovraySettings& s, double x) { s.radiosity.error_bound = x; }, false},
   };
@@ -106,6 +109,7 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
                                                       const scene::Scene& scene) {
   auto lowered = scene::lower(scene, registry::feature_codes(renderer.declares));
   if (std::holds_alternative<std::string>(lowered)) return lowered;
+  if (auto reason = transport_limit(renderer, scene); !reason.empty()) return reason;
   if (const auto limits = limits_of_format(renderer, std::get<scene::Scene>(lowered)); !limits.empty())
     return limits.front();
   return lowered;

@@ -10,12 +10,19 @@
 
 namespace orbs::adapters {
 
-std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene, const char* renderer) {
+std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
+                                            const char* renderer,
+                                            const BeyondOrbs& levels) {
   constexpr std::string_view kOrbsGroups = "GMLA";
   std::vector<std::string> reasons;
-  for (const auto& [requirement, what] : scene::features_called_for(scene))
-    if (kOrbsGroups.find(requirement.front()) == std::string_view::npos)
-      reasons.push_back(fmt::format("{}, which the exporter to {} does not write", what, renderer));
+  for (const auto& [requirement, what] : scene::features_called_for(scene)) {
+    if (kOrbsGroups.find(requirement.front()) != std::string_view::npos) continue;
+    if (levels.written.contains(requirement)) continue;
+    const auto why = levels.why_not.find(requirement);
+    reasons.push_back(why == levels.why_not.end()
+                          ? fmt::format("{}, which the exporter to {} does not write", what, renderer)
+                          : fmt::format("{}: {}", what, why->second));
+  }
   return reasons;
 }
 
@@ -40,14 +47,30 @@ std::string masking_limit(const std::string& material, double alpha, const char*
   const double difference = masking_difference(alpha);
   if (difference <= kMostMaskingDifference) return "";
   return fmt::format(
-      "material '{}' is GGX with alpha {}: {}'s masking is {}, which differs by {:.1f} % at 80 degrees",
+      "material '{}' is rough, alpha {}: {}'s masking is {}, which differs by {:.1f} % at 80 degrees",
       material, alpha, renderer, form, 100 * difference);
+}
+
+std::string masking_limit(const std::string& material,
+                          const scene::Roughness& roughness,
+                          const char* renderer,
+                          bool has_separable) {
+  if ((roughness.masking == scene::Masking::Separable) == has_separable) return "";
+  return masking_limit(material, roughness.alpha, renderer,
+                       has_separable ? "a product of two sides" : "height-correlated");
 }
 
 std::string alpha_limit(const std::string& material, double alpha, const char* renderer, double least_alpha) {
   if (alpha >= least_alpha) return "";
   return fmt::format("material '{}' has alpha {}: {} changes what is below {}", material, alpha, renderer,
                      least_alpha);
+}
+
+std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer) {
+  return fmt::format(
+      "texture '{}' is seen by wavelengths: {} makes spectra of the colours of pictures by a model of its "
+      "own",
+      texture.name, renderer);
 }
 
 std::string wrap_limit(const scene::Texture& texture, const char* renderer) {

@@ -2,6 +2,7 @@
 
 #include "adapters/export.h"
 #include "adapters/povray/povray.h"
+#include "adapters/transports.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ Job make_job(const registry::Renderer& renderer,
                                           {"height", std::to_string(job.height_px)},
                                           {"aa_grid", std::to_string(povray_aa_grid(settings.spp))},
                                           {"trace_depth", std::to_string(scene.trace_depth)},
+                                          {"transport", transport_word(renderer, scene)},
                                           {"root", settings.root.string()},
                                           {"build", settings.build.string()}});
   return job;

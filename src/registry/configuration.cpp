@@ -173,6 +173,14 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
     auto settings = in.object("scene_settings");
     for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
   }
+  if (in.has("transports")) {
+    auto words = in.object("transports");
+    for (const auto& name : words.keys()) {
+      renderer.transports[name] = words.system_text(name);
+      if (renderer.transports[name].empty()) words.fail(name, "must not be empty");
+    }
+    words.finish();
+  }
   renderer.native_scenes = load_native_scenes(in, renderer.scene_format);
   renderer.declares = load_features(in, "declares");
   for (auto& limit : in.objects_or_none("known_limits"))

@@ -48,7 +48,10 @@ struct Renderer {
       version_prefix;  // how the line of its output starts that says the version; "" for the first line
   SceneFormat scene_format = SceneFormat::OrbsScene;
   std::map<std::string, double>
-      scene_settings;         // numbers for the exporter of the format; which, it says itself
+      scene_settings;  // numbers for the exporter of the format; which, it says itself
+  /// What its {transport} stands for, by the name of what the light paths of a scene must carry ("spectral");
+  /// these names themselves where it is empty.
+  std::map<std::string, std::string> transports;
   std::string native_scenes;  // ending of scenes written by hand for it, "xml"; "" when it has none
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;

@@ -12,13 +12,33 @@ namespace orbs::registry {
 
 namespace {
 
-std::vector<std::string> usual_command(const Configuration& configuration, const std::string& scene_format) {
+// The first that reads the same format of a renderer; its command line will do for others of its kind.
+const Renderer* of_same_format(const Configuration& configuration, const std::string& scene_format) {
   for (const auto& renderer : configuration.renderers)
     if (scene_format != "orbs-scene" && scene_format != "native" &&
         scene_format_name(renderer.scene_format) == scene_format)
-      return renderer.command;
-  return {"{executable}", "{scene}", "--output", "{output}",  "--spp",
-          "{spp}",        "--seed",  "{seed}",   "--threads", "{threads}"};
+      return &renderer;
+  return nullptr;
+}
+
+void write_command(const Renderer& alike, json::Writer& out) {
+  if (!alike.transports.empty()) {
+    out.key("transports").begin_object();
+    for (const auto& [name, word] : alike.transports) out.member(name, word);
+    out.end_object();
+  }
+  out.member("command", alike.command);
+}
+
+void write_command(const Configuration& configuration, const NewRenderer& added, json::Writer& out) {
+  const auto* alike = of_same_format(configuration, added.scene_format);
+  if (!added.command.empty())
+    out.member("command", added.command);
+  else if (alike != nullptr)
+    write_command(*alike, out);
+  else
+    out.member("command", std::vector<std::string>{"{executable}", "{scene}", "--output", "{output}", "--spp",
+                                                   "{spp}", "--seed", "{seed}", "--threads", "{threads}"});
 }
 
 // A path is meant from where the user stands, not from where renders are started.
@@ -37,8 +57,7 @@ std::string entry_text(const Configuration& configuration, const NewRenderer& ad
   out.member("scene_format", added.scene_format);
   if (!added.native_scenes.empty()) out.member("native_scenes", added.native_scenes);
   out.member("declares", added.declares);
-  out.member("command",
-             added.command.empty() ? usual_command(configuration, added.scene_format) : added.command);
+  write_command(configuration, added, out);
   return std::string(trim(out.end_object().text()));
 }
 

@@ -49,9 +49,9 @@ Parts parts_of(std::string_view text) {
 }  // namespace
 
 const std::set<std::string>& command_placeholders() {
-  static const std::set<std::string> kNames{"executable",  "scene",   "output", "folder", "spp",
-                                            "seed",        "threads", "width",  "height", "aa_grid",
-                                            "trace_depth", "root",    "build"};
+  static const std::set<std::string> kNames{"executable",  "scene",     "output", "folder", "spp",
+                                            "seed",        "threads",   "width",  "height", "aa_grid",
+                                            "trace_depth", "transport", "root",   "build"};
   return kNames;
 }
 

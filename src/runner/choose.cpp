@@ -2,6 +2,7 @@
 
 #include "adapters/export.h"
 #include "adapters/programs.h"
+#include "adapters/transports.h"
 #include "base/error.h"
 #include "registry/filters.h"
 #include "registry/placeholders.h"
@@ -100,6 +101,7 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
   for (const auto& renderer : all) {
     if (std::find(names.begin(), names.end(), renderer.name) == names.end()) continue;
     adapters::check_scene_settings(renderer);
+    adapters::check_transports(renderer);
     ChosenRenderer chosen{renderer, {}};
     if (!plan.settings.executable.empty()) {
       take_executable(chosen, plan.settings.executable);

@@ -65,6 +65,7 @@ std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
 
 std::string lower_materials(Scene& scene, const Capabilities& capabilities) {
   if (!capabilities.contains("M7")) replace_smooth_oren_nayar(scene);
+  if (!capabilities.contains("E1")) replace_plain_dielectrics(scene);
   if (!capabilities.contains("M5")) bake_texture_matrices(scene);
   return lacking(features_of_materials(scene), capabilities);
 }

@@ -20,9 +20,9 @@ struct CalledFeature {
 
 /// What a renderer must fulfil to draw the scene as it is, each requirement once, ordered by code. Materials
 /// that no instance shows call for nothing. Glossy reflection calls for A2 and rough glass for A4: no M level
-/// defines them, these levels test them. Our own groups: E1 interfaces by their
-/// indices and lights that reflect, E2 spectra, E3 polarisation, E4 fluorescence, E5 thin films, E6
-/// dispersion; S1 spheres by formula.
+/// defines them, these levels test them. Our own groups: E1 conductors, and rough dielectrics, by their
+/// indices, and lights that reflect (a smooth dielectric is the smooth glass of M8), E2 spectra, E3
+/// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 spheres by formula.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// ORB.S section 1, note: where a renderer lacks a level, the exporter prepares the data as that level
@@ -33,6 +33,7 @@ std::vector<CalledFeature> features_called_for(const Scene& scene);
 ///   without G5  as above, and each mesh has exactly one material
 ///   without M5  texture matrices are applied to the texture coordinates
 ///   without M7  Oren-Nayar of roughness 0, which is Lambert's law, becomes it
+///   without E1  smooth dielectrics that refract all wavelengths alike become glass
 ///   without S1  spheres become meshes
 ///   without E2  spectra that their colours can stand for are left out
 ///   without L3  lights that are only moved and scaled get the scale in their sizes

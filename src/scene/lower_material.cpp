@@ -1,3 +1,4 @@
+#include "scene/effects.h"
 #include "scene/lower_parts.h"
 
 #include <map>
@@ -14,6 +15,8 @@ struct Need {
   const char* what;
 };
 
+bool is_plain(const Dielectric& glass) { return !glass.roughness && !glass.film; }
+
 // No M level defines glossy reflection and rough glass: ORB.S brings them with the paths of A2 and A4. Group
 // E is ours.
 struct ModelNeed {
@@ -25,7 +28,10 @@ struct ModelNeed {
   Need operator()(const RoughGlass&) const { return {"A4", "rough glass"}; }
   Need operator()(const Emission&) const { return {"M2", "emissive"}; }
   Need operator()(const Conductor&) const { return {"E1", "a conductor by its indices"}; }
-  Need operator()(const Dielectric&) const { return {"E1", "a dielectric by its indices"}; }
+  // Where it disperses the effect calls for E6; how its index is written down is no matter of the interface.
+  Need operator()(const Dielectric& m) const {
+    return is_plain(m) ? Need{"M8", "smooth glass"} : Need{"E1", "a dielectric by its indices"};
+  }
   Need operator()(const Polariser&) const { return {"E3", "a polariser"}; }
   Need operator()(const Retarder&) const { return {"E3", "a retarder"}; }
   Need operator()(const Fluorescent&) const { return {"E4", "fluorescent"}; }
@@ -113,6 +119,16 @@ void replace_smooth_oren_nayar(Scene& scene) {
     if (model == nullptr || model->roughness != 0) continue;
     // eq. 5 with sigma = 0: A = 1, B = 0
     material.model = Lambert{model->reflectance, model->texture, model->spectrum};
+  }
+}
+
+void replace_plain_dielectrics(Scene& scene) {
+  constexpr double kAnywhere_nm = 550;
+  for (auto& material : scene.materials) {
+    const auto* glass = std::get_if<Dielectric>(&material.model);
+    if (glass == nullptr || !is_plain(*glass) || is_dispersive(*glass)) continue;
+    material.model =
+        Glass{{1, 1, 1}, index_at(glass->index, kAnywhere_nm) / index_at(glass->outside, kAnywhere_nm)};
   }
 }
 

@@ -23,6 +23,9 @@ void tessellate_spheres(Scene& scene);
 
 /// Oren-Nayar of roughness 0 becomes Lambert, in place.
 void replace_smooth_oren_nayar(Scene& scene);
+/// Smooth dielectrics without a film that refract all wavelengths alike become ORB.S's Glass, which is the
+/// same interface, in place.
+void replace_plain_dielectrics(Scene& scene);
 /// Applies each texture matrix to the coordinates of the triangles that show it, in place; resolves remap
 /// lists for it.
 void bake_texture_matrices(Scene& scene);

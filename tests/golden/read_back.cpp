@@ -1,6 +1,36 @@
 #include "golden/read_back.h"
 
+#include <iterator>
+
 namespace orbs::tests {
+
+double value_at(const ReadSpectrum& spectrum, double wavelength_nm) {
+  if (spectrum.size() == 1) return spectrum.begin()->second;
+  const auto above = spectrum.lower_bound(wavelength_nm);
+  if (above == spectrum.end()) return 0;
+  if (above->first == wavelength_nm) return above->second;
+  if (above == spectrum.begin()) return 0;
+  const auto below = std::prev(above);
+  const double share = (wavelength_nm - below->first) / (above->first - below->first);
+  return below->second + share * (above->second - below->second);
+}
+
+std::vector<Vec3d> directions_of_u(const scene::Mesh& mesh, const Mat4& place) {
+  std::vector<Vec3d> out;
+  for (const auto& t : mesh.triangles) {
+    const auto edge = [&](std::size_t i) {
+      return transform_direction(place, cast<double>(mesh.positions[t[i]] - mesh.positions[t[0]]));
+    };
+    const auto uv = [&](std::size_t i) {
+      return Vec2d{double{mesh.uvs[t[i]].x} - double{mesh.uvs[t[0]].x},
+                   double{mesh.uvs[t[i]].y} - double{mesh.uvs[t[0]].y}};
+    };
+    // The two edges as sums of dp/du and dp/dv, solved for dp/du.
+    const double determinant = uv(1).x * uv(2).y - uv(1).y * uv(2).x;
+    out.push_back(normalised((edge(1) * uv(2).y - edge(2) * uv(1).y) / determinant));
+  }
+  return out;
+}
 
 void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool v_from_top) {
   const Mat4 back = inverse(place).value();

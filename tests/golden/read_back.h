@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,22 @@ struct Moments {
   Vec2d uv;      // as the texture sees it (v from the bottom), times area
 };
 
+/// Linear between its samples and zero beyond them, as both formats have it; a single number for all
+/// wavelengths stands at 0.
+using ReadSpectrum = std::map<double, double>;
+double value_at(const ReadSpectrum& spectrum, double wavelength_nm);
+
+/// A material as the format has it.
+struct ReadSurface {
+  std::string type;
+  std::map<std::string, std::string> words;  // numbers and texts
+  std::map<std::string, ReadSpectrum> spectra;
+};
+
 struct ReadLight {
   scene::Rgb radiance;
+  ReadSpectrum spectrum;                    // in the place of radiance; a flat 1 has Y = 1
+  std::optional<ReadSpectrum> reflectance;  // where it is given as a spectrum
   double area_m2 = 0;
   Vec3d centre;
   Vec3d facing;  // zero for spheres
@@ -37,6 +52,11 @@ struct ReadScene {
   int trace_depth = 0;
   bool mirrored_x = false;  // pbrt's Scale -1 1 1
   scene::Rgb environment;
+  ReadSpectrum environment_spectrum;  // as that of a light
+  bool has_stokes = false;
+  std::map<std::string, ReadSurface> surfaces;  // by "material<index>"
+  /// For each triangle of a material without a texture, in the world: the direction in which u grows.
+  std::map<std::string, std::vector<Vec3d>> u_directions;
   std::map<std::string, Moments> materials;    // by "material<index>"
   std::map<std::string, scene::Rgb> emission;  // of those that emit
   std::vector<ReadLight> lights;
@@ -44,6 +64,8 @@ struct ReadScene {
 
 /// Adds a mesh as it stands at `place`. `v_from_top`: the format counts v from the top row.
 void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool v_from_top);
+
+std::vector<Vec3d> directions_of_u(const scene::Mesh& mesh, const Mat4& place);
 
 /// Both throw std::runtime_error for a text that is not well-formed or has a word they do not know.
 ReadScene read_mitsuba(const std::filesystem::path& file);

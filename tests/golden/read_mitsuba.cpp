@@ -128,9 +128,52 @@ Mat4 place_of(const Element& shape) {
   return m;
 }
 
+ReadSpectrum spectrum_of(const Element& e, double factor = 1) {
+  ReadSpectrum out;
+  if (const auto& text = e.at("value"); text.find(':') == std::string::npos) {
+    out[0] = factor * to_number(text).value();
+  } else {
+    for (const std::string& pair : split(text, ',')) {
+      const auto parts = split(trim(pair), ':');
+      out[to_number(parts.at(0)).value()] = factor * to_number(parts.at(1)).value();
+    }
+  }
+  return out;
+}
+
+// Lists in emitters are divided by the first number, then seen by the printed ybar, which sums to the second.
+ReadSpectrum emitted(const Element& e) {
+  if (e.at("value").find(':') == std::string::npos) throw std::runtime_error("a multiple of D65");
+  return spectrum_of(e, 106.856917 / 106.7502593994140625);
+}
+
+void read_radiance(const Element& emitter, scene::Rgb& radiance, ReadSpectrum& spectrum) {
+  const Element& e = *emitter.named("radiance");
+  if (e.name == "spectrum")
+    spectrum = emitted(e);
+  else
+    radiance = vec3(e.at("value"));
+}
+
+// The parameters of a bsdf, those of the one within where it is two-sided.
+void read_bsdf(const Element& e, ReadSurface& surface) {
+  if (e.at("type") == "twosided") {
+    surface.words["two-sided"] = "true";
+    return read_bsdf(e.children.at(0), surface);
+  }
+  surface.type = e.at("type");
+  for (const Element& child : e.children)
+    if (child.name == "spectrum")
+      surface.spectra[child.at("name")] = spectrum_of(child);
+    else if (child.name != "texture")
+      surface.words[child.at("name")] = child.at("value");
+}
+
 ReadLight light_of(const Element& shape) {
   ReadLight light;
-  light.radiance = vec3(shape.kind("emitter")->value("radiance"));
+  read_radiance(*shape.kind("emitter"), light.radiance, light.spectrum);
+  const Element& reflectance = *shape.kind("bsdf")->named("reflectance");
+  if (reflectance.name == "spectrum") light.reflectance = spectrum_of(reflectance);
   if (shape.at("type") == "sphere") {
     const double r = shape.number("radius");
     const Element& c = *shape.named("center");
@@ -158,14 +201,25 @@ class SceneReader {
   void add(const Element& e) {
     if (e.name == "sensor") return camera(e);
     if (e.name == "integrator") {
-      scene.trace_depth = static_cast<int>(e.number("max_depth")) - 1;  // counts the emitter's vertex
+      integrator(e);
     } else if (e.name == "emitter") {
-      scene.environment = vec3(e.value("radiance"));
+      read_radiance(e, scene.environment, scene.environment_spectrum);
+    } else if (e.name == "bsdf") {
+      read_bsdf(e, scene.surfaces[e.at("id")]);
     } else if (e.name == "shape") {
       shape(e);
-    } else if (e.name != "bsdf" && e.name != "default") {
+    } else if (e.name != "default") {
       throw std::runtime_error("unknown element " + e.name);
     }
+  }
+  void integrator(const Element& e) {
+    scene.has_stokes = e.at("type") == "stokes";
+    const Element& path = scene.has_stokes ? e.children.at(0) : e;
+    const int segments = static_cast<int>(path.number("max_depth"));  // counts the emitter's vertex
+    scene.trace_depth = segments < 0 ? scene::kUnlimitedDepth : segments - 1;
+    // Without roulette a path between mirrors has no end.
+    if (scene.trace_depth == scene::kUnlimitedDepth && path.number("rr_depth") > 100)
+      throw std::runtime_error("no roulette");
   }
   void camera(const Element& e) {
     if (e.value("fov_axis") != "y") throw std::runtime_error("fov_axis");
@@ -195,9 +249,12 @@ class SceneReader {
     const Element* emitter = e.kind("emitter");
     if (emitter != nullptr) {
       if (e.value("face_normals") != "true") throw std::runtime_error("an emitter with vertex normals");
-      scene.emission[material] = vec3(emitter->value("radiance"));
+      ReadSpectrum ignored;
+      read_radiance(*emitter, scene.emission[material], ignored);
       take_normals_of_faces(mesh, determinant3(place) < 0 ? -1.0F : 1.0F);
     }
+    auto& directions = scene.u_directions[material];
+    for (const Vec3d direction : directions_of_u(mesh, place)) directions.push_back(direction);
     add_mesh(scene.materials[material], mesh, place, emitter == nullptr);
   }
   // Mitsuba forms them from the corners in the world, where a mirroring matrix has turned them.

@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "golden/read_back.h"
 #include "scene/mesh_files.h"
+#include "spectra/observer.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +16,9 @@ namespace {
 struct State {
   Mat4 place;
   std::string material;
-  std::optional<scene::Rgb> lamp;
+  bool is_lamp = false;
+  scene::Rgb radiance;
+  ReadSpectrum spectrum;
   bool two_sided = false;
 };
 
@@ -130,10 +133,13 @@ class PbrtReader {
     } else if (word == "Integrator") {
       scene.trace_depth = static_cast<int>(number(given, "integer maxdepth"));
     } else if (word == "LightSource") {
-      scene.environment = vec3(given.at("rgb L"));
+      radiance(given, scene.environment, scene.environment_spectrum);
     } else if (word == "AreaLightSource") {
-      state_.lamp = vec3(given.at("rgb L"));
+      state_.is_lamp = true;
+      radiance(given, state_.radiance, state_.spectrum);
       state_.two_sided = given.contains("bool twosided");
+    } else if (word == "MakeNamedMaterial") {
+      surface(given, scene.surfaces[name]);
     } else if (word == "NamedMaterial") {
       state_.material = name;
     } else if (word == "ObjectBegin") {
@@ -143,9 +149,39 @@ class PbrtReader {
       add_mesh(scene.materials[material], mesh, state_.place, false);
     } else if (word == "Shape") {
       shape(name, given);
-    } else if (word != "Sampler" && word != "PixelFilter" && word != "MakeNamedMaterial" &&
-               word != "Material" && word != "Texture" && !is_option) {
+    } else if (word != "Sampler" && word != "PixelFilter" && word != "Material" && word != "Texture" &&
+               !is_option) {
       throw std::runtime_error("unknown directive " + word);
+    }
+  }
+  static ReadSpectrum pairs(const std::vector<std::string>& words) {
+    ReadSpectrum out;
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2)
+      out[to_number(words[i]).value()] = to_number(words[i + 1]).value();
+    return out;
+  }
+  // pbrt divides a light's spectrum by its luminance, then multiplies it by `scale`.
+  static void radiance(const Parameters& given, scene::Rgb& colour, ReadSpectrum& spectrum) {
+    if (given.contains("rgb L")) {
+      colour = vec3(given.at("rgb L"));
+      return;
+    }
+    spectrum = pairs(given.at("spectrum L"));
+    double luminance = 0;
+    for (double nm = 360; nm <= 830; nm += 1)
+      luminance += value_at(spectra::cie_1931().ybar, nm) * tests::value_at(spectrum, nm);
+    for (auto& [nm, value] : spectrum) value *= number(given, "float scale") / luminance;
+  }
+  static void surface(const Parameters& given, ReadSurface& out) {
+    for (const auto& [key, values] : given) {
+      const auto blank = key.find(' ');
+      const std::string name = key.substr(blank + 1);
+      if (key == "string type")
+        out.type = values.at(0).substr(1);
+      else if (key.starts_with("spectrum "))
+        out.spectra[name] = pairs(values);
+      else
+        out.words[name] = values.at(0);
     }
   }
   void film(const Parameters& given) {
@@ -163,13 +199,15 @@ class PbrtReader {
         objects_[object_] = {state_.material, mesh};
         return;
       }
-      if (state_.lamp && !state_.two_sided) throw std::runtime_error("a lamp with one side");
-      if (state_.lamp) scene.emission[state_.material] = *state_.lamp;
+      if (state_.is_lamp && !state_.two_sided) throw std::runtime_error("a lamp with one side");
+      if (state_.is_lamp) scene.emission[state_.material] = state_.radiance;
       add_mesh(scene.materials[state_.material], mesh, state_.place, false);
       return;
     }
     ReadLight light;
-    light.radiance = state_.lamp.value();
+    if (!state_.is_lamp) throw std::runtime_error(type + " without a lamp");
+    light.radiance = state_.radiance;
+    light.spectrum = state_.spectrum;
     light.centre = transform_point(state_.place, {});
     if (type == "bilinearmesh") {
       const auto& words = given.at("point3 P");

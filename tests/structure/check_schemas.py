@@ -107,6 +107,8 @@ WRONG = [
     (CONFIGURATION, ["renderers", 0, "name"], "a b"),
     (CONFIGURATION, ["renderers", 0, "native_scenes"], ".xml"),
     (CONFIGURATION, ["renderers", 0, "scene_format"], "native"),
+    (CONFIGURATION, ["renderers", 0, "transports"], {"polarized": "p"}),
+    (CONFIGURATION, ["renderers", 0, "transports"], {"rgb": ""}),
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"pattern": "(.*)", "file": "times.json", "key": "t"}),
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"file": "times.json"}),
     (CONFIGURATION, ["renderers", 0, "command"], "r scene"),

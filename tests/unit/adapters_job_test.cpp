@@ -1,5 +1,6 @@
 #include "adapters/export.h"
 #include "adapters/job.h"
+#include "adapters/transports.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>
@@ -29,12 +30,12 @@ orbs::scene::Scene scene_of(int width, int height) {
 TEST(Job, EveryPlaceholderHasItsValue) {
   const auto renderer =
       renderer_with({"{executable}", "{scene}", "--out={output}", "{folder}", "{spp}", "{seed}", "{threads}",
-                     "{width}x{height}", "{trace_depth}", "{root}", "{build}"});
+                     "{width}x{height}", "{trace_depth}", "{transport}", "{root}", "{build}"});
   const auto job =
       make_job(renderer, scene_of(64, 48), {128, 3, 2, "/base", "/build", "/bin/r"}, "/out/r/101");
-  EXPECT_EQ(job.argv,
-            (std::vector<std::string>{"/bin/r", "/out/r/101/scene.json", "--out=/out/r/101/result.exr",
-                                      "/out/r/101", "128", "3", "2", "64x48", "6", "/base", "/build"}));
+  EXPECT_EQ(job.argv, (std::vector<std::string>{"/bin/r", "/out/r/101/scene.json",
+                                                "--out=/out/r/101/result.exr", "/out/r/101", "128", "3", "2",
+                                                "64x48", "6", "rgb", "/base", "/build"}));
   EXPECT_EQ(job.image, "/out/r/101/result.exr");
   EXPECT_EQ(job.width_px, 64);
   EXPECT_EQ(job.height_px, 48);
@@ -72,4 +73,51 @@ TEST(Export, ASettingThatTheFormatDoesNotHaveIsAnError) {
   renderer.scene_settings = {{"photons", 1}};
   renderer.scene_format = orbs::registry::SceneFormat::OrbsScene;
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
+}
+
+namespace {
+
+orbs::scene::Scene polarised_scene() {
+  auto scene = scene_of(8, 8);
+  scene.outputs.stokes = true;
+  return scene;
+}
+
+}  // namespace
+
+TEST(Transports, TheCommandGetsTheRenderersWordForWhatTheSceneCallsFor) {
+  auto renderer = renderer_with({"{executable}", "-m", "{transport}", "{scene}", "{output}"});
+  EXPECT_EQ(make_job(renderer, polarised_scene(), {}, "/o").argv[2], "polarised");
+  renderer.transports = {{"rgb", "scalar_rgb"}, {"polarised", "scalar_spectral_polarized"}};
+  EXPECT_EQ(make_job(renderer, polarised_scene(), {}, "/o").argv[2], "scalar_spectral_polarized");
+  EXPECT_EQ(make_job(renderer, scene_of(8, 8), {}, "/o").argv[2], "scalar_rgb");
+}
+
+TEST(Transports, ASceneThatTheRendererHasNoWordForIsRefusedWithTheReason) {
+  auto renderer = renderer_with({"{transport}"});
+  renderer.declares = orbs::registry::parse_features("G5/M8/L4/A4/E6");
+  EXPECT_EQ(orbs::adapters::transport_limit(renderer, polarised_scene()), "");
+  renderer.transports = {{"rgb", "scalar_rgb"}};
+  EXPECT_EQ(orbs::adapters::transport_limit(renderer, scene_of(8, 8)), "");
+  const auto prepared = orbs::adapters::prepare_scene(renderer, polarised_scene());
+  ASSERT_TRUE(std::holds_alternative<std::string>(prepared));
+  EXPECT_EQ(std::get<std::string>(prepared),
+            "it calls for polarised light paths because the picture holds Stokes vectors, for which the "
+            "renderer's 'transports' has no word");
+}
+
+TEST(Transports, WordsForPathsThatDoNotExistOrThatNobodyUsesAreErrors) {
+  auto renderer = renderer_with({"{executable}", "{transport}"});
+  renderer.transports = {{"spectral", "s"}};
+  EXPECT_NO_THROW(orbs::adapters::check_transports(renderer));
+  renderer.transports = {{"polarized", "p"}};
+  try {
+    orbs::adapters::check_transports(renderer);
+    FAIL() << "'polarized' passed";
+  } catch (const orbs::InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("polarised"), std::string::npos) << e.what();
+  }
+  renderer.transports = {{"spectral", "s"}};
+  renderer.command = {"{executable}"};
+  EXPECT_THROW(orbs::adapters::check_transports(renderer), orbs::InputError);
 }

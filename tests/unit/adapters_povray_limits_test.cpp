@@ -1,6 +1,7 @@
 #include "adapters/povray/povray.h"
 #include "scene/generators.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,24 @@ TEST(PovrayLimits, PlainSceneHasNone) {
   scene.lights.push_back({"l", scene::RectShape{1, 2}, {1, 1, 1}, rotation_x(30) * scaling({1, 2, 3}), {}});
   scene.lights.push_back({"s", scene::SphereShape{1}, {1, 1, 1}, rotation_x(30) * scaling({2, 2, 2}), {}});
   EXPECT_TRUE(adapters::povray_limits(scene).empty());
+}
+
+TEST(PovrayLimits, OfInterfacesByTheirIndicesPovrayHasSmoothGlassAlone) {
+  const scene::Dielectric prism{spectra::Cauchy{1.7, 0.01, 0, 0}, spectra::constant(1), {}, {}};
+  EXPECT_TRUE(adapters::povray_limits(scene_with(prism)).empty());
+  auto rough = prism;
+  rough.roughness = scene::Roughness{};
+  EXPECT_TRUE(one_reason_with(scene_with(rough), "no glossy reflection or refraction"));
+  const scene::Conductor metal{
+      {spectra::constant(1.9), spectra::constant(1.5)}, spectra::constant(1), {}, {}};
+  EXPECT_TRUE(one_reason_with(scene_with(metal), "no indices of metals"));
+  auto film = metal;
+  film.film = scene::Film{spectra::constant(1.33), 550};
+  const auto reasons = adapters::povray_limits(scene_with(film));
+  EXPECT_EQ(
+      std::count_if(reasons.begin(), reasons.end(),
+                    [](const auto& reason) { return reason.find("irid is a cosine") != std::string::npos; }),
+      1);
 }
 
 TEST(PovrayLimits, NamesMaterialsThatPovrayLacks) {

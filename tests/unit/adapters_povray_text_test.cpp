@@ -1,12 +1,16 @@
+#include "adapters/povray/dispersion.h"
 #include "adapters/povray/povray.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/generators.h"
 
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 /// What the exporter writes, in fragments; that POV-Ray makes the right picture of it is tested in
@@ -112,6 +116,35 @@ TEST_F(PovrayText, GlassGetsAnObjectAndAnInteriorOfItsOwn) {
 
 // L A / (2 pi f^2) split over 2 x 2 pieces, each with half the grid; samples in cell centres: 1 (n - 1) / n
 // for n = 8.
+// POV-Ray refracts its hues of 474, 582 and 650 nm by ior * dispersion^((555 - nm) / 350); blue, green and
+// red of Rec.709 are light of 453, 539 and 609 nm.
+TEST_F(PovrayText, GlassThatDispersesRefractsPovraysHuesAsTheLightTheyStandFor) {
+  const scene::Dielectric glass{spectra::Cauchy{1.7, 0.012, 0, 0}, spectra::constant(1.25), {}, {}};
+  const auto [ior, dispersion] = adapters::povray::dispersion_of(glass);
+  for (const auto& [hue_nm, light_nm] : std::map<double, double>{{474, 453.4}, {582, 539.1}, {650, 608.6}})
+    EXPECT_NEAR(ior * std::pow(dispersion, (555 - hue_nm) / 350), index_at(glass.index, light_nm) / 1.25,
+                1.5e-3)
+        << hue_nm;
+  instance(scene::make_cube({1}), material(glass));
+  adapters::PovraySettings settings;
+  settings.dispersion_samples = 33;
+  settings.photons = 1000;
+  const auto text = written(settings);
+  EXPECT_TRUE(
+      holds(text, fmt::format("interior {{ ior {} dispersion {} dispersion_samples 33 }} photons {{ target",
+                              ior, dispersion)))
+      << text;
+  EXPECT_TRUE(holds(text, "rgbf <1,1,1,1>"));
+}
+
+// POV-Ray 3.7 takes at most 256 levels.
+TEST_F(PovrayText, PathsWithoutAnEndGetAllLevelsThatThereAre) {
+  scene_.trace_depth = scene::kUnlimitedDepth;
+  EXPECT_TRUE(holds(written(), "max_trace_level 256\n"));
+  scene_.trace_depth = 7;
+  EXPECT_TRUE(holds(written(), "max_trace_level 8\n"));
+}
+
 TEST_F(PovrayText, RectBecomesAreaLightsOfItsPower) {
   scene_.lights.push_back(
       {"lamp", scene::RectShape{1, 1}, {std::numbers::pi, 0, 0}, translation({0, 4, 0}), {}});

@@ -132,7 +132,21 @@ TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
       "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean 'root'?); "
       "known are: aa_grid, "
       "build, executable, "
-      "folder, height, output, root, scene, seed, spp, threads, trace_depth, width");
+      "folder, height, output, root, scene, seed, spp, threads, trace_depth, transport, width");
+}
+
+TEST(Configuration, WordsForTransportsAreTextsThatAreNotEmpty) {
+  const std::string rest =
+      R"("declares": "G1", "command": ["{executable}", "{transport}", "{scene}", "{output}"])";
+  const auto with = [&](const std::string& words) {
+    return message_of(
+        with_renderer(R"("name": "a", "executable": "a", "transports": )" + words + ", " + rest));
+  };
+  EXPECT_EQ(with(R"({"rgb": "scalar_rgb"})"), "no error");
+  EXPECT_NE(with(R"({"rgb": ""})").find("/renderers/0/transports/rgb: must not be empty"), std::string::npos)
+      << with(R"({"rgb": ""})");
+  EXPECT_NE(with(R"({"rgb": 3})").find("/renderers/0/transports/rgb"), std::string::npos)
+      << with(R"({"rgb": 3})");
 }
 
 TEST(Configuration, ACommandMustTellTheRendererItsSceneAndItsOutput) {

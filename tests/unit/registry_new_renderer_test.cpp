@@ -60,6 +60,17 @@ TEST(NewRenderer, OfAFormatTakesTheCommandOfTheFirstWithThatFormat) {
   EXPECT_EQ(added.executable, "b");
 }
 
+TEST(NewRenderer, TakesTheWordsForTransportsAlongWithTheCommand) {
+  const Stand stand;
+  stand.folder.write("configuration.json", R"({ "format": "orbs-configuration/1", "suites": [], "renderers": [
+    { "name": "a", "executable": "a", "declares": "G1", "scene_format": "mitsuba",
+      "transports": { "rgb": "scalar_rgb" }, "command": ["{executable}", "{transport}", "{scene}", "{output}"] } ] })");
+  const auto added = add_renderer(stand.read(), {.name = "b", .scene_format = "mitsuba"});
+  EXPECT_EQ(added.transports, stand.read().renderers[0].transports);
+  const auto other = add_renderer(stand.read(), {.name = "c", .scene_format = "povray"});
+  EXPECT_TRUE(other.transports.empty());
+}
+
 TEST(NewRenderer, WithATakenNameOrAWrongEntryLeavesTheFileAlone) {
   const Stand stand;
   EXPECT_NE(message_of(stand, {.name = "a"}).find("has a renderer 'a' already"), std::string::npos);

@@ -95,6 +95,33 @@ TEST(LowerMaterials, SmoothOrenNayarIsLambert) {
   EXPECT_EQ(model.reflectance, (Vec3d{0.25, 0.5, 0.75}));
 }
 
+// E1 is about n and k and about roughness: a smooth dielectric is the smooth glass of M8 in other words.
+TEST(LowerMaterials, ASmoothDielectricWithoutDispersionIsGlassOfTheSameRatio) {
+  const auto lowered =
+      lower(triangle_with(Dielectric{spectra::constant(1.5), spectra::constant(1.2), {}, {}}), kAll);
+  ASSERT_TRUE(std::holds_alternative<Scene>(lowered)) << std::get<std::string>(lowered);
+  EXPECT_EQ(std::get<Scene>(lowered).materials[0].model, (MaterialModel{Glass{{1, 1, 1}, 1.5 / 1.2}}));
+  auto with_e1 = kAll;
+  with_e1.insert("E1");
+  const auto kept =
+      lower(triangle_with(Dielectric{spectra::constant(1.5), spectra::constant(1), {}, {}}), with_e1);
+  EXPECT_TRUE(std::holds_alternative<Dielectric>(std::get<Scene>(kept).materials[0].model));
+}
+
+TEST(LowerMaterials, ADielectricThatDispersesNeedsE6AndARoughOneE1) {
+  const Scene prism =
+      triangle_with(Dielectric{spectra::Cauchy{1.5, 0.01, 0, 0}, spectra::constant(1), {}, {}});
+  EXPECT_NE(reason_of(prism, {}).find("which needs E6"), std::string::npos) << reason_of(prism, {});
+  auto with_e6 = kAll;
+  with_e6.insert("E6");
+  const auto lowered = lower(prism, with_e6);
+  ASSERT_TRUE(std::holds_alternative<Scene>(lowered)) << std::get<std::string>(lowered);
+  EXPECT_EQ(std::get<Scene>(lowered).materials[0].model, prism.materials[0].model);
+  EXPECT_EQ(
+      reason_of(triangle_with(Dielectric{spectra::constant(1.5), spectra::constant(1), Roughness{}, {}}), {}),
+      "material 'm' is a dielectric by its indices, which needs E1");
+}
+
 TEST(LowerMaterials, TextureMatricesGoIntoTheCoordinates) {
   const Mat4 matrix = translation({-0.5, 0.25, 0}) * scaling({2, 4, 1});
   const auto lowered = lower(triangle_with(Lambert{{}, TextureUse{0, matrix}}), without({"M5"}));

@@ -37,14 +37,17 @@ struct ShapeWriter {
 
 }  // namespace
 
-std::string area_emitter(scene::Rgb radiance) {
-  return fmt::format("<emitter type=\"area\">{}</emitter>", rgb("radiance", radiance));
+std::string area_emitter(const Colours& colours,
+                         scene::Rgb radiance,
+                         const std::optional<scene::SpectrumUse>& spectrum) {
+  return fmt::format("<emitter type=\"area\">{}</emitter>", colours.radiance(radiance, spectrum));
 }
 
-std::string light_text(const scene::Light& light) {
+std::string light_text(const Colours& colours, const scene::Light& light) {
   return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", comment(light.name),
-                     std::visit(ShapeWriter{light}, light.shape), rgb("reflectance", {}),
-                     area_emitter(light.radiance));
+                     std::visit(ShapeWriter{light}, light.shape),
+                     colours.surface("reflectance", light.reflectance),
+                     area_emitter(colours, light.radiance, light.spectrum));
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,15 +1,17 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "adapters/mitsuba/colours.h"
 
 #include <string>
 
 namespace orbs::adapters::mitsuba {
 
 /// `<emitter type="area">` of that radiance, to stand in a shape.
-std::string area_emitter(scene::Rgb radiance);
+std::string area_emitter(const Colours& colours,
+                         scene::Rgb radiance,
+                         const std::optional<scene::SpectrumUse>& spectrum);
 
-/// A light as a shape that emits towards its normal; from behind black and opaque.
-std::string light_text(const scene::Light& light);
+/// A light as a shape that emits, and reflects, on the side of its normal; from behind black and opaque.
+std::string light_text(const Colours& colours, const scene::Light& light);
 
 }  // namespace orbs::adapters::mitsuba

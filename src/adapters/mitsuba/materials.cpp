@@ -11,57 +11,95 @@ std::string two_sided(const std::string& id, const std::string& inner) {
   return fmt::format("<bsdf type=\"twosided\" id=\"{}\">{}</bsdf>\n", id, inner);
 }
 
+// Mitsuba's default distribution is Beckmann's.
+std::string roughness(double alpha, const char* distribution) {
+  return fmt::format("<string name=\"distribution\" value=\"{}\"/><float name=\"alpha\" value=\"{}\"/>",
+                     distribution, alpha);
+}
+
+std::string ggx(double alpha) { return roughness(alpha, "ggx"); }
+
+std::string roughness(const scene::Roughness& r) {
+  return roughness(r.alpha, r.distribution == scene::Distribution::Ggx ? "ggx" : "beckmann");
+}
+
 struct BsdfWriter {
-  const scene::Scene& scene;
+  const Colours& colours;
   const std::string& id;
   const std::string& picture;
 
-  std::string diffuse(scene::Rgb reflectance, const std::optional<scene::TextureUse>& use) const {
+  std::string diffuse(scene::Rgb reflectance,
+                      const std::optional<scene::SpectrumUse>& spectrum,
+                      const std::optional<scene::TextureUse>& use) const {
     if (!use)
-      return two_sided(id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>", rgb("reflectance", reflectance)));
-    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(use->texture)];
+      return two_sided(id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>",
+                                       colours.surface("reflectance", reflectance, spectrum)));
+    const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
     return two_sided(
         id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
                         "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" value=\"bilinear\"/>"
                         "<string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
                         picture, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
   }
-  // `type` with the parameters of both sorts of glass. Outside is vacuum: Mitsuba's default is air, 1.000277.
-  std::string dielectric(const char* type, scene::Rgb colour, double ior, const std::string& more) const {
+  // `type` with the parameters of both sorts of glass. Mitsuba's default for outside is air, 1.000277.
+  std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
     return fmt::format(
         "<bsdf type=\"{}\" id=\"{}\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" "
-        "value=\"1\"/>{}{}{}</bsdf>\n",
-        type, id, ior, more, rgb("specular_reflectance", colour), rgb("specular_transmittance", colour));
+        "value=\"{}\"/>{}</bsdf>\n",
+        type, id, inside, outside, more);
   }
-  // Mitsuba's default distribution is Beckmann's.
-  static std::string ggx(double alpha) {
-    return fmt::format("<string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"{}\"/>",
-                       alpha);
+  std::string tinted(scene::Rgb colour) const {
+    return colours.surface("specular_reflectance", colour) +
+           colours.surface("specular_transmittance", colour);
   }
 
-  std::string operator()(const scene::Lambert& m) const { return diffuse(m.reflectance, m.texture); }
+  std::string operator()(const scene::Lambert& m) const {
+    return diffuse(m.reflectance, m.spectrum, m.texture);
+  }
   // mitsuba_limits lets it through with roughness 0 only, and there it is Lambert's law.
-  std::string operator()(const scene::OrenNayar& m) const { return diffuse(m.reflectance, m.texture); }
-  std::string operator()(const scene::Emission&) const { return diffuse({}, {}); }
+  std::string operator()(const scene::OrenNayar& m) const {
+    return diffuse(m.reflectance, m.spectrum, m.texture);
+  }
+  std::string operator()(const scene::Emission&) const { return diffuse({}, {}, {}); }
   // Material "none" reflects everything at all angles; its Fresnel factor is 1.
   std::string operator()(const scene::Mirror& m) const {
     return two_sided(id, fmt::format("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>"
                                      "{}</bsdf>",
-                                     rgb("specular_reflectance", m.reflectance)));
+                                     colours.surface("specular_reflectance", m.reflectance, m.spectrum)));
   }
   std::string operator()(const scene::Ggx& m) const {
-    return two_sided(id, fmt::format("<bsdf type=\"roughconductor\"><string name=\"material\" "
-                                     "value=\"none\"/>{}{}</bsdf>",
-                                     ggx(m.alpha), rgb("specular_reflectance", m.colour)));
+    return two_sided(
+        id, fmt::format("<bsdf type=\"roughconductor\"><string name=\"material\" "
+                        "value=\"none\"/>{}{}</bsdf>",
+                        ggx(m.alpha), colours.surface("specular_reflectance", m.colour, m.spectrum)));
   }
   std::string operator()(const scene::Glass& m) const {
-    return dielectric("dielectric", m.colour, m.ior, "");
+    return dielectric("dielectric", m.ior, 1, tinted(m.colour));
   }
   std::string operator()(const scene::RoughGlass& m) const {
-    return dielectric("roughdielectric", m.colour, m.ior, ggx(m.alpha));
+    return dielectric("roughdielectric", m.ior, 1, ggx(m.alpha) + tinted(m.colour));
+  }
+  // One-sided in both: black from behind. Mitsuba has no index for what is outside of a conductor.
+  std::string operator()(const scene::Conductor& m) const {
+    return fmt::format("<bsdf type=\"{}\" id=\"{}\">{}{}{}</bsdf>\n",
+                       m.roughness ? "roughconductor" : "conductor", id, spectrum("eta", samples_of_n(m)),
+                       spectrum("k", samples_of_k(m)), m.roughness ? roughness(*m.roughness) : "");
+  }
+  // mitsuba_limits lets it through with one ratio for all wavelengths only.
+  std::string operator()(const scene::Dielectric& m) const {
+    constexpr double kAnywhere_nm = 550;
+    return dielectric(m.roughness ? "roughdielectric" : "dielectric", index_at(m.index, kAnywhere_nm),
+                      index_at(m.outside, kAnywhere_nm), m.roughness ? roughness(*m.roughness) : "");
+  }
+  // The axis stands with the shapes, as their texture coordinates. Of light that crosses at a slant Mitsuba
+  // projects the absorbing axis across the ray, we the transmitting one: in the corners of a picture of 34
+  // degrees these are 4.9 degrees apart, which lets 0.7 % of crossed light through.
+  std::string operator()(const scene::Polariser&) const {
+    return fmt::format("<bsdf type=\"polarizer\" id=\"{}\"/>\n", id);
   }
   // mitsuba_limits lets none through that anything shows.
-  std::string operator()(const scene::AppearanceModel auto&) const { return diffuse({}, {}); }
+  std::string operator()(const scene::Retarder&) const { return diffuse({}, {}, {}); }
+  std::string operator()(const scene::Fluorescent&) const { return diffuse({}, {}, {}); }
 };
 
 }  // namespace
@@ -70,10 +108,10 @@ std::string picture_name(int material, const std::string& stem) {
   return fmt::format("{}-material{}.exr", stem, material);
 }
 
-std::string bsdf_text(const scene::Scene& scene, int material, const std::string& stem) {
-  const auto& m = scene.materials[static_cast<std::size_t>(material)];
+std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
+  const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string id = fmt::format("material{}", material);
-  return comment(m.name) + std::visit(BsdfWriter{scene, id, picture_name(material, stem)}, m.model);
+  return comment(m.name) + std::visit(BsdfWriter{colours, id, picture_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "adapters/mitsuba/colours.h"
 
 #include <string>
 
@@ -10,6 +10,6 @@ namespace orbs::adapters::mitsuba {
 std::string picture_name(int material, const std::string& stem);
 
 /// `<bsdf id="material<i>">`. An emissive material reflects nothing; what it emits stands with its shapes.
-std::string bsdf_text(const scene::Scene& scene, int material, const std::string& stem);
+std::string bsdf_text(const Colours& colours, int material, const std::string& stem);
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,8 +1,9 @@
 #include "adapters/mitsuba/mitsuba.h"
 
-#include "adapters/mitsuba/closed_mesh.h"
+#include "adapters/closed_mesh.h"
 #include "adapters/mitsuba/lights.h"
 #include "adapters/mitsuba/materials.h"
+#include "adapters/mitsuba/sheets.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/parts.h"
 #include "adapters/tinted_picture.h"
@@ -18,7 +19,6 @@ namespace orbs::adapters {
 namespace {
 
 using mitsuba::comment;
-using mitsuba::rgb;
 using mitsuba::to_world;
 using mitsuba::vector;
 
@@ -67,12 +67,21 @@ std::string sensor_text(const scene::Camera& camera, double farthest) {
 }
 
 // max_depth counts the segments of a path, one more than its scatterings. Roulette would only add noise to
-// paths that are cut off anyway, so it begins behind the last of them.
-std::string integrator_text(int trace_depth) {
+// paths that are cut off anyway, so it begins behind the last of them; paths without an end need it, and get
+// Mitsuba's default.
+std::string path_text(int trace_depth) {
+  constexpr int kRouletteFrom = 5;
+  const bool is_unlimited = trace_depth >= scene::kUnlimitedDepth;
   return fmt::format(
-      "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{0}\"/><integer name=\"rr_depth\" "
-      "value=\"{0}\"/></integrator>\n",
-      trace_depth + 1);
+      "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/><integer name=\"rr_depth\" "
+      "value=\"{}\"/></integrator>\n",
+      is_unlimited ? -1 : trace_depth + 1, is_unlimited ? kRouletteFrom : trace_depth + 1);
+}
+
+// The layers are called S0.R to S3.B, as ours.
+std::string integrator_text(const scene::Scene& scene) {
+  const std::string path = path_text(scene.trace_depth);
+  return scene.outputs.stokes ? fmt::format("<integrator type=\"stokes\">{}</integrator>\n", path) : path;
 }
 
 // PLY has its texture rows from the top in Mitsuba, ORB.S from the bottom: v becomes 1 - v here, where the
@@ -85,7 +94,7 @@ scene::Mesh flipped_v(scene::Mesh mesh) {
 // Emission follows the normal of the triangles as they stand in the world, so winding has to show outwards
 // there: a mirroring matrix turns it.
 scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
-  if (mitsuba::is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
+  if (is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   return mesh;
 }
@@ -93,17 +102,22 @@ scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
 class Writer {
  public:
   Writer(const scene::Scene& scene, const std::filesystem::path& file)
-      : scene_(scene), folder_(file.parent_path()), stem_(file.stem().string()), parts_(parts_of(scene)) {}
+      : scene_(scene),
+        colours_(scene),
+        folder_(file.parent_path()),
+        stem_(file.stem().string()),
+        parts_(parts_of(scene)) {}
 
   std::string write() {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
     text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
-    text += integrator_text(scene_.trace_depth) + sensor_text(scene_.camera, farthest_m(scene_, parts_));
+    text += integrator_text(scene_) + sensor_text(scene_.camera, farthest_m(scene_, parts_));
     if (scene_.environment != scene::Rgb{})
-      text += fmt::format("<emitter type=\"constant\">{}</emitter>\n", rgb("radiance", scene_.environment));
+      text += fmt::format("<emitter type=\"constant\">{}</emitter>\n",
+                          colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int material : scene::visible_materials(scene_)) text += material_text(material);
     for (std::size_t i = 0; i < parts_.size(); ++i) text += part_text(parts_[i], i);
-    for (const scene::Light& light : scene_.lights) text += mitsuba::light_text(light);
+    for (const scene::Light& light : scene_.lights) text += mitsuba::light_text(colours_, light);
     return text + "</scene>\n";
   }
 
@@ -111,7 +125,7 @@ class Writer {
   std::string material_text(int index) {
     if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
       write_tinted(scene_, index, folder_ / mitsuba::picture_name(index, stem_));
-    return mitsuba::bsdf_text(scene_, index, stem_);
+    return mitsuba::bsdf_text(colours_, index, stem_);
   }
 
   std::string part_text(const Part& part, std::size_t index) {
@@ -121,7 +135,14 @@ class Writer {
       for (std::size_t i = 0; i < part.places.size(); ++i)
         text += shape(wound_for(part.mesh, part.places[i]), fmt::format("mesh{}.{}", index, i), part.material,
                       "<boolean name=\"face_normals\" value=\"true\"/>" +
-                          mitsuba::area_emitter(emission->radiance) + to_world(part.places[i]));
+                          mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
+                          to_world(part.places[i]));
+      return text;
+    }
+    if (const auto* polariser = std::get_if<scene::Polariser>(&model)) {
+      for (std::size_t i = 0; i < part.places.size(); ++i)
+        text += shape(mitsuba::sheet_along(polariser->axis, part.mesh, part.places[i]),
+                      fmt::format("mesh{}.{}", index, i), part.material, "");
       return text;
     }
     const std::string name = fmt::format("mesh{}", index);
@@ -146,6 +167,7 @@ class Writer {
   }
 
   const scene::Scene& scene_;
+  mitsuba::Colours colours_;
   std::filesystem::path folder_;
   std::string stem_;
   std::vector<Part> parts_;

@@ -1,6 +1,9 @@
+#include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
+#include "adapters/parts.h"
 #include "adapters/pbrt/pbrt.h"
 #include "image/image_io.h"
+#include "scene/effects.h"
 #include "scene/lower_parts.h"
 
 #include <bit>
@@ -15,13 +18,25 @@ constexpr const char* kName = "pbrt";
 constexpr const char* kMasking = "height-correlated in transmission, too";
 constexpr double kLeastAlpha = 1e-3;  // its distribution takes smaller ones for smooth
 
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{{"E1", "E2", "E6"},
+                                  {{"E3", "pbrt carries no polarisation"},
+                                   {"E4", "pbrt has no fluorescence"},
+                                   {"E5", "pbrt has no thin films"}}};
+  return kLevels;
+}
+
 bool is_grey(scene::Rgb c) { return c.x == c.y && c.y == c.z; }
 
 struct ModelLimit {
   const std::string& name;
 
   // beyond_orbs_limits has said so.
-  std::string operator()(const scene::AppearanceModel auto&) const { return ""; }
+  std::string operator()(const scene::Polariser&) const { return ""; }
+  std::string operator()(const scene::Retarder&) const { return ""; }
+  std::string operator()(const scene::Fluorescent&) const { return ""; }
+  std::string operator()(const scene::Conductor& m) const { return m.roughness ? rough(*m.roughness) : ""; }
+  std::string operator()(const scene::Dielectric& m) const { return m.roughness ? rough(*m.roughness) : ""; }
   std::string operator()(const scene::Lambert&) const { return ""; }
   std::string operator()(const scene::OrenNayar& m) const {
     return oren_nayar_limit(name, m.roughness, kName);
@@ -44,6 +59,12 @@ struct ModelLimit {
     return tinted(m.colour);
   }
 
+  std::string rough(const scene::Roughness& roughness) const {
+    if (roughness.distribution != scene::Distribution::Ggx)
+      return fmt::format("material '{}' has Beckmann's distribution: pbrt has GGX alone", name);
+    const std::string reason = alpha_limit(name, roughness.alpha, kName, kLeastAlpha);
+    return reason.empty() ? masking_limit(name, roughness, kName, false) : reason;
+  }
   std::string coloured(scene::Rgb colour, const char* what) const {
     if (is_grey(colour)) return "";
     return fmt::format(
@@ -56,6 +77,21 @@ struct ModelLimit {
     return fmt::format("material '{}' is tinted glass: pbrt's dielectrics have no colour", name);
   }
 };
+
+// Scenes have conductors that are black from behind.
+std::string back_limit(const scene::Scene& scene, const Part& part) {
+  const auto& material = scene.materials[static_cast<std::size_t>(part.material)];
+  if (!std::holds_alternative<scene::Conductor>(material.model) || is_closed(part.mesh)) return "";
+  return fmt::format(
+      "mesh '{}' is of the conductor '{}' and not closed: pbrt's conductors reflect from behind",
+      part.mesh.name, material.name);
+}
+
+std::string reflecting_limit(const scene::Light& light) {
+  if (light.reflectance == scene::Rgb{}) return "";
+  return fmt::format("light '{}' reflects where it shines: pbrt's diffuse surfaces reflect on both sides",
+                     light.name);
+}
 
 // pbrt enlarges other pictures to the next power of two and so blurs their texels.
 std::string size_limit(const scene::Texture& texture) {
@@ -70,10 +106,11 @@ std::string size_limit(const scene::Texture& texture) {
 }  // namespace
 
 std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
-  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName);
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, kName, beyond_orbs());
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
+  const bool is_spectral = scene::transport(scene::effects(scene)) != scene::LightTransport::Colour;
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
@@ -85,8 +122,13 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
     const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
     note(wrap_limit(texture, kName));
     note(size_limit(texture));
+    if (is_spectral) note(spectral_texture_limit(texture, kName));
   }
-  for (const scene::Light& light : scene.lights) note(light_limit(light, kName));
+  for (const scene::Light& light : scene.lights) {
+    note(light_limit(light, kName));
+    note(reflecting_limit(light));
+  }
+  for (const Part& part : parts_of(scene)) note(back_limit(scene, part));
   return reasons;
 }
 

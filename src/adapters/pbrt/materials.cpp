@@ -2,6 +2,7 @@
 
 #include "adapters/parts.h"
 #include "adapters/pbrt/directives.h"
+#include "scene/effects.h"
 
 namespace orbs::adapters::pbrt {
 
@@ -12,14 +13,16 @@ std::string named(const std::string& name, const std::string& type, const std::s
 }
 
 struct MaterialWriter {
-  const scene::Scene& scene;
+  const Colours& colours;
   const std::string& name;
   const std::string& picture;
 
   // pbrt's v runs up from the bottom row, as ours.
-  std::string diffuse(scene::Rgb reflectance, const std::optional<scene::TextureUse>& use) const {
-    if (!use) return named(name, "diffuse", rgb("reflectance", reflectance));
-    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(use->texture)];
+  std::string diffuse(scene::Rgb reflectance,
+                      const std::optional<scene::SpectrumUse>& spectrum,
+                      const std::optional<scene::TextureUse>& use) const {
+    if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));
+    const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
     return fmt::format(
                "Texture \"{}-picture\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
                "filter\" \"bilinear\" \"string wrap\" \"{}\"\n",
@@ -42,10 +45,14 @@ struct MaterialWriter {
     return fmt::format(" \"float roughness\" {} \"bool remaproughness\" false", alpha);
   }
 
-  std::string operator()(const scene::Lambert& m) const { return diffuse(m.reflectance, m.texture); }
+  std::string operator()(const scene::Lambert& m) const {
+    return diffuse(m.reflectance, m.spectrum, m.texture);
+  }
   // pbrt_limits lets it through with roughness 0 only, and there it is Lambert's law.
-  std::string operator()(const scene::OrenNayar& m) const { return diffuse(m.reflectance, m.texture); }
-  std::string operator()(const scene::Emission&) const { return diffuse({}, {}); }
+  std::string operator()(const scene::OrenNayar& m) const {
+    return diffuse(m.reflectance, m.spectrum, m.texture);
+  }
+  std::string operator()(const scene::Emission&) const { return diffuse({}, {}, {}); }
   std::string operator()(const scene::Mirror& m) const {
     return share_of_full(m.reflectance.x, " \"float roughness\" 0");
   }
@@ -56,8 +63,23 @@ struct MaterialWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return named(name, "dielectric", fmt::format("\"float eta\" {}{}", m.ior, ggx(m.alpha)));
   }
+  // pbrt has no index for what is outside of a conductor.
+  std::string operator()(const scene::Conductor& m) const {
+    return named(name, "conductor",
+                 fmt::format("{} {}{}", spectrum("eta", samples_of_n(m)), spectrum("k", samples_of_k(m)),
+                             m.roughness ? ggx(m.roughness->alpha) : " \"float roughness\" 0"));
+  }
+  // A spectrum makes pbrt go on with one wavelength alone from there, which a number does not.
+  std::string operator()(const scene::Dielectric& m) const {
+    const Samples eta = samples_of_ratio(m.index, m.outside);
+    return named(name, "dielectric",
+                 (is_dispersive(m) ? spectrum("eta", eta) : fmt::format("\"float eta\" {}", eta.front())) +
+                     (m.roughness ? ggx(m.roughness->alpha) : " \"float roughness\" 0"));
+  }
   // pbrt_limits lets none through that anything shows.
-  std::string operator()(const scene::AppearanceModel auto&) const { return diffuse({}, {}); }
+  std::string operator()(const scene::Polariser&) const { return diffuse({}, {}, {}); }
+  std::string operator()(const scene::Retarder&) const { return diffuse({}, {}, {}); }
+  std::string operator()(const scene::Fluorescent&) const { return diffuse({}, {}, {}); }
 };
 
 }  // namespace
@@ -66,11 +88,11 @@ std::string picture_name(int material, const std::string& stem) {
   return fmt::format("{}-material{}.exr", stem, material);
 }
 
-std::string material_text(const scene::Scene& scene, int material, const std::string& stem) {
-  const auto& m = scene.materials[static_cast<std::size_t>(material)];
+std::string material_text(const Colours& colours, int material, const std::string& stem) {
+  const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string name = fmt::format("material{}", material);
   return fmt::format("# material {}\n", one_line(m.name)) +
-         std::visit(MaterialWriter{scene, name, picture_name(material, stem)}, m.model);
+         std::visit(MaterialWriter{colours, name, picture_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::pbrt

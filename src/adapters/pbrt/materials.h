@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "adapters/pbrt/colours.h"
 
 #include <string>
 
@@ -11,6 +11,6 @@ std::string picture_name(int material, const std::string& stem);
 
 /// Declares the named material "material<i>". An emissive one reflects nothing; what it emits stands with its
 /// shapes.
-std::string material_text(const scene::Scene& scene, int material, const std::string& stem);
+std::string material_text(const Colours& colours, int material, const std::string& stem);
 
 }  // namespace orbs::adapters::pbrt

@@ -17,7 +17,6 @@ namespace orbs::adapters {
 namespace {
 
 using pbrt::numbers;
-using pbrt::rgb;
 using pbrt::transform;
 
 // pbrt's field of view is that of the picture's shorter side.
@@ -50,20 +49,21 @@ std::string head_text(const scene::Scene& scene) {
 class Writer {
  public:
   Writer(const scene::Scene& scene, const std::filesystem::path& file)
-      : scene_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
+      : scene_(scene), colours_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
 
   std::string write() {
     std::string text = head_text(scene_);
     if (scene_.environment != scene::Rgb{})
-      text += fmt::format("LightSource \"infinite\" {}\n", rgb("L", scene_.environment));
+      text += fmt::format("LightSource \"infinite\" {}\n",
+                          colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
         write_tinted(scene_, index, folder_ / pbrt::picture_name(index, stem_));
-      text += pbrt::material_text(scene_, index, stem_);
+      text += pbrt::material_text(colours_, index, stem_);
     }
     const std::vector<Part> parts = parts_of(scene_);
     for (std::size_t i = 0; i < parts.size(); ++i) text += part_text(parts[i], i);
-    for (const scene::Light& light : scene_.lights) text += pbrt::light_text(light);
+    for (const scene::Light& light : scene_.lights) text += pbrt::light_text(colours_, light);
     return text;
   }
 
@@ -83,7 +83,7 @@ class Writer {
       const std::string lamp = emission == nullptr
                                    ? ""
                                    : fmt::format("  AreaLightSource \"diffuse\" {} \"bool twosided\" true\n",
-                                                 rgb("L", emission->radiance));
+                                                 colours_.radiance(emission->radiance, emission->spectrum));
       for (const Mat4& place : part.places)
         text += fmt::format("AttributeBegin\n{}  {}{}AttributeEnd\n", lamp, transform(place), shape);
       return text;
@@ -96,6 +96,7 @@ class Writer {
   }
 
   const scene::Scene& scene_;
+  pbrt::Colours colours_;
   std::filesystem::path folder_;
   std::string stem_;
 };

@@ -14,6 +14,17 @@ namespace {
 
 using povray::Surface;
 
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{
+      {"E6"},
+      {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
+       {"E2", "POV-Ray renders in three colours"},
+       {"E3", "POV-Ray carries no polarisation"},
+       {"E4", "POV-Ray has no fluorescence"},
+       {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"}}};
+  return kLevels;
+}
+
 struct ModelLimit {
   const std::string& name;
 
@@ -66,7 +77,7 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
 }  // namespace
 
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings) {
-  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray");
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray", beyond_orbs());
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };

@@ -77,13 +77,9 @@ struct TextureWriter {
     return fmt::format("texture {{ pigment {{ rgb 0 }} finish {{ diffuse 0 reflection {{ {} }} }} }}",
                        colour(m.reflectance));
   }
-  std::string operator()(const scene::Glass& m) const {
-    return fmt::format(
-        "texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ diffuse 0 reflection {{ rgb 0, {} fresnel on "
-        "}} "
-        "conserve_energy }} }}",
-        m.colour.x, m.colour.y, m.colour.z, colour(m.colour));
-  }
+  std::string operator()(const scene::Glass& m) const { return glass(m.colour); }
+  // povray_limits lets smooth ones without a film through.
+  std::string operator()(const scene::Dielectric&) const { return glass({1, 1, 1}); }
   std::string operator()(const scene::Ggx& m) const { return tinted(scene, "diffuse", m.colour, {}, stem); }
   std::string operator()(const scene::RoughGlass& m) const {
     return tinted(scene, "diffuse", m.colour, {}, stem);
@@ -92,13 +88,22 @@ struct TextureWriter {
   std::string operator()(const scene::AppearanceModel auto&) const {
     return tinted(scene, "diffuse", {}, {}, stem);
   }
+
+  // What refracts, the index, is a matter of the interior.
+  static std::string glass(scene::Rgb tint) {
+    return fmt::format(
+        "texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ diffuse 0 reflection {{ rgb 0, {} fresnel on "
+        "}} conserve_energy }} }}",
+        tint.x, tint.y, tint.z, colour(tint));
+  }
 };
 
 }  // namespace
 
 Surface surface_of(const scene::MaterialModel& model) {
   if (std::holds_alternative<scene::Mirror>(model)) return Surface::Mirror;
-  if (std::holds_alternative<scene::Glass>(model)) return Surface::Glass;
+  if (std::holds_alternative<scene::Glass>(model) || std::holds_alternative<scene::Dielectric>(model))
+    return Surface::Glass;
   return Surface::Plain;
 }
 

@@ -1,6 +1,7 @@
 #include "adapters/povray/povray.h"
 
 #include "adapters/parts.h"
+#include "adapters/povray/dispersion.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/meshes.h"
@@ -24,6 +25,8 @@ using povray::colour;
 using povray::vector;
 
 constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
+constexpr int kMostTraceLevels =
+    256;  // another one; what is left of a ray after 100 mirrors is adc_bailout's
 
 // Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
 // has the length of the picture's width, `up` of its height, `direction` of the distance of that window.
@@ -68,7 +71,7 @@ std::string settings_text(const scene::Scene& scene, const PovraySettings& setti
       "#version 3.7;\nglobal_settings {{\n  assumed_gamma 1.0\n  max_trace_level {}\n  adc_bailout "
       "1e-5\n{}{}}}\n"
       "#default {{ finish {{ ambient 0 diffuse 1 emission 0 specular 0 phong 0 }} }}\n",
-      scene.trace_depth + 1, radiosity_text(scene, settings.radiosity), photons);
+      std::min(scene.trace_depth + 1, kMostTraceLevels), radiosity_text(scene, settings.radiosity), photons);
 }
 
 std::string part_text(const scene::Scene& scene,
@@ -80,6 +83,11 @@ std::string part_text(const scene::Scene& scene,
     const auto& model = scene.materials[static_cast<std::size_t>(part.material)].model;
     if (const auto* glass = std::get_if<scene::Glass>(&model))
       extras += fmt::format(" interior {{ ior {} }}", glass->ior);
+    if (const auto* glass = std::get_if<scene::Dielectric>(&model)) {
+      const auto [ior, dispersion] = povray::dispersion_of(*glass);
+      extras += fmt::format(" interior {{ ior {} dispersion {} dispersion_samples {} }}", ior, dispersion,
+                            settings.dispersion_samples);
+    }
     if (settings.photons > 0) extras += " photons { target reflection on refraction on collect off }";
   }
   return fmt::format("object {{ {} {}{} }}\n", part.name, povray::matrix(instance.matrix), extras);

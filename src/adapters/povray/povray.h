@@ -41,6 +41,8 @@ struct PovraySettings {
   /// costs more.
   int area_adaptive = 0;
   PovrayRadiosity radiosity;
+  /// Colours that a ray is split into by glass that disperses, and every photon with it.
+  int dispersion_samples = 20;
   /// Photons aimed at mirrors and glass, all lamps together; 0: no caustics.
   int photons = 0;
 };

@@ -2,7 +2,7 @@
 
 #include "scene/scene.h"
 
-namespace orbs::adapters::mitsuba {
+namespace orbs::adapters {
 
 /// Mitsuba's area emitter shines from one side only. On a closed mesh nobody outside it can tell; this asks
 /// what it takes.
@@ -17,4 +17,4 @@ bool is_wound_outwards(const scene::Mesh& mesh);
 /// `point`, in the mesh's own frame, lies in a closed mesh: the triangles cover all directions from it.
 bool encloses(const scene::Mesh& mesh, Vec3d point);
 
-}  // namespace orbs::adapters::mitsuba
+}  // namespace orbs::adapters

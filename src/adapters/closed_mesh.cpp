@@ -1,4 +1,4 @@
-#include "adapters/mitsuba/closed_mesh.h"
+#include "adapters/closed_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-namespace orbs::adapters::mitsuba {
+namespace orbs::adapters {
 
 namespace {
 
@@ -72,4 +72,4 @@ bool encloses(const scene::Mesh& mesh, Vec3d point) {
   return std::abs(solid_angle) > 2 * std::numbers::pi;
 }
 
-}  // namespace orbs::adapters::mitsuba
+}  // namespace orbs::adapters

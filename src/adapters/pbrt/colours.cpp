@@ -1,0 +1,37 @@
+#include "adapters/pbrt/colours.h"
+
+#include "adapters/pbrt/directives.h"
+#include "scene/effects.h"
+
+#include <iterator>
+
+namespace orbs::adapters::pbrt {
+
+Colours::Colours(const scene::Scene& of)
+    : scene(of), is_spectral(scene::transport(scene::effects(of)) != scene::LightTransport::Colour) {}
+
+std::string Colours::surface(const char* name,
+                             scene::Rgb colour,
+                             const std::optional<scene::SpectrumUse>& use) const {
+  return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use))) : rgb(name, colour);
+}
+
+std::string Colours::radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const {
+  if (!is_spectral) return rgb("L", colour);
+  const Samples light = light_samples(scene, colour, use);
+  return fmt::format("{} \"float scale\" {}", spectrum("L", light), luminance_of(light));
+}
+
+std::string spectrum(const char* name, const Samples& samples) {
+  const auto& wavelengths_nm = sampled_wavelengths_nm();
+  std::string pairs;
+  if (samples.size() == 1) {
+    pairs = fmt::format("{0} {2} {1} {2}", wavelengths_nm.front(), wavelengths_nm.back(), samples.front());
+  } else {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      fmt::format_to(std::back_inserter(pairs), "{}{} {}", i == 0 ? "" : " ", wavelengths_nm[i], samples[i]);
+  }
+  return fmt::format("\"spectrum {}\" [{}]", name, pairs);
+}
+
+}  // namespace orbs::adapters::pbrt

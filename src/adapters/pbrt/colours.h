@@ -1,0 +1,30 @@
+#pragma once
+
+#include "adapters/sampled_spectrum.h"
+#include "scene/scene.h"
+
+#include <string>
+
+/// Colours and spectra as pbrt reads them. pbrt always computes with wavelengths and makes spectra of colours
+/// by a model of its own (Jakob and Hanika 2019), which is near enough where colours are all that a scene
+/// has. Where wavelengths count it gets the spectrum that the scene means, nanometre by nanometre.
+namespace orbs::adapters::pbrt {
+
+struct Colours {
+  const scene::Scene& scene;
+  bool is_spectral = false;  // the scene calls for wavelengths
+
+  explicit Colours(const scene::Scene& of);
+
+  /// The parameter `name` of a surface that reflects this share.
+  std::string surface(const char* name,
+                      scene::Rgb colour,
+                      const std::optional<scene::SpectrumUse>& use) const;
+  /// The radiance of a light. pbrt scales a spectrum to luminance 1 by itself, so that it needs its own back.
+  std::string radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const;
+};
+
+/// `"spectrum name" [...]`.
+std::string spectrum(const char* name, const Samples& samples);
+
+}  // namespace orbs::adapters::pbrt

@@ -1,0 +1,45 @@
+#include "adapters/transports.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "registry/placeholders.h"
+#include "scene/effects.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::adapters {
+
+void check_transports(const registry::Renderer& renderer) {
+  std::set<std::string> known;
+  for (const auto transport : scene::kTransports) known.emplace(scene::transport_name(transport));
+  for (const auto& [name, word] : renderer.transports)
+    if (!known.contains(name))
+      throw InputError(fmt::format("renderer '{}': transports: no light path is '{}'{}; known are: {}",
+                                   renderer.name, name, closest(name, known), fmt::join(known, ", ")));
+  const bool is_used = std::any_of(renderer.command.begin(), renderer.command.end(), [](const auto& word) {
+    return registry::uses_placeholder(word, "transport");
+  });
+  if (!renderer.transports.empty() && !is_used)
+    throw InputError(
+        fmt::format("renderer '{}': transports: its command does not use {{transport}}", renderer.name));
+}
+
+std::string transport_word(const registry::Renderer& renderer, const scene::Scene& scene) {
+  const std::string name(scene::transport_name(scene::transport(scene::effects(scene))));
+  const auto own = renderer.transports.find(name);
+  return own == renderer.transports.end() ? name : own->second;
+}
+
+std::string transport_limit(const registry::Renderer& renderer, const scene::Scene& scene) {
+  const auto found = scene::effects(scene);
+  const std::string name(scene::transport_name(scene::transport(found)));
+  if (renderer.transports.empty() || renderer.transports.contains(name)) return "";
+  return fmt::format("it calls for {} light paths{}, for which the renderer's 'transports' has no word", name,
+                     scene::reason_for(found));
+}
+
+}  // namespace orbs::adapters
