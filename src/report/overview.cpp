@@ -206,13 +206,20 @@ void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
   out.end_array();
 }
 
-// The metric that most conditions are on, the first by name among equals; "" when there is none.
+bool is_measured(const PictureRecord& picture, const results::Check& check) {
+  return std::any_of(picture.measures.begin(), picture.measures.end(),
+                     [&](const auto& measure) { return measure.name == check.what; });
+}
+
+// The metric of the most gates, the first by name among equals; "" when there is none. A picture's gate is
+// its first condition on a number; the tolerances that follow it are the same for all.
 std::string main_metric(const RunRecord& run) {
   std::map<std::string, int> counts;
-  for (const auto& picture : run.pictures)
-    for (const auto& check : picture.checks)
-      for (const auto& measure : picture.measures)
-        if (measure.name == check.what) ++counts[check.what];
+  for (const auto& picture : run.pictures) {
+    const auto gate = std::find_if(picture.checks.begin(), picture.checks.end(),
+                                   [&](const auto& check) { return is_measured(picture, check); });
+    if (gate != picture.checks.end()) ++counts[gate->what];
+  }
   const auto most = std::max_element(counts.begin(), counts.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == counts.end() ? "" : most->first;

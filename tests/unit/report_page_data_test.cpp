@@ -106,6 +106,23 @@ TEST(ShellText, IsReadBackByAShell) {
   EXPECT_EQ(shell_text({"orbs", "run", "a b", "it's", "", "$(x)"}), "orbs run 'a b' 'it'\\''s' '' '$(x)'");
 }
 
+// Every picture also has conditions on edge_blur and the means, whose names come before that of the gate.
+TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
+  results::PictureRecord picture;
+  for (const char* name : {"edge_blur", "psnr_srgb8"}) {
+    results::Measure measure;
+    measure.name = name;
+    measure.value = 1;
+    picture.measures.push_back(measure);
+  }
+  picture.checks = {{"pixel [0,0,1,1]", true, "", {}, {}},
+                    {"psnr_srgb8", true, "", 35, {}},
+                    {"edge_blur", true, "", {}, 0.2}};
+  results::RunView view;
+  view.run.pictures = {picture, picture};
+  EXPECT_TRUE(holds(report::overview_json(view), R"("main_metric": "psnr_srgb8")"));
+}
+
 TEST(PageData, SaysWhatThePageShowsInColumns) {
   const structure::TestFolder scratch("page-data");
   page_tests::write_small_run(scratch.path());
