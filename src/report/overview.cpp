@@ -193,7 +193,15 @@ void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
   for (const auto& name : names.list) {
     const auto found = std::find_if(run.renderers.begin(), run.renderers.end(),
                                     [&](const auto& renderer) { return renderer.name == name; });
+    double wall_seconds = 0;  // of its renders, of which several cases and differences may look at one
+    double cpu_seconds = 0;
+    for (const auto& job : run.jobs) {
+      if (job.renderer != name) continue;
+      wall_seconds += job.wall_seconds;
+      cpu_seconds += job.cpu_seconds;
+    }
     out.begin_object().member("name", name);
+    out.member("wall_seconds", wall_seconds).member("cpu_seconds", cpu_seconds);
     if (found != run.renderers.end())
       out.member("version", found->version)
           .member("declared", found->declared)

@@ -36,6 +36,9 @@ export interface State {
 
 export interface Renderer {
   name: string;
+  /** Sums over its renders. */
+  wall_seconds: number;
+  cpu_seconds: number;
   version?: string;
   declared?: string;
   measured?: string;

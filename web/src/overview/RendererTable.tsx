@@ -4,15 +4,11 @@ import type { Column, Overview } from "../data/types";
 
 interface Totals {
   states: number[];
-  wall: number;
-  cpu: number;
   memory: number;
 }
 
 function totalsOf(overview: Overview): Totals[] {
-  const totals = overview.renderers.map(() => ({ states: overview.states.map(() => 0), wall: 0, cpu: 0, memory: 0 }));
-  // A render that several cases look at is counted once: by its picture.
-  const seen = new Set<string>();
+  const totals = overview.renderers.map(() => ({ states: overview.states.map(() => 0), memory: 0 }));
   const { cells } = overview;
   const at = (column: Column, i: number): number => column[i] ?? 0;
   for (let i = 0; i < cells.case.length; ++i) {
@@ -21,11 +17,6 @@ function totalsOf(overview: Overview): Totals[] {
     if (!total) continue;
     total.states[state] = (total.states[state] ?? 0) + 1;
     total.memory = Math.max(total.memory, at(cells.peak_rss_bytes, i));
-    const key = `${cells.renderer[i]} ${cells.picture[i]}`;
-    if (seen.has(key)) continue;
-    seen.add(key);
-    total.wall += at(cells.wall_seconds, i);
-    total.cpu += at(cells.cpu_seconds, i);
   }
   return totals;
 }
@@ -72,8 +63,8 @@ export function RendererTable({ overview }: { overview: Overview }) {
                     })}
                   </ul>
                 </td>
-                <td data-label="Time" class="number">{total.wall ? seconds(total.wall) : "–"}</td>
-                <td data-label="CPU" class="number">{total.cpu ? seconds(total.cpu) : "–"}</td>
+                <td data-label="Time" class="number">{renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}</td>
+                <td data-label="CPU" class="number">{renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}</td>
                 <td data-label="Peak memory" class="number">{bytes(total.memory)}</td>
               </tr>
             );

@@ -31,9 +31,16 @@ const rank = (overview: Overview, cell: number): number => {
   return (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state;
 };
 
+/** Of two pictures the one that speaks for the requirement: the worse state, then the worse number, as in the terminal. */
 function worseOf(overview: Overview, a: number, b: number): number {
   if (a < 0) return b;
-  return rank(overview, b) > rank(overview, a) ? b : a;
+  const difference = rank(overview, b) - rank(overview, a);
+  if (difference !== 0) return difference > 0 ? b : a;
+  const name = overview.main_metric;
+  const metric = overview.metrics.find((one) => one.name === name);
+  const best = metric?.lower_is_better ? -Infinity : Infinity; // of a number that is infinite, or that is not there
+  const value = (cell: number): number => overview.measures[name]?.[cell] ?? best;
+  return (metric?.lower_is_better ? value(b) > value(a) : value(b) < value(a)) ? b : a;
 }
 
 interface Group {
