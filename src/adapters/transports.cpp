@@ -5,7 +5,6 @@
 #include "registry/placeholders.h"
 #include "scene/effects.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -20,24 +19,23 @@ void check_transports(const registry::Renderer& renderer) {
     if (!known.contains(name))
       throw InputError(fmt::format("renderer '{}': transports: no light path is '{}'{}; known are: {}",
                                    renderer.name, name, closest(name, known), fmt::join(known, ", ")));
-  const bool is_used = std::any_of(renderer.command.begin(), renderer.command.end(), [](const auto& word) {
-    return registry::uses_placeholder(word, "transport");
-  });
-  if (!renderer.transports.empty() && !is_used)
+  if (!renderer.transports.empty() && !registry::uses_placeholder(renderer.command, "transport"))
     throw InputError(
         fmt::format("renderer '{}': transports: its command does not use {{transport}}", renderer.name));
 }
 
 std::string transport_word(const registry::Renderer& renderer, const scene::Scene& scene) {
-  const std::string name(scene::transport_name(scene::transport(scene::effects(scene))));
+  if (!registry::uses_placeholder(renderer.command, "transport")) return "";
+  const std::string name(scene::transport_name(scene::transport(scene)));
   const auto own = renderer.transports.find(name);
   return own == renderer.transports.end() ? name : own->second;
 }
 
 std::string transport_limit(const registry::Renderer& renderer, const scene::Scene& scene) {
+  if (renderer.transports.empty()) return "";
   const auto found = scene::effects(scene);
   const std::string name(scene::transport_name(scene::transport(found)));
-  if (renderer.transports.empty() || renderer.transports.contains(name)) return "";
+  if (renderer.transports.contains(name)) return "";
   return fmt::format("it calls for {} light paths{}, for which the renderer's 'transports' has no word", name,
                      scene::reason_for(found));
 }

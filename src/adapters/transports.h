@@ -14,7 +14,7 @@ namespace orbs::adapters {
 void check_transports(const registry::Renderer& renderer);
 
 /// What {transport} stands for: the renderer's word for scene::transport, or that name itself where it has
-/// none.
+/// none. "" where its command does not ask: finding out means to go through the whole scene.
 std::string transport_word(const registry::Renderer& renderer, const scene::Scene& scene);
 
 /// "" when the renderer has a word for what the scene calls for, or none for anything; else a sentence that

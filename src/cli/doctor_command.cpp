@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "runner/execute.h"
+#include "runner/renderer_version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

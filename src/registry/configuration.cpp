@@ -86,8 +86,7 @@ std::vector<std::string> load_environment(ObjectReader& in) {
 std::vector<std::string> load_command(ObjectReader& in) {
   auto command = template_texts(in, "command", command_placeholders());
   for (const char* needed : {"scene", "output"})
-    if (std::none_of(command.begin(), command.end(),
-                     [&](const auto& word) { return uses_placeholder(word, needed); }))
+    if (!uses_placeholder(command, needed))
       in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
   return command;
 }
@@ -195,8 +194,7 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
       renderer.spp_scale_of_scenes[name] = scenes.number(name, json::kPositive);
   }
   renderer.seeds = in.integer_or("seeds", renderer.seeds, 1, kMostSeeds);
-  const auto has_seed = [](const auto& word) { return uses_placeholder(word, "seed"); };
-  if (renderer.seeds > 1 && std::none_of(renderer.command.begin(), renderer.command.end(), has_seed))
+  if (renderer.seeds > 1 && !uses_placeholder(renderer.command, "seed"))
     in.fail("seeds", "needs {seed} in the command, or all renders would be the same");
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.environment = load_environment(in);

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include <fmt/format.h>
@@ -74,6 +75,11 @@ bool uses_placeholder(std::string_view text, const std::string& name) {
   for (const auto& part : parts_of(text).parts)
     if (part.is_name && part.text == name) return true;
   return false;
+}
+
+bool uses_placeholder(const std::vector<std::string>& texts, const std::string& name) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return uses_placeholder(text, name); });
 }
 
 std::string fill_placeholders(std::string_view text, const Placeholders& values) {

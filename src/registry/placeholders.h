@@ -21,8 +21,9 @@ const std::set<std::string>& executable_placeholders();
 /// partner; nothing when all is well. "{{" and "}}" stand for the braces themselves.
 std::optional<std::string> placeholder_problem(std::string_view text, const std::set<std::string>& known);
 
-/// True when the text uses {name}.
+/// True when the text, or one of the texts, uses {name}.
 bool uses_placeholder(std::string_view text, const std::string& name);
+bool uses_placeholder(const std::vector<std::string>& texts, const std::string& name);
 
 /// Every {name} replaced by its value, in one pass: what a value holds is not looked at again. The text must
 /// have no placeholder_problem for the names in `values`.

@@ -188,20 +188,28 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
   out.end_array();
 }
 
+// Of each render once, though several cases and differences may look at it.
+void write_costs(Writer& out, const RunRecord& run, const std::string& renderer) {
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+  std::size_t peak_rss_bytes = 0;
+  for (const auto& job : run.jobs) {
+    if (job.renderer != renderer) continue;
+    wall_seconds += job.wall_seconds;
+    cpu_seconds += job.cpu_seconds;
+    peak_rss_bytes = std::max(peak_rss_bytes, job.peak_rss_bytes);
+  }
+  out.member("wall_seconds", wall_seconds).member("cpu_seconds", cpu_seconds);
+  out.member("peak_rss_bytes", static_cast<unsigned long long>(peak_rss_bytes));
+}
+
 void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
   out.key("renderers").begin_array();
   for (const auto& name : names.list) {
     const auto found = std::find_if(run.renderers.begin(), run.renderers.end(),
                                     [&](const auto& renderer) { return renderer.name == name; });
-    double wall_seconds = 0;  // of its renders, of which several cases and differences may look at one
-    double cpu_seconds = 0;
-    for (const auto& job : run.jobs) {
-      if (job.renderer != name) continue;
-      wall_seconds += job.wall_seconds;
-      cpu_seconds += job.cpu_seconds;
-    }
     out.begin_object().member("name", name);
-    out.member("wall_seconds", wall_seconds).member("cpu_seconds", cpu_seconds);
+    write_costs(out, run, name);
     if (found != run.renderers.end())
       out.member("version", found->version)
           .member("declared", found->declared)

@@ -7,10 +7,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/shell.h"
-#include "base/text.h"
 #include "image/image_io.h"
 #include "metrics/seeds.h"
-#include "registry/placeholders.h"
 #include "runner/host.h"
 #include "runner/outcome.h"
 #include "runner/render_seconds.h"
@@ -18,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,25 +51,39 @@ void make_folder(const std::filesystem::path& folder) {
     throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
-// The job in its folder, with the scene written there and all that will prove its picture to be its own. With
-// several seeds that of the first.
-adapters::Job prepare_job(const Plan& plan,
-                          const PlannedJob& planned,
-                          const scene::Scene& prepared,
-                          const std::filesystem::path& folder) {
-  auto job = job_in(plan, planned, folder);
-  make_folder(job.folder);
+// The job once for each seed of the renderer.
+std::vector<adapters::Job> turns_of(const Plan& plan,
+                                    const PlannedJob& planned,
+                                    const std::filesystem::path& folder) {
+  std::vector<adapters::Job> turns;
+  for (int turn = 0; turn < plan.renderers[planned.renderer].entry.seeds; ++turn)
+    turns.push_back(job_in(plan, planned, folder, turn));
+  return turns;
+}
+
+// The job in its folder, with the scene written there and all that will prove its pictures to be its own.
+std::vector<adapters::Job> prepare_turns(const Plan& plan,
+                                         const PlannedJob& planned,
+                                         const scene::Scene& prepared,
+                                         const std::filesystem::path& folder) {
+  auto turns = turns_of(plan, planned, folder);
+  const auto& first = turns.front();
+  make_folder(first.folder);
   if (planned.native_scene.empty()) {
-    adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, job.scene_file);
+    adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, first.scene_file);
   } else {
-    adapters::copy_native_scene(planned.native_scene, job.folder);
+    adapters::copy_native_scene(planned.native_scene, first.folder);
   }
-  job.id = planned.id;
-  job.scene_file_hash = hash_text(content_hash(read_file(job.scene_file)));
+  const auto scene_file_hash = hash_text(content_hash(read_file(first.scene_file)));
   // By the clock of that disk, as the picture will be.
-  job.ready_since = std::filesystem::last_write_time(job.scene_file);
-  job.may_be_negative = planned.may_be_negative;
-  return job;
+  const auto ready_since = std::filesystem::last_write_time(first.scene_file);
+  for (auto& job : turns) {
+    job.id = planned.id;
+    job.scene_file_hash = scene_file_hash;
+    job.ready_since = ready_since;
+    job.may_be_negative = planned.may_be_negative;
+  }
+  return turns;
 }
 
 // Adds to what the seeds before took; how it ended is its own.
@@ -88,43 +101,41 @@ void note_process(const adapters::ProcessResult& process,
     record.render_seconds = record.render_seconds.value_or(0) + *seconds;
 }
 
-// One process for each seed, until one leaves no usable picture: record.image is then its.
-Outcome run_seeds(const Plan& plan,
-                  const PlannedJob& planned,
-                  adapters::Job& job,
-                  const std::filesystem::path& unfinished,
-                  const std::atomic<bool>* stop,
-                  JobRecord& record) {
-  const auto& renderer = plan.renderers[planned.renderer].entry;
+// The picture of all seeds in `file`, in place of their own.
+image::Image put_together(const std::vector<adapters::Job>& turns,
+                          const std::vector<image::Image>& pictures,
+                          const std::filesystem::path& file) {
+  for (const auto& job : turns) std::filesystem::remove(job.image);
+  auto picture = metrics::are_equal(pictures) ? pictures.front() : metrics::mean_and_variance_of(pictures);
+  image::write_exr(picture, file);
+  return picture;
+}
+
+// One process after the other, until one leaves no usable picture. The file is where the picture lies.
+std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::Job>& turns,
+                                                    const registry::Renderer& renderer,
+                                                    const std::atomic<bool>* stop,
+                                                    JobRecord& record) {
   std::vector<image::Image> pictures;
-  for (int turn = 0; turn < renderer.seeds; ++turn) {
-    const auto own = job_in(plan, planned, unfinished, turn);
-    job.argv = own.argv;
-    job.image = own.image;
+  for (const auto& job : turns) {
     const auto process = adapters::run_process(process_request(renderer, job, stop));
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
-    if (outcome.verdict != Verdict::Pass || renderer.seeds == 1) return outcome;
+    if (outcome.verdict != Verdict::Pass || turns.size() == 1) return {std::move(outcome), job.image};
     pictures.push_back(std::move(*outcome.picture));
   }
-  for (int turn = 0; turn < renderer.seeds; ++turn)
-    std::filesystem::remove(job_in(plan, planned, unfinished, turn).image);
-  job.image = job.folder / adapters::JobSettings{}.image_file;
-  auto together = metrics::are_equal(pictures) ? pictures.front() : metrics::mean_and_variance_of(pictures);
-  image::write_exr(together, job.image);
-  return {Verdict::Pass, "", std::move(together)};
+  const auto file = turns.front().folder / adapters::JobSettings{}.image_file;
+  return {{Verdict::Pass, "", put_together(turns, pictures, file)}, file};
 }
 
-// The renders of all seeds once more, in their place.
-std::string command_of(const Plan& plan,
-                       const PlannedJob& planned,
-                       const adapters::ProcessRequest& request,
-                       const std::filesystem::path& run) {
+// The same renders again, as they can be repeated once the folder is in its place.
+void note_command(const std::vector<adapters::Job>& turns,
+                  const std::vector<std::string>& environment,
+                  JobRecord& record) {
+  record.argv = turns.front().argv;
   std::vector<std::string> commands;
-  for (int turn = 0; turn < plan.renderers[planned.renderer].entry.seeds; ++turn)
-    commands.push_back(
-        shell_command(run / planned.folder, request.environment, job_in(plan, planned, run, turn).argv));
-  return fmt::format("{}", fmt::join(commands, " && "));
+  for (const auto& job : turns) commands.push_back(shell_command(job.folder, environment, job.argv));
+  record.command = fmt::format("{}", fmt::join(commands, " && "));
 }
 
 }  // namespace
@@ -170,51 +181,25 @@ Execution execute(const Plan& plan,
     record.sentence = *reason;
     return execution;
   }
-  auto job = prepare_job(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
-  // As it can be repeated once the folder is in its place.
-  record.argv = job_in(plan, planned, folders.run).argv;
-  record.command = command_of(plan, planned, process_request(renderer, job, stop), folders.run);
+  const auto turns = prepare_turns(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
+  note_command(turns_of(plan, planned, folders.run),
+               process_request(renderer, turns.front(), stop).environment, record);
   record.started = local_time_now();
   record.load = load_average();
-  auto outcome = run_seeds(plan, planned, job, folders.unfinished, stop, record);
+  auto [outcome, file] = run_turns(turns, renderer, stop, record);
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;
   record.rendered = outcome.verdict == Verdict::Pass;
   // A picture that cannot be judged can still be looked at.
   if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize ||
       record.verdict == Verdict::Stale)
-    record.image = (planned.folder / job.image.filename()).string();
+    record.image = (planned.folder / file.filename()).string();
   const bool keep_log = plan.settings.log || !record.rendered;
   if (keep_log) record.log = (planned.folder / "log.txt").string();
   std::error_code ignored;
-  if (!keep_log) std::filesystem::remove(job.folder / "log.txt", ignored);
+  if (!keep_log) std::filesystem::remove(turns.front().folder / "log.txt", ignored);
   execution.picture = std::move(outcome.picture);
   return execution;
-}
-
-std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
-  constexpr double kLimit_seconds = 30;
-  if (renderer.entry.version_command.empty()) return "";
-  adapters::ProcessRequest request;
-  request.argv = registry::fill_placeholders(renderer.entry.version_command,
-                                             {{"executable", renderer.executable.string()},
-                                              {"root", plan.root.string()},
-                                              {"build", plan.build.string()}});
-  const auto program = adapters::find_program(request.argv[0]);
-  if (!program) return fmt::format("unknown: there is no program '{}'", request.argv[0]);
-  request.argv[0] = program->string();
-  request.environment = adapters::child_environment(renderer.entry.environment);
-  request.limits.wall_seconds = kLimit_seconds;
-  const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::WallTime)
-    return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
-  for (const auto& line : split(process.output, '\n'))
-    if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))
-      return std::string(text);
-  return renderer.entry.version_prefix.empty()
-             ? "unknown: its version command prints nothing"
-             : fmt::format("unknown: its version command prints no line that starts '{}'",
-                           renderer.entry.version_prefix);
 }
 
 }  // namespace orbs::runner

@@ -35,10 +35,6 @@ Execution execute(const Plan& plan,
 /// The record of a job that is not run any more.
 results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 
-/// The first line of what the version command prints that is not empty and starts with version_prefix;
-/// "unknown" with the reason when there is none, "" when the renderer has no such command.
-std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan);
-
 /// "2026-11-21T14:03:00", local time.
 std::string local_time_now();
 

@@ -141,6 +141,21 @@ int threads_per_job(const registry::Defaults& settings) {
   return std::max(1, cores / settings.jobs);
 }
 
+adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int turn) {
+  const auto& renderer = plan.renderers[job.renderer];
+  const int seeds = renderer.entry.seeds;
+  adapters::JobSettings settings;
+  settings.spp = (job.spp + seeds - 1) / seeds;
+  settings.seed = plan.settings.seed + turn;
+  settings.threads = plan.threads;
+  settings.root = plan.root;
+  settings.build = plan.build;
+  settings.executable = renderer.executable;
+  if (seeds > 1) settings.image_file = fmt::format("seed-{}.exr", settings.seed);
+  settings.scene_file = job.native_scene.filename().string();
+  return settings;
+}
+
 }  // namespace
 
 Plan make_plan(const registry::Configuration& configuration,
@@ -171,21 +186,6 @@ Plan make_plan(const registry::Configuration& configuration,
                       renderer.entry.name, program));
   }
   return plan;
-}
-
-adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int turn) {
-  const auto& renderer = plan.renderers[job.renderer];
-  const int seeds = renderer.entry.seeds;
-  adapters::JobSettings settings;
-  settings.spp = (job.spp + seeds - 1) / seeds;
-  settings.seed = plan.settings.seed + turn;
-  settings.threads = plan.threads;
-  settings.root = plan.root;
-  settings.build = plan.build;
-  settings.executable = renderer.executable;
-  if (seeds > 1) settings.image_file = fmt::format("seed-{}.exr", settings.seed);
-  settings.scene_file = job.native_scene.filename().string();
-  return settings;
 }
 
 adapters::Job job_in(const Plan& plan,

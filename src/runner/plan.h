@@ -71,14 +71,12 @@ Plan make_plan(const registry::Configuration& configuration,
                const registry::Defaults& settings,
                const std::filesystem::path& program_folder);
 
-/// The settings of one job for its command.
-adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int turn = 0);
-
 /// The scene as the job's renderer can read it: prepared for its format, or as it is where somebody has
 /// written it by hand for the renderer. Or the reason why there is none.
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
 
-/// The job with all paths, in the run folder `run_folder`.
+/// The job with all paths, in the run folder `run_folder`; where its renderer takes several seeds, the one of
+/// that number from 0.
 adapters::Job job_in(const Plan& plan,
                      const PlannedJob& job,
                      const std::filesystem::path& run_folder,

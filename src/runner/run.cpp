@@ -12,6 +12,7 @@
 #include "runner/judge_pictures.h"
 #include "runner/qualified.h"
 #include "runner/render_jobs.h"
+#include "runner/renderer_version.h"
 #include "runner/scene_record.h"
 #include "runner/summary.h"
 

@@ -195,4 +195,6 @@ LightTransport transport(const SceneEffects& found) {
   return needed;
 }
 
+LightTransport transport(const Scene& scene) { return transport(effects(scene)); }
+
 }  // namespace orbs::scene

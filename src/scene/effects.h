@@ -72,6 +72,7 @@ std::optional<LightTransport> transport_named(std::string_view name);
 
 /// The cheapest one that has all effects. All but Colour carry wavelengths.
 LightTransport transport(const SceneEffects& found);
+LightTransport transport(const Scene& scene);
 
 /// True when `richer` has all that `needed` has.
 bool covers(LightTransport richer, LightTransport needed);

@@ -6,6 +6,7 @@
 #include "runner/choose.h"
 #include "runner/execute.h"
 #include "runner/host.h"
+#include "runner/renderer_version.h"
 #include "scene/load_scene.h"
 #include "studies/bench_overhead.h"
 #include "studies/bench_render.h"

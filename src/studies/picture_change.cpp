@@ -40,9 +40,6 @@ bool has_light_paths(const image::Image& picture) {
   return found != picture.attributes.end() && found->second == "yes";
 }
 
-// As where no light is found at all.
-bool have_no_noise(const std::vector<image::Image>& pictures) { return metrics::are_equal(pictures); }
-
 }  // namespace
 
 PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
@@ -73,7 +70,8 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
       change.x = x;
       change.y = y;
     }
-  if (have_no_noise(usual) || have_no_noise(other)) {
+  // As where no light is found at all.
+  if (metrics::are_equal(usual) || metrics::are_equal(other)) {
     change.bias = "the pictures differ, and one of the two has no noise";
     return change;
   }

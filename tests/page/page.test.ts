@@ -36,6 +36,29 @@ test("the overview shows each state by symbol and word, failures first", async (
   await page.close();
 });
 
+test("of pictures in the same state the one with the worst number speaks for the requirement", async () => {
+  const page = await browser.newPage();
+  await page.route("**/overview.json", async (route) => {
+    const overview = (await (await route.fetch()).json()) as {
+      cells: Record<string, number[]>;
+      measures: Record<string, number[]>;
+      pictures: string[];
+    };
+    const { cells, measures } = overview;
+    for (const column of ["case", "renderer", "state", "declared"]) cells[column]!.fill(cells[column]![0]!, 0, 3);
+    overview.pictures = ["good", "worst", "better", ...overview.pictures];
+    cells["picture"] = cells["picture"]!.map((picture, i) => (i < 3 ? i : picture + 3));
+    measures["psnr_srgb8"]!.splice(0, 3, 50, 36, 42);
+    await route.fulfill({ json: overview });
+  });
+  await page.goto(url);
+  await page.locator(".row.requirement").first().waitFor();
+  const rows = await page.locator(".row.requirement").allInnerTexts();
+  assert.ok(rows.some((text) => text.includes("36 dB")), rows.join(" | "));
+  assert.ok(!rows.some((text) => /50 dB|42 dB/.test(text)), rows.join(" | "));
+  await page.close();
+});
+
 test("filter box, chips and the address say the same", async () => {
   const { page } = await open(browser, url);
   await page.locator(".search").waitFor();

@@ -7,6 +7,7 @@ Counts the instructions of rendering, without those of loading, with callgrind: 
 matter. The box of M1 with materials, textures, spectra and metals that no surface has must take as many as without them;
 the same box with the spectrum on its ball must not, which shows that the count would tell.
 """
+import copy
 import json
 import pathlib
 import re
@@ -22,7 +23,7 @@ GLOW = {"peak_per_nm": 0.01375, "absorbed_nm": 370, "absorbed_reach_nm": 40, "em
 
 def with_unused_assets(scene, common):
     """The scene with something of every kind that only other scenes call for."""
-    out = json.loads(json.dumps(scene))
+    out = copy.deepcopy(scene)
     out["textures"] = [{"name": "chess", "file": str(common / "textures/chess_white.png")}]
     out["spectra"] = [
         {"name": "D50", "illuminant": "D50"},
@@ -43,7 +44,7 @@ def with_unused_assets(scene, common):
 
 
 def with_ball_of(scene, material):
-    out = json.loads(json.dumps(scene))
+    out = copy.deepcopy(scene)
     for mesh in out["meshes"]:
         if mesh["name"] == "ball":
             mesh["material"] = material

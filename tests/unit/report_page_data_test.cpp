@@ -123,6 +123,30 @@ TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
   EXPECT_TRUE(holds(report::overview_json(view), R"("main_metric": "psnr_srgb8")"));
 }
 
+// A render that a difference looks at, too, took its time once.
+TEST(PageData, CountsEachRenderOnce) {
+  results::JobRecord job;
+  job.id = "full";
+  job.renderer = "r";
+  job.wall_seconds = 3;
+  job.cpu_seconds = 5;
+  job.peak_rss_bytes = 700;
+  auto other = job;
+  other.id = "direct";
+  other.peak_rss_bytes = 900;
+  results::PictureRecord picture;
+  picture.renderer = "r";
+  picture.jobs = {"full"};
+  auto difference = picture;
+  difference.jobs = {"full", "direct"};
+  results::RunView view;
+  view.run.jobs = {job, other};
+  view.run.pictures = {picture, difference};
+  const auto text = report::overview_json(view);
+  for (const char* cost : {R"("wall_seconds": 6)", R"("cpu_seconds": 10)", R"("peak_rss_bytes": 900)"})
+    EXPECT_TRUE(holds(text, cost)) << text;
+}
+
 TEST(PageData, SaysWhatThePageShowsInColumns) {
   const structure::TestFolder scratch("page-data");
   page_tests::write_small_run(scratch.path());

@@ -21,7 +21,7 @@ std::string list(const char* name, const Samples& samples, double factor) {
 }  // namespace
 
 Colours::Colours(const scene::Scene& of)
-    : scene(of), is_spectral(scene::transport(scene::effects(of)) != scene::LightTransport::Colour) {}
+    : scene(of), is_spectral(scene::transport(of) != scene::LightTransport::Colour) {}
 
 std::string Colours::surface(const char* name,
                              scene::Rgb colour,

@@ -128,7 +128,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
-  const auto transport = scene::transport(scene::effects(scene));
+  const auto transport = scene::transport(scene);
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];

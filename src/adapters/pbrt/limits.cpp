@@ -110,7 +110,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
-  const bool is_spectral = scene::transport(scene::effects(scene)) != scene::LightTransport::Colour;
+  const bool is_spectral = scene::transport(scene) != scene::LightTransport::Colour;
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];

@@ -36,9 +36,10 @@ export interface State {
 
 export interface Renderer {
   name: string;
-  /** Sums over its renders. */
+  /** Of all its renders: sums, and the largest. */
   wall_seconds: number;
   cpu_seconds: number;
+  peak_rss_bytes: number;
   version?: string;
   declared?: string;
   measured?: string;

@@ -1,29 +1,22 @@
 import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
-import type { Column, Overview } from "../data/types";
+import type { Overview } from "../data/types";
 
-interface Totals {
-  states: number[];
-  memory: number;
-}
-
-function totalsOf(overview: Overview): Totals[] {
-  const totals = overview.renderers.map(() => ({ states: overview.states.map(() => 0), memory: 0 }));
+/** By renderer, how many of its pictures are in each state. */
+function countsOf(overview: Overview): number[][] {
+  const counts = overview.renderers.map(() => overview.states.map(() => 0));
   const { cells } = overview;
-  const at = (column: Column, i: number): number => column[i] ?? 0;
   for (let i = 0; i < cells.case.length; ++i) {
-    const total = totals[cells.renderer[i] ?? -1];
+    const own = counts[cells.renderer[i] ?? -1];
     const state = cells.state[i] ?? 0;
-    if (!total) continue;
-    total.states[state] = (total.states[state] ?? 0) + 1;
-    total.memory = Math.max(total.memory, at(cells.peak_rss_bytes, i));
+    if (own) own[state] = (own[state] ?? 0) + 1;
   }
-  return totals;
+  return counts;
 }
 
 /** One line per renderer: what it claims, what was measured, what it cost. */
 export function RendererTable({ overview }: { overview: Overview }) {
-  const totals = totalsOf(overview);
+  const counts = countsOf(overview);
   return (
     <section class="renderers" aria-label="Renderers">
       <table>
@@ -39,36 +32,32 @@ export function RendererTable({ overview }: { overview: Overview }) {
           </tr>
         </thead>
         <tbody>
-          {overview.renderers.map((renderer, r) => {
-            const total = totals[r];
-            if (!total) return null;
-            return (
-              <tr key={renderer.name}>
-                <th scope="row">
-                  {renderer.name} <span class="quiet">{renderer.version}</span>
-                </th>
-                <td data-label="Declared" class="features">{renderer.declared || "–"}</td>
-                <td data-label="Measured" class="features">{overview.run.finished ? renderer.measured || "–" : "…"}</td>
-                <td data-label="Pictures">
-                  <ul class="counts">
-                    {total.states.map((count, s) => {
-                      const state = overview.states[s];
-                      if (count === 0 || !state) return null;
-                      const look = lookOf(state);
-                      return (
-                        <li key={state.name} class={`tone-${look.tone}`}>
-                          <span aria-hidden="true">{look.symbol}</span> {count} {state.name}
-                        </li>
-                      );
-                    })}
-                  </ul>
-                </td>
-                <td data-label="Time" class="number">{renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}</td>
-                <td data-label="CPU" class="number">{renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}</td>
-                <td data-label="Peak memory" class="number">{bytes(total.memory)}</td>
-              </tr>
-            );
-          })}
+          {overview.renderers.map((renderer, r) => (
+            <tr key={renderer.name}>
+              <th scope="row">
+                {renderer.name} <span class="quiet">{renderer.version}</span>
+              </th>
+              <td data-label="Declared" class="features">{renderer.declared || "–"}</td>
+              <td data-label="Measured" class="features">{overview.run.finished ? renderer.measured || "–" : "…"}</td>
+              <td data-label="Pictures">
+                <ul class="counts">
+                  {counts[r]?.map((count, s) => {
+                    const state = overview.states[s];
+                    if (count === 0 || !state) return null;
+                    const look = lookOf(state);
+                    return (
+                      <li key={state.name} class={`tone-${look.tone}`}>
+                        <span aria-hidden="true">{look.symbol}</span> {count} {state.name}
+                      </li>
+                    );
+                  })}
+                </ul>
+              </td>
+              <td data-label="Time" class="number">{renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}</td>
+              <td data-label="CPU" class="number">{renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}</td>
+              <td data-label="Peak memory" class="number">{bytes(renderer.peak_rss_bytes)}</td>
+            </tr>
+          ))}
         </tbody>
       </table>
       {overview.left_out.map(({ renderer, reason }) => (
