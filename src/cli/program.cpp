@@ -59,7 +59,9 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
-    throw InputError(fmt::format("{}; 'orbs --help' and 'orbs run --help' show what there is", e.what()));
+    const auto chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+    throw InputError(fmt::format("{}; 'orbs {}--help' shows what there is", e.what(), command));
   }
   return action();
 }

@@ -1,7 +1,8 @@
 #include "adapters/interrupt.h"
 #include "base/files.h"
 #include "cli/commands.h"
-#include "results/read_record.h"
+#include "cli/number_checks.h"
+#include "results/run_folder.h"
 #include "studies/qualify.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void add_options(CLI::App& command, QualifyOptions& options) {
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
                   "multiplies the samples of the renders without one of the lights")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, kMostThreads));
   command.add_option("-o,--output", options.output,
@@ -59,7 +60,7 @@ int qualify(const registry::Configuration& configuration,
   settings.jobs = 1;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
-  const auto run = results::read_results_file(folder / "results.json");
+  const auto run = results::read_run_folder(folder).run;
   const auto& stop = adapters::catch_interrupts();
   const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto gates = studies::qualify(plan, run, options.qualify, {program.version, &stop, say});

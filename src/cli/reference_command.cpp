@@ -1,5 +1,6 @@
 #include "adapters/interrupt.h"
 #include "cli/commands.h"
+#include "cli/number_checks.h"
 #include "runner/reference.h"
 
 #include <cstdio>
@@ -24,7 +25,7 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
                    "samples per pixel (default: until the noise is 10 dB below the gate)")
       ->check(CLI::Range(1, runner::kMostReferenceSpp));
   command->add_option("--seed", settings->seed, "seed; keep it away from the seeds of runs")
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_more())
       ->capture_default_str();
   command->add_option("--threads", settings->threads, "0: all cores")->check(CLI::Range(0, 1024));
   command->add_option(

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/number_checks.h"
 #include "report/page_file.h"
 
 #include <CLI/CLI.hpp>
@@ -45,7 +46,7 @@ void add_report_command(CLI::App& app, const Program& program, Action& action) {
   command->add_option("-o,--output", options->output, "the file to write")->required();
   command
       ->add_option("--most-megabytes", options->most_megabytes, "room for pictures; failures are taken first")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   command->add_flag("--exact", options->exact, "pictures with all their digits instead of 16-bit floats");
   command->callback(
       [=, &program, &action] { action = [=, &program] { return write_report(*options, program); }; });

@@ -1,6 +1,7 @@
 #include "adapters/interrupt.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/number_checks.h"
 #include "report/files.h"
 #include "report/table.h"
 #include "runner/execute.h"
@@ -53,9 +54,9 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
   command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
       ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "seed of all renders")->check(CLI::NonNegativeNumber);
+  command.add_option("--seed", options.seed, "seed of all renders")->check(zero_or_more());
   command.add_option("--spp-scale", options.spp_scale, "multiplies all samples per pixel")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command.add_flag("-l,--log,!--no-log", options.log,
                    "keep log.txt of every render; without, only where one goes wrong");
   command.add_flag("-v,--view", options.view,

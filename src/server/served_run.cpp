@@ -5,7 +5,7 @@
 namespace orbs::server {
 
 ServedRun::ServedRun(const std::filesystem::path& folder)
-    : folder_(std::filesystem::canonical(folder)),
+    : folder_(std::filesystem::weakly_canonical(folder)),
       view_(results::read_run_folder(folder_)),
       last_look_(std::chrono::steady_clock::now()) {}
 
