@@ -65,7 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
             "samples_are_no_number", {"run", "--spp-scale", "nan"}, "expected a number above 0, not 'nan'"},
         Mistake{"help_of_the_command", {"report"}, "--output is required; 'orbs report --help' shows"},
         Mistake{"served_folder_is_missing", {"serve", "none"}, "none: holds no results.json"},
-        Mistake{"qualified_folder_is_missing", {"qualify", "none"}, "none: holds no results.json"},
+        Mistake{
+            "qualified_folder_is_missing", {"qualify", "none", "-r", "good"}, "none: holds no results.json"},
         Mistake{"missing_value", {"run", "-r"}, "--renderer"},
         Mistake{"named_renderer_is_missing",
                 {"run", "-r", "absent"},
