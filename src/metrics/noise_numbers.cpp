@@ -16,11 +16,14 @@ constexpr std::string_view kRatio =
     "mean(result) / mean(reference) - 1 of one channel over all unmasked pixels; linear Rec.709, no clamp. "
     "The "
     "interval leaves out a right picture in 1 of 9000 (delta method, Student's distribution), by the "
-    "variances of both pictures, or by the scatter of neighbouring 8 x 8 px blocks where the result has none";
+    "variances of both pictures, by the scatter of neighbouring 8 x 8 px blocks where the result has none, "
+    "or by "
+    "the reference's alone where its renderer has no noise";
 constexpr std::string_view kNoise =
     "mean over R, G, B of all unmasked pixels of the variances of both pictures; by half the squared "
-    "difference of the errors of horizontal neighbours where the result has no variance; linear Rec.709, no "
-    "clamp";
+    "difference of the errors of horizontal neighbours where the result has no variance; that of the "
+    "reference "
+    "alone where the result's renderer has no noise; linear Rec.709, no clamp";
 constexpr std::string_view kBias =
     "mse - noise_squared: the part of the mean squared error that noise does not explain, below zero by "
     "chance. The interval leaves out a right picture in 1 of 3000";

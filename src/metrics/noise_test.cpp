@@ -73,8 +73,8 @@ std::optional<Estimate> ratio_of(const NoiseSamples& samples, std::size_t channe
   if (!(totals.reference > kFirmness * std::sqrt(reference_variance))) return std::nullopt;
   const double ratio = totals.result / totals.reference;
   if (source == NoiseSource::Scatter && blocks_of(samples).size() < 2) return std::nullopt;
-  const PooledVariance pooled = source == NoiseSource::Variances ? from_variances(samples, channel, ratio)
-                                                                 : from_scatter(samples, channel, ratio);
+  const PooledVariance pooled = source == NoiseSource::Scatter ? from_scatter(samples, channel, ratio)
+                                                               : from_variances(samples, channel, ratio);
   return interval(ratio - 1, std::sqrt(pooled.sum) / totals.reference, kPerTest / 3, pooled.degrees());
 }
 
@@ -171,10 +171,19 @@ double mean_square(const NoiseSamples& samples) {
 
 }  // namespace
 
-NoiseTest test_noise(const image::Image& result, const image::Image& reference, const Mask& mask) {
-  const NoiseSamples samples = noise_samples(result, reference, mask);
+NoiseTest test_noise(const image::Image& result,
+                     const image::Image& reference,
+                     const Mask& mask,
+                     ResultNoise result_noise) {
+  NoiseSamples samples = noise_samples(result, reference, mask);
   NoiseTest test;
-  if (samples.result_variance.empty()) test.source = NoiseSource::Scatter;
+  if (result_noise == ResultNoise::NoiseFree) {
+    test.source = NoiseSource::Reference;
+    samples.result_variance.clear();
+    samples.variance_ratio = {};
+  } else if (samples.result_variance.empty()) {
+    test.source = NoiseSource::Scatter;
+  }
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
   test.reference_squared = mean_square(samples);
@@ -183,6 +192,7 @@ NoiseTest test_noise(const image::Image& result, const image::Image& reference, 
     return test;
   }
   split_by_variances(samples, test);
+  if (test.source == NoiseSource::Reference) return test;
   test.blocks = score_blocks(samples, kPerTest);
   test.pixels = score_pixels(samples);
   return test;

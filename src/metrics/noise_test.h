@@ -39,8 +39,13 @@ struct Estimate {
 
 /// Variances: from the pictures' channels; a reference without them counts as exact. Scatter: the result does
 /// not know its noise, so it is read off the differences of neighbours; structure in the error then counts as
-/// noise, and noise that filters spread over more than a few pixels is taken for less than it is.
-enum class NoiseSource { Variances, Scatter };
+/// noise, and noise that filters spread over more than a few pixels is taken for less than it is. Reference:
+/// the result is known to have none, so only the reference's counts.
+enum class NoiseSource { Variances, Scatter, Reference };
+
+/// What is known of the result beside its picture. NoiseFree: its renderer draws no random samples, so there
+/// is nothing that more of them would lower, and what differs is an error.
+enum class ResultNoise { AsThePictureSays, NoiseFree };
 
 constexpr int kBlock_px = 8;
 
@@ -73,7 +78,10 @@ struct NoiseTest {
 };
 
 /// The pictures must be Comparable; InputError when the mask does not fit them.
-NoiseTest test_noise(const image::Image& result, const image::Image& reference, const Mask& mask = {});
+NoiseTest test_noise(const image::Image& result,
+                     const image::Image& reference,
+                     const Mask& mask = {},
+                     ResultNoise result_noise = ResultNoise::AsThePictureSays);
 
 /// Whether any of the three tests (mean ratio, blocks, bias squared) sees more than noise. Of right pictures
 /// with independent seeds that is the share kFalseAlarms at most.

@@ -196,6 +196,9 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
   renderer.seeds = in.integer_or("seeds", renderer.seeds, 1, kMostSeeds);
   if (renderer.seeds > 1 && !uses_placeholder(renderer.command, "seed"))
     in.fail("seeds", "needs {seed} in the command, or all renders would be the same");
+  renderer.is_noise_free = in.boolean_or("noise_free", renderer.is_noise_free);
+  if (renderer.is_noise_free && uses_placeholder(renderer.command, "seed"))
+    in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.environment = load_environment(in);
   in.finish();

@@ -62,6 +62,7 @@ struct Renderer {
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.
   int seeds = 1;
+  bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
   RenderSeconds render_seconds;
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };

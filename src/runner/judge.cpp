@@ -108,9 +108,8 @@ metrics::Mask mask_of(const Case& one_case, const std::string& picture) {
 std::optional<metrics::Comparison> judge(const Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,
-                                         int threads,
-                                         PictureRecord& record,
-                                         Measured measured) {
+                                         const JudgeSettings& settings,
+                                         PictureRecord& record) {
   record.reference = reference.file.string();
   if (!reference.picture) {
     take(record, Verdict::MissingReference, reference.problem);
@@ -125,8 +124,8 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
       may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
   auto comparison = metrics::compare(result, *reference.picture, mask,
                                      {.negatives = negatives,
-                                      .threads = threads,
-                                      .no_others = measured == Measured::ForTheVerdict,
+                                      .threads = settings.threads,
+                                      .no_others = settings.measured == Measured::ForTheVerdict,
                                       .also = {one_case.gate.metric}});
   if (comparison.alignment.alignment != metrics::Alignment::Comparable) {
     // The result was looked at before, so this is about the reference.
@@ -134,7 +133,7 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
          fmt::format("the reference cannot be used: {}", comparison.alignment.sentence));
     return std::nullopt;
   }
-  const auto noise = metrics::test_noise(result, *reference.picture, mask);
+  const auto noise = metrics::test_noise(result, *reference.picture, mask, settings.result_noise);
   add_measures(comparison, noise, record);
   if (auto remark = metrics::bias_remark(noise); !remark.empty()) record.remarks.push_back(std::move(remark));
   const auto gate = check_gate(one_case.gate, metrics::value_of(comparison, one_case.gate.metric),

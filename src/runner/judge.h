@@ -3,6 +3,7 @@
 #include "image/image.h"
 #include "metrics/compare.h"
 #include "metrics/mask.h"
+#include "metrics/noise_test.h"
 #include "registry/cases.h"
 #include "results/record.h"
 
@@ -49,15 +50,20 @@ metrics::Mask mask_of(const registry::Case& one_case, const std::string& picture
 /// Every metric, or no more than the verdict rests on, which is the same either way.
 enum class Measured { Everything, ForTheVerdict };
 
+struct JudgeSettings {
+  int threads = 1;
+  Measured measured = Measured::Everything;
+  metrics::ResultNoise result_noise = metrics::ResultNoise::AsThePictureSays;
+};
+
 /// Compares and fills verdict, sentence, measures, checks, remarks and passport of `record`, whose names are
 /// already there. Nothing but the pictures in memory is looked at. Returns the comparison, for its maps;
 /// nothing when there was nothing to compare.
 std::optional<metrics::Comparison> judge(const registry::Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,
-                                         int threads,
-                                         results::PictureRecord& record,
-                                         Measured measured = Measured::Everything);
+                                         const JudgeSettings& settings,
+                                         results::PictureRecord& record);
 
 /// Writes result.png and the error maps as error-<name>.exr and .png (with a colour scale) into `folder`;
 /// returns the maps, their files relative to `folder`.

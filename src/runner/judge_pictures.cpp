@@ -97,7 +97,10 @@ void judge_picture(const Plan& plan,
   const auto& one_case = plan.cases[planned.one_case];
   const auto reference =
       load_reference(one_case, planned.picture, plan.suite.references, plan.reference_hashes);
-  const auto comparison = judge_values(one_case, result, reference, plan.threads, record);
+  const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
+  const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsThePictureSays;
+  const auto comparison =
+      judge_values(one_case, result, reference, {.threads = plan.threads, .result_noise = noise}, record);
   if (!comparison) return;
   const auto relative = std::filesystem::path(record.renderer) / record.picture;
   record.maps = write_maps(result, *comparison, folder / relative);
@@ -109,11 +112,10 @@ void judge_picture(const Plan& plan,
 std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
                                                 const image::Image& result,
                                                 const Reference& reference,
-                                                int threads,
-                                                PictureRecord& record,
-                                                Measured measured) {
+                                                const JudgeSettings& settings,
+                                                PictureRecord& record) {
   if (refuse_negative(one_case, result, record)) return std::nullopt;
-  auto comparison = judge(one_case, result, reference, threads, record, measured);
+  auto comparison = judge(one_case, result, reference, settings, record);
   if (comparison) refuse_constant(result, *reference.picture, record);
   return comparison;
 }

@@ -30,9 +30,8 @@ results::PictureRecord undeclared_picture(const Plan& plan,
 std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
                                                 const image::Image& result,
                                                 const Reference& reference,
-                                                int threads,
-                                                results::PictureRecord& record,
-                                                Measured measured = Measured::Everything);
+                                                const JudgeSettings& settings,
+                                                results::PictureRecord& record);
 
 /// What became of the render is what there is to say about its picture.
 void take_job_verdict(const results::JobRecord& job, results::PictureRecord& record);

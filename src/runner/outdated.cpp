@@ -42,6 +42,7 @@ std::string limits_hash(const Plan& plan, const PlannedJob& job) {
 
 std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version) {
   auto hash = content_hash(orbs_version);
+  if (plan.renderers[plan.jobs[index].renderer].entry.is_noise_free) hash = content_hash("noise-free", hash);
   for (const auto& planned : plan.pictures) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != index) continue;
     const auto& one_case = plan.cases[planned.one_case];

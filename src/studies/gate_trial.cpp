@@ -41,7 +41,8 @@ PictureRecord judged(const GateTrial& trial, const Image& picture) {
     record.sentence = usable.sentence;
     return record;
   }
-  runner::judge_values(trial.one_case, picture, trial.reference, 1, record, runner::Measured::ForTheVerdict);
+  runner::judge_values(trial.one_case, picture, trial.reference,
+                       {.measured = runner::Measured::ForTheVerdict}, record);
   return record;
 }
 

@@ -28,7 +28,7 @@ constexpr Fault kFaults[]{
     {"exit3-after-picture", "crash", "ended with exit code 3"},
     {"hang", "timeout", "was ended after its time limit of 0.3 s"},
     {"ignore-term", "timeout", "was ended after its time limit of 0.3 s"},
-    {"hang-with-child", "timeout", "was ended after its time limit of 1 s"},
+    {"hang-with-child", "timeout", "was ended after its time limit of 4 s"},
     {"burn", "timeout", "was ended after 0.3 s of processor time, its limit"},
     {"leak", "out of memory", "was ended because it took more than its 200 MB of memory"},
     {"fill-file", "crash", "was ended because it wrote more than its 4 MB of files"},

@@ -35,7 +35,7 @@ const std::vector<std::pair<std::string, std::string>> kModes{
     {"exit3-after-picture", ""},
     {"hang", R"("wall_seconds": 0.3)"},
     {"ignore-term", R"("wall_seconds": 0.3, "grace_seconds": 0.1)"},
-    {"hang-with-child", R"("wall_seconds": 1, "grace_seconds": 0.1)"},
+    {"hang-with-child", R"("wall_seconds": 4, "grace_seconds": 0.1)"},
     {"leave-child", ""},
     {"leak", R"("memory_megabytes": 200)"},
     {"burn", R"("cpu_seconds": 0.3)"},

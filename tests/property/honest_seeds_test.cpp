@@ -74,7 +74,7 @@ TEST(HonestSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   one_case.gate.min = 35;
   results::PictureRecord record;
   record.picture = "078";
-  runner::judge(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, 1, record);
+  runner::judge(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, {}, record);
   EXPECT_EQ(record.verdict, results::Verdict::Inconclusive) << record.sentence;
 }
 

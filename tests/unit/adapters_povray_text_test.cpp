@@ -74,11 +74,21 @@ TEST_F(PovrayText, CameraIsAWindowOfHeightOneAtTheDistanceOfItsAngle) {
 }
 
 TEST_F(PovrayText, DirectLightAloneHasNoRadiosity) {
+  scene_.lights.emplace_back();
   EXPECT_FALSE(holds(written(), "radiosity {"));
   scene_.trace_depth = 5;
   EXPECT_TRUE(holds(written(), "recursion_limit 4"));
   scene_.trace_depth = 99;
   EXPECT_TRUE(holds(written(), "recursion_limit 20"));
+}
+
+// The sky has no light_source, so even its first reflection is gathered.
+TEST_F(PovrayText, LightOfTheSkyIsGatheredOnceMore) {
+  scene_.environment = {1, 1, 1};
+  scene_.trace_depth = 1;
+  EXPECT_TRUE(holds(written(), "recursion_limit 1"));
+  scene_.trace_depth = 2;
+  EXPECT_TRUE(holds(written(), "recursion_limit 2"));
 }
 
 TEST_F(PovrayText, InstancesShareAMeshUntilTheirRemapListsDiffer) {

@@ -216,6 +216,24 @@ TEST(NoiseTest, ABlackChannelHasNoRatio) {
   EXPECT_FALSE(is_biased(test));
 }
 
+// An error with structure in it scatters as noise does, and a mean that is right cannot be told then. Of a
+// renderer without noise the mean is what it is.
+TEST(NoiseTest, TheMeanOfAPictureWithoutNoiseIsExact) {
+  const Image reference = without_variance(
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed}));
+  Image result = reference;
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] += (i / 3 / 8 + i / 3 / 512) % 2 == 0 ? 0.25F : -0.25F;  // a chessboard of blocks
+  const auto known = test_noise(result, reference, {}, ResultNoise::NoiseFree);
+  EXPECT_EQ(known.source, NoiseSource::Reference);
+  EXPECT_NEAR(known.mean_ratio[0]->value, 0, 1e-6);
+  EXPECT_EQ(known.mean_ratio[0]->low, known.mean_ratio[0]->high);
+  EXPECT_NEAR(known.bias_squared.value, 0.0625, 1e-6);
+  EXPECT_EQ(known.noise_squared, 0);
+  EXPECT_TRUE(is_biased(known));
+  EXPECT_GT(test_noise(result, reference).mean_ratio[0]->high, 0.007);
+}
+
 // The picture of a renderer that writes no variance: its noise is read off the picture.
 TEST(NoiseTest, WithoutVarianceTheScatterOfBlocksBoundsTheMean) {
   const Image reference =

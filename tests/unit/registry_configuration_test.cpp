@@ -65,6 +65,13 @@ TEST(Configuration, SeveralSeedsNeedAPlaceForThemInTheCommand) {
   EXPECT_EQ(fitting.renderers[0].seeds, 16);
 }
 
+TEST(Configuration, WhatTakesASeedIsNotNoiseFree) {
+  EXPECT_TRUE(load(with_renderer(kRenderer + R"(, "noise_free": true)")).renderers[0].is_noise_free);
+  const auto message = message_of(with_renderer(
+      R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}", "{seed}"], "noise_free": true)"));
+  EXPECT_NE(message.find("/renderers/0/noise_free: contradicts {seed}"), std::string::npos) << message;
+}
+
 TEST(Configuration, FoldersAreRelativeToTheFile) {
   const auto configuration = load(with_renderer(kRenderer));
   EXPECT_EQ(configuration.suites[0].cases, configuration.root / "c");

@@ -57,7 +57,7 @@ results::PictureRecord judged(const registry::Case& by,
                               const std::string& picture = "a") {
   results::PictureRecord record;
   record.picture = picture;
-  judge(by, result, {"a.exr", reference, ""}, 1, record);
+  judge(by, result, {"a.exr", reference, ""}, {}, record);
   return record;
 }
 
@@ -112,7 +112,7 @@ TEST(Judge, NumbersCarryTheirDefinitions) {
 TEST(Judge, AMissingReferenceIsNeverAPass) {
   results::PictureRecord record;
   record.picture = "a";
-  judge(one_case(), grey(0.5F), {"a.exr", std::nullopt, "there is no reference a.exr"}, 1, record);
+  judge(one_case(), grey(0.5F), {"a.exr", std::nullopt, "there is no reference a.exr"}, {}, record);
   EXPECT_EQ(record.verdict, Verdict::MissingReference);
   EXPECT_EQ(record.sentence, "there is no reference a.exr");
 }

@@ -38,9 +38,17 @@ std::string camera_text(const scene::Camera& camera) {
                      vector(frame.right * aspect), vector(frame.up));
 }
 
+// What a lamp sheds on a surface needs no gathering, as it is a light_source; the light of the sky and of
+// glowing surfaces is found by gathering alone, which takes one recursion more for as many reflections. Where
+// a scene has both, the lamps come first: their last reflection is there, that of the sky is missing.
+int recursions_of(const scene::Scene& scene) {
+  const int reflections_gathered = scene.lights.empty() ? scene.trace_depth : scene.trace_depth - 1;
+  return std::min(reflections_gathered, kMostRecursions);
+}
+
 std::string radiosity_text(const scene::Scene& scene, const PovrayRadiosity& r) {
-  if (scene.trace_depth < 2) return "";
-  const int recursions = std::min(scene.trace_depth - 1, kMostRecursions);
+  const int recursions = recursions_of(scene);
+  if (recursions < 1) return "";
   return fmt::format(
       "  radiosity {{\n    count {} error_bound {} low_error_factor {} nearest_count {} recursion_limit {}\n"
       "    pretrace_start {} pretrace_end {} minimum_reuse {} maximum_reuse {} always_sample {}\n"
