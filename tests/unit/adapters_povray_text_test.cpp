@@ -91,6 +91,21 @@ TEST_F(PovrayText, LightOfTheSkyIsGatheredOnceMore) {
   EXPECT_TRUE(holds(written(), "recursion_limit 2"));
 }
 
+// Facing the floor 10 m below: panels of at most 2 m, in powers of two.
+TEST_F(PovrayText, LampsAreCutFinelyWhereTheyAreLargeBesideWhatTheyLight) {
+  instance(scene::make_plane({1}), material(scene::Lambert{{0.5, 0.5, 0.5}, {}})).matrix =
+      translation({0, -10, 0});
+  scene_.lights.emplace_back();
+  const auto panels = [&](double half_size_m) {
+    scene_.lights.front().shape = scene::RectShape{half_size_m, half_size_m};
+    return count_of(written(), "light_source {");
+  };
+  EXPECT_EQ(panels(1), 4);
+  EXPECT_EQ(panels(3), 16);
+  EXPECT_EQ(panels(7), 64);
+  EXPECT_EQ(panels(70), 64);  // two by two samples of each are left
+}
+
 TEST_F(PovrayText, InstancesShareAMeshUntilTheirRemapListsDiffer) {
   const int white = material(scene::Lambert{{0.5, 0.5, 0.5}, {}});
   const int red = material(scene::Lambert{{0.9, 0, 0}, {}});

@@ -1,6 +1,7 @@
 #include "adapters/povray/lights.h"
 
 #include "adapters/light_frame.h"
+#include "adapters/povray/lamp_panels.h"
 #include "adapters/povray/sdl.h"
 
 #include <algorithm>
@@ -55,9 +56,9 @@ std::string panel_light(const Panel& panel, scene::Rgb radiance, int grid, const
 
 std::string rect_sources(const scene::Light& light,
                          const scene::RectShape& rect,
+                         int split,
                          const PovraySettings& settings) {
   const LightFrame frame = light_frame(light.matrix);
-  const int split = settings.area_split;
   const double width_m = 2 * rect.half_width_m / split;
   const double length_m = 2 * rect.half_length_m / split;
   std::string text;
@@ -128,6 +129,7 @@ std::string flat_body(const scene::Light& light, const std::string& shape, doubl
 }
 
 struct LightWriter {
+  const scene::Scene& scene;
   const scene::Light& light;
   const PovraySettings& settings;
 
@@ -136,7 +138,8 @@ struct LightWriter {
     const double l = rect.half_length_m;
     const std::string shape = fmt::format(
         "polygon {{ 5, <{0},0,{1}>, <{2},0,{1}>, <{2},0,{3}>, <{0},0,{3}>, <{0},0,{1}> }}", -w, -l, w, l);
-    return rect_sources(light, rect, settings) + flat_body(light, shape, std::min(w, l));
+    return rect_sources(light, rect, panels_per_side(scene, light, settings), settings) +
+           flat_body(light, shape, std::min(w, l));
   }
   std::string operator()(const scene::DiskShape& disk) const {
     const std::string shape = fmt::format("disc {{ <0,0,0>, <0,1,0>, {} }}", disk.radius_m);
@@ -152,8 +155,8 @@ struct LightWriter {
 
 }  // namespace
 
-std::string light_text(const scene::Light& light, const PovraySettings& settings) {
-  return std::visit(LightWriter{light, settings}, light.shape);
+std::string light_text(const scene::Scene& scene, const scene::Light& light, const PovraySettings& settings) {
+  return std::visit(LightWriter{scene, light, settings}, light.shape);
 }
 
 std::string light_limit(const scene::Light& light) {

@@ -130,7 +130,8 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
   if (!text.meshes.text.empty()) text.scene += fmt::format("#include \"{}-meshes.inc\"\n", stem);
   text.scene += objects;
   for (const scene::Light& light : scene.lights)
-    text.scene += fmt::format("// light {}\n", one_line(light.name)) + povray::light_text(light, settings);
+    text.scene +=
+        fmt::format("// light {}\n", one_line(light.name)) + povray::light_text(scene, light, settings);
   return text;
 }
 

@@ -34,8 +34,8 @@ struct PovraySettings {
   /// Lamp samples along each side of a rect; a power of two, since POV-Ray halves its grid until four samples
   /// are left and weighs unevenly where a half has an odd count.
   int area_grid = 16;
-  /// A rect becomes split x split light sources (a power of two): radiosity takes each for a point at its
-  /// centre.
+  /// A rect becomes split x split light sources at least (a power of two), more where it is large beside what
+  /// it lights: radiosity takes each for a point at its centre, see also panels_per_side.
   int area_split = 2;
   /// Halvings of the grid that POV-Ray makes even where the corners agree; more finds thinner shadows and
   /// costs more.
