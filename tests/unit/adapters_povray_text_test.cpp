@@ -91,6 +91,13 @@ TEST_F(PovrayText, LightOfTheSkyIsGatheredOnceMore) {
   EXPECT_TRUE(holds(written(), "recursion_limit 2"));
 }
 
+// However many samples its lamps have.
+TEST_F(PovrayText, PhotonsAreAsManyAsWereAskedFor) {
+  adapters::PovraySettings settings;
+  settings.photons = 1000;
+  EXPECT_TRUE(holds(written(settings), "photons { count 1000 }"));
+}
+
 // Facing the floor 10 m below: panels of at most 2 m, in powers of two.
 TEST_F(PovrayText, LampsAreCutFinelyWhereTheyAreLargeBesideWhatTheyLight) {
   instance(scene::make_plane({1}), material(scene::Lambert{{0.5, 0.5, 0.5}, {}})).matrix =

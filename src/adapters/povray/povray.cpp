@@ -70,11 +70,10 @@ void check_settings(const PovraySettings& settings) {
 
 std::string settings_text(const scene::Scene& scene, const PovraySettings& settings) {
   // POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
-  // Photons are counted per sample of the lamp, so many of POV-Ray's "count" are made of each.
-  const int samples = settings.area_grid * settings.area_grid / (settings.area_split * settings.area_split);
-  const std::string photons = settings.photons > 0 ? fmt::format("  photons {{ count {} }}\n",
-                                                                 std::max(1, settings.photons / samples))
-                                                   : "";
+  // With 64 times fewer, the light that a plane mirror throws on a ceiling came out 12 % too bright instead
+  // of 2 %: the photons' estimate of the density has a bias that falls with their number.
+  const std::string photons =
+      settings.photons > 0 ? fmt::format("  photons {{ count {} }}\n", settings.photons) : "";
   return fmt::format(
       "#version 3.7;\nglobal_settings {{\n  assumed_gamma 1.0\n  max_trace_level {}\n  adc_bailout "
       "1e-5\n{}{}}}\n"

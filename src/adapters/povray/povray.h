@@ -43,7 +43,7 @@ struct PovraySettings {
   PovrayRadiosity radiosity;
   /// Colours that a ray is split into by glass that disperses, and every photon with it.
   int dispersion_samples = 20;
-  /// Photons aimed at mirrors and glass, all lamps together; 0: no caustics.
+  /// About so many photons aimed at mirrors and glass; 0: no caustics.
   int photons = 0;
 };
 
