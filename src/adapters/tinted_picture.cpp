@@ -26,6 +26,10 @@ struct Colour {
 
 }  // namespace
 
+std::string tinted_picture_name(int material, const std::string& stem) {
+  return fmt::format("{}-material{}.exr", stem, material);
+}
+
 void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file) {
   const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
   const scene::Rgb tint = std::visit(Colour{}, model);

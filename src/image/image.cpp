@@ -42,6 +42,13 @@ Image select_rgb(const Image& image, std::string_view prefix) {
   return rgb;
 }
 
+std::vector<Image> colours_of(const std::vector<Image>& pictures) {
+  std::vector<Image> colours;
+  colours.reserve(pictures.size());
+  for (const Image& picture : pictures) colours.push_back(select_rgb(picture, ""));
+  return colours;
+}
+
 bool has_same_colours(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && select_rgb(a, "").pixels == select_rgb(b, "").pixels;
 }

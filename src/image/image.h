@@ -44,6 +44,9 @@ int channel_index(const Image& image, std::string_view name);
 /// itself, "variance." for its variance). InputError when one is missing.
 Image select_rgb(const Image& image, std::string_view prefix);
 
+/// R, G and B of each. InputError as select_rgb.
+std::vector<Image> colours_of(const std::vector<Image>& pictures);
+
 /// Whether R, G and B are the same to the bit, and the sizes. InputError as select_rgb.
 bool has_same_colours(const Image& a, const Image& b);
 

@@ -10,13 +10,6 @@ namespace orbs::metrics {
 
 namespace {
 
-std::vector<image::Image> colours_of(const std::vector<image::Image>& pictures) {
-  std::vector<image::Image> colours;
-  colours.reserve(pictures.size());
-  for (const auto& picture : pictures) colours.push_back(image::select_rgb(picture, ""));
-  return colours;
-}
-
 double mean_at(const std::vector<image::Image>& colours, std::size_t sample) {
   double sum = 0;
   for (const auto& colour : colours) sum += static_cast<double>(colour.pixels[sample]);
@@ -46,7 +39,7 @@ bool are_equal(const std::vector<image::Image>& pictures) {
 }
 
 image::Image mean_of(const std::vector<image::Image>& pictures) {
-  const auto colours = colours_of(pictures);
+  const auto colours = image::colours_of(pictures);
   auto mean = image::make_image(colours.front().width, colours.front().height, {"R", "G", "B"});
   for (std::size_t i = 0; i < mean.pixels.size(); ++i)
     mean.pixels[i] = static_cast<float>(mean_at(colours, i));
@@ -54,7 +47,7 @@ image::Image mean_of(const std::vector<image::Image>& pictures) {
 }
 
 image::Image mean_and_variance_of(const std::vector<image::Image>& pictures) {
-  const auto colours = colours_of(pictures);
+  const auto colours = image::colours_of(pictures);
   check_seeds(colours);
   const auto count = static_cast<double>(colours.size());
   auto out = image::make_image(colours.front().width, colours.front().height,

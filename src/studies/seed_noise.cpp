@@ -9,13 +9,6 @@ namespace orbs::studies {
 
 namespace {
 
-std::vector<image::Image> colours_of(const std::vector<image::Image>& pictures) {
-  std::vector<image::Image> colours;
-  colours.reserve(pictures.size());
-  for (const auto& picture : pictures) colours.push_back(image::select_rgb(picture, ""));
-  return colours;
-}
-
 double relative_mse(const std::vector<image::Image>& pictures, const image::Image& mean) {
   constexpr double kFloor = 0.01;  // keeps black pixels from outweighing all others
   const auto count = static_cast<double>(pictures.size());
@@ -38,7 +31,7 @@ double relative_mse(const std::vector<image::Image>& pictures, const image::Imag
 
 SeedNoise noise_of_seeds(const std::vector<image::Image>& pictures, const image::Image& mean, int threads) {
   SeedNoise noise;
-  noise.relative_mse = relative_mse(colours_of(pictures), mean);
+  noise.relative_mse = relative_mse(image::colours_of(pictures), mean);
   double mse = 0;
   for (std::size_t i = 1; i < pictures.size(); ++i) {
     const auto comparison =

@@ -86,10 +86,9 @@ TEST(PovrayLimits, NamesPicturesThatPovrayCannotReadOrClamp) {
 
 // 2^n x 2^n cells of a pixel for spp = 4^n.
 TEST(PovrayLimits, AntialiasingDepthFollowsTheSamples) {
-  EXPECT_EQ(adapters::povray_aa_grid(1), 1);
-  EXPECT_EQ(adapters::povray_aa_grid(4), 1);
-  EXPECT_EQ(adapters::povray_aa_grid(16), 2);
-  EXPECT_EQ(adapters::povray_aa_grid(17), 3);
+  EXPECT_EQ(adapters::povray_aa_grid(1), 3);  // fewer would soften edges
+  EXPECT_EQ(adapters::povray_aa_grid(64), 3);
+  EXPECT_EQ(adapters::povray_aa_grid(65), 4);
   EXPECT_EQ(adapters::povray_aa_grid(128), 4);
   EXPECT_EQ(adapters::povray_aa_grid(256), 4);
   EXPECT_EQ(adapters::povray_aa_grid(1 << 30), 9);

@@ -1,6 +1,7 @@
 #include "adapters/mitsuba/materials.h"
 
 #include "adapters/mitsuba/xml.h"
+#include "adapters/tinted_picture.h"
 
 namespace orbs::adapters::mitsuba {
 
@@ -104,14 +105,10 @@ struct BsdfWriter {
 
 }  // namespace
 
-std::string picture_name(int material, const std::string& stem) {
-  return fmt::format("{}-material{}.exr", stem, material);
-}
-
 std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string id = fmt::format("material{}", material);
-  return comment(m.name) + std::visit(BsdfWriter{colours, id, picture_name(material, stem)}, m.model);
+  return comment(m.name) + std::visit(BsdfWriter{colours, id, tinted_picture_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -2,6 +2,7 @@
 
 #include "adapters/parts.h"
 #include "adapters/pbrt/directives.h"
+#include "adapters/tinted_picture.h"
 #include "scene/effects.h"
 
 namespace orbs::adapters::pbrt {
@@ -84,15 +85,11 @@ struct MaterialWriter {
 
 }  // namespace
 
-std::string picture_name(int material, const std::string& stem) {
-  return fmt::format("{}-material{}.exr", stem, material);
-}
-
 std::string material_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string name = fmt::format("material{}", material);
   return fmt::format("# material {}\n", one_line(m.name)) +
-         std::visit(MaterialWriter{colours, name, picture_name(material, stem)}, m.model);
+         std::visit(MaterialWriter{colours, name, tinted_picture_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::pbrt

@@ -6,9 +6,6 @@
 
 namespace orbs::adapters::pbrt {
 
-/// Name of the picture of a textured material beside a scene file of this stem, its colour multiplied in.
-std::string picture_name(int material, const std::string& stem);
-
 /// Declares the named material "material<i>". An emissive one reflects nothing; what it emits stands with its
 /// shapes.
 std::string material_text(const Colours& colours, int material, const std::string& stem);

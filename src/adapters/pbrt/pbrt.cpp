@@ -58,7 +58,7 @@ class Writer {
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
-        write_tinted(scene_, index, folder_ / pbrt::picture_name(index, stem_));
+        write_tinted(scene_, index, folder_ / tinted_picture_name(index, stem_));
       text += pbrt::material_text(colours_, index, stem_);
     }
     const std::vector<Part> parts = parts_of(scene_);
