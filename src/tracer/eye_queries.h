@@ -107,7 +107,7 @@ std::optional<TowardsEye<T>> scattered_to_eye(
   typename T::Bsdf bsdf;
   place_bsdf<T>(bsdf, world, met, side > 0, {out.lambda, out.weight, {}});
   const auto value = evaluate(bsdf, wo, wi);
-  if (!(value.pdf > 0)) return std::nullopt;
+  if (!(value.pdf > 0) || (met.material.is_sharp && !(value.pdf < kTailPdf))) return std::nullopt;
   out.events = path.events;
   out.events.add_before(event_of(bsdf), wi.z < 0);
   const float factor = importance * surface_cosine(point, to_eye) / surface_cosine(point, to_light);

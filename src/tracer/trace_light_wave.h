@@ -69,7 +69,7 @@ bool advance_light(
   // Camera paths ask flat mirrors for light from wherever they can (mirrored_light.h).
   const bool is_specular = is_smooth(material);
   if (path.scatterings == 1 && path.began_at_flat_mirror && !is_specular) return false;
-  if (!material.is_sharp) {
+  if (path.scatterings > 0 && !is_specular) {
     ask_for_eye<T>(wave, world, path, {point, material, hit});
     ask_for_mirrored_eye<T>(wave, world, index, {point, material, hit});
   }

@@ -44,8 +44,8 @@ void note_sharpness(PathState<T>& path,
     path.began_at_flat_mirror =
         mirror_plane >= 0 &&
         is_before(world.mirror_planes[static_cast<std::size_t>(mirror_plane)], world.camera.position);
-  if (path.scatterings == 0 || (path.scatterings == 1 && path.began_at_flat_mirror))
-    path.is_met_by_light_paths = !material.is_sharp;
+  if (path.left_in_tail) path.is_met_by_light_paths = true;
+  if (is_at_first_surface(path)) path.is_met_by_light_paths = !material.is_sharp;
 }
 
 /// Gives the path a lane, its scattering function left open.

@@ -40,6 +40,7 @@ struct PathState {
   bool last_is_sharp = false;          // the surface that the path has scattered at last
   bool began_at_flat_mirror = false;   // one that has the camera before it
   bool is_met_by_light_paths = false;  // see is_left_to_light_paths
+  bool left_in_tail = false;           // the first surface, which is sharp: see kTailPdf
   /// Of the last scattering at a flat mirror, where the one before was not specular: the image of the point
   /// where that happened, and the chance with which it asks this mirror for light. scatter_pdf is then of
   /// that point.
@@ -49,6 +50,12 @@ struct PathState {
   PathClass events;
   Vec2f first_light;  // the half of the first set of numbers that the pixel position leaves
 };
+
+/// Whether it is about to scatter where the camera looks, by itself or by a flat mirror.
+template <Transport T>
+bool is_at_first_surface(const PathState<T>& path) {
+  return path.scatterings == 0 || (path.scatterings == 1 && path.began_at_flat_mirror);
+}
 
 template <Transport T>
 struct ShadowQuery {

@@ -140,7 +140,8 @@ struct World {
   std::vector<AreaLight> lights;
   EmitterTable emitters;
   /// Empty unless light paths are traced: then they carry all light that leaves its source towards a sharp
-  /// surface and reaches the camera from a surface that is not sharp, and camera paths leave it to them.
+  /// surface and reaches the camera from another that is not sharp, or by the tail of its lobe (kTailPdf),
+  /// and camera paths leave it to them.
   std::vector<BoundingSphere> light_path_targets;
   std::vector<MirrorPlane> mirror_planes;
   std::unique_ptr<Accel> accel;

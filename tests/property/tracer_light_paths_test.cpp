@@ -118,6 +118,47 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scene
   return std::string(scene.param.name);
 });
 
+// A glossy floor from straight above shows the ball beside it by the tail of its lobe alone. Light twice
+// there is twice the light; four standard errors of eight seeds.
+TEST(TracerLightPaths, BringTheTailsOfGlossyLobesOnce) {
+  const auto world_from = [](bool light_paths) {
+    return world_of(
+        scene_text("[1.8, 4, 0]", "[1.8, 0, 0]", 16, 6,
+                   R"("materials": [{"name": "floor", "type": "ggx", "colour": [1, 1, 1], "alpha": 0.15},
+                                    {"name": "ball", "type": "ggx", "colour": [1, 1, 1], "alpha": 0.29}],
+                      "meshes": [{"name": "p", "generator": "plane", "half_size": 6, "material": "floor"},
+                                 {"name": "s", "generator": "sphere", "radius": 0.8, "segments": 24, "material": "ball"}],
+                      "instances": [{"mesh": "p"}, {"mesh": "s", "matrix": [{"translate": [0, 1, 0]}]})" +
+                       with_light(kRectLight),
+                   "20"),
+        light_paths);
+  };
+  const auto light_of = [](const tracer::World& world, std::uint64_t seed) {
+    const std::atomic<bool> never{false};
+    const auto picture = tracer::render(world, {.samples_per_pixel = 1024, .seed = seed, .split_paths = true},
+                                        never, [](const tracer::Progress&) {})
+                             .picture;
+    return mean_of_channel(picture, static_cast<std::size_t>(image::channel_index(picture, "path.EGGL.R")));
+  };
+  const auto with_light_paths = world_from(true);
+  const auto without = world_from(false);
+  constexpr int kSeeds = 8;
+  double expected = 0;
+  double sum = 0;
+  double squares = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const double from_camera = light_of(without, 100 + seed);
+    const double difference = light_of(with_light_paths, seed) - from_camera;
+    expected += from_camera / kSeeds;
+    sum += difference;
+    squares += difference * difference;
+  }
+  const double mean = sum / kSeeds;
+  const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+  EXPECT_NEAR(mean, 0, 4 * error);
+  EXPECT_LT(4 * error, 0.2 * expected);  // or it could not tell
+}
+
 // What a flat mirror adds to a floor is what the light behind the mirror, at its image's place, would send.
 TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
   const auto scene = [](const std::string& mirror, const std::string& lamp_x, const std::string& turn) {
