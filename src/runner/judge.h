@@ -15,10 +15,6 @@
 
 namespace orbs::runner {
 
-/// of - minus in R, G, B and, where both have it, the sum of their variances (they are independent). Same
-/// size and channels are the caller's promise. Attributes are those of `of`.
-image::Image difference_of(const image::Image& of, const image::Image& minus);
-
 /// The reference of a picture of the case: its file, or the difference of two. `scene_hashes` holds by scene
 /// what the passport of its reference must say, if it says anything: after a change of the scene its
 /// reference is none any more. Nor is one whose pixels are not those that its passport was made out for.

@@ -4,6 +4,7 @@
 #include "image/image_io.h"
 #include "image/linear_rgb.h"
 #include "metrics/alignment.h"
+#include "runner/difference.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "image/colour.h"
 #include "image/false_colour.h"
 #include "image/image_io.h"
+#include "runner/difference.h"
 #include "runner/judge.h"
 #include "runner/passport.h"
 
@@ -11,27 +12,6 @@
 #include <fmt/format.h>
 
 namespace orbs::runner {
-
-image::Image difference_of(const image::Image& of, const image::Image& minus) {
-  const auto layer = [](const image::Image& picture, const std::string& prefix) {
-    return image::select_rgb(picture, prefix);
-  };
-  const bool has_variance =
-      image::channel_index(of, "variance.R") >= 0 && image::channel_index(minus, "variance.R") >= 0;
-  std::vector<std::string> channels{"R", "G", "B"};
-  if (has_variance) channels.insert(channels.end(), {"variance.R", "variance.G", "variance.B"});
-  auto out = image::make_image(of.width, of.height, channels);
-  out.attributes = of.attributes;
-  const auto put = [&](const image::Image& a, const image::Image& b, float sign, std::size_t first) {
-    for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
-      for (std::size_t c = 0; c < 3; ++c)
-        out.pixels[pixel * channels.size() + first + c] =
-            a.pixels[3 * pixel + c] + sign * b.pixels[3 * pixel + c];
-  };
-  put(layer(of, ""), layer(minus, ""), -1, 0);
-  if (has_variance) put(layer(of, "variance."), layer(minus, "variance."), 1, 3);
-  return out;
-}
 
 namespace {
 

@@ -1,4 +1,5 @@
 #include "image/image_io.h"
+#include "runner/difference.h"
 #include "runner/judge.h"
 #include "runner/noise.h"
 #include "runner/passport.h"
@@ -270,6 +271,23 @@ TEST(Difference, SubtractsColoursAndAddsVariances) {
   const auto difference = runner::difference_of(grey(0.75F, 0.25F), grey(0.25F, 0.5F));
   EXPECT_EQ(difference.at(0, 0, 0), 0.5F);
   EXPECT_EQ(difference.at(0, 0, 3), 0.75F);
+}
+
+TEST(Difference, OfTheSameSamplesScattersByWhatIsLeft) {
+  const auto rendered = [](float value, float variance, const char* seed) {
+    auto picture = grey(value, variance);
+    picture.attributes["orbs.program"] = "orbs-tracer";
+    picture.attributes["orbs.spp"] = "64";
+    picture.attributes["orbs.seed"] = seed;
+    return picture;
+  };
+  const auto full = rendered(0.75F, 0.5F, "1");
+  EXPECT_EQ(runner::difference_of(full, rendered(0.25F, 0.375F, "1")).at(0, 0, 3), 0.125F);
+  EXPECT_EQ(runner::difference_of(full, rendered(0.25F, 0.75F, "1")).at(0, 0, 3), 0);
+  EXPECT_EQ(runner::difference_of(full, rendered(0.25F, 0.375F, "2")).at(0, 0, 3), 0.875F);
+  auto in_parts = rendered(0.25F, 0.375F, "1");  // its first part has that seed
+  in_parts.attributes["orbs.settings"] = "--spp 32 --seed 1 + --spp 32 --seed 2";
+  EXPECT_EQ(runner::difference_of(full, in_parts).at(0, 0, 3), 0.875F);
 }
 
 // Noise makes pixels of a difference negative, which in a rendered picture would be a fault.
