@@ -47,7 +47,7 @@ Scattering<typename T::Bsdf> scattering_at(const VertexLanes<T>& vertices,
 /// its lobe, by itself or by a flat mirror: light paths bring it (see World::light_path_targets).
 template <Transport T>
 bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
-  return path.last_is_sharp && path.is_met_by_light_paths && !world.light_path_targets.empty();
+  return path.met_sharp_beyond_first && path.is_met_by_light_paths && !world.light_path_targets.empty();
 }
 
 /// Numbers for choosing a light and a point on it. The first point shares its set with the pixel position:
@@ -189,8 +189,8 @@ void scatter(Wave<T>& wave,
     PathState<T>& path = wave.paths[vertices.path[lane]];
     path.weight = T::chain(path.weight, chosen[lane]->weight,
                            [&] { return scattering_at(vertices, frame, lane, wo, wi); });
-    if (path.last_is_sharp && is_at_first_surface(path) && !is_delta(vertices.bsdf[lane]))
-      path.left_in_tail = chosen[lane]->pdf < kTailPdf;
+    if (is_at_first_surface(path) && !is_delta(vertices.bsdf[lane]) && chosen[lane]->pdf < kTailPdf)
+      path.is_met_by_light_paths = true;
     path.radiance_scale *= chosen[lane]->radiance_scale;
     remember_scattering<T>(path, world, vertices, lane, chosen[lane]->pdf);
     path.events.add(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);

@@ -39,13 +39,13 @@ void note_sharpness(PathState<T>& path,
                     const World& world,
                     const SurfaceMaterial& material,
                     int mirror_plane) {
-  path.last_is_sharp = material.is_sharp;
   if (path.scatterings == 0)
     path.began_at_flat_mirror =
         mirror_plane >= 0 &&
         is_before(world.mirror_planes[static_cast<std::size_t>(mirror_plane)], world.camera.position);
-  if (path.left_in_tail) path.is_met_by_light_paths = true;
-  if (is_at_first_surface(path)) path.is_met_by_light_paths = !material.is_sharp;
+  const bool is_first = is_at_first_surface(path);
+  path.met_sharp_beyond_first = material.is_sharp && !is_first;
+  if (is_first) path.is_met_by_light_paths = !material.is_sharp;
 }
 
 /// Gives the path a lane, its scattering function left open.

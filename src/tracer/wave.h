@@ -37,10 +37,9 @@ struct PathState {
   float scatter_pdf = 0;  // of ray.direction; 0 where light sampling could not have found what the ray meets
   float radiance_scale = 1;  // see BsdfSample
   int scatterings = 0;
-  bool last_is_sharp = false;          // the surface that the path has scattered at last
-  bool began_at_flat_mirror = false;   // one that has the camera before it
-  bool is_met_by_light_paths = false;  // see is_left_to_light_paths
-  bool left_in_tail = false;           // the first surface, which is sharp: see kTailPdf
+  bool began_at_flat_mirror = false;    // one that has the camera before it
+  bool is_met_by_light_paths = false;   // at the first surface, see is_left_to_light_paths
+  bool met_sharp_beyond_first = false;  // the last surface is sharp, and not the first
   /// Of the last scattering at a flat mirror, where the one before was not specular: the image of the point
   /// where that happened, and the chance with which it asks this mirror for light. scatter_pdf is then of
   /// that point.
