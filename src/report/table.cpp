@@ -22,29 +22,9 @@ using results::RunRecord;
 using results::Verdict;
 
 std::string_view ansi_colour(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Pass:
-      return "\x1b[32m";
-    case Verdict::Unsupported:
-    case Verdict::Skipped:
-      return "\x1b[2m";
-    case Verdict::Inconclusive:
-      return "\x1b[33m";
-    case Verdict::MissingReference:
-    case Verdict::Fail:
-    case Verdict::ConstantImage:
-    case Verdict::InvalidPixels:
-    case Verdict::WrongChannels:
-    case Verdict::WrongSize:
-    case Verdict::Stale:
-    case Verdict::Unreadable:
-    case Verdict::NoOutput:
-    case Verdict::Timeout:
-    case Verdict::OutOfMemory:
-    case Verdict::Crash:
-      return "\x1b[31m";
-  }
-  return "";
+  if (verdict == Verdict::Pass) return "\x1b[32m";
+  if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return "\x1b[2m";
+  return verdict == Verdict::Inconclusive ? "\x1b[33m" : "\x1b[31m";
 }
 
 std::string painted(std::string text, Verdict verdict, const TableStyle& style) {

@@ -16,10 +16,6 @@ namespace {
 using namespace orbs;
 using namespace orbs::peers;
 
-double value(const image::Image& image, int x, int y, std::size_t c = 0) {
-  return static_cast<double>(image.at(x, y, c));
-}
-
 // Ratio of picture and expectation over the pixels of a rectangle: its mean, and the standard error of that
 // from the scatter of the pixels, which have independent samples.
 struct Ratio {
@@ -97,46 +93,24 @@ TEST(Cycles, SphereGivesItsFormFactor) {
   expect_in_quarters(image, expected, 1e-3);
 }
 
-// L = R L_e exactly; the quad is behind the camera and seen in the mirror, left and right exchanged.
 TEST(Cycles, MirrorReflectsByItsReflectanceAlone) {
-  auto scene = empty_scene(9, 9, 60);
-  scene.trace_depth = 2;
-  add_instance(scene, quad({-9, -9, -2}, {18, 0, 0}, {0, 18, 0}),
-               add_material(scene, scene::Mirror{{0.75, 0.5, 1}}));
-  add_instance(scene, quad({0.01, -9, 3}, {9, 0, 0}, {0, 18, 0}),
-               add_material(scene, scene::Emission{{2, 2, 2}, {}}));
-  const auto image = render_with_cycles(scene, "mirror", 16);
+  const auto image = render_with_cycles(lamp_in_mirror({0.75, 0.5, 1}), "mirror", 16);
   EXPECT_NEAR(value(image, 7, 4, 0), 1.5, 1e-6);
   EXPECT_NEAR(value(image, 7, 4, 1), 1, 1e-6);
   EXPECT_NEAR(value(image, 7, 4, 2), 2, 1e-6);
   EXPECT_EQ(value(image, 1, 4, 0), 0);
 }
 
-// No absorption: in a uniform environment a glass body cannot be told from nothing, at any angle, once enough
-// interreflections are followed.
 TEST(Cycles, GlassIsInvisibleInAUniformEnvironment) {
-  auto scene = empty_scene(16, 16, 40);
-  scene.trace_depth = 64;
-  scene.environment = {1, 1, 1};
-  add_instance(scene, scene::make_sphere({.radius_m = 1, .segments = 64}),
-               add_material(scene, scene::Glass{{1, 1, 1}, 1.5}), translation({0, 0, -4}));
-  const auto image = render_with_cycles(scene, "furnace", 256);
+  const auto image = render_with_cycles(glass_ball_in_uniform_light(64), "furnace", 256);
   expect_in_quarters(
       image, [](int, int) { return 1.0; }, 1e-3);
 }
 
-// A slab of glass before an emitter, normal incidence: T = (1 - R) / (1 + R), R = ((n - 1) / (n + 1))^2 =
-// 0.04. What is reflected meets black.
 TEST(Cycles, GlassSlabTransmitsWithAllItsInterreflections) {
-  auto scene = empty_scene(32, 32, 2);
-  scene.trace_depth = 32;
-  add_instance(scene, scene::make_cube({1}), add_material(scene, scene::Glass{{1, 1, 1}, 1.5}),
-               translation({0, 0, -3}) * scaling({9, 9, 0.25}));
-  add_instance(scene, quad({-99, -99, -6}, {198, 0, 0}, {0, 198, 0}),
-               add_material(scene, scene::Emission{{1, 1, 1}, {}}));
-  const auto image = render_with_cycles(scene, "slab", 256);
+  const auto image = render_with_cycles(glass_slab(32, 32), "slab", 256);
   expect_in_quarters(
-      image, [](int, int) { return 0.96 / 1.04; }, 1e-4);
+      image, [](int, int) { return kSlabTransmission; }, 1e-4);
 }
 
 // The mean over a pixel of the definition. The values of a pixel spread over at most 0.05, evenly at worst,
@@ -158,17 +132,9 @@ TEST(Cycles, TexturesLieWhereTheyShould) {
     }
 }
 
-// Integrating sphere: each point sees every other by the same factor. The northern half emits 1, the southern
-// half reflects 0.5 and shows 0.5 * 0.5 of direct light; each further scattering adds a quarter of the one
-// before.
+// Of direct light the wall shows 0.5 * 0.5; each further scattering adds a quarter of the one before.
 TEST(Cycles, TraceDepthCountsScatterings) {
-  auto scene = empty_scene(32, 32, 60);
-  scene.camera.look_at_m = {0, -1, -0.2};
-  const int lamp = add_material(scene, scene::Emission{{1, 1, 1}, {}});
-  const int wall = add_material(scene, scene::Lambert{{0.5, 0.5, 0.5}, {}});
-  add_instance(scene, scene::make_sphere({.radius_m = 2, .segments = 128}), wall);
-  auto& materials = scene.meshes[0].triangle_materials;
-  std::fill(materials.begin(), materials.begin() + static_cast<std::ptrdiff_t>(materials.size() / 2), lamp);
+  auto scene = integrating_sphere(32, 128);
   for (const auto& [depth, radiance] : {std::pair{1, 0.25}, {2, 0.3125}, {3, 0.328125}}) {
     scene.trace_depth = depth;
     const auto image = render_with_cycles(scene, "depth" + std::to_string(depth), 256);

@@ -2,6 +2,7 @@
 
 #include "scene/camera_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -55,6 +56,46 @@ double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners) {
     sum += std::atan2(length(across), dot(a, b)) * across.y / length(across);
   }
   return std::abs(sum) / (2 * std::numbers::pi);
+}
+
+scene::Scene lamp_in_mirror(scene::Rgb reflectance) {
+  auto scene = empty_scene(9, 9, 60);
+  scene.trace_depth = 2;
+  add_instance(scene, quad({-9, -9, -2}, {18, 0, 0}, {0, 18, 0}),
+               add_material(scene, scene::Mirror{reflectance}));
+  add_instance(scene, quad({0.01, -9, 3}, {9, 0, 0}, {0, 18, 0}),
+               add_material(scene, scene::Emission{{2, 2, 2}, {}}));
+  return scene;
+}
+
+scene::Scene glass_ball_in_uniform_light(int trace_depth) {
+  auto scene = empty_scene(16, 16, 40);
+  scene.trace_depth = trace_depth;
+  scene.environment = {1, 1, 1};
+  add_instance(scene, scene::make_sphere({.radius_m = 1, .segments = 64}),
+               add_material(scene, scene::Glass{{1, 1, 1}, 1.5}), translation({0, 0, -4}));
+  return scene;
+}
+
+scene::Scene glass_slab(int size_px, int trace_depth) {
+  auto scene = empty_scene(size_px, size_px, 2);
+  scene.trace_depth = trace_depth;
+  add_instance(scene, scene::make_cube({1}), add_material(scene, scene::Glass{{1, 1, 1}, 1.5}),
+               translation({0, 0, -3}) * scaling({9, 9, 0.25}));
+  add_instance(scene, quad({-99, -99, -6}, {198, 0, 0}, {0, 198, 0}),
+               add_material(scene, scene::Emission{{1, 1, 1}, {}}));
+  return scene;
+}
+
+scene::Scene integrating_sphere(int size_px, int segments) {
+  auto scene = empty_scene(size_px, size_px, 60);
+  scene.camera.look_at_m = {0, -1, -0.2};
+  const int lamp = add_material(scene, scene::Emission{{1, 1, 1}, {}});
+  const int wall = add_material(scene, scene::Lambert{{0.5, 0.5, 0.5}, {}});
+  add_instance(scene, scene::make_sphere({.radius_m = 2, .segments = segments}), wall);
+  auto& materials = scene.meshes[0].triangle_materials;
+  std::fill(materials.begin(), materials.begin() + static_cast<std::ptrdiff_t>(materials.size() / 2), lamp);
+  return scene;
 }
 
 }  // namespace orbs::peers

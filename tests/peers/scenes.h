@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/image.h"
 #include "scene/generators.h"
 
 #include <array>
@@ -48,6 +49,10 @@ inline scene::Mesh quad(Vec3d corner, Vec3d edge_u, Vec3d edge_v, double low = 0
   return mesh;
 }
 
+inline double value(const image::Image& image, int x_px, int y_px, std::size_t channel = 0) {
+  return static_cast<double>(image.at(x_px, y_px, channel));
+}
+
 /// Unit direction through the centre of a pixel, as gluLookAt and glFrustum put it.
 Vec3d pixel_direction(const scene::Camera& camera, double x_px, double y_px);
 
@@ -66,5 +71,22 @@ Vec3d floor_point(const scene::Scene& scene, int x_px, int y_px);
 /// Form factor of a quad at a point of a floor whose normal is +Y, by Lambert's polygon formula: a Lambert
 /// floor shows albedo * radiance * factor. The quad lies above the horizon.
 double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners);
+
+/// A lamp of radiance 2 behind the camera, to the right, and a mirror before it that fills the picture of 9 x
+/// 9 pixels: L = R L_e exactly, left and right exchanged.
+scene::Scene lamp_in_mirror(scene::Rgb reflectance);
+
+/// A ball of glass in a uniform environment of radiance 1. No absorption: it cannot be told from nothing, at
+/// any angle, once enough interreflections are followed.
+scene::Scene glass_ball_in_uniform_light(int trace_depth);
+
+/// A slab of glass before an emitter of radiance 1, at normal incidence; what is reflected meets black.
+scene::Scene glass_slab(int size_px, int trace_depth);
+/// T = (1 - R) / (1 + R), R = ((n - 1) / (n + 1))^2 = 0.04.
+inline constexpr double kSlabTransmission = 0.96 / 1.04;
+
+/// A sphere from within, where each point sees every other by the same factor: the northern half emits 1, the
+/// southern half, which fills the picture, reflects 0.5.
+scene::Scene integrating_sphere(int size_px, int segments);
 
 }  // namespace orbs::peers

@@ -167,6 +167,7 @@ TEST_F(PovrayText, GlassThatDispersesRefractsPovraysHuesAsTheLightTheyStandFor) 
                               ior, dispersion)))
       << text;
   EXPECT_TRUE(holds(text, "rgbf <1,1,1,1>"));
+  EXPECT_TRUE(holds(text, "photons { count 30 }"));  // of which 33 each are kept
 }
 
 // POV-Ray 3.7 takes at most 256 levels.
@@ -236,6 +237,12 @@ TEST_F(PovrayText, LampGridThatWouldBeWeighedUnevenlyIsRefused) {
   EXPECT_THROW(written(settings), InputError);  // less than two samples for each of 2 x 2 pieces
   settings.area_grid = 4;
   EXPECT_NO_THROW(written(settings));
+}
+
+TEST_F(PovrayText, OneColourIsNoDispersion) {
+  adapters::PovraySettings settings;
+  settings.dispersion_samples = 1;
+  EXPECT_THROW(written(settings), InputError);
 }
 
 }  // namespace

@@ -43,7 +43,11 @@ struct PovraySettings {
   PovrayRadiosity radiosity;
   /// Colours that a ray is split into by glass that disperses, and every photon with it.
   int dispersion_samples = 20;
-  /// About so many photons aimed at mirrors and glass; 0: no caustics.
+  /// About so many photons to keep, aimed at mirrors and glass; 0: no caustics. Where glass disperses, and
+  /// splits each, as many fewer are aimed. Noise and bias of the density that they estimate fall with their
+  /// number: the light that a plane mirror throws on a ceiling came out 12 % too bright with 3 000 and 2 %
+  /// with 200 000; scene 102 has 31.5 dB with 200 000 and 35.9 with 3 200 000, in 179 instead of 141 CPU
+  /// seconds.
   int photons = 0;
 };
 
