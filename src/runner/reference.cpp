@@ -1,7 +1,6 @@
 #include "runner/reference.h"
 
 #include "base/error.h"
-#include "base/scratch_folder.h"
 #include "base/text.h"
 #include "registry/cases.h"
 #include "runner/choose.h"
@@ -100,16 +99,19 @@ int render_references(const registry::Configuration& configuration,
   const auto& suite = registry::find_suite(configuration, selection.suite);
   const auto all = due_references(wanted_references(suite, selection, context), settings.reason, context);
   std::filesystem::create_directories(suite.references);
-  const ScratchFolder scratch("orbs-reference");
   bool too_noisy = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& wanted = all[i];
-    const auto rendered = render_reference(wanted, settings, context, scratch.path());
+    const auto unfinished =
+        unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
+    const auto rendered = render_reference(wanted, settings, context, unfinished);
     if (!rendered) {
-      context.say(fmt::format("stopped at {}; {} of {} references are done", wanted.name, i, all.size()));
+      context.say(fmt::format("stopped at {}, the same call goes on from there; {} of {} references are done",
+                              wanted.name, i, all.size()));
       return kInterrupted;
     }
     store_reference(*rendered, wanted, settings.reason);
+    remove_passes(unfinished);
     const bool noisy = rendered->noise_db < wanted.noise_db;
     too_noisy = too_noisy || noisy;
     context.say(fmt::format("[{}/{}] {:<18} {:>7} spp, noise {:.2f} dB{}", i + 1, all.size(), wanted.name,

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace orbs::runner {
 
@@ -19,9 +20,9 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
                                         const Pass& pass,
                                         const ReferenceSettings& settings,
                                         const ReferenceContext& context,
-                                        const std::filesystem::path& scratch) {
+                                        const std::filesystem::path& file) {
   constexpr double kDay_seconds = 86400;
-  const auto output = scratch / "pass.exr";
+  const auto output = file.parent_path() / fmt::format("part-{}.exr", getpid());
   adapters::ProcessRequest request;
   request.argv = {context.tracer.string(),
                   wanted.file.string(),
@@ -43,7 +44,9 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
     throw InputError(fmt::format("{}: {}", context.tracer.string(), process.start_error));
   if (process.signal != 0 || process.exit_code != 0)
     throw InputError(fmt::format("scene '{}': the tracer failed:\n{}", wanted.name, process.output));
-  return image::read_image(output);
+  auto picture = image::read_image(output);
+  std::filesystem::rename(output, file);
+  return picture;
 }
 
 // Noise power falls as 1 / spp, so what is there says how many samples are needed in all.
@@ -65,13 +68,15 @@ int most_spp_of_a_pass(std::size_t pixels) {
 std::optional<RenderedReference> render_reference(const WantedReference& wanted,
                                                   const ReferenceSettings& settings,
                                                   const ReferenceContext& context,
-                                                  const std::filesystem::path& scratch) {
+                                                  const UnfinishedReference& unfinished) {
   RenderedReference rendered;
   int target = settings.spp > 0 ? settings.spp : std::min(wanted.spp, kMostReferenceSpp);
   while (rendered.sum.spp < target) {
     const Pass pass{std::min(target - rendered.sum.spp, most_spp_of_a_pass(wanted.pixels)),
                     static_cast<std::uint64_t>(settings.seed) + rendered.sum.passes.size()};
-    const auto picture = render_pass(wanted, pass, settings, context, scratch);
+    auto picture = kept_pass(unfinished, pass);
+    const bool is_of_an_earlier_call = picture.has_value();
+    if (!picture) picture = render_pass(wanted, pass, settings, context, file_of(unfinished, pass));
     if (!picture) return std::nullopt;
     add_pass(rendered.sum, *picture, pass);
     rendered.picture = mean_picture(rendered.sum);
@@ -82,8 +87,9 @@ std::optional<RenderedReference> render_reference(const WantedReference& wanted,
       target =
           rendered.noise_db >= wanted.noise_db ? rendered.sum.spp : enough_spp(rendered, wanted.noise_db);
     if (rendered.sum.spp < target)
-      context.say(fmt::format("      {:<18} {:>7} of some {} spp, noise {:.2f} dB", wanted.name,
-                              rendered.sum.spp, target, rendered.noise_db));
+      context.say(fmt::format("      {:<18} {:>7} of some {} spp, noise {:.2f} dB{}", wanted.name,
+                              rendered.sum.spp, target, rendered.noise_db,
+                              is_of_an_earlier_call ? ", of an earlier call" : ""));
   }
   return rendered;
 }

@@ -2,6 +2,7 @@
 
 #include "runner/reference.h"
 #include "runner/reference_passes.h"
+#include "runner/unfinished_reference.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -28,12 +29,12 @@ struct RenderedReference {
 };
 
 /// Renders passes with the seeds settings.seed, settings.seed + 1, ... until the noise is low enough or
-/// kMostReferenceSpp is reached; with settings.spp, exactly that many samples. Nothing is rendered twice.
-/// Nothing when stopped. InputError with the tracer's last words when it fails: a fault of ours or of the
-/// scene. `scratch` is a folder for unfinished pictures.
+/// kMostReferenceSpp is reached; with settings.spp, exactly that many samples. Nothing is rendered twice, not
+/// even what an earlier call has left in `unfinished`. Nothing when stopped. InputError with the tracer's
+/// last words when it fails: a fault of ours or of the scene.
 std::optional<RenderedReference> render_reference(const WantedReference& wanted,
                                                   const ReferenceSettings& settings,
                                                   const ReferenceContext& context,
-                                                  const std::filesystem::path& scratch);
+                                                  const UnfinishedReference& unfinished);
 
 }  // namespace orbs::runner

@@ -1,9 +1,14 @@
 // References are rendered by the built-in tracer itself.
+#include "runner/reference.h"
+
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
+#include "registry/configuration.h"
 #include "runner/passport.h"
 #include "runner/reference_history.h"
+
+#include <atomic>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +153,63 @@ TEST(Reference, SaysAllPassesThatItIsMadeOf) {
     spp += std::stoi(words[1]);
   }
   EXPECT_EQ(passport.at("orbs.spp"), std::to_string(spp));
+}
+
+namespace {
+
+// Several passes, as the gate is high; the call is stopped when it says that one is done.
+struct Stoppable {
+  Sandbox sandbox;
+  std::atomic<bool> stop{false};
+  std::string said;
+
+  Stoppable() {
+    auto text = sandbox.read("cases/m1_grey/case.json");
+    sandbox.write("cases/m1_grey/case.json",
+                  text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+  }
+  int render(bool is_to_stop) {
+    stop = false;
+    said.clear();
+    const auto read = registry::load_configuration(sandbox.folder() / "configuration.json");
+    auto selection = read.defaults;
+    selection.scenes = {"grey"};
+    return runner::render_references(
+        read, selection, {.seed = 40, .reason = "test"},
+        {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, [&](const std::string& line) {
+           said += line + "\n";
+           stop = is_to_stop;
+         }});
+  }
+  std::string hash() const {
+    return runner::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
+  }
+};
+
+}  // namespace
+
+TEST(Reference, ThatWasStoppedGoesOnWithTheFirstPass) {
+  Stoppable in_two_calls;
+  EXPECT_EQ(in_two_calls.render(true), 130);
+  EXPECT_TRUE(contains(in_two_calls.said, "stopped at grey")) << in_two_calls.said;
+  EXPECT_EQ(in_two_calls.render(false), 0);
+  EXPECT_TRUE(contains(in_two_calls.said, "dB, of an earlier call")) << in_two_calls.said;
+  EXPECT_FALSE(in_two_calls.sandbox.has("references/.unfinished"));
+  Stoppable in_one;
+  EXPECT_EQ(in_one.render(false), 0);
+  EXPECT_FALSE(contains(in_one.said, "of an earlier call")) << in_one.said;
+  EXPECT_EQ(in_two_calls.hash(), in_one.hash());
+}
+
+TEST(Reference, ThatWasStoppedBeginsAnewWhenItsSceneHasChanged) {
+  Stoppable changed;
+  EXPECT_EQ(changed.render(true), 130);
+  auto scene = changed.sandbox.read("cases/m1_grey/grey.json");
+  const auto reflectance = scene.find("0.5");
+  ASSERT_NE(reflectance, std::string::npos);
+  changed.sandbox.write("cases/m1_grey/grey.json", scene.replace(reflectance, 3, "0.6"));
+  EXPECT_EQ(changed.render(false), 0);
+  EXPECT_FALSE(contains(changed.said, "of an earlier call")) << changed.said;
 }
 
 TEST(Reference, HasTheSamePixelsForTheSameSeed) {

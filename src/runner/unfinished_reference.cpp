@@ -1,0 +1,46 @@
+#include "runner/unfinished_reference.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "image/image_io.h"
+#include "runner/scene_hash.h"
+#include "scene/load_scene.h"
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+UnfinishedReference unfinished_reference(const std::filesystem::path& target,
+                                         const std::filesystem::path& scene,
+                                         const std::filesystem::path& tracer,
+                                         bool split_paths) {
+  UnfinishedReference unfinished;
+  unfinished.folder = target.parent_path() / ".unfinished" / target.stem();
+  const auto of_scene = scene_content_hash(scene::load_scene(scene), scene);
+  unfinished.made_from =
+      hash_text(content_hash(split_paths ? "layers" : "", content_hash(read_file(tracer), of_scene)));
+  std::filesystem::create_directories(unfinished.folder);
+  return unfinished;
+}
+
+std::filesystem::path file_of(const UnfinishedReference& unfinished, const Pass& pass) {
+  return unfinished.folder / fmt::format("{}-{}-{}.exr", unfinished.made_from, pass.seed, pass.spp);
+}
+
+std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, const Pass& pass) {
+  const auto file = file_of(unfinished, pass);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return image::read_image(file);
+  } catch (const InputError&) {
+    return std::nullopt;  // torn
+  }
+}
+
+void remove_passes(const UnfinishedReference& unfinished) {
+  std::error_code ignored;
+  std::filesystem::remove_all(unfinished.folder, ignored);
+  std::filesystem::remove(unfinished.folder.parent_path(), ignored);  // unless it has those of another
+}
+
+}  // namespace orbs::runner
