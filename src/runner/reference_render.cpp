@@ -39,7 +39,11 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
   request.limits.wall_seconds = kDay_seconds;
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::Stopped) return std::nullopt;
+  if (process.cause == warden::Cause::Stopped) {
+    std::error_code ignored;
+    std::filesystem::remove(output, ignored);
+    return std::nullopt;
+  }
   if (!process.start_error.empty())
     throw InputError(fmt::format("{}: {}", context.tracer.string(), process.start_error));
   if (process.signal != 0 || process.exit_code != 0)
