@@ -133,6 +133,12 @@ TEST(Noise, GoesThroughTheSlopeOfTheCurve) {
   EXPECT_NEAR(runner::psnr_srgb8_of(*mse), -10 * std::log10(slope * slope * 0.001), 1e-4);
 }
 
+// A firefly on a dark pixel: from 12.92 * 0.001 it can go up to 1, and no further.
+TEST(Noise, IsNoLargerThanTheClampLeavesRoomFor) {
+  const double room = 1 - 12.92 * 0.001;
+  EXPECT_NEAR(runner::noise_mse_srgb8(grey(0.9F, 10), grey(0.001F)).value(), 255 * 255 * room * room, 0.01);
+}
+
 TEST(Noise, IsNoneWhereTheClampHoldsAndUnknownWithoutVariance) {
   EXPECT_EQ(runner::noise_mse_srgb8(grey(1.5F, 0.1F), grey(1.5F)), 0.0);
   EXPECT_EQ(runner::noise_mse_srgb8(grey(0.5F), grey(0.5F)), std::nullopt);
