@@ -10,9 +10,10 @@ namespace orbs::runner {
 /// The mean squared error that the noise of `picture` alone is expected to cause in psnr_srgb8 (in steps of
 /// 1/255, squared), from its "variance.R/G/B" channels: the variance of the mean goes through the slope of
 /// the sRGB curve at the pixel's value in `values` (delta method), up to the largest error that the clamp to
-/// [0, 1] leaves room for; values that it holds fast have no slope. `values` has the same size; take the reference where there is one: a noisy pixel that came
-/// out too bright has a large variance and a small slope by the same accident, which makes the estimate from
-/// the picture itself too low (1 dB at 24 samples). Nothing when the picture has no variance.
+/// [0, 1] leaves room for; values that it holds fast have no slope. `values` has the same size; take the
+/// reference where there is one: a noisy pixel that came out too bright has a large variance and a small
+/// slope by the same accident, which makes the estimate from the picture itself too low (1 dB at 24 samples).
+/// Nothing when the picture has no variance.
 std::optional<double> noise_mse_srgb8(const image::Image& picture,
                                       const image::Image& values,
                                       const metrics::Mask& mask = {});
