@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace orbs::runner {
 
@@ -22,12 +21,11 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
                                         const ReferenceContext& context,
                                         const std::filesystem::path& file) {
   constexpr double kDay_seconds = 86400;
-  const auto output = file.parent_path() / fmt::format("part-{}.exr", getpid());
   adapters::ProcessRequest request;
   request.argv = {context.tracer.string(),
                   wanted.file.string(),
                   "-o",
-                  output.string(),
+                  file.string(),
                   "--spp",
                   std::to_string(pass.spp),
                   "--seed",
@@ -39,18 +37,12 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
   request.limits.wall_seconds = kDay_seconds;
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::Stopped) {
-    std::error_code ignored;
-    std::filesystem::remove(output, ignored);
-    return std::nullopt;
-  }
+  if (process.cause == warden::Cause::Stopped) return std::nullopt;
   if (!process.start_error.empty())
     throw InputError(fmt::format("{}: {}", context.tracer.string(), process.start_error));
   if (process.signal != 0 || process.exit_code != 0)
     throw InputError(fmt::format("scene '{}': the tracer failed:\n{}", wanted.name, process.output));
-  auto picture = image::read_image(output);
-  std::filesystem::rename(output, file);
-  return picture;
+  return image::read_image(file);
 }
 
 // Noise power falls as 1 / spp, so what is there says how many samples are needed in all.

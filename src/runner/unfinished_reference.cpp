@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
+#include "runner/passport.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 
@@ -31,7 +32,9 @@ std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, con
   const auto file = file_of(unfinished, pass);
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    return image::read_image(file);
+    auto picture = image::read_image(file);
+    if (passport_of(picture)["spp"] != std::to_string(pass.spp)) return std::nullopt;
+    return picture;
   } catch (const InputError&) {
     return std::nullopt;  // torn
   }

@@ -23,10 +23,11 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          const std::filesystem::path& tracer,
                                          bool split_paths);
 
-/// Where a pass is, or is to be put when it is whole.
+/// Where a pass is, or is to be put.
 std::filesystem::path file_of(const UnfinishedReference& unfinished, const Pass& pass);
 
-/// The pass of an earlier call. Nothing when there is none, or only the torn file of a power cut.
+/// The pass of an earlier call. Nothing when there is none, only a part of its samples, as a tracer leaves
+/// that was stopped, or the torn file of a power cut.
 std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, const Pass& pass);
 
 /// When the reference is in its place: no pass is needed any more.
