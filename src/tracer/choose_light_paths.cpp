@@ -4,6 +4,7 @@
 #include "tracer/render.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace orbs::tracer {
@@ -30,9 +31,8 @@ constexpr double kMostOfLightMissed = 0.5;
 float on_display(float radiance) { return image::srgb_encode(std::clamp(radiance, 0.0F, 1.0F)); }
 
 struct Trial {
-  double pixel_noise = 0;  // of one picture, as a display shows it: mean square times number of values
-  double block_noise = 0;  // likewise, of the means over blocks
-  double light = 0;        // sum of all pixels
+  std::array<image::Image, 2> pictures;  // with different random numbers
+  double light = 0;                      // sum of all pixels
   bool is_believable = false;
 };
 
@@ -43,19 +43,35 @@ double sum_over(const image::Image& picture, int x0, int y0, int side, std::size
   return sum;
 }
 
-// Half the squared difference of two pictures, over squares of pixels of which each is one value.
-double noise_of(const image::Image& a, const image::Image& b, int side) {
-  double noise = 0;
+// The sum over squares of pixels, of which each is one value as a display shows it, of
+// (a[0] - b[0]) (a[1] - b[1]).
+double product_of_differences(const std::array<const image::Image*, 2>& a,
+                              const std::array<const image::Image*, 2>& b,
+                              int side) {
+  double sum = 0;
   const double area = side * side;
-  for (int y = 0; y + side <= a.height; y += side)
-    for (int x = 0; x + side <= a.width; x += side)
+  for (int y = 0; y + side <= a[0]->height; y += side)
+    for (int x = 0; x + side <= a[0]->width; x += side)
       for (std::size_t c = 0; c < 3; ++c) {
-        const double difference =
-            on_display(static_cast<float>(sum_over(a, x, y, side, c) / area)) -
-            static_cast<double>(on_display(static_cast<float>(sum_over(b, x, y, side, c) / area)));
-        noise += difference * difference / 2;
+        const auto shown = [&](const image::Image& picture) -> double {
+          return on_display(static_cast<float>(sum_over(picture, x, y, side, c) / area));
+        };
+        sum += (shown(*a[0]) - shown(*b[0])) * (shown(*a[1]) - shown(*b[1]));
       }
-  return noise;
+  return sum;
+}
+
+// Variance of one picture, as a display shows it: mean square times number of values.
+double noise_of(const Trial& trial, int side) {
+  const auto& [first, second] = trial.pictures;
+  return product_of_differences({&first, &first}, {&second, &second}, side) / 2;
+}
+
+// The square of what blocks of one trial lack in the mean of both pictures: noise of different random numbers
+// averages out of the product.
+double squared_bias(const Trial& a, const Trial& b) {
+  return product_of_differences({&a.pictures[0], &a.pictures[1]}, {&b.pictures[0], &b.pictures[1]},
+                                kBlockSide);
 }
 
 Trial trial_of(const World& world) {
@@ -63,22 +79,26 @@ Trial trial_of(const World& world) {
   const auto rendered = [&](std::uint64_t seed) {
     return render(world, {.samples_per_pixel = kSamples, .seed = seed}, stop, [](const Progress&) {});
   };
-  const auto a = rendered(1);
-  const auto b = rendered(2);
-  Trial trial{noise_of(a.picture, b.picture, 1), noise_of(a.picture, b.picture, kBlockSide), 0, false};
+  auto a = rendered(1);
+  auto b = rendered(2);
+  Trial trial;
   for (int y = 0; y < a.picture.height; ++y)
     for (int x = 0; x < a.picture.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) trial.light += sum_over(a.picture, x, y, 1, c);
   trial.is_believable = static_cast<double>(a.arrived_light_paths) >=
                         kFewestArrivals * static_cast<double>(a.picture.pixel_count());
+  trial.pictures = {std::move(a.picture), std::move(b.picture)};
   return trial;
 }
 
+// Of a caustic that camera paths hardly ever find, nearly all pixels show nothing and so no noise; that it is
+// missing is an error like noise.
 bool is_better(const Trial& with, const Trial& without) {
   if (without.light < (1 - kMostOfLightMissed) * with.light) return true;
   if (!with.is_believable) return false;
-  return with.pixel_noise < kWorthwhile * without.pixel_noise ||
-         with.block_noise < kBlocksWorthwhile * without.block_noise;
+  return noise_of(with, 1) < kWorthwhile * noise_of(without, 1) ||
+         noise_of(with, kBlockSide) <
+             kBlocksWorthwhile * (noise_of(without, kBlockSide) + squared_bias(without, with));
 }
 
 }  // namespace

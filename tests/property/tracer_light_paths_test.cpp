@@ -206,6 +206,19 @@ TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
   EXPECT_FALSE(tracer::choose_light_paths(plain));
 }
 
+// Camera paths meet the lamp about once in a million samples, so that their trial shows a floor in shadow without
+// noise, or a firefly as bright as the caustic that is missing.
+TEST(TracerLightPaths, AreChosenWhereCameraPathsHardlyEverFindTheCaustic) {
+  auto world = world_of(
+      ball_over_floor(
+          kGlass,
+          with_light(
+              R"({"type": "rect", "half_width": 0.005, "half_length": 0.005, "radiance": [30000, 30000, 30000],
+                  "matrix": [{"translate": [0, 5, 0]}]})")),
+      true);
+  EXPECT_TRUE(tracer::choose_light_paths(world));
+}
+
 TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
   auto text = caustic_scenes()[0].text;
   const std::string fov = R"("fov_y": 40)";
