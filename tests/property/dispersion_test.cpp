@@ -3,6 +3,7 @@
 #include "property/light_pictures.h"
 #include "property/light_quadrature.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -136,6 +137,84 @@ TEST(Dispersion, APrismSendsEachWavelengthWhereSnellsLawDoes) {
     RecordProperty(fmt::format("off_by_pixels_{}", std::lround(nm)),
                    fmt::format("{:.3f}", (found - spot(nm)) / (2 * kHalfPixelOfSuite)));
   }
+}
+
+namespace {
+
+// A ball of BK7 with its centre over a floor, straight below a small lamp, as in the suite's caustic_BK7.
+constexpr double kBallHeight = 1.28;
+constexpr double kLampHeight = 6.3;
+constexpr double kCausticPixel = 0.001;  // on the floor, across; a fold moves by 8.6 mm from 436 to 656 nm
+
+// How far from the axis the light that meets the ball at `angle` from its top meets the floor.
+double landing(double angle, double n) {
+  const Vec3d entry = direction_at(90 - angle / kRadians);  // x across, y up; the ball's centre is the origin
+  const Vec3d within = refracted(normalised(entry - Vec3d{0, kLampHeight - kBallHeight, 0}), entry, n);
+  const Vec3d exit = entry - within * (2 * dot(entry, within));
+  const Vec3d d = refracted(within, -exit, 1 / n);
+  return exit.x - d.x * (kBallHeight + exit.y) / d.y;
+}
+
+// Where the light ends: the first maximum of the above from the axis outwards, by trisection.
+double fold(double nm) {
+  const double n = index_of_bk7(nm);
+  double low = 0.1;
+  double high = 0.8;
+  while (high - low > 1e-9) {
+    const double third = (high - low) / 3;
+    if (landing(low + third, n) < landing(high - third, n))
+      low += third;
+    else
+      high -= third;
+  }
+  return landing(low, n);
+}
+
+// A strip of the floor about the fold of 546 nm, from the axis outwards. The ball has one index, BK7's at
+// `nm`: of the wavelengths of a path, few would be those of a narrow lamp.
+image::Image caustic_picture(double nm) {
+  const Vec3d middle{fold(546), 0, 0};
+  const Vec3d eye = middle + Vec3d{0, 3, 4.5};  // sees the floor under the ball
+  constexpr int kRows = 6;
+  const View view{.position = text_of(eye),
+                  .look_at = text_of(middle),
+                  .fov_deg = 2 * std::atan(kRows / 2.0 * kCausticPixel / length(middle - eye)) / kRadians,
+                  .width = 64,
+                  .height = kRows};
+  return picture_of(
+      scene_of(
+          view,
+          fmt::format(
+              R"("materials": [{{"name": "glass", "type": "dielectric", "index": {:.17g}}}, )"
+              R"({{"name": "floor", "type": "lambert", "reflectance": [0.8, 0.8, 0.8]}}], {}, )"
+              R"("shapes": [{{"type": "sphere", "centre": [0, {}, 0], "radius": 1, "material": "glass"}}], )"
+              R"("lights": [{{"type": "rect", "half_width": 0.0005, "half_length": 0.0005, )"
+              R"("radiance": [1000000, 1000000, 1000000], "matrix": [{{"translate": [0, {}, 0]}}]}}])",
+              index_of_bk7(nm), meshes({square({0, 0, 0}, {0, 1, 0}, 5, "floor")}), kBallHeight,
+              kLampHeight)),
+      1024);
+}
+
+// The middle of the outermost column that is at least half as bright as the brightest, from the axis. The
+// density at a fold is 1 / sqrt(distance) inside of it and nothing outside: Berry and Upstill 1980, sec. 2.
+double rim_of(const image::Image& picture) {
+  std::vector<double> columns(static_cast<std::size_t>(picture.width));
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      columns[static_cast<std::size_t>(x)] += static_cast<double>(picture.at(x, y, 0));
+  const double half = *std::max_element(columns.begin(), columns.end()) / 2;
+  const auto from_right =
+      std::find_if(columns.rbegin(), columns.rend(), [&](double c) { return c >= half; }) - columns.rbegin();
+  return fold(546) +
+         (static_cast<double>(picture.width) / 2 - static_cast<double>(from_right) - 0.5) * kCausticPixel;
+}
+
+}  // namespace
+
+TEST(Dispersion, TheCausticOfABallEndsWhereSnellsLawFoldsIt) {
+  EXPECT_NEAR(fold(656.3) - fold(435.8), 0.0086, 5e-5);
+  for (const double nm : {435.8, 486.1, 546.1, 587.6, 656.3})
+    EXPECT_NEAR(rim_of(caustic_picture(nm)), fold(nm), kCausticPixel) << nm;
 }
 
 namespace {

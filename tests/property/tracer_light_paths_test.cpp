@@ -206,8 +206,8 @@ TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
   EXPECT_FALSE(tracer::choose_light_paths(plain));
 }
 
-// Camera paths meet the lamp about once in a million samples, so that their trial shows a floor in shadow without
-// noise, or a firefly as bright as the caustic that is missing.
+// Camera paths meet the lamp about once in a million samples, so that their trial shows a floor in shadow
+// without noise, or a firefly as bright as the caustic that is missing.
 TEST(TracerLightPaths, AreChosenWhereCameraPathsHardlyEverFindTheCaustic) {
   auto world = world_of(
       ball_over_floor(
