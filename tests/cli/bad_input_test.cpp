@@ -17,8 +17,6 @@ struct Mistake {
   const char* complaint;
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
-
 class BadArguments : public testing::TestWithParam<Mistake> {};
 
 void expect_refusal(const Sandbox& sandbox, const Answer& answer, const std::string& complaint) {

@@ -8,6 +8,9 @@
 #include "tracer/choose_light_paths.h"
 #include "tracer/render.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -19,8 +22,6 @@ struct SuiteScene {
   int spp;
   bool sees_one_percent;  // its noise at this size leaves 1 % visible; at 512 px all do
 };
-
-void PrintTo(const SuiteScene& scene, std::ostream* out) { *out << scene.file; }
 
 constexpr int kSide_px = 48;
 constexpr int kReferenceFactor = 8;
@@ -85,4 +86,9 @@ INSTANTIATE_TEST_SUITE_P(Suite,
                                          SuiteScene{"a1_trace_depth/101-depth1.json", 20, false},
                                          SuiteScene{"a3_paths_glass/a3-ball.json", 16, false},
                                          SuiteScene{"m6_emission_texture/124.json", 32, true},
-                                         SuiteScene{"l4_light_ies/232.json", 32, false}));
+                                         SuiteScene{"l4_light_ies/232.json", 32, false}),
+                         [](const auto& scene) {
+                           auto name = std::filesystem::path(scene.param.file).stem().string();
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });

@@ -15,8 +15,6 @@ struct MaterialCase {
   std::string model;
 };
 
-void PrintTo(const MaterialCase& material, std::ostream* out) { *out << material.name; }
-
 // Grey, because light of two colours multiplies differently in three channels and in a spectrum.
 const std::vector<MaterialCase> kMaterials{
     {"Lambert", R"("type": "lambert", "reflectance": [0.6, 0.6, 0.6])"},
