@@ -92,7 +92,8 @@ Alternative compare_ways(const Way& usual, const Way& other) {
     ratios.push_back(other.cpu_seconds[i] / usual.cpu_seconds[i]);
   out.time_ratio = *spread_of(ratios);
   const double variance = mean_variance(usual.pictures);
-  out.error_ratio = variance > 0 ? out.time_ratio.median * mean_variance(other.pictures) / variance : 0;
+  if (variance > 0 && out.change.is_comparable)
+    out.error_ratio = out.time_ratio.median * mean_variance(other.pictures) / variance;
   return out;
 }
 

@@ -52,7 +52,8 @@ struct Alternative {
   std::string name;        // "spectral", "without dispersion"
   bool is_enough = false;  // has all that the scene calls for: a bias is an error
   Spread time_ratio;       // CPU time per sample over that of what the scene calls for, round by round
-  double error_ratio = 0;  // CPU time to the same noise, likewise: that times the ratio of variances
+  /// CPU time to the same noise, likewise: that times the ratio of variances. 0 where nobody knows.
+  double error_ratio = 0;
   PictureChange change;
 };
 

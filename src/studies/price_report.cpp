@@ -23,8 +23,8 @@ std::string percent(const MeanOfRounds& m) {
 std::string picture_text(const Alternative& way) {
   const auto& change = way.change;
   if (change.is_equal) return "same to the bit";
-  if (change.bias.empty()) return "same but for noise";
   if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
+  if (change.bias.empty()) return "same but for noise";
   return fmt::format("{}mean {}, most {} at ({}, {})", way.is_enough ? "DIFFERS: " : "", percent(change.mean),
                      percent(change.largest), change.x, change.y);
 }
@@ -66,7 +66,7 @@ void put_definitions(json::Writer& out) {
       .member(
           "error_ratio",
           "median time ratio times the ratio of the mean variances in linear Rec.709: what the same noise "
-          "costs")
+          "costs; 0 where nobody knows: no noise, or no light paths for the caustic")
       .member("mean_change",
               "difference of the mean Rec.709 luminances over the mean of the picture that the scene calls "
               "for; same random numbers, standard error over the rounds")
