@@ -32,8 +32,8 @@ std::vector<registry::Suite> suites() {
 const std::map<std::string, double> kNoisier_db = {{"248-full", 41.4}, {"102", 44.9}, {"a4-water", 44.9}};
 
 // Scenes of the appearance suite whose references are still to be rendered; runs say "missing reference". The
-// rough glass and the dispersive caustics are hours of work on two cores.
-const std::set<std::string> kMissing = {"ggx_glass", "caustic_BK7", "caustic_diamond"};
+// rough glass is hours of work on two cores.
+const std::set<std::string> kMissing = {"ggx_glass"};
 
 // What is wrong with the reference of a scene, "" when nothing is.
 std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
