@@ -31,14 +31,8 @@ std::vector<registry::Suite> suites() {
 // where it could explain a failure.
 const std::map<std::string, double> kNoisier_db = {{"248-full", 41.4}, {"102", 44.9}, {"a4-water", 44.9}};
 
-// Scenes of the appearance suite whose references are still to be rendered; runs say "missing reference". The
-// rough glass is hours of work on two cores.
-const std::set<std::string> kMissing = {"ggx_glass"};
-
 // What is wrong with the reference of a scene, "" when nothing is.
 std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
-  if (kMissing.contains(scene.name))
-    return std::filesystem::exists(file) ? "is there: take it off the list of those that are missing" : "";
   if (!std::filesystem::exists(file)) return "is missing";
   const auto picture = image::read_image(file);
   const auto read = scene::load_scene(scene.file);
