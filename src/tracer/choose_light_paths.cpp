@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace orbs::tracer {
 
@@ -32,7 +33,6 @@ float on_display(float radiance) { return image::srgb_encode(std::clamp(radiance
 
 struct Trial {
   std::array<image::Image, 2> pictures;  // with different random numbers
-  double light = 0;                      // sum of all pixels
   bool is_believable = false;
 };
 
@@ -43,35 +43,48 @@ double sum_over(const image::Image& picture, int x0, int y0, int side, std::size
   return sum;
 }
 
-// The sum over squares of pixels, of which each is one value as a display shows it, of
-// (a[0] - b[0]) (a[1] - b[1]).
-double product_of_differences(const std::array<const image::Image*, 2>& a,
-                              const std::array<const image::Image*, 2>& b,
-                              int side) {
-  double sum = 0;
+// The means over squares of pixels, as a display shows them.
+std::vector<double> shown(const image::Image& picture, int side) {
+  std::vector<double> values;
   const double area = side * side;
-  for (int y = 0; y + side <= a[0]->height; y += side)
-    for (int x = 0; x + side <= a[0]->width; x += side)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto shown = [&](const image::Image& picture) -> double {
-          return on_display(static_cast<float>(sum_over(picture, x, y, side, c) / area));
-        };
-        sum += (shown(*a[0]) - shown(*b[0])) * (shown(*a[1]) - shown(*b[1]));
-      }
+  for (int y = 0; y + side <= picture.height; y += side)
+    for (int x = 0; x + side <= picture.width; x += side)
+      for (std::size_t c = 0; c < 3; ++c)
+        values.push_back(on_display(static_cast<float>(sum_over(picture, x, y, side, c) / area)));
+  return values;
+}
+
+// Sum of (a - b) (c - d).
+double product_of_differences(const std::vector<double>& a,
+                              const std::vector<double>& b,
+                              const std::vector<double>& c,
+                              const std::vector<double>& d) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (c[i] - d[i]);
   return sum;
 }
 
-// Variance of one picture, as a display shows it: mean square times number of values.
+// Variance of one picture: mean square times number of values.
 double noise_of(const Trial& trial, int side) {
-  const auto& [first, second] = trial.pictures;
-  return product_of_differences({&first, &first}, {&second, &second}, side) / 2;
+  const auto first = shown(trial.pictures[0], side);
+  const auto second = shown(trial.pictures[1], side);
+  return product_of_differences(first, second, first, second) / 2;
 }
 
-// The square of what blocks of one trial lack in the mean of both pictures: noise of different random numbers
-// averages out of the product.
-double squared_bias(const Trial& a, const Trial& b) {
-  return product_of_differences({&a.pictures[0], &a.pictures[1]}, {&b.pictures[0], &b.pictures[1]},
-                                kBlockSide);
+// Likewise of what differs between the means of both: the noise of different random numbers averages out of
+// the product.
+double squared_bias(const Trial& a, const Trial& b, int side) {
+  return product_of_differences(shown(a.pictures[0], side), shown(b.pictures[0], side),
+                                shown(a.pictures[1], side), shown(b.pictures[1], side));
+}
+
+double light_of(const Trial& trial) {
+  const image::Image& picture = trial.pictures[0];
+  double sum = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(picture.at(x, y, c));
+  return sum;
 }
 
 Trial trial_of(const World& world) {
@@ -81,24 +94,19 @@ Trial trial_of(const World& world) {
   };
   auto a = rendered(1);
   auto b = rendered(2);
-  Trial trial;
-  for (int y = 0; y < a.picture.height; ++y)
-    for (int x = 0; x < a.picture.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) trial.light += sum_over(a.picture, x, y, 1, c);
-  trial.is_believable = static_cast<double>(a.arrived_light_paths) >=
-                        kFewestArrivals * static_cast<double>(a.picture.pixel_count());
-  trial.pictures = {std::move(a.picture), std::move(b.picture)};
-  return trial;
+  const bool is_believable = static_cast<double>(a.arrived_light_paths) >=
+                             kFewestArrivals * static_cast<double>(a.picture.pixel_count());
+  return {{std::move(a.picture), std::move(b.picture)}, is_believable};
 }
 
 // Of a caustic that camera paths hardly ever find, nearly all pixels show nothing and so no noise; that it is
 // missing is an error like noise.
 bool is_better(const Trial& with, const Trial& without) {
-  if (without.light < (1 - kMostOfLightMissed) * with.light) return true;
+  if (light_of(without) < (1 - kMostOfLightMissed) * light_of(with)) return true;
   if (!with.is_believable) return false;
   return noise_of(with, 1) < kWorthwhile * noise_of(without, 1) ||
          noise_of(with, kBlockSide) <
-             kBlocksWorthwhile * (noise_of(without, kBlockSide) + squared_bias(without, with));
+             kBlocksWorthwhile * (noise_of(without, kBlockSide) + squared_bias(without, with, kBlockSide));
 }
 
 }  // namespace
