@@ -13,7 +13,7 @@ namespace orbs::adapters {
 OutputLog::OutputLog(const std::filesystem::path& file, std::size_t most_bytes)
     : path_(file), half_(most_bytes / 2) {
   if (path_.empty()) return;
-  file_.open(path_, std::ios::binary);
+  file_.open(path_, std::ios::binary | std::ios::app);
   if (!file_)
     throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
 }

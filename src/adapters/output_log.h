@@ -12,7 +12,8 @@ namespace orbs::adapters {
 /// followed while the program runs), and of what comes later the last half.
 class OutputLog {
  public:
-  /// `file` may be empty: memory only. WriteError, here and below, when the disk refuses.
+  /// `file` may be empty: memory only. What it holds already stays, for the seeds of a job share their log.
+  /// WriteError, here and below, when the disk refuses.
   OutputLog(const std::filesystem::path& file, std::size_t most_bytes);
   void append(std::string_view bytes);
   /// Writes what is still held back and returns all that was kept.

@@ -6,6 +6,9 @@
 
 namespace orbs {
 
+/// Exit status after an interrupt: 128 + SIGINT, as shells count.
+constexpr int kInterrupted = 130;
+
 /// Bad input from the user's side: a file, a key, an option. Never a bug of ours.
 class InputError : public std::runtime_error {
  public:

@@ -13,6 +13,9 @@ std::string_view trim(std::string_view text);
 /// The parts between separators, empty ones included; the empty text has one empty part.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// The parts between blanks, tabs and line ends, of which none is empty.
+std::vector<std::string> words_of(std::string_view text);
+
 /// The whole text as a number, independent of the locale; nothing when a part of it is no number.
 std::optional<double> to_number(std::string_view text);
 std::optional<long long> to_integer(std::string_view text);

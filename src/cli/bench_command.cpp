@@ -1,4 +1,5 @@
 #include "adapters/interrupt.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
 #include "studies/bench.h"
@@ -37,7 +38,6 @@ void add_options(CLI::App& command, BenchOptions& options) {
 }
 
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   options.bench.only = joined_list(options.only);
   studies::BenchContext context;
   context.build = program.folder;

@@ -1,4 +1,5 @@
 #include "adapters/interrupt.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
 #include "results/prices.h"
@@ -42,7 +43,6 @@ void add_options(CLI::App& command, EffectsOptions& options) {
 int effects(const registry::Configuration& configuration,
             const EffectsOptions& options,
             const Program& program) {
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   studies::PriceContext context;
   context.build = program.folder;
   context.orbs_version = program.version;

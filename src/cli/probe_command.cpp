@@ -1,4 +1,5 @@
 #include "adapters/interrupt.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
 #include "studies/probe.h"
@@ -42,7 +43,6 @@ void add_options(CLI::App& command, ProbeOptions& options) {
 }
 
 int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   auto settings = configuration.defaults;
   if (!options.suite.empty()) settings.suite = options.suite;
   if (!options.cases.empty()) settings.cases = joined_list(options.cases);

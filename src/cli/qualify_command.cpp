@@ -1,4 +1,5 @@
 #include "adapters/interrupt.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
 #include "cli/number_checks.h"
@@ -50,7 +51,6 @@ void add_options(CLI::App& command, QualifyOptions& options) {
 int qualify(const registry::Configuration& configuration,
             const QualifyOptions& options,
             const Program& program) {
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   auto settings = configuration.defaults;
   if (!options.suite.empty()) settings.suite = options.suite;
   if (!options.cases.empty()) settings.cases = joined_list(options.cases);

@@ -54,7 +54,8 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
   command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
       ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "seed of all renders")->check(zero_or_more());
+  command.add_option("--seed", options.seed, "seed of all renders")
+      ->check(CLI::Range(0, registry::kLargestSeed));
   command.add_option("--spp-scale", options.spp_scale, "multiplies all samples per pixel")
       ->check(above_zero());
   command.add_flag("-l,--log,!--no-log", options.log,
@@ -143,7 +144,6 @@ int run_plan(const registry::Configuration& configuration,
              const runner::Plan& plan,
              const Program& program,
              const RunOptions& options) {
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
   runner::RunContext context;
   context.orbs_version = program.version;

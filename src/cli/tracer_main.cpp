@@ -158,7 +158,6 @@ void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
 
 int run(const Options& options) {
   using namespace orbs;
-  constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells count
   auto scene = scene::load_scene(options.scene);
   for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
@@ -166,7 +165,7 @@ int run(const Options& options) {
   auto world = tracer::make_world(scene, {.transport = options.transport,
                                           .may_lose_effects = options.may_lose_effects,
                                           .light_paths = options.light_paths != "never"});
-  if (options.light_paths == "auto") tracer::choose_light_paths(world);
+  if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   ProgressLine line(options.as_json);

@@ -42,8 +42,9 @@ PooledVariance from_variances(const NoiseSamples& samples, std::size_t channel, 
   return variance.pooled();
 }
 
-// The same from the sums of neighbouring blocks, (A - B)^2, whose expectation is the variance of both where
-// the error is noise, and more where it has structure. Whole blocks, so that a filter that reaches over a
+// The same from the sums of blocks in pairs as they are read, neighbours but for those that end a row and
+// begin the next: (A - B)^2, whose expectation is the variance of both where the error is noise, and more
+// where it has structure. Whole blocks, so that a filter that reaches over a
 // pixel's border hides little. A last block without a neighbour is taken to be like the others.
 PooledVariance from_scatter(const NoiseSamples& samples, std::size_t channel, double ratio) {
   std::vector<double> sums;

@@ -76,7 +76,7 @@ struct Case {
   std::optional<double> edge_blur;
   /// How large metrics::stokes_error may be where the reference has Stokes parameters; nothing: no condition.
   std::optional<double> stokes_error;
-  std::string tolerance_reason;  // why one of these three is not that of all cases; "" when they are
+  std::string tolerance_reason;  // why one of these four is not that of all cases; "" when they are
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;

@@ -19,7 +19,6 @@ namespace {
 using json::ObjectReader;
 
 constexpr double kMostMegabytes = 1 << 30;
-constexpr int kMostSeeds = 16;  // of one render
 
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {

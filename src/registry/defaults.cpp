@@ -1,7 +1,5 @@
 #include "registry/defaults.h"
 
-#include <limits>
-
 namespace orbs::registry {
 
 namespace {
@@ -21,7 +19,7 @@ Defaults read_defaults(json::ObjectReader in) {
   d.output = in.text_or("output", d.output);
   d.jobs = in.integer_or("jobs", d.jobs, 1, kMostJobs);
   d.threads = in.integer_or("threads", d.threads, 0, kMostJobs);
-  d.seed = in.integer_or("seed", d.seed, 0, std::numeric_limits<int>::max());
+  d.seed = in.integer_or("seed", d.seed, 0, kLargestSeed);
   d.spp_scale = in.number_or("spp_scale", d.spp_scale, json::kPositive);
   d.log = in.boolean_or("log", d.log);
   d.dry_run = in.boolean_or("dry_run", d.dry_run);

@@ -3,9 +3,14 @@
 #include "json/object_reader.h"
 #include "json/writer.h"
 
+#include <limits>
 #include <string>
 
 namespace orbs::registry {
+
+constexpr int kMostSeeds = 16;  // of one render
+/// So that the seeds that follow it are int, too.
+constexpr int kLargestSeed = std::numeric_limits<int>::max() - kMostSeeds;
 
 /// What each command-line flag is when it is not given. Lists are comma-separated patterns, "*" for all.
 struct Defaults {

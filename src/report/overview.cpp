@@ -173,7 +173,7 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
   for (const auto& name : names.list) {
     const auto found =
         std::find_if(run.cases.begin(), run.cases.end(), [&](const auto& c) { return c.name == name; });
-    // Runs from before cases were recorded know no more than what their pictures say.
+    // A results.json without "cases" knows no more than what its pictures say.
     const auto first = std::find_if(run.pictures.begin(), run.pictures.end(),
                                     [&](const auto& p) { return p.case_name == name; });
     const bool known = found != run.cases.end();

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -62,10 +64,6 @@ bool update_jobs(RunView& view) {
   return changed;
 }
 
-}  // namespace
-
-namespace {
-
 // The file may have been removed by its last holder between our opening and our locking it.
 bool is_file(int descriptor, const fs::path& file) {
   struct stat ours {};
@@ -85,13 +83,23 @@ bool is_file(int descriptor, const fs::path& file) {
       trim(std::string_view(holder.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))))));
 }
 
+// is_running holds the lock for an instant in order to ask; a run holds it for longer than all of this.
+int lock_in_time(int descriptor) {
+  constexpr int kTries = 20;
+  constexpr std::chrono::milliseconds kPause{5};
+  for (int tries = 1;; ++tries) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
+    if (errno != EWOULDBLOCK || tries == kTries) return -1;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
 }  // namespace
 
 RunLock::RunLock(const fs::path& folder) : file_(folder / kLockFile) {
   for (;;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-      refuse_locked(file_, descriptor_, errno);
+    if (descriptor_ < 0 || lock_in_time(descriptor_) != 0) refuse_locked(file_, descriptor_, errno);
     if (is_file(descriptor_, file_)) break;
     ::close(descriptor_);
   }

@@ -118,6 +118,7 @@ std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::
                                                     JobRecord& record) {
   std::vector<image::Image> pictures;
   for (const auto& job : turns) {
+    forget_render_seconds(renderer.render_seconds, job.folder);
     const auto process = adapters::run_process(process_request(renderer, job, stop));
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);

@@ -83,11 +83,13 @@ GateResult check_mean_ratio(const std::string& channel,
                   channel, 100 * ratio->value, 100 * ratio->low, 100 * ratio->high, 100 * tolerance);
   if (ratio->low > tolerance || ratio->high < -tolerance) return {Verdict::Fail, is};
   if (ratio->low >= -tolerance && ratio->high <= tolerance) return {Verdict::Pass, is};
-  // The interval shrinks with the root of the samples until it ends at the nearer of the two limits.
+  // The interval shrinks with the root of the samples, of picture and reference alike, until it ends at the
+  // nearer of the two limits.
   const double reach = ratio->high - ratio->value;
   const double distance = std::fabs(std::fabs(ratio->value) - tolerance);
-  return {Verdict::Inconclusive,
-          fmt::format("{}: needs about {:.2g} times the samples", is, reach * reach / (distance * distance))};
+  if (distance == 0) return {Verdict::Inconclusive, is + ": it lies on the limit"};
+  return {Verdict::Inconclusive, fmt::format("{}: needs about {:.2g} times the samples, in the reference too",
+                                             is, reach * reach / (distance * distance))};
 }
 
 }  // namespace orbs::runner

@@ -33,11 +33,12 @@ std::vector<std::filesystem::path> reference_files(const registry::Case& one_cas
                                                    const std::string& picture,
                                                    const std::filesystem::path& references);
 
-/// Puts the reference of each picture of the cases that has a usable one into `folder` as <picture>.exr:
-/// files of scenes as they are, differences computed. With them the folder of a run can be looked at on its
-/// own.
+/// Puts the reference of each picture of the cases for which load_reference finds one into `folder` as
+/// <picture>.exr: files of scenes as they are, differences computed. With them the folder of a run can be
+/// looked at on its own.
 void copy_references(const std::vector<registry::Case>& cases,
                      const std::filesystem::path& references,
+                     const std::map<std::string, std::string>& scene_hashes,
                      const std::filesystem::path& folder);
 
 /// All masks of one picture of the case.

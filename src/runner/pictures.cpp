@@ -111,19 +111,21 @@ Reference load_reference(const registry::Case& one_case,
 
 void copy_references(const std::vector<registry::Case>& cases,
                      const std::filesystem::path& references,
+                     const std::map<std::string, std::string>& scene_hashes,
                      const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  for (const auto& one_case : cases) {
-    for (const auto& scene : one_case.scenes) {
-      const auto name = scene.name + ".exr";
-      if (std::filesystem::exists(references / name, ignored))
-        write_file(folder / name, read_file(references / name));
+  for (const auto& one_case : cases)
+    for (const auto& name : registry::picture_names(one_case)) {
+      const auto reference = load_reference(one_case, name, references, scene_hashes);
+      if (!reference.picture) continue;
+      const auto copy = folder / (name + ".exr");
+      if (reference_files(one_case, name, references).size() == 1) {
+        write_file(copy, read_file(reference.file));
+      } else {
+        image::write_exr(*reference.picture, copy);
+      }
     }
-    for (const auto& difference : one_case.differences)
-      if (const auto reference = load_reference(one_case, difference.name, references); reference.picture)
-        image::write_exr(*reference.picture, folder / (difference.name + ".exr"));
-  }
 }
 
 std::vector<results::MapRecord> write_maps(const image::Image& result,

@@ -19,8 +19,6 @@ namespace orbs::runner {
 
 namespace {
 
-constexpr int kInterrupted = 130;
-
 // What a case asks of references in dB; 0 where its gate is another one.
 double gate_db(const registry::Case& one_case) {
   return one_case.gate.metric == "psnr_srgb8" ? one_case.gate.min.value_or(0) : 0;

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/scratch_folder.h"
 #include "base/text.h"
+#include "image/half.h"
 #include "image/image_io.h"
 #include "image/rounding.h"
 #include "runner/execute.h"
@@ -34,9 +35,8 @@ constexpr unsigned kColourBits = 9;
 constexpr unsigned kVarianceBits = 2;
 
 bool fits_half(const image::Image& picture) {
-  constexpr float kLargestHalf = 65504;
   return std::all_of(picture.pixels.begin(), picture.pixels.end(),
-                     [](float x) { return std::fabs(x) <= kLargestHalf; });
+                     [](float x) { return std::fabs(x) <= image::kLargestHalf; });
 }
 
 std::string commands_of(const RenderedReference& rendered, bool split_paths) {

@@ -78,6 +78,13 @@ Execution take_over(const JobRecord& found, const fs::path& folder, const WorkFo
   return execution;
 }
 
+// How many pictures the plan makes of this job alone.
+std::size_t pictures_of(const Plan& plan, std::size_t job) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.pictures.begin(), plan.pictures.end(),
+                    [&](const auto& picture) { return picture.jobs == std::vector<std::size_t>{job}; }));
+}
+
 class Renders {
  public:
   Renders(const Plan& plan,
@@ -97,6 +104,7 @@ class Renders {
     now.renderer_version = versions_[job.renderer];
     note_hashes(plan_, index, context_.orbs_version, now);
     auto found = found_job(folders_.run / job.folder);
+    if (found && found->pictures.size() != pictures_of(plan_, index)) found.reset();  // cut short by somebody
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
     if (found && !reason && found->job.judged_hash == now.judged_hash) {
       keep(index, std::move(*found));

@@ -50,4 +50,10 @@ std::optional<double> render_seconds(const registry::RenderSeconds& place,
   return number;
 }
 
+void forget_render_seconds(const registry::RenderSeconds& place, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!place.file.empty() && open_inside(folder, place.file))
+    std::filesystem::remove(folder / place.file, ignored);
+}
+
 }  // namespace orbs::runner

@@ -14,4 +14,7 @@ std::optional<double> render_seconds(const registry::RenderSeconds& place,
                                      const std::string& output,
                                      const std::filesystem::path& folder);
 
+/// Removes the file that says so, if a render before has left it there.
+void forget_render_seconds(const registry::RenderSeconds& place, const std::filesystem::path& folder);
+
 }  // namespace orbs::runner

@@ -92,7 +92,7 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   const WorkFolders folders{folder, work_folder.path()};
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) versions.push_back(renderer_version(renderer, plan));
-  copy_references(plan.cases, plan.suite.references, folder / kReferenceFolder);
+  copy_references(plan.cases, plan.suite.references, plan.reference_hashes, folder / kReferenceFolder);
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
   auto work = render_jobs(plan, versions, folders, context);

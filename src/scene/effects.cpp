@@ -17,21 +17,27 @@ void note(SceneEffects& found, EffectVerdict verdict, const std::string& thing) 
   list.push_back({verdict.effect, thing, std::move(verdict.reason)});
 }
 
-// Returns whether some surface treats wavelengths differently, so that more than a light's colour counts.
-bool add_materials(const Scene& scene, SceneEffects& found) {
+// Whether some surface treats wavelengths differently, so that more than a light's colour counts.
+bool has_coloured_surface(const Scene& scene) {
   const auto visible = visible_materials(scene);
-  bool has_colour = false;
+  return std::any_of(
+             visible.begin(), visible.end(),
+             [&](int i) { return is_coloured(scene, scene.materials[static_cast<std::size_t>(i)].model); }) ||
+         std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const auto& light) { return !is_grey(light.reflectance); });
+}
+
+void add_materials(const Scene& scene, SceneEffects& found) {
+  const auto visible = visible_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const auto& material = scene.materials[i];
     const bool is_shown = visible.contains(static_cast<int>(i));
-    has_colour = has_colour || (is_shown && is_coloured(scene, material.model));
     for (auto& verdict : verdicts_on(scene, material.model)) {
       if (verdict.is_called_for && !is_shown)
         verdict = {verdict.effect, false, "would, but no surface shows it: it " + verdict.reason};
       note(found, verdict, fmt::format("material '{}'", material.name));
     }
   }
-  return has_colour;
 }
 
 void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
@@ -110,7 +116,8 @@ std::string_view effect_name(Effect effect) {
 
 SceneEffects effects(const Scene& scene) {
   SceneEffects found;
-  const bool has_colour = add_materials(scene, found);
+  const bool has_colour = has_coloured_surface(scene);
+  add_materials(scene, found);
   add_emissive_materials(scene, has_colour, found);
   add_lights(scene, has_colour, found);
   add_geometry(scene, found);

@@ -51,8 +51,6 @@ bool is_everywhere_equal(const RefractiveIndex& a, const RefractiveIndex& b) {
   return ratio.smallest == 1 && ratio.largest == 1;
 }
 
-bool is_grey(Rgb c) { return c.x == c.y && c.y == c.z; }
-
 bool is_measured(const Conductor& m) {
   return !is_constant(m.index.n) || !is_constant(m.index.k) || is_dispersive(m.outside);
 }
@@ -72,13 +70,29 @@ EffectVerdict verdict_on_roughness(const Roughness& roughness) {
                       roughness.distribution == Distribution::Ggx ? "GGX" : "Beckmann", roughness.alpha)};
 }
 
-EffectVerdict verdict_on_film(const Film& film, const RefractiveIndex& outside, bool is_base_same) {
+EffectVerdict verdict_of(const Film& film, const RefractiveIndex& outside, bool is_base_same) {
   if (film.height_nm == 0) return {Effect::ThinFilm, false, "has a film of no height"};
   if (is_everywhere_equal(film.index, outside))
     return {Effect::ThinFilm, false, "has a film with the index of what is outside, which nobody sees"};
   if (is_base_same)
     return {Effect::ThinFilm, false, "has a film with the index of what it lies on, which nobody sees"};
   return {Effect::ThinFilm, true, fmt::format("has a film {} nm high", film.height_nm)};
+}
+
+std::optional<EffectVerdict> verdict_on_film(const Conductor& m) {
+  if (!m.film) return std::nullopt;
+  const bool is_clear = is_constant(m.index.k) && m.index.k.values.front() == 0;
+  return verdict_of(*m.film, m.outside, is_clear && is_everywhere_equal(m.film->index, m.index.n));
+}
+
+std::optional<EffectVerdict> verdict_on_film(const Dielectric& m) {
+  if (!m.film) return std::nullopt;
+  return verdict_of(*m.film, m.outside, is_everywhere_equal(m.film->index, m.index));
+}
+
+bool shows_film(const auto& material) {
+  const auto verdict = verdict_on_film(material);
+  return verdict && verdict->is_called_for;
 }
 
 struct ModelVerdicts {
@@ -101,10 +115,7 @@ struct ModelVerdicts {
     else
       out.push_back({Effect::MeasuredMetal, false, "has the same n and k at all wavelengths"});
     if (m.roughness) out.push_back(verdict_on_roughness(*m.roughness));
-    const bool is_clear = is_constant(m.index.k) && m.index.k.values.front() == 0;
-    if (m.film)
-      out.push_back(
-          verdict_on_film(*m.film, m.outside, is_clear && is_everywhere_equal(m.film->index, m.index.n)));
+    if (auto verdict = verdict_on_film(m)) out.push_back(std::move(*verdict));
   }
   void operator()(const Dielectric& m) const {
     const double span = ratio_of(m.index, m.outside).span();
@@ -117,8 +128,7 @@ struct ModelVerdicts {
     else
       out.push_back({Effect::Dispersion, false, "has the same index at all wavelengths"});
     if (m.roughness) out.push_back(verdict_on_roughness(*m.roughness));
-    if (m.film)
-      out.push_back(verdict_on_film(*m.film, m.outside, is_everywhere_equal(m.film->index, m.index)));
+    if (auto verdict = verdict_on_film(m)) out.push_back(std::move(*verdict));
   }
   void operator()(const Polariser&) const { out.push_back({Effect::Polarisation, true, "is a polariser"}); }
   void operator()(const Retarder& m) const {
@@ -146,8 +156,8 @@ struct ModelVerdicts {
 struct Coloured {
   const Scene& scene;
 
-  bool operator()(const Conductor& m) const { return is_measured(m) || m.film; }
-  bool operator()(const Dielectric& m) const { return is_dispersive(m) || m.film; }
+  bool operator()(const Conductor& m) const { return is_measured(m) || shows_film(m); }
+  bool operator()(const Dielectric& m) const { return is_dispersive(m) || shows_film(m); }
   bool operator()(const Polariser&) const { return false; }
   bool operator()(const Retarder&) const { return false; }
   bool operator()(const Emission&) const { return false; }

@@ -67,13 +67,16 @@ Vec3d load_axis(json::ObjectReader& in) {
   return axis;
 }
 
+// Light of other wavelengths is neither ultraviolet nor visible nor near infrared, and no kernel is as wide.
+constexpr json::Range kLight_nm{100.0, 2000.0};
+constexpr json::Range kWidth_nm{1e-3, 2000.0};
+
 snippets::TentKernel<double> load_tents(json::ObjectReader& in) {
-  constexpr json::Range kLight_nm{100.0, 2000.0};
   return {.peak_per_nm = in.number("peak_per_nm", json::kNotNegative),
           .absorbed_nm = in.number("absorbed_nm", kLight_nm),
-          .absorbed_reach_nm = in.number("absorbed_reach_nm", json::kPositive),
+          .absorbed_reach_nm = in.number("absorbed_reach_nm", kWidth_nm),
           .emitted_nm = in.number("emitted_nm", kLight_nm),
-          .emitted_reach_nm = in.number("emitted_reach_nm", json::kPositive)};
+          .emitted_reach_nm = in.number("emitted_reach_nm", kWidth_nm)};
 }
 
 // Rows are emitted bins, columns absorbed ones.
@@ -81,7 +84,7 @@ snippets::ReradiationMatrix<double> load_reradiation_matrix(json::ObjectReader& 
   constexpr std::size_t kMostBins = 1000;
   snippets::ReradiationMatrix<double> matrix;
   matrix.first_nm = in.number("first_nm", json::kPositive);
-  matrix.width_nm = in.number("width_nm", json::kPositive);
+  matrix.width_nm = in.number("width_nm", kWidth_nm);
   matrix.bins = static_cast<std::size_t>(in.integer("bins", 2, kMostBins));
   const auto rows = in.number_rows("shares", matrix.bins, {0.0, 1.0});
   if (rows.size() != matrix.bins)

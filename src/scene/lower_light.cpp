@@ -80,8 +80,9 @@ std::optional<Light> without_matrix(const Light& light) {
   if (is_translation(light.matrix)) return light;
   // The profile turns and scales with the light's frame; only a frame that is the same up to a uniform scale
   // keeps it.
-  const bool only_scaled = light.matrix(0, 0) > 0 && light.matrix(0, 1) == 0 && light.matrix(0, 2) == 0 &&
-                           light.matrix(1, 2) == 0 && uniform_scale(light.matrix);
+  const bool only_scaled = light.matrix(0, 0) > 0 && light.matrix(1, 1) > 0 && light.matrix(2, 2) > 0 &&
+                           light.matrix(0, 1) == 0 && light.matrix(0, 2) == 0 && light.matrix(1, 2) == 0 &&
+                           uniform_scale(light.matrix);
   if (light.ies && !only_scaled) return std::nullopt;
   const auto shape = std::visit(ScaledShape{light.matrix}, light.shape);
   if (!shape) return std::nullopt;

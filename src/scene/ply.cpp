@@ -93,7 +93,7 @@ class PlyReader {
   void read_header() {
     if (header_line() != "ply") fail("the file does not start with 'ply'");
     for (auto line = header_line(); line != "end_header"; line = header_line())
-      read_header_words(split(line, ' '));
+      read_header_words(words_of(line));
     if (!has_format_) fail("the header names no format");
   }
 

@@ -4,12 +4,17 @@
 #include "scene/mesh_files.h"
 
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::scene {
 
 namespace {
+
+// Names, smoothing of normals that are given anyway, and the file of materials that the scene has its own of.
+const std::set<std::string> kHarmless{"g", "mtllib", "o", "s"};
 
 class ObjReader {
  public:
@@ -28,17 +33,24 @@ class ObjReader {
   using Corner = std::array<int, 3>;  // position, uv, normal; -1 where absent
 
   void read_line(std::string_view line) {
-    std::vector<std::string> words;
-    for (auto& word : split(line, ' '))
-      if (!trim(word).empty()) words.emplace_back(trim(word));
+    auto words = words_of(line);
     if (words.empty()) return;
     const std::string kind = words.front();
     words.erase(words.begin());
-    if (kind == "v") positions_.push_back(vec3(words));
-    if (kind == "vn") normals_.push_back(vec3(words));
-    if (kind == "vt") uvs_.push_back(vec2(words));
-    if (kind == "usemtl") use_material(words);
-    if (kind == "f") add_face(words);
+    if (kind == "v") {
+      positions_.push_back(vec3(words));
+    } else if (kind == "vn") {
+      normals_.push_back(vec3(words));
+    } else if (kind == "vt") {
+      uvs_.push_back(vec2(words));
+    } else if (kind == "usemtl") {
+      use_material(words);
+    } else if (kind == "f") {
+      add_face(words);
+    } else if (!kHarmless.contains(kind)) {
+      fail(fmt::format("'{}' is not read here; expected v, vn, vt, f, usemtl or one of {}", kind,
+                       fmt::join(kHarmless, ", ")));
+    }
   }
 
   float number(const std::string& word) const {

@@ -21,6 +21,7 @@
 namespace orbs::scene {
 
 using Rgb = Vec3d;
+inline bool is_grey(Rgb c) { return c.x == c.y && c.y == c.z; }
 
 /// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL
 /// matrix only.

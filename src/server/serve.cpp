@@ -22,7 +22,11 @@ class Watch {
       : thread_([&](const std::stop_token& end) {
           constexpr std::chrono::milliseconds kPause{50};
           while (!stop.load() && !end.stop_requested()) std::this_thread::sleep_for(kPause);
-          server.stop();
+          // Again and again: a server that does not listen yet takes no notice.
+          do {
+            server.stop();
+            std::this_thread::sleep_for(kPause);
+          } while (!end.stop_requested());
         }) {}
 
  private:

@@ -1,5 +1,6 @@
 #include "server/served_run.h"
 
+#include "base/error.h"
 #include "report/page_data.h"
 
 namespace orbs::server {
@@ -18,7 +19,12 @@ void ServedRun::look() {
   const auto now = std::chrono::steady_clock::now();
   if (!view_.is_live || now - last_look_ < kLookInterval) return;
   last_look_ = now;
-  if (!results::refresh(view_)) return;
+  try {
+    if (!results::refresh(view_)) return;
+  } catch (const InputError&) {
+    // The folder is gone, or what lies there is no run any more: what was read of it is all there will be.
+    view_.is_live = false;
+  }
   ++version_;
   overview_.reset();
 }

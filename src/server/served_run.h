@@ -11,8 +11,8 @@
 
 namespace orbs::server {
 
-/// One run as the server holds it: read once, brought up to date while the run goes on. All members may be
-/// called from any thread.
+/// One run as the server holds it: read once, brought up to date while the run goes on and its folder is
+/// there. All members may be called from any thread.
 class ServedRun {
  public:
   /// InputError when the folder holds no run.

@@ -63,21 +63,4 @@ Wavelengths sample_wavelengths(float u) {
   return out;
 }
 
-void drop_companions(Wavelengths& wavelengths) {
-  auto& pdf = wavelengths.pdf;
-  if (pdf[1] == 0) return;
-  pdf = {pdf[0] / 4, 0, 0, 0};
-}
-
-Vec3f to_rgb(const std::array<float, 4>& values, const Wavelengths& wavelengths) {
-  const RgbMatching matching = rgb_matching_at(wavelengths.nm);
-  Vec3f sum;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (wavelengths.pdf[i] == 0) continue;  // dropped: its value is of no path
-    const float weight = values[i] / (4 * wavelengths.pdf[i]);
-    sum += Vec3f{matching.red[i], matching.green[i], matching.blue[i]} * weight;
-  }
-  return sum;
-}
-
 }  // namespace orbs::spectra

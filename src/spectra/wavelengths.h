@@ -7,8 +7,7 @@
 namespace orbs::spectra {
 
 /// The wavelengths of one path: the hero, which chooses where the path goes, and three companions that come
-/// along (Wilkie et al. 2014, "Hero Wavelength Spectral Sampling"). Each has its own density per nm; a
-/// companion of density 0 was dropped.
+/// along (Wilkie et al. 2014, "Hero Wavelength Spectral Sampling"). Each has its own density per nm.
 struct Wavelengths {
   std::array<float, 4> nm{};
   std::array<float, 4> pdf{};
@@ -24,13 +23,5 @@ struct Wavelengths {
 /// square over the channels, is 0.28 with the product, 0.69 with a uniform density, and 0.10 with the root;
 /// on the ColorChecker 0.10, 0.26 and 0.04.
 Wavelengths sample_wavelengths(float u);
-
-/// What a path does where light of different wavelengths goes different ways (dispersion, fluorescence): the
-/// hero goes on alone and counts for all four. Does nothing the second time.
-void drop_companions(Wavelengths& wavelengths);
-
-/// Linear Rec.709 estimate from the light found at each wavelength. The wavelengths are those of the sensor:
-/// where fluorescence has changed those of the path, the ones that the path began with.
-Vec3f to_rgb(const std::array<float, 4>& values, const Wavelengths& wavelengths);
 
 }  // namespace orbs::spectra

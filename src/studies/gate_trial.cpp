@@ -86,7 +86,7 @@ void try_twins(const GateTrial& trial, const metrics::Rectangle& leak, double me
                     [&](const Image& picture) { return with_leak(picture, leak, mean); }});
   for (const auto& fault : faults) {
     // What leaves the right picture as it is cannot be a fault, by whatever name it goes.
-    if (is_same_picture(fault.apply(*trial.reference.picture), *trial.reference.picture)) {
+    if (image::has_same_colours(fault.apply(*trial.reference.picture), *trial.reference.picture)) {
       gate.twins.push_back({fault.name, "it leaves the reference as it is, to the bit", false, ""});
     } else {
       gate.twins.push_back(tried(trial, fault.name, fault.apply(trial.honest)));

@@ -1,5 +1,6 @@
 #include "studies/missing_light.h"
 
+#include "scene/lower_parts.h"
 #include "studies/bench_render.h"
 
 #include <algorithm>
@@ -12,12 +13,9 @@ namespace orbs::studies {
 namespace {
 
 bool glows(const scene::Scene& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const auto& instance) {
-    const auto& materials = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
-    return std::any_of(materials.begin(), materials.end(), [&](int material) {
-      const auto shown = static_cast<std::size_t>(scene::remapped(instance, material));
-      return std::holds_alternative<scene::Emission>(scene.materials[shown].model);
-    });
+  const auto visible = scene::visible_materials(scene);
+  return std::any_of(visible.begin(), visible.end(), [&](int material) {
+    return std::holds_alternative<scene::Emission>(scene.materials[static_cast<std::size_t>(material)].model);
   });
 }
 

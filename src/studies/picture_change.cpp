@@ -25,7 +25,7 @@ double luminance_at(const image::Image& picture, int x, int y) {
                           static_cast<double>(picture.at(x, y, 2)));
 }
 
-// Mean luminance of the pixels [x0, x0 + side) x [y0, y0 + side) that there are.
+// Mean luminance of the pixels [x0, x0 + width) x [y0, y0 + height) that there are.
 double block_mean(const image::Image& picture, int x0, int y0, int width, int height) {
   double sum = 0;
   int count = 0;
@@ -81,12 +81,10 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
 }
 
 double mean_variance(const std::vector<image::Image>& pictures) {
-  constexpr std::size_t kVariance = 3;  // the channels behind R, G and B
   double sum = 0;
   for (const auto& picture : pictures)
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x)
-        for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(picture.at(x, y, kVariance + c));
+    for (const float variance : image::select_rgb(picture, "variance.").pixels)
+      sum += static_cast<double>(variance);
   return sum / (3 * static_cast<double>(pictures.size() * pictures.front().pixel_count()));
 }
 

@@ -122,7 +122,6 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
   gate.passport = {{"program", "orbs"},
                    {"version", work.context.orbs_version},
                    {"date", runner::local_time_now()},
-                   {"host", runner::this_host().name},
                    {"cpu", runner::this_host().cpu}};
   return gate;
 }

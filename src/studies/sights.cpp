@@ -134,7 +134,7 @@ struct MeetShape {
     const double root = std::sqrt(discriminant);
     const double near = (-half_b - root) / a;
     const double far = (-half_b + root) / a;
-    return near > 0 ? LightHit{near, true} : far > 0 ? LightHit{far, true} : LightHit{};
+    return near > 0 ? LightHit{near, true} : far > 0 ? LightHit{far, false} : LightHit{};
   }
 };
 

@@ -197,11 +197,6 @@ metrics::Rectangle place_of_leak(const Image& reference, const metrics::Mask& ma
   return middle->second;
 }
 
-bool is_same_picture(const Image& a, const Image& b) {
-  return a.width == b.width && a.height == b.height &&
-         image::select_rgb(a, "").pixels == image::select_rgb(b, "").pixels;
-}
-
 double mean_radiance(const Image& picture) {
   double sum = 0;
   for (const float value : image::select_rgb(picture, "").pixels) sum += static_cast<double>(value);

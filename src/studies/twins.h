@@ -36,9 +36,6 @@ image::Image with_leak(const image::Image& picture, const metrics::Rectangle& wh
 /// pixels, 4 px off any grid of 8 or 16 px. All of the picture when it is smaller than that.
 metrics::Rectangle place_of_leak(const image::Image& reference, const metrics::Mask& mask);
 
-/// True when R, G and B of all pixels are equal, NaN being equal to nothing.
-bool is_same_picture(const image::Image& a, const image::Image& b);
-
 /// Mean of R, G and B over all pixels.
 double mean_radiance(const image::Image& picture);
 

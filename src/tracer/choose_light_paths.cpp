@@ -87,10 +87,11 @@ double light_of(const Trial& trial) {
   return sum;
 }
 
-Trial trial_of(const World& world) {
+Trial trial_of(const World& world, int threads) {
   const std::atomic<bool> stop{false};
   const auto rendered = [&](std::uint64_t seed) {
-    return render(world, {.samples_per_pixel = kSamples, .seed = seed}, stop, [](const Progress&) {});
+    return render(world, {.samples_per_pixel = kSamples, .seed = seed, .threads = threads}, stop,
+                  [](const Progress&) {});
   };
   auto a = rendered(1);
   auto b = rendered(2);
@@ -111,15 +112,15 @@ bool is_better(const Trial& with, const Trial& without) {
 
 }  // namespace
 
-bool choose_light_paths(World& world) {
+bool choose_light_paths(World& world, int threads) {
   if (world.light_path_targets.empty()) return false;
   const PinholeCamera camera = world.camera;
   const double scale = static_cast<double>(kSide) / std::max(camera.width, camera.height);
   world.camera.width = std::max(1, static_cast<int>(camera.width * scale));
   world.camera.height = std::max(1, static_cast<int>(camera.height * scale));
-  const Trial with = trial_of(world);
+  const Trial with = trial_of(world, threads);
   auto targets = std::exchange(world.light_path_targets, {});
-  const Trial without = trial_of(world);
+  const Trial without = trial_of(world, threads);
   world.camera = camera;
   const bool worthwhile = is_better(with, without);
   if (worthwhile) world.light_path_targets = std::move(targets);

@@ -30,7 +30,8 @@ MetEmission met_light(
   const Vec3f position = ray.origin + ray.direction * hit.distance;
   const Radiance radiance = radiance_towards(light, position, ray.origin);
   if (is_dark(radiance)) return {};
-  return {radiance, world.emitters.chance(part.light) * pdf_towards(light.shape, asked_from, position)};
+  const float chance = world.emitters.chance(part.light);
+  return {radiance, chance * pdf_towards(light.shape, asked_from, position), chance > 0};
 }
 
 MetEmission met_emissive_surface(const World& world,
@@ -41,9 +42,9 @@ MetEmission met_emissive_surface(const World& world,
   const Vec3f d = point.position - asked_from;
   const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
   // Only triangles are asked for light.
-  const bool is_emitter = cosine > 0 && world.parts[hit.part].kind != PartKind::Sphere;
+  const bool is_emitter = material.emitter_pdf_per_area > 0 && world.parts[hit.part].kind != PartKind::Sphere;
   return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, met))),
-          is_emitter ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0};
+          is_emitter && cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0, is_emitter};
 }
 
 }  // namespace orbs::tracer

@@ -13,6 +13,7 @@ namespace orbs::tracer {
 struct MetEmission {
   Radiance radiance;
   float light_pdf = 0;
+  bool is_emitter = false;  // light sampling and light paths know it; emissive spheres are found by chance
 };
 
 MetEmission met_light(const World& world, const Part& part, const Ray& ray, const Hit& hit, Vec3f asked_from);

@@ -114,7 +114,8 @@ class EmitterTable {
   std::size_t light_count() const { return light_count_; }
   /// Index for u in [0, 1): alias method (Walker 1977, Vose 1991).
   std::size_t pick(float u) const;
-  float chance(std::size_t emitter) const { return chance_[emitter]; }
+  /// Zero as well where no emitter has power: lamps of a spectrum that nobody sees.
+  float chance(std::size_t emitter) const { return chance_.empty() ? 0 : chance_[emitter]; }
   const TriangleEmitter& triangle(std::size_t emitter) const { return triangles_[emitter - light_count_]; }
 
  private:

@@ -138,7 +138,9 @@ void ask_for_mirrored_eye(LightWave<T>& wave,
   if (path.scatterings + 2 > world.trace_depth) return;  // this one and the mirror
   for (std::size_t i = 0; i < world.mirror_planes.size(); ++i) {
     const MirrorPlane& plane = world.mirror_planes[i];
-    if (!is_before(plane, world.camera.position) || !is_before(plane, met.point.position)) continue;
+    // The camera as note_sharpness asks; any point whose ray meets the mirror, for camera paths leave all of
+    // them to us.
+    if (!is_before(plane, world.camera.position) || !(height_over(plane, met.point.position) > 0)) continue;
     const PinholeCamera camera = mirrored(plane, world.camera);
     const EyeView view = view_of(camera, met.point.position);
     if (!(view.importance > 0)) continue;

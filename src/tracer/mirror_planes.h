@@ -20,7 +20,8 @@ inline float height_over(const MirrorPlane& plane, Vec3f point) {
   return dot(plane.normal, point) - plane.offset;
 }
 
-/// True before the plane by more than rounding: a point of a face that lies in the plane itself is not.
+/// True before the plane by more than rounding: a point of a face that lies in the plane itself is not. It
+/// says by which technique light is found, so nothing is lost where the bound is wider than rounding.
 inline bool is_before(const MirrorPlane& plane, Vec3f point) {
   return height_over(plane, point) > 1e-4F * (1 + std::abs(plane.offset));
 }

@@ -8,15 +8,17 @@
 namespace orbs::tracer {
 
 /// What a group of four random numbers is for. The numbers are a function of (seed, pixel, replicate, sample,
-/// bounce, purpose), so that switching one use on or off does not shift the others.
+/// bounce, purpose), so that switching one use on or off does not shift the others. What tells groups apart
+/// is 4 bounce + purpose. So what is drawn at bounce 0 alone may have any place that no other takes at bounce
+/// 0, and what is drawn at every bounce takes its place modulo 4 for itself.
 enum class Purpose : std::uint32_t {
-  PixelAndFirstLight,
-  LightPick,
+  PixelAndFirstLight,  // at bounce 0 alone
+  LightPick,           // at bounce 0 alone
   Light,
   Scatter,
   MirroredLight,
-  Wavelength,
-  Reradiation
+  Wavelength,             // at bounce 0 alone
+  Reradiation = 1U << 31  // all four places of a bounce are taken: beyond those of 2^29 bounces
 };
 
 /// One block of at most kBlock samples of one pixel: an independently scrambled copy of the same point set.

@@ -13,7 +13,7 @@ namespace orbs::tracer {
 template <Transport T>
 void add_emission(Wave<T>& wave, const World& world, PathState<T>& path, const MetEmission& met) {
   if (is_dark(met.radiance)) return;
-  if (is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
+  if (met.is_emitter && is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
   const float light_pdf = path.came_by_mirror ? met.light_pdf * path.mirror_chance : met.light_pdf;
   const float weight = path.scatter_pdf > 0 ? mis_weight(path.scatter_pdf, light_pdf) : 1;
   const auto light = T::radiance(world, met.radiance, path.lambda) * weight;

@@ -1,5 +1,4 @@
-// What a faulty renderer gets. The ancestor tool passed what a signal had killed and what had written
-// nothing, waited for ever, and stopped at the first renderer that could not be started.
+// What a faulty renderer gets: never a pass, never a wait without end, and the others go on.
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "json/object_reader.h"

@@ -67,6 +67,19 @@ TEST(Resume, DoesWhatIsMissingAndWhatIsTornAndNothingElse) {
   EXPECT_NO_THROW(results::read_job_file(sandbox.folder() / "out/good/v1.5/job.json"));
 }
 
+TEST(Resume, RendersAgainWhatHasLostItsPictures) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  const auto kept = rendered_at(sandbox, "good/grey");
+  auto text = sandbox.read("out/good/grey/job.json");
+  const auto from = text.find("\"pictures\": [");
+  ASSERT_NE(from, std::string::npos);
+  sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"pictures\": []\n}\n");
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(rendered_at(sandbox, "good/grey"), kept);
+}
+
 TEST(Resume, RendersAgainWhatHasAnotherSceneOrCommand) {
   const Sandbox sandbox;
   first_run(sandbox, "good,dark");

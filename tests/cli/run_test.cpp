@@ -1,6 +1,8 @@
 // The program as a user runs it, with a renderer that fails on demand.
 #include "base/text.h"
 #include "cli/sandbox.h"
+#include "image/image_io.h"
+#include "image/image_io.h"
 #include "json/object_reader.h"
 
 #include <algorithm>
@@ -210,4 +212,20 @@ TEST(Run, LeavesAFolderThatCanBeShownOnItsOwn) {
   EXPECT_TRUE(contains(json, R"("image": "good/grey/error-l1.exr")"));
   EXPECT_TRUE(contains(json, R"("image": "nan/grey/result.exr")")) << "NaN cannot be judged, but looked at";
   EXPECT_TRUE(contains(json, R"("title": "Mirror & co")"));
+}
+
+// As judged: the reference that another scene lends, and none where the passport says that it is another's.
+TEST(Run, LeavesTheReferencesThatItWasJudgedBy) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("cases/m1_grey/case.json");
+  const std::string borrows = R"("name": "v1.5", )";
+  sandbox.write("cases/m1_grey/case.json",
+                text.replace(text.find(borrows), borrows.size(), borrows + R"("reference": "grey", )"));
+  std::filesystem::remove(sandbox.folder() / "references/v1.5.exr");
+  auto other = orbs::image::read_image(sandbox.folder() / "references/mirror.exr");
+  other.attributes["orbs.scene_hash"] = "0123456789abcdef";
+  orbs::image::write_exr(other, sandbox.folder() / "references/mirror.exr");
+  sandbox.orbs({"run", "-r", "good", "-o", "out"});
+  EXPECT_TRUE(sandbox.has("out/references/v1.5.exr"));
+  EXPECT_FALSE(sandbox.has("out/references/mirror.exr"));
 }

@@ -54,6 +54,11 @@ TEST(Seeds, ShareTheSamplesAndAddUpTheirTimes) {
   EXPECT_EQ(job.render_seconds, 4 * 0.25);
   EXPECT_TRUE(contains(job.command, "--seed 4")) << job.command;
   EXPECT_FALSE(sandbox.has("out/noisy/grey/seed-1.exr"));
+  const auto log = sandbox.read("out/noisy/grey/log.txt");
+  std::size_t said = 0;
+  for (auto at = log.find("render_seconds"); at != std::string::npos; at = log.find("render_seconds", at + 1))
+    ++said;
+  EXPECT_EQ(said, 4U) << log;
 }
 
 TEST(Seeds, ABadPictureOfOneOfThemIsTheVerdict) {

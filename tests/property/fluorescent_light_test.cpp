@@ -50,9 +50,11 @@ PerBin radiosities(double hidden) {
 }  // namespace
 
 // (I - P)^-1 P E, bin by bin, seen by the eye. From every point of the wall the lamp fills (r / R)^2 of the
-// cosine-weighted hemisphere.
+// cosine-weighted hemisphere. A lamp outside lights nothing, but which of the two is asked must not depend on
+// whether the path before was reflected or re-radiated.
 TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
   constexpr double kLamp = 0.3;
+  constexpr std::string_view kFarAway = R"([{"translate": [9, 0, 0]}])";
   std::string rows;
   for (const PerBin& row : kShares)
     rows += fmt::format("{}[{}]", rows.empty() ? "" : ", ", fmt::join(row, ", "));
@@ -61,8 +63,9 @@ TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
       R"("materials": [{{"name": "wall", "type": "fluorescent", "reflectance": [{0}, {0}, {0}], )"
       R"("reradiation": {{"first_nm": {1}, "width_nm": {2}, "bins": {3}, "shares": [{4}]}}}}], )"
       R"("shapes": [{{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "wall"}}], )"
-      R"("lights": [{{"type": "sphere", "radius": {5}, "radiance": {{"spectrum": "E"}}}}])",
-      kReflectance, kFirst_nm, kWidth_nm, kBins, rows, kLamp);
+      R"("lights": [{{"type": "sphere", "radius": {5}, "radiance": {{"spectrum": "E"}}}}, )"
+      R"({{"type": "sphere", "radius": {5}, "matrix": {6}, "radiance": {{"spectrum": "E"}}}}])",
+      kReflectance, kFirst_nm, kWidth_nm, kBins, rows, kLamp, kFarAway);
   const PerBin b = radiosities(kLamp * kLamp);
   const double plain =
       kReflectance * std::numbers::pi * kLamp * kLamp / (1 - kReflectance * (1 - kLamp * kLamp));

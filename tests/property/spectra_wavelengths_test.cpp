@@ -1,8 +1,10 @@
-// Sampled wavelengths: the density is the one that is stated, the estimate is unbiased, and it is quiet.
+// Sampled wavelengths: the density is the one that is stated, and what paths estimate with them is unbiased
+// and quiet.
 #include "base/random.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 #include "spectra/wavelengths.h"
+#include "tracer/spectral_transport.h"
 #include "unit/spectra_tables.h"
 
 #include <gtest/gtest.h>
@@ -12,25 +14,26 @@ namespace {
 using namespace orbs;
 using namespace orbs::spectra;
 
-std::array<float, 4> seen(const Spectrum& reflectance,
-                          const Spectrum& light,
-                          const Wavelengths& wavelengths) {
-  std::array<float, 4> values{};
+using tracer::Float4;
+using tracer::SpectralTransport;
+
+// What a path whose wavelengths come from `u` tells of a surface in the light.
+Vec3d estimate(const Spectrum& reflectance, const Spectrum& light, float u, bool drops = false) {
+  auto lambda = SpectralTransport::sample_lambda([&] { return u; });
+  Float4 weight{1, 1, 1, 1};
+  if (drops) SpectralTransport::drop_companions(lambda, weight);
+  Float4 seen{};
   for (std::size_t i = 0; i < 4; ++i)
-    values[i] =
-        static_cast<float>(value_at(reflectance, wavelengths.nm[i]) * value_at(light, wavelengths.nm[i]));
-  return values;
+    seen[i] = static_cast<float>(value_at(reflectance, lambda.nm[i]) * value_at(light, lambda.nm[i]));
+  return cast<double>(SpectralTransport::to_rgb(weight * seen, lambda));
 }
 
 // Mean of `count` estimates at evenly spread numbers: the expected value but for an error that falls with
 // count^2.
 Vec3d expected_colour(const Spectrum& reflectance, const Spectrum& light, int count, bool drops) {
   Vec3d sum;
-  for (int i = 0; i < count; ++i) {
-    Wavelengths wavelengths = sample_wavelengths((static_cast<float>(i) + 0.5F) / static_cast<float>(count));
-    if (drops) drop_companions(wavelengths);
-    sum += cast<double>(to_rgb(seen(reflectance, light, wavelengths), wavelengths));
-  }
+  for (int i = 0; i < count; ++i)
+    sum += estimate(reflectance, light, (static_cast<float>(i) + 0.5F) / static_cast<float>(count), drops);
   return sum / count;
 }
 
@@ -73,13 +76,11 @@ TEST(Wavelengths, TheEstimateOfEveryPatchIsUnbiasedWithAndWithoutCompanions) {
 }
 
 TEST(Wavelengths, CompanionsAreDroppedOnce) {
-  Wavelengths wavelengths = sample_wavelengths(0.3F);
-  const float pdf = wavelengths.pdf[0];
-  drop_companions(wavelengths);
-  drop_companions(wavelengths);
-  EXPECT_EQ(wavelengths.pdf, (std::array{pdf / 4, 0.0F, 0.0F, 0.0F}));
-  // What dropped companions carry does not matter.
-  EXPECT_EQ(to_rgb({1, NAN, 7, 9}, wavelengths), to_rgb({1, 0, 0, 0}, wavelengths));
+  auto lambda = SpectralTransport::sample_lambda([] { return 0.3F; });
+  Float4 weight{2, 1, 1, 1};
+  for (int i = 0; i < 2; ++i) SpectralTransport::drop_companions(lambda, weight);
+  EXPECT_EQ(weight[0], 8);
+  EXPECT_EQ(weight[1] + weight[2] + weight[3], 0);
 }
 
 // 64 samples of a pixel, one in each of 64 strata; white is 1. Noise: root of the mean squared error over 64
@@ -96,8 +97,7 @@ TEST(Wavelengths, TheColorCheckerIsQuietAt64StratifiedSamples) {
       Vec3d sum;
       for (std::uint64_t i = 0; i < kSamples; ++i) {
         const double u = (static_cast<double>(i) + unit_random(mix(pixel, i))) / kSamples;
-        const Wavelengths wavelengths = sample_wavelengths(static_cast<float>(u));
-        sum += cast<double>(to_rgb(seen(patch, light, wavelengths), wavelengths));
+        sum += estimate(patch, light, static_cast<float>(u));
       }
       const Vec3d error = sum / kSamples - expected;
       squares += error * error;
@@ -114,9 +114,8 @@ TEST(Wavelengths, OnePathOnGreyHasTheNoiseThatTheDensityWasChosenFor) {
   constexpr int kCount = 1 << 14;
   Vec3d squares;
   for (int i = 0; i < kCount; ++i) {
-    const Wavelengths wavelengths = sample_wavelengths((static_cast<float>(i) + 0.5F) / kCount);
-    const Vec3d error =
-        cast<double>(to_rgb(seen(constant(1), illuminant("D65"), wavelengths), wavelengths)) - Vec3d{1, 1, 1};
+    const float u = (static_cast<float>(i) + 0.5F) / kCount;
+    const Vec3d error = estimate(constant(1), illuminant("D65"), u) - Vec3d{1, 1, 1};
     squares += error * error;
   }
   EXPECT_LT(std::sqrt((squares.x + squares.y + squares.z) / (3 * kCount)), 0.0975);

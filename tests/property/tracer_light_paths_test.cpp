@@ -84,6 +84,9 @@ std::vector<Scene> caustic_scenes() {
        ball_over_floor(
            kMirror,
            kWall + R"(, {"mesh": "lamp", "matrix": [{"translate": [0.5, 3, 0.2]}, {"rotate_x": 20}]}])")},
+      {"emissive_ball",
+       ball_over_floor(kGlass, R"(], "shapes": [{"type": "sphere", "centre": [0.5, 3, 0.2], "radius": 0.4,
+          "material": "glow"}])" + with_light(kRectLight).substr(1))},
       {"lamp_inside",
        ball_over_floor(kGlass, with_light(R"({"type": "sphere", "radius": 0.2, "radiance": [8, 8, 8],
           "matrix": [{"translate": [0, 1, 0]}]})"))},

@@ -146,8 +146,6 @@ TEST_F(PovrayText, GlassGetsAnObjectAndAnInteriorOfItsOwn) {
   EXPECT_EQ(glass, 1);
 }
 
-// L A / (2 pi f^2) split over 2 x 2 pieces, each with half the grid; samples in cell centres: 1 (n - 1) / n
-// for n = 8.
 // POV-Ray refracts its hues of 474, 582 and 650 nm by ior * dispersion^((555 - nm) / 350); blue, green and
 // red of Rec.709 are light of 453, 539 and 609 nm.
 TEST_F(PovrayText, GlassThatDispersesRefractsPovraysHuesAsTheLightTheyStandFor) {
@@ -178,6 +176,8 @@ TEST_F(PovrayText, PathsWithoutAnEndGetAllLevelsThatThereAre) {
   EXPECT_TRUE(holds(written(), "max_trace_level 8\n"));
 }
 
+// L A / (2 pi f^2) split over 2 x 2 pieces, each with half the grid; samples in cell centres: 1 (n - 1) / n
+// for n = 8.
 TEST_F(PovrayText, RectBecomesAreaLightsOfItsPower) {
   scene_.lights.push_back(
       {"lamp", scene::RectShape{1, 1}, {std::numbers::pi, 0, 0}, translation({0, 4, 0}), {}});

@@ -69,7 +69,7 @@ TEST(Process, OutputBeyondTheAllowanceIsLeftOutOfTheMiddle) {
 
 TEST(Process, AnExitCodeIsKept) { EXPECT_EQ(run_process(shell("exit 7")).exit_code, 7); }
 
-// The ancestor tool looked for a code above 0, so what a signal killed had passed.
+// What a signal killed has no exit code above 0, and must not pass for that.
 TEST(Process, ASignalIsNoExitCode) {
   const auto result = run_process(shell("kill -SEGV $$"));
   EXPECT_EQ(result.signal, SIGSEGV);

@@ -98,7 +98,16 @@ TEST(Configuration, EveryFlagHasADefaultThatMayStandInTheFile) {
   EXPECT_TRUE(defaults.dry_run);
 }
 
-// The ancestor tool took the text "false" for true.
+// The seeds that follow it must be numbers of the same kind.
+TEST(Configuration, TheSeedLeavesRoomForThoseThatFollow) {
+  EXPECT_NE(
+      message_of(
+          R"({"format": "orbs-configuration/1", "suites": [], "renderers": [], "defaults": {"seed": 2147483647}})")
+          .find("/defaults/seed"),
+      std::string::npos);
+}
+
+// The text "false" is not empty, and must not be taken for true.
 TEST(Configuration, ATextIsNoBoolean) {
   EXPECT_EQ(
       message_of(

@@ -27,7 +27,7 @@ TEST(Filters, TakeNamesAndPatternsSeparatedByCommasInTheOrderOfTheNames) {
   EXPECT_EQ(select_names(kNames, "*", "scene"), kNames);
 }
 
-// The ancestor tool ran nothing and said all was well when the name of a scene was mistyped.
+// A mistyped name must not run nothing and say that all is well.
 TEST(Filters, EachPatternMustChooseSomethingAndTheNearestNameIsOffered) {
   EXPECT_EQ(message_of("101,123-rad"),
             "no scene matches '123-rad' (did you mean '123-red'?); 'orbs list scenes' shows what there is");

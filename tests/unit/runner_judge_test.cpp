@@ -1,5 +1,6 @@
 #include "image/image_io.h"
 #include "runner/difference.h"
+#include "runner/gate.h"
 #include "runner/judge.h"
 #include "runner/noise.h"
 #include "runner/passport.h"
@@ -109,7 +110,7 @@ TEST(Judge, NumbersCarryTheirDefinitions) {
   for (const auto& measure : record.measures) EXPECT_GT(measure.definition.size(), 20U) << measure.name;
 }
 
-// The ancestor tool did not notice a missing reference.
+// A missing reference must not look like a pass.
 TEST(Judge, AMissingReferenceIsNeverAPass) {
   results::PictureRecord record;
   record.picture = "a";
@@ -194,6 +195,12 @@ TEST(Judge, AMeanRatioIsAConditionWhereTheCaseAsksForIt) {
   EXPECT_EQ(unsure.verdict, Verdict::Inconclusive);
   EXPECT_NE(unsure.sentence.find("times the samples"), std::string::npos) << unsure.sentence;
   EXPECT_EQ(judged(strict, noisy_grey(0.2575F, 0.01F), grey_32(0.25F)).verdict, Verdict::Fail);
+}
+
+TEST(Judge, AMeanOnTheLimitNeedsNoNumberOfSamples) {
+  const auto on_it = runner::check_mean_ratio("R", 0.01, metrics::Estimate{0.01, 0.008, 0.012});
+  EXPECT_EQ(on_it.verdict, Verdict::Inconclusive);
+  EXPECT_NE(on_it.sentence.find("it lies on the limit"), std::string::npos) << on_it.sentence;
 }
 
 TEST(Judge, SoftEdgesFailWhereTheCaseAsksForSharpOnes) {

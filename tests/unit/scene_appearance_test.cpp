@@ -113,6 +113,11 @@ struct BrokenScene {
 };
 
 const std::vector<BrokenScene> kBroken{
+    {"EndlessReach",
+     "\"absorbed_reach_nm\": 40",
+     "\"absorbed_reach_nm\": 1e17",
+     {"absorbed_reach_nm", "2000"}},
+    {"EndlessBins", "\"width_nm\": 100", "\"width_nm\": 1e17", {"width_nm", "2000"}},
     {"UnknownSpectrum",
      "\"ramp\", \"scale\": 0.5",
      "\"rump\"",

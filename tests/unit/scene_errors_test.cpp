@@ -3,7 +3,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/load_scene.h"
+#include "scene/mesh_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -227,6 +229,19 @@ TEST(BrokenMeshFile, NamesFileAndLine) {
   EXPECT_NE(file_error(".obj", "v 0 0 0\nvn 0 0 1\nusemtl b\nf 1//1 1//1 1//1\n")
                 .find("usemtl: there is no material 'b'"),
             std::string::npos);
+  EXPECT_NE(file_error(".obj", "v 0 0 0\nsurf 0 1 0 1 1 2 3 4\n").find(".obj:2: 'surf' is not read here"),
+            std::string::npos);
+}
+
+TEST(ObjFile, IsReadWithTabsAsWithBlanks) {
+  const std::string text =
+      "o one\ns off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl red\nf 1//1 2//1 3//1\n";
+  auto tabs = text;
+  std::replace(tabs.begin(), tabs.end(), ' ', '\t');
+  const auto file = scene::parse_obj("a.obj", tabs);
+  EXPECT_EQ(file.mesh.positions.size(), 3U);
+  EXPECT_EQ(file.material_names, std::vector<std::string>{"red"});
+  EXPECT_EQ(file.mesh.triangle_materials, scene::parse_obj("a.obj", text).mesh.triangle_materials);
 }
 
 // A search through all names so far for each line would take a minute.

@@ -206,6 +206,16 @@ TEST(LowerLights, AProfileThatTurnsWithItsLightNeedsL3) {
   EXPECT_EQ(reason_of(scene_with(scaled), {"L3"}), "lowered");
 }
 
+// A profile that is turned over or mirrored is another one, whatever becomes of the shape.
+TEST(Lower, AMirroredProfileNeedsTheMatrixOfItsLight) {
+  Light light{"", SphereShape{1}, {1, 1, 1}, scaling({2, 2, 2}), IesUse{}};
+  EXPECT_EQ(reason_of(scene_with(light), {"L3"}), "lowered");
+  for (const Vec3d turned : {Vec3d{1, -1, 1}, Vec3d{1, 1, -1}, Vec3d{1, -1, -1}}) {
+    light.matrix = scaling(turned);
+    EXPECT_NE(reason_of(scene_with(light), {"L3"}), "lowered");
+  }
+}
+
 TEST(CalledFeatures, AreNamedWithWhatCallsForThem) {
   auto scene = triangle_with(Ggx{});
   scene.materials.push_back({"n", Glass{}});

@@ -67,3 +67,16 @@ TEST(PictureChange, CausticsThatOnlyLightPathsFindAreNotCompared) {
 TEST(PictureChange, TheVarianceIsThatOfAllPictures) {
   EXPECT_NEAR(studies::mean_variance(pictures(0.6F)), 0.36 / 12, 1e-6);
 }
+
+// Stokes vectors lie between colour and variance.
+TEST(PictureChange, TheVarianceIsFoundBehindOtherLayers) {
+  auto made = image::make_image(
+      4, 4, {"R", "G", "B", "S1.R", "S1.G", "S1.B", "variance.R", "variance.G", "variance.B"});
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        made.at(x, y, 3 + c) = -7;
+        made.at(x, y, 6 + c) = 0.25F;
+      }
+  EXPECT_EQ(studies::mean_variance({made}), 0.25);
+}

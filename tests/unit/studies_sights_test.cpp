@@ -117,6 +117,13 @@ TEST(Sights, ASphereOnTheAxisCoversItsConesDisc) {
   EXPECT_NEAR(share_of(studies::primary_sights(scene, {8, -1.0 / 16}, 1), 0), expected, 2e-3);
 }
 
+// It gives light outwards alone.
+TEST(Sights, ASphereIsBlackFromWithin) {
+  auto scene = empty_view(4);
+  scene.lights.push_back({"", scene::SphereShape{1}, {1, 1, 1}, translation({0, 0, 0.5}), {}});
+  EXPECT_EQ(share_of(studies::primary_sights(scene, {}, 1), kNoThing), 1);
+}
+
 TEST(Sights, AnEllipseOfADiskStaysOne) {
   auto scene = empty_view(64);
   scene.lights.push_back({"",

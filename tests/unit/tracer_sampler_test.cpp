@@ -9,15 +9,17 @@ using namespace orbs::tracer;
 
 namespace {
 
-constexpr std::array kPurposes{Purpose::PixelAndFirstLight, Purpose::LightPick, Purpose::Light,
-                               Purpose::Scatter};
+// What is drawn once for a path, and what at every bounce.
+constexpr std::array kOfPaths{Purpose::PixelAndFirstLight, Purpose::LightPick, Purpose::Wavelength};
+constexpr std::array kOfBounces{Purpose::Light, Purpose::Scatter, Purpose::MirroredLight,
+                                Purpose::Reradiation};
 
 }  // namespace
 
 TEST(Sampler, NumbersLieInTheHalfOpenUnitInterval) {
   for (std::uint32_t pixel = 0; pixel < 200; ++pixel)
     for (std::uint32_t i = 0; i < 64; ++i)
-      for (const float x : draw(sample_block(1, pixel, 0), i, pixel % 7, kPurposes[i % 4])) {
+      for (const float x : draw(sample_block(1, pixel, 0), i, pixel % 7, kOfBounces[i % 4])) {
         EXPECT_GE(x, 0.0F);
         EXPECT_LT(x, 1.0F);
       }
@@ -51,15 +53,19 @@ TEST(Sampler, TheFirstTwoDimensionsAreStratifiedTogether) {
 }
 
 TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
-  std::set<float> first;
+  std::set<std::array<float, 4>> first;
   int count = 0;
+  const auto note = [&](SampleBlock block, std::uint32_t bounce, Purpose purpose) {
+    first.insert(draw(block, 0, bounce, purpose));
+    ++count;
+  };
   for (std::uint32_t pixel = 0; pixel < 4; ++pixel)
-    for (std::uint32_t replicate = 0; replicate < 4; ++replicate)
-      for (std::uint32_t bounce = 0; bounce < 4; ++bounce)
-        for (const Purpose purpose : kPurposes) {
-          first.insert(draw(sample_block(1, pixel, replicate), 0, bounce, purpose)[0]);
-          ++count;
-        }
+    for (std::uint32_t replicate = 0; replicate < 4; ++replicate) {
+      const auto block = sample_block(1, pixel, replicate);
+      for (const Purpose purpose : kOfPaths) note(block, 0, purpose);
+      for (std::uint32_t bounce = 0; bounce < 16; ++bounce)
+        for (const Purpose purpose : kOfBounces) note(block, bounce, purpose);
+    }
   EXPECT_EQ(static_cast<int>(first.size()), count);
 }
 

@@ -26,8 +26,6 @@ const BeyondOrbs& beyond_orbs() {
   return kLevels;
 }
 
-bool is_grey(scene::Rgb c) { return c.x == c.y && c.y == c.z; }
-
 struct ModelLimit {
   const std::string& name;
 
@@ -66,7 +64,7 @@ struct ModelLimit {
     return reason.empty() ? masking_limit(name, roughness, kName, false) : reason;
   }
   std::string coloured(scene::Rgb colour, const char* what) const {
-    if (is_grey(colour)) return "";
+    if (scene::is_grey(colour)) return "";
     return fmt::format(
         "material '{}' is a coloured {}: pbrt's reflectance of metals depends on the angle, and the share of "
         "a full mirror that stands for a constant one has no colour",

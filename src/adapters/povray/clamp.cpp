@@ -81,12 +81,12 @@ Corner clamped(Corner corner, const std::array<ClampAxis, 2>& axes) {
   return corner;
 }
 
+}  // namespace
+
 bool has_area(const std::array<Corner, 3>& t) {
   const Vec3d normal = cross(t[1].position - t[0].position, t[2].position - t[0].position);
   return dot(normal, normal) > 0;
 }
-
-}  // namespace
 
 std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture) {
   const bool u = texture.wrap_u == scene::Wrap::Clamp;

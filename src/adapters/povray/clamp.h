@@ -16,6 +16,9 @@ struct Corner {
   Vec2d uv;
 };
 
+/// False for slivers, which POV-Ray refuses.
+bool has_area(const std::array<Corner, 3>& triangle);
+
 /// Where coordinates of one axis stop. POV-Ray repeats a picture or shows nothing beyond its edge, so a
 /// clamped axis is cut at `low` and `high` and every coordinate beyond is moved there. Repeated axes have no
 /// bounds.

@@ -3,6 +3,7 @@
 #include "adapters/light_frame.h"
 #include "adapters/povray/lamp_panels.h"
 #include "adapters/povray/sdl.h"
+#include "scene/lower_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -164,19 +165,10 @@ std::string light_limit(const scene::Light& light) {
     return fmt::format(
         "light '{}' has an IES profile: POV-Ray's light sources have no measured intensity distribution",
         light.name);
-  if (!std::holds_alternative<scene::SphereShape>(light.shape)) return "";
-  const Mat4& m = light.matrix;
-  const std::array columns{transform_direction(m, {1, 0, 0}), transform_direction(m, {0, 1, 0}),
-                           transform_direction(m, {0, 0, 1})};
-  const double square = dot(columns[0], columns[0]);
-  for (std::size_t i = 0; i < 3; ++i)
-    // Rounding of a turn and a uniform scale stays far below this; a scale meant to differ does not.
-    if (std::abs(dot(columns[i], columns[i]) - square) > 1e-6 * square ||
-        std::abs(dot(columns[i], columns[(i + 1) % 3])) > 1e-6 * square)
-      return fmt::format(
-          "sphere light '{}' is stretched into an ellipsoid, for which POV-Ray has no light source",
-          light.name);
-  return "";
+  if (!std::holds_alternative<scene::SphereShape>(light.shape) || scene::uniform_scale(light.matrix))
+    return "";
+  return fmt::format(
+      "sphere light '{}' is stretched into an ellipsoid, for which POV-Ray has no light source", light.name);
 }
 
 }  // namespace orbs::adapters::povray

@@ -25,6 +25,8 @@ const BeyondOrbs& beyond_orbs() {
   return kLevels;
 }
 
+constexpr const char* kName = "POV-Ray";
+
 struct ModelLimit {
   const std::string& name;
 
@@ -35,10 +37,7 @@ struct ModelLimit {
   std::string operator()(const scene::Glass&) const { return ""; }
   std::string operator()(const scene::Emission&) const { return ""; }
   std::string operator()(const scene::OrenNayar& m) const {
-    if (m.roughness == 0) return "";
-    return fmt::format(
-        "material '{}' is Oren-Nayar with roughness {}: POV-Ray's diffuse reflection is Lambert's law", name,
-        m.roughness);
+    return oren_nayar_limit(name, m.roughness, kName);
   }
   std::string operator()(const scene::Ggx&) const {
     return fmt::format(

@@ -52,7 +52,7 @@ std::string tinted(const scene::Scene& scene,
   const std::string plain =
       fmt::format("texture {{ pigment {{ {} }} finish {{ {} 1{} }} }}", colour(tint), part, other);
   if (!use) return plain;
-  if (is_grey(tint))
+  if (scene::is_grey(tint))
     return fmt::format("texture {{ {} finish {{ {} {}{} }} }}", image_map(scene, *use, stem, ""), part,
                        tint.x, other);
   return fmt::format("{}\n  texture {{ {} finish {{ diffuse 0 }} }}", plain,

@@ -53,11 +53,6 @@ Vertex vertex_of(const Corner& corner) {
 }
 
 // POV-Ray refuses triangles without area with a warning each; nothing would be seen of them.
-bool has_area(const std::array<Corner, 3>& t) {
-  const Vec3d normal = cross(t[1].position - t[0].position, t[2].position - t[0].position);
-  return dot(normal, normal) > 0;
-}
-
 /// Vertices are shared between triangles of one material, not across materials, whose texture matrices may
 /// differ.
 class Mesh2Builder {

@@ -26,6 +26,4 @@ inline std::string matrix(const Mat4& m) {
   return text + ">";
 }
 
-inline bool is_grey(Vec3d c) { return c.x == c.y && c.y == c.z; }
-
 }  // namespace orbs::adapters::povray
