@@ -2,6 +2,19 @@
 
 namespace orbs::tracer {
 
+namespace {
+
+// The shadow ray ends short of the light's own surface by the bound of both points' rounding, and of what
+// grows with the length of the ray: 1 half unit in the last place for its direction, 1 for the corners as
+// seen from its origin, 3 each for the two dot products of the accelerator's own test, all twice.
+Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
+  constexpr float kRayRounding = 16 * 0x1p-24F;
+  const float along_ray = kRayRounding * length(point.position - from);
+  return point.position + point.normal * (2 * point.position_error + along_ray);
+}
+
+}  // namespace
+
 std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v) {
   const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
   const float chance = world.emitters.chance(chosen);
@@ -19,9 +32,7 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
       radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
   }
   if (!point || is_dark(radiance) || !(point->pdf > 0)) return std::nullopt;
-  // The shadow ray ends short of the light's own surface by the bound of both points' rounding.
-  return DirectLight{radiance, point->position + point->normal * (2 * point->position_error),
-                     point->pdf * chance};
+  return DirectLight{radiance, point->position, end_of_shadow_ray(*point, from), point->pdf * chance, chosen};
 }
 
 MetEmission met_light(

@@ -22,8 +22,10 @@ MetEmission met_emissive_surface(const World& world, const MetSurface& met, cons
 /// A light sample as the shading point sees it.
 struct DirectLight {
   Radiance radiance;
-  Vec3f target;   // end of the shadow ray, off the light's surface
-  float pdf = 0;  // per solid angle, choice of the light included
+  Vec3f position;  // on the light
+  Vec3f target;    // end of the shadow ray, off the light's surface
+  float pdf = 0;   // per solid angle, choice of the light included
+  std::size_t emitter = 0;
 };
 
 std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v);

@@ -83,18 +83,19 @@ std::optional<EmitterPoint> sample_shape(const SphereEmitter& sphere, Vec3f from
   const float distance2 = dot(view, view);
   const float error = rounding_of(sphere);
   if (distance2 <= 1) return std::nullopt;  // inside, where the light is dark
-  // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle by the law of
-  // sines, which keeps its digits for small spheres (Pharr, Jakob, Humphreys, Physically Based Rendering, 4th
-  // ed., 6.2.4).
+  // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle: its cosine by the
+  // law of sines, which keeps its digits for small spheres (Pharr, Jakob, Humphreys, Physically Based
+  // Rendering, 4th ed., 6.2.4), its sine by the distance along the ray, without cancellation close to them.
   const float height = cone_height(distance2);
   const float one_minus_cos = u * height;
   const float sin2_theta = one_minus_cos * (2 - one_minus_cos);
   const float cos_theta = 1 - one_minus_cos;
   const float distance = std::sqrt(distance2);
   // Rounding only: sin(theta) <= 1 / d inside the cone.
-  const float cos_alpha =
-      sin2_theta * distance + cos_theta * std::sqrt(std::max(0.0F, 1 - sin2_theta * distance2));
-  const float sin_alpha = std::sqrt(std::max(0.0F, 1 - cos_alpha * cos_alpha));
+  const float root = std::sqrt(std::max(0.0F, 1 - sin2_theta * distance2));
+  const float cos_alpha = sin2_theta * distance + cos_theta * root;
+  const float along_ray = (distance2 - 1) / (distance * cos_theta + root);
+  const float sin_alpha = along_ray * std::sqrt(sin2_theta);
   const float phi = 2 * kPi * v;
   const Frame frame = frame_around(view / distance);
   const Vec3f on_sphere = frame.to_world({sin_alpha * std::cos(phi), sin_alpha * std::sin(phi), cos_alpha});

@@ -25,8 +25,8 @@ void ask_for_mirrored_light(Wave<T>& wave,
   const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(chosen)];
   const Vec3f image = mirrored(plane, position);
   const auto light = sample_light(world, image, u[0], u[1], u[2]);
-  if (!light || !(height_over(plane, light->target) > 0)) return;
-  const Vec3f from_image = normalised(light->target - image);
+  if (!light || !(height_over(plane, light->position) > 0)) return;
+  const Vec3f from_image = normalised(light->position - image);
   const Vec3f direction = mirrored_direction(plane, from_image);
   const Vec3f wo = frame.to_local(lane_of(vertices.to_viewer, lane));
   const auto value = evaluate(vertices.bsdf[lane], wo, frame.to_local(direction));

@@ -27,6 +27,7 @@ struct VertexLanes {
   std::array<typename T::Bsdf, kLanes> bsdf;
   std::array<bool, kLanes> wants_light{};
   std::array<int, kLanes> mirror_plane{};  // of the surface, or -1
+  std::array<int, kLanes> own_light{};     // the light that it is the surface of, or -1
   std::size_t count = 0;  // lanes in use; the others compute with what they held before, for nobody
 };
 
@@ -73,7 +74,8 @@ std::array<Float8, 3> light_numbers(const Wave<T>& wave,
 
 /// Light samples of eight vertices; pdf = 0 where there is none.
 struct LightLanes {
-  Vec8 target{};
+  Vec8 position{};
+  std::array<Vec3f, kLanes> target{};
   Float8 pdf{};
   std::array<Radiance, kLanes> radiance;
 };
@@ -89,8 +91,10 @@ LightLanes sample_lights(const Wave<T>& wave,
     if (!vertices.wants_light[lane]) continue;
     const auto light = sample_light(world, lane_of(vertices.position, lane), numbers[0][lane],
                                     numbers[1][lane], numbers[2][lane]);
-    if (!light) continue;
-    set_lane(out.target, lane, light->target);
+    // Lights are flat or convex: none lights itself, but rounding may place a point of it before it.
+    if (!light || static_cast<int>(light->emitter) == vertices.own_light[lane]) continue;
+    set_lane(out.position, lane, light->position);
+    out.target[lane] = light->target;
     out.pdf[lane] = light->pdf;
     out.radiance[lane] = light->radiance;
   }
@@ -105,7 +109,7 @@ void ask_for_direct_light(Wave<T>& wave,
                           Vec8 wo,
                           int bounce) {
   const LightLanes light = sample_lights(wave, world, vertices, bounce);
-  const Vec8 direction = normalised(light.target - vertices.position);
+  const Vec8 direction = normalised(light.position - vertices.position);
   const Vec8 wi = frame.to_local(direction);
   std::array<typename T::Value, kLanes> f_cos;
   Float8 pdf{};
@@ -128,7 +132,7 @@ void ask_for_direct_light(Wave<T>& wave,
     const auto through =
         T::chain(path.weight, f_cos[lane], [&] { return scattering_at(vertices, frame, lane, wo, wi); });
     const Vec3f from = lane_of(origin, lane);
-    wave.shadow_rays.push_back({from, lane_of(light.target, lane) - from, 1});
+    wave.shadow_rays.push_back({from, light.target[lane] - from, 1});
     wave.shadows.push_back({T::contribute(through, emitted), vertices.path[lane], events.index()});
   }
 }

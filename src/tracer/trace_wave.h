@@ -66,6 +66,7 @@ std::size_t take_lane(VertexLanes<T>& vertices,
   vertices.index[lane] = sample.index;
   vertices.path[lane] = index;
   vertices.mirror_plane[lane] = -1;
+  vertices.own_light[lane] = -1;
   return lane;
 }
 
@@ -89,6 +90,7 @@ void meet_light(Wave<T>& wave,
   const std::size_t lane = take_lane(vertices, index, sample, point, to_viewer);
   vertices.bsdf[lane] =
       LambertBsdf<typename T::Value>{T::reflectance(world, {light.reflectance}, path.lambda)};
+  vertices.own_light[lane] = static_cast<int>(part.light);
   vertices.wants_light[lane] = !world.emitters.empty();
 }
 

@@ -1,0 +1,75 @@
+// Lamps where rounding could decide: those that reflect light themselves, small ones, and what nearly touches
+// them.
+#include "property/light_pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+using namespace orbs::tests;
+
+std::string white(const std::string& mesh, const std::string& lamp) {
+  return R"("materials": [{"name": "white", "type": "lambert", "reflectance": [1, 1, 1]}], )" +
+         meshes({mesh}) + R"(, "lights": [)" + lamp + "]";
+}
+
+// What the lamp sends to a white square `depth_m` below the world's origin, whose middle is looked at.
+image::Image floor_lit_by(const std::string& lamp, double depth_m) {
+  const View view{.position = text_of({0.3, 0.5 - depth_m, 0.2}), .look_at = text_of({0, -depth_m, 0})};
+  const Vec3d middle{0, -depth_m, 0};
+  return picture_of(scene_of(view, white(square(middle, {0, 1, 0}, 1, "white"), lamp), "1"), 64);
+}
+
+void expect_red(const image::Image& picture, double expected, double relative) {
+  EXPECT_NEAR(mean_of_channel(picture, 0) / expected, 1, relative + 4 * error_of_mean(picture, 0) / expected);
+}
+
+}  // namespace
+
+// Flat or convex: no point of a lamp sees another of it, so alone in the dark it has nothing to reflect.
+TEST(LampLight, ALampThatReflectsIsAsBrightAsItSaysAndNoMore) {
+  for (const char* shape : {R"("rect", "half_width": 1, "half_length": 1)", R"("disk", "radius": 1)",
+                            R"("sphere", "radius": 1)"}) {
+    const auto text =
+        scene_of({.position = "[0, -4, 0]", .up = "[0, 0, 1]", .fov_deg = 10},
+                 fmt::format(R"("materials": [], "lights": [{{"type": {}, "radiance": [2, 2, 2], "reflectance": [1, 1, 1], )"
+                             R"("matrix": [{{"rotate_x": 20}}, {{"rotate_z": 13}}]}}])",
+                             shape),
+                 "3");
+    const auto picture = picture_of(text, 32);
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) EXPECT_EQ(picture.at(x, y, 0), 2) << shape;
+  }
+}
+
+// Where a lamp is small and stands at the origin, its own coordinates say nothing of how a long ray is
+// rounded. E = L A / d^2 on the axis, but for (s / d)^2 < 1e-3 of a square with sides s.
+TEST(LampLight, ASmallLampDoesNotStandInItsOwnLight) {
+  for (const auto& [half_side, depth_m] :
+       std::map<double, double>{{0.05, 3}, {0.02, 1}, {0.1, 30}, {0.01, 300}})
+    for (const char* turned : {"0", "20"}) {
+      const auto lamp =
+          fmt::format(R"({{"type": "rect", "half_width": {0}, "half_length": {0}, "radiance": [1, 1, 1], )"
+                      R"("matrix": [{{"rotate_x": {1}}}, {{"rotate_z": {1}}}]}})",
+                      half_side, turned);
+      const double cosine = std::pow(std::cos(std::stod(turned) * std::numbers::pi / 180), 2);
+      expect_red(floor_lit_by(lamp, depth_m),
+                 cosine * 4 * half_side * half_side / (std::numbers::pi * depth_m * depth_m), 2e-3);
+    }
+  for (const auto& [radius, depth_m] : std::map<double, double>{{0.02, 10}, {1, 1000}, {0.1, 3000}}) {
+    const auto lamp = fmt::format(R"({{"type": "sphere", "radius": {}, "radiance": [1, 1, 1]}})", radius);
+    expect_red(floor_lit_by(lamp, depth_m), radius * radius / (depth_m * depth_m), 1e-4);
+  }
+  const auto disk = R"({"type": "disk", "radius": 0.02, "radiance": [1, 1, 1]})";
+  expect_red(floor_lit_by(disk, 10), 4e-6, 1e-4);
+}
+
+// E = pi L (R / d)^2 however near the ball is.
+TEST(LampLight, AFloorThatNearlyTouchesABallIsLitByAllOfIt) {
+  constexpr double kDepth_m = 1.0001;
+  const View view{.position = "[0.02, -1.00005, 0]", .look_at = text_of({0, -kDepth_m, 0})};
+  const auto lamp = R"({"type": "sphere", "radius": 1, "radiance": [1, 1, 1]})";
+  const auto text = scene_of(view, white(square({0, -kDepth_m, 0}, {0, 1, 0}, 0.01, "white"), lamp), "1");
+  expect_red(picture_of(text, 256), 1 / (kDepth_m * kDepth_m), 1e-3);
+}
