@@ -55,6 +55,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
       ->check(CLI::Range(0, kMost));
   command.add_option("--seed", options.seed, "seed of all renders")
+      ->check(zero_or_more())
       ->check(CLI::Range(0, registry::kLargestSeed));
   command.add_option("--spp-scale", options.spp_scale, "multiplies all samples per pixel")
       ->check(above_zero());

@@ -98,6 +98,7 @@ class PlyReader {
   }
 
   void read_header_words(const std::vector<std::string>& words) {
+    if (words.empty()) fail("a line of the header is empty");
     if (words[0] == "format" && words.size() == 3) {
       binary_ = words[1] == "binary_little_endian";
       if (!binary_ && words[1] != "ascii")
