@@ -24,6 +24,8 @@ int channel_index(const Image& image, std::string_view name) {
   return found == image.channels.end() ? -1 : static_cast<int>(found - image.channels.begin());
 }
 
+bool is_variance(std::string_view channel) { return channel.starts_with("variance."); }
+
 Image select_rgb(const Image& image, std::string_view prefix) {
   constexpr std::array kColours{"R", "G", "B"};
   std::array<std::size_t, 3> source{};

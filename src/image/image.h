@@ -40,6 +40,9 @@ Image make_image(int width, int height, std::vector<std::string> channels);
 /// Index of a channel, -1 when the image has none of that name.
 int channel_index(const Image& image, std::string_view name);
 
+/// Whether the channel holds the variance of another one.
+bool is_variance(std::string_view channel);
+
 /// The channels `prefix`R, `prefix`G, `prefix`B alone as an image with channels R, G, B ("" for the colour
 /// itself, "variance." for its variance). InputError when one is missing.
 Image select_rgb(const Image& image, std::string_view prefix);

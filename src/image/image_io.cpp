@@ -164,8 +164,6 @@ void check_names(const Image& image, const std::filesystem::path& file) {
 // rounds up.
 constexpr float kFirstBeyondHalf = 65520.0F;
 
-bool is_variance(const std::string& channel) { return channel.starts_with("variance."); }
-
 void check_range_of_half(const Image& image, const std::filesystem::path& file) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float value = image.pixels[i];

@@ -9,12 +9,6 @@
 
 namespace orbs::runner {
 
-namespace {
-
-bool is_variance(const std::string& channel) { return channel.starts_with("variance."); }
-
-}  // namespace
-
 void add_pass(PassSum& sum, const image::Image& picture, const Pass& pass) {
   if (sum.passes.empty()) {
     sum.width = picture.width;
@@ -29,7 +23,7 @@ void add_pass(PassSum& sum, const image::Image& picture, const Pass& pass) {
     auto& values = sum.channels[picture.channels[c]];
     values.resize(picture.pixel_count());
     const double weight =
-        is_variance(picture.channels[c]) ? static_cast<double>(pass.spp) * pass.spp : pass.spp;
+        image::is_variance(picture.channels[c]) ? static_cast<double>(pass.spp) * pass.spp : pass.spp;
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
       values[pixel] += weight * static_cast<double>(picture.pixels[pixel * count + c]);
   }
@@ -48,7 +42,7 @@ image::Image mean_picture(const PassSum& sum) {
   picture.attributes = sum.attributes;
   for (std::size_t c = 0; c < names.size(); ++c) {
     const auto& values = sum.channels.at(names[c]);
-    const double weight = is_variance(names[c]) ? static_cast<double>(sum.spp) * sum.spp : sum.spp;
+    const double weight = image::is_variance(names[c]) ? static_cast<double>(sum.spp) * sum.spp : sum.spp;
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
       picture.pixels[pixel * names.size() + c] = static_cast<float>(values[pixel] / weight);
   }

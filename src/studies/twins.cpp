@@ -122,7 +122,7 @@ Image at_half_resolution(const Image& picture) {
         for (int v = y0; v < y1; ++v)
           for (int u = x0; u < x1; ++u) sum += picture.at(u, v, c);
         const auto count = static_cast<float>((x1 - x0) * (y1 - y0));
-        out.at(x, y, c) = sum / (picture.channels[c].starts_with("variance.") ? count * count : count);
+        out.at(x, y, c) = sum / (image::is_variance(picture.channels[c]) ? count * count : count);
       }
   return out;
 }

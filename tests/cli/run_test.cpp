@@ -2,7 +2,6 @@
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "image/image_io.h"
 #include "json/object_reader.h"
 
 #include <algorithm>

@@ -33,7 +33,8 @@ TEST(LampLight, ALampThatReflectsIsAsBrightAsItSaysAndNoMore) {
                             R"("sphere", "radius": 1)"}) {
     const auto text =
         scene_of({.position = "[0, -4, 0]", .up = "[0, 0, 1]", .fov_deg = 10},
-                 fmt::format(R"("materials": [], "lights": [{{"type": {}, "radiance": [2, 2, 2], "reflectance": [1, 1, 1], )"
+                 fmt::format(R"("materials": [], "lights": [{{"type": {}, "radiance": [2, 2, 2], )"
+                             R"("reflectance": [1, 1, 1], )"
                              R"("matrix": [{{"rotate_x": 20}}, {{"rotate_z": 13}}]}}])",
                              shape),
                  "3");
