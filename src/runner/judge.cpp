@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "metrics/noise_numbers.h"
 #include "runner/gate.h"
+#include "runner/noise.h"
 #include "runner/passport.h"
 #include "runner/tolerances.h"
 
@@ -114,6 +115,10 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   if (!reference.picture) {
     take(record, Verdict::MissingReference, reference.problem);
     return std::nullopt;
+  }
+  if (const auto problem = variance_problem(result); !problem.empty()) {
+    record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
+    return judge(one_case, without_variances(result), reference, settings, record);
   }
   record.reference_passport = passport_of(*reference.picture);
   const auto is_name = [&](const auto& difference) { return difference.name == record.picture; };

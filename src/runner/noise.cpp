@@ -4,8 +4,11 @@
 #include "metrics/psnr.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+
+#include <fmt/format.h>
 
 namespace orbs::runner {
 
@@ -49,6 +52,35 @@ std::optional<double> noise_mse_srgb8(const image::Image& picture,
     count += 3;
   }
   return sum / static_cast<double>(count);
+}
+
+std::string variance_problem(const image::Image& picture) {
+  const auto is_there = [&](const char* name) { return image::channel_index(picture, name) >= 0; };
+  const std::array<const char*, 3> names{"variance.R", "variance.G", "variance.B"};
+  if (std::none_of(names.begin(), names.end(), is_there)) return "";
+  for (const char* name : names) {
+    const int channel = image::channel_index(picture, name);
+    if (channel < 0) return fmt::format("there is no channel {} beside the others", name);
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        if (const float value = picture.at(x, y, static_cast<std::size_t>(channel));
+            !(value >= 0) || std::isinf(value))
+          return fmt::format("{} is {} at pixel ({}, {})", name, value, x, y);
+  }
+  return "";
+}
+
+image::Image without_variances(const image::Image& picture) {
+  auto names = picture.channels;
+  std::erase_if(names, [](const auto& name) { return image::is_variance(name); });
+  auto rest = image::make_image(picture.width, picture.height, names);
+  rest.attributes = picture.attributes;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const auto from = static_cast<std::size_t>(image::channel_index(picture, names[c]));
+    for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel)
+      rest.pixels[pixel * names.size() + c] = picture.pixels[pixel * picture.channel_count() + from];
+  }
+  return rest;
 }
 
 double psnr_srgb8_of(double mse) { return metrics::psnr_db(255, mse); }

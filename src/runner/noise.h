@@ -4,6 +4,7 @@
 #include "metrics/mask.h"
 
 #include <optional>
+#include <string>
 
 namespace orbs::runner {
 
@@ -17,6 +18,13 @@ namespace orbs::runner {
 std::optional<double> noise_mse_srgb8(const image::Image& picture,
                                       const image::Image& values,
                                       const metrics::Mask& mask = {});
+
+/// Why what the picture says of its variance cannot be true: a channel is missing beside the others, or a
+/// value is negative, infinite or none. "" when there is nothing to object, or nothing is said.
+std::string variance_problem(const image::Image& picture);
+
+/// All other channels.
+image::Image without_variances(const image::Image& picture);
 
 /// The PSNR that belongs to such an error; infinite for 0.
 double psnr_srgb8_of(double mse);

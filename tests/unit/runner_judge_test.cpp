@@ -110,6 +110,20 @@ TEST(Judge, NumbersCarryTheirDefinitions) {
   for (const auto& measure : record.measures) EXPECT_GT(measure.definition.size(), 20U) << measure.name;
 }
 
+// They would excuse any error.
+TEST(Judge, VariancesThatCannotBeAreNotUsedAndSaidToBeSo) {
+  for (const float impossible : {-1.0F, std::numeric_limits<float>::infinity(), std::nanf("")}) {
+    auto wrong = noisy_grey(0.5F, 0.01F);
+    const auto channel = image::channel_index(wrong, "variance.G");
+    ASSERT_GE(channel, 0);
+    wrong.at(3, 4, static_cast<std::size_t>(channel)) = impossible;
+    const auto record = judged(one_case(), wrong, grey_32(0.25F));
+    EXPECT_EQ(record.verdict, Verdict::Fail) << record.sentence;
+    ASSERT_FALSE(record.remarks.empty());
+    EXPECT_NE(record.remarks.front().find("at pixel (3, 4): its variances are not used"), std::string::npos);
+  }
+}
+
 // A missing reference must not look like a pass.
 TEST(Judge, AMissingReferenceIsNeverAPass) {
   results::PictureRecord record;
