@@ -137,11 +137,11 @@ ProcessResult run_process(const ProcessRequest& request) {
     if (const auto parsed = warden::parse_report(report)) {
       static_cast<warden::Report&>(result) = *parsed;
     } else {
-      result.start_error = how;
+      result.lost = how;
     }
   }
-  if (!result.start_error.empty())
-    log.append(fmt::format("[orbs: {}: {}]\n", request.argv.at(0), result.start_error));
+  for (const auto& problem : {result.start_error, result.lost})
+    if (!problem.empty()) log.append(fmt::format("[orbs: {}: {}]\n", request.argv.at(0), problem));
   result.output = log.finish();
   return result;
 }

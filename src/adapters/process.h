@@ -23,6 +23,7 @@ struct ProcessRequest {
 
 struct ProcessResult : warden::Report {
   std::string output;  // stdout and stderr, capped as the log is
+  std::string lost;    // how its warden ended when that left no report; "" when it did
 };
 
 /// Runs one program to its end. Never throws for what the program does; WriteError when the log cannot be

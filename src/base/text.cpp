@@ -127,4 +127,27 @@ std::size_t utf8_length(std::string_view text) {
   return overlong || beyond ? 0 : length;
 }
 
+namespace {
+
+// C0 and DEL are one byte, C1 (U+0080 to U+009F) two.
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character.front());
+  if (character.size() == 2) return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+  return first == 0x7f ||
+         (first < 0x20 && std::string_view("\t\r\n").find(character.front()) == std::string_view::npos);
+}
+
+}  // namespace
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto length = utf8_length(text);
+    const bool is_shown = length != 0 && !is_control(text.substr(0, length));
+    out += is_shown ? text.substr(0, length) : "\uFFFD";
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return out;
+}
+
 }  // namespace orbs

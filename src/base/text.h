@@ -31,4 +31,8 @@ bool glob_match(std::string_view pattern, std::string_view text);
 /// surrogates and what lies above U+10FFFF.
 std::size_t utf8_length(std::string_view text);
 
+/// What a terminal, a table and a file of text can take: U+FFFD stands in place of bytes that are no UTF-8
+/// and of control characters other than tabs and line ends.
+std::string clean_text(std::string_view text);
+
 }  // namespace orbs

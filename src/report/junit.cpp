@@ -120,14 +120,8 @@ std::string test_suite(const RunRecord& run, const results::RendererRecord& rend
 
 std::string xml_text(std::string_view text) {
   std::string out;
-  while (!text.empty()) {
-    const auto length = utf8_length(text);
-    const char c = text.front();
-    const bool is_control =
-        length == 1 && static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' && c != '\r';
-    if (length == 0 || is_control) {
-      out += "\uFFFD";
-    } else if (c == '&') {
+  for (const char c : clean_text(text)) {
+    if (c == '&') {
       out += "&amp;";
     } else if (c == '<') {
       out += "&lt;";
@@ -138,9 +132,8 @@ std::string xml_text(std::string_view text) {
     } else if (c == '\'') {
       out += "&apos;";
     } else {
-      out += text.substr(0, length);
+      out += c;
     }
-    text.remove_prefix(length == 0 ? 1 : length);
   }
   return out;
 }

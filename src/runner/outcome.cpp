@@ -19,12 +19,30 @@ namespace fs = std::filesystem;
 using results::Verdict;
 using warden::Cause;
 
-// The last line that says anything, shortened, for the end of a sentence.
-std::string last_words(const std::string& output) {
+// The folder of the render is elsewhere when the run has ended, so its files are named within it.
+std::string named_within(const fs::path& folder, std::string text) {
+  const auto prefix = folder.string() + "/";
+  for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+    text.erase(at, prefix.size());
+  return text;
+}
+
+// At most `most` bytes, no character cut in two.
+std::string shortened(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U) --most;
+  text.resize(most);
+  return text;
+}
+
+// The last line that says anything, for the end of a sentence. What moves on within a line writes over it.
+std::string last_words(const std::string& output, const fs::path& folder) {
   constexpr std::size_t kMost = 200;
   std::string words;
   for (const auto& line : split(output, '\n'))
-    if (const auto text = trim(line); !text.empty()) words = text.substr(0, kMost);
+    for (const auto& part : split(line, '\r'))
+      if (const auto text = trim(part); !text.empty()) words = text;
+  words = shortened(clean_text(named_within(folder, std::move(words))), kMost);
   return words.empty() ? "" : fmt::format("; its last words: {}", words);
 }
 
@@ -67,16 +85,19 @@ std::string signal_sentence(const adapters::ProcessResult& process) {
   return text;
 }
 
-Outcome process_outcome(const adapters::ProcessResult& process, const warden::Limits& limits) {
+Outcome process_outcome(const adapters::ProcessResult& process,
+                        const fs::path& folder,
+                        const warden::Limits& limits) {
   if (!process.start_error.empty())
     return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
+  if (!process.lost.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
     outcome = {Verdict::Crash, signal_sentence(process), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {Verdict::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
   if (outcome.verdict != Verdict::Pass && outcome.verdict != Verdict::Skipped)
-    outcome.sentence += last_words(process.output);
+    outcome.sentence += last_words(process.output, folder);
   return outcome;
 }
 
@@ -118,7 +139,7 @@ Outcome picture_outcome(const adapters::Job& job) {
   try {
     picture = image::read_image(job.image);
   } catch (const InputError& e) {
-    return {Verdict::Unreadable, e.what(), {}};
+    return {Verdict::Unreadable, named_within(job.folder, e.what()), {}};
   }
   if (auto outcome = passport_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
   if (auto outcome = check_pixels(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
@@ -154,8 +175,11 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& picture, cons
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const warden::Limits& limits) {
-  auto outcome = process_outcome(process, limits);
-  return outcome.verdict == Verdict::Pass ? picture_outcome(job) : outcome;
+  auto outcome = process_outcome(process, job.folder, limits);
+  if (outcome.verdict == Verdict::Pass) outcome = picture_outcome(job);
+  // Channels and what a reader quotes of a file are the renderer's words, too.
+  outcome.sentence = clean_text(outcome.sentence);
+  return outcome;
 }
 
 }  // namespace orbs::runner

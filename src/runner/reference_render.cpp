@@ -38,8 +38,8 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
   if (process.cause == warden::Cause::Stopped) return std::nullopt;
-  if (!process.start_error.empty())
-    throw InputError(fmt::format("{}: {}", context.tracer.string(), process.start_error));
+  for (const auto& problem : {process.start_error, process.lost})
+    if (!problem.empty()) throw InputError(fmt::format("{}: {}", context.tracer.string(), problem));
   if (process.signal != 0 || process.exit_code != 0)
     throw InputError(fmt::format("scene '{}': the tracer failed:\n{}", wanted.name, process.output));
   return image::read_image(file);

@@ -27,7 +27,7 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
   for (const auto& line : split(process.output, '\n'))
     if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))
-      return std::string(text);
+      return clean_text(text);
   return renderer.entry.version_prefix.empty()
              ? "unknown: its version command prints nothing"
              : fmt::format("unknown: its version command prints no line that starts '{}'",

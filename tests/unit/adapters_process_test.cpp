@@ -198,7 +198,8 @@ TEST(Process, CannotPretendAnInterruptToItsWarden) {
 
 TEST(Process, ThatKillsItsWardenIsKilledAndReported) {
   const auto result = run_process(shell("kill -KILL $PPID; sleep 600"));
-  EXPECT_EQ(result.start_error, "its warden was killed by SIGKILL");
+  EXPECT_EQ(result.lost, "its warden was killed by SIGKILL");
+  EXPECT_EQ(result.start_error, "");
 }
 
 TEST(Process, IsEndedWhenTheRunIsInterrupted) {

@@ -21,6 +21,7 @@ class OutcomeTest : public testing::Test {
  protected:
   OutcomeTest() : scratch_("runner-outcome") {
     scratch_.write("keep", "");
+    job_.folder = scratch_.path();
     job_.image = scratch_.path() / "result.exr";
     job_.width_px = 4;
     job_.height_px = 3;
@@ -86,6 +87,31 @@ TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
   scratch_.write("result.exr", "");
   EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
   EXPECT_EQ(outcome().sentence, "result.exr is empty");
+}
+
+// The folder is another one when the run has ended.
+TEST_F(OutcomeTest, FilesAreNamedWithinTheFolderOfTheRender) {
+  scratch_.write("result.exr", "this is no picture");
+  EXPECT_TRUE(outcome().sentence.starts_with("result.exr: ")) << outcome().sentence;
+  ProcessResult process;
+  process.exit_code = 1;
+  process.output = "cannot read " + (scratch_.path() / "scene.json").string();
+  EXPECT_EQ(outcome(process).sentence, "ended with exit code 1; its last words: cannot read scene.json");
+}
+
+TEST_F(OutcomeTest, ALostWardenIsNoRendererThatDidNotStart) {
+  ProcessResult process;
+  process.lost = "its warden was killed by SIGKILL";
+  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).sentence, "was lost: its warden was killed by SIGKILL");
+}
+
+TEST_F(OutcomeTest, WordsThatNoTerminalShouldTakeAreMarked) {
+  ProcessResult process;
+  process.exit_code = 1;
+  process.output = std::string("10 %\r99 %\r\x1b[2Jlamp \xfe of \u00b5m") + '\0' + "\u009b";
+  EXPECT_EQ(outcome(process).sentence,
+            "ended with exit code 1; its last words: \uFFFD[2Jlamp \uFFFD of \u00b5m\uFFFD\uFFFD");
 }
 
 TEST_F(OutcomeTest, APictureFromElsewhereIsNone) {
