@@ -10,6 +10,7 @@
 #include "image/image_io.h"
 #include "metrics/seeds.h"
 #include "runner/host.h"
+#include "runner/job_folder.h"
 #include "runner/outcome.h"
 #include "runner/render_seconds.h"
 
@@ -105,7 +106,9 @@ void note_process(const adapters::ProcessResult& process,
 image::Image put_together(const std::vector<adapters::Job>& turns,
                           const std::vector<image::Image>& pictures,
                           const std::filesystem::path& file) {
-  for (const auto& job : turns) std::filesystem::remove(job.image);
+  // A later seed may have left anything under any of these names.
+  for (const auto& job : turns) std::filesystem::remove_all(job.image);
+  std::filesystem::remove_all(file);
   auto picture = metrics::are_equal(pictures) ? pictures.front() : metrics::mean_and_variance_of(pictures);
   image::write_exr(picture, file);
   return picture;
@@ -120,6 +123,7 @@ std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::
   for (const auto& job : turns) {
     forget_render_seconds(renderer.render_seconds, job.folder);
     const auto process = adapters::run_process(process_request(renderer, job, stop));
+    make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
     if (outcome.verdict != Verdict::Pass || turns.size() == 1) return {std::move(outcome), job.image};

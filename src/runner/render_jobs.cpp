@@ -71,7 +71,7 @@ Execution take_over(const JobRecord& found, const fs::path& folder, const WorkFo
   const auto unfinished = folders.unfinished / folder;
   fs::create_directories(unfinished);
   for (const auto& entry : fs::directory_iterator(folders.run / folder))
-    if (entry.is_regular_file() && entry.path().filename() != "job.json")
+    if (entry.symlink_status().type() == fs::file_type::regular && entry.path().filename() != "job.json")
       fs::copy_file(entry.path(), unfinished / entry.path().filename());
   Execution execution{found, {}};
   if (found.rendered) execution.picture = image::read_image(folders.run / found.image);
@@ -145,7 +145,8 @@ class Renders {
   void finish(std::size_t index, Execution execution, const JobRecord& now) {
     const auto& folder = plan_.jobs[index].folder;
     if (execution.record.verdict == Verdict::Skipped) {
-      fs::remove_all(folders_.unfinished / folder);
+      std::error_code ignored;
+      fs::remove_all(folders_.unfinished / folder, ignored);
       skip(index, execution.record);
       return;
     }

@@ -126,6 +126,22 @@ void write_old(const Image& picture, const std::string& output) {
   std::filesystem::last_write_time(output, std::filesystem::last_write_time(output) - std::chrono::hours(1));
 }
 
+// Folders under names that orbs is going to write itself; `output` is no such name.
+void litter(const std::string& output) {
+  for (const char* name : {"job.json", "result.png", "error-l1.exr", "log.txt", "result.exr"}) {
+    if (std::filesystem::path(output).filename() == name) continue;
+    std::filesystem::remove_all(name);
+    std::filesystem::create_directories(std::filesystem::path(name) / "inside");
+  }
+}
+
+// A file where the folder of the render was.
+void replace_own_folder(const std::string& output) {
+  const auto folder = std::filesystem::path(output).parent_path();
+  std::filesystem::remove_all(folder);
+  std::ofstream(folder) << "no folder";
+}
+
 // Ends the process, or returns when the mode is about the picture.
 void misbehave(const std::string& mode) {
   if (mode == "segfault") {
@@ -153,6 +169,11 @@ void misbehave(const std::string& mode) {
     hang();
   }
   if (mode == "much") print_much();
+  if (mode == "coloured") {
+    fmt::print(stderr, "loading\r\033[31mfake: \xff cannot read {}/sun.txt\n",
+               std::filesystem::current_path().string());
+    std::exit(3);
+  }
   if (mode == "complain") fmt::print(stderr, "fake: something is odd\n");
   if (mode == "read-input")
     fmt::print("read {} characters\n", std::string(std::istreambuf_iterator(std::cin), {}).size());
@@ -168,6 +189,7 @@ bool write_no_picture(const std::string& mode, const Image& picture, const std::
   if (mode == "half") return write_half(picture, output), true;
   if (mode == "elsewhere") return write_elsewhere(picture, output), true;
   if (mode == "old") return write_old(picture, output), true;
+  if (mode == "replace-own-folder") return replace_own_folder(output), true;
   return false;
 }
 
@@ -175,6 +197,7 @@ int behave(const std::string& mode, const Arguments& arguments) {
   const std::string output = arguments.at("--output");
   auto picture = grey_picture(arguments);
   misbehave(mode);
+  if (mode.ends_with("litter")) litter(output);
   if (write_no_picture(mode, picture, output)) return 0;
   if (mode == "wrong-size")
     picture = orbs::image::make_image(picture.width / 2, picture.height, {"R", "G", "B"});

@@ -38,6 +38,9 @@ constexpr Fault kFaults[]{
     {"empty", "unreadable", "result.exr is empty"},
     {"half", "unreadable", "result.exr"},
     {"old", "stale", "result.exr is older than its render"},
+    {"replace-own-folder", "no output", "wrote no result.exr"},
+    {"coloured", "crash",
+     "ended with exit code 3; its last words: \uFFFD[31mfake: \uFFFD cannot read sun.txt"},
     {"other-scene", "stale", "result.exr is a picture of another scene"},
     {"other-job", "stale", "result.exr is of another render"},
     {"wrong-size", "wrong size", "result.exr is 6 x 8 pixels, expected 12 x 8"},
@@ -53,6 +56,8 @@ constexpr Fault kFaults[]{
     {"dark", "fail", "psnr_srgb8 is 12.01 dB, at least 35 is needed"},
     // No fault of the picture, and no harm to the run.
     {"leave-child", "pass", ""},
+    {"litter", "pass", ""},
+    {"noisy-litter", "inconclusive", "noise"},
     {"much", "pass", ""},
     {"read-input", "pass", ""}};
 
@@ -89,6 +94,8 @@ TEST(Faults, EachGetsItsVerdictAndTheOthersGoOn) {
   }
   EXPECT_EQ(picture_of(sandbox, "good").verdict, results::Verdict::Pass);
   EXPECT_FALSE(sandbox.has("out/.unfinished"));
+  EXPECT_EQ(sandbox.read("out/results.csv").find('\033'), std::string::npos);
+  EXPECT_EQ(sandbox.read("out/results.csv").find("/.unfinished/"), std::string::npos);
 }
 
 TEST(Faults, NoChildOutlivesItsRenderNotEvenInAnotherSession) {

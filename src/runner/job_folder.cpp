@@ -1,0 +1,42 @@
+#include "runner/job_folder.h"
+
+#include "base/error.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_ours(const std::string& name) {
+  return name == "job.json" || name == "log.txt" || name == "result.png" || name.starts_with("error-");
+}
+
+std::vector<fs::path> in_the_way(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_ours(entry.path().filename().string()) && entry.symlink_status().type() != fs::file_type::regular)
+      found.push_back(entry.path());
+  return found;
+}
+
+}  // namespace
+
+void make_room(const fs::path& folder) {
+  try {
+    if (fs::symlink_status(folder).type() != fs::file_type::directory) fs::remove(folder);
+    fs::create_directories(folder);
+    fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
+    for (const auto& path : in_the_way(folder)) fs::remove_all(path);
+  } catch (const fs::filesystem_error& e) {
+    throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
+                                 folder.string(), e.code().message()));
+  }
+}
+
+}  // namespace orbs::runner
