@@ -27,6 +27,21 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+std::string no_file_problem(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto named = fs::symlink_status(path, ignored).type();
+  const auto meant = fs::status(path, ignored).type();
+  if (meant == fs::file_type::regular) return "";
+  if (named == fs::file_type::not_found || named == fs::file_type::none)
+    return fmt::format("there is no file {}", path.string());
+  const bool leads_nowhere = meant == fs::file_type::not_found || meant == fs::file_type::none;
+  return fmt::format("{} is {}, expected a file", path.string(),
+                     meant == fs::file_type::directory ? "a folder"
+                     : leads_nowhere                   ? "a symbolic link that leads nowhere"
+                                                       : "a device or a pipe");
+}
+
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
   static std::atomic<int> counter{0};
   auto beside = path;

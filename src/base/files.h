@@ -10,6 +10,10 @@ namespace orbs {
 /// The whole file as bytes. InputError with the reason when it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
+/// Why there is no file to be read at `path`: none, or a folder, a device, a link that leads nowhere; "" for
+/// a file.
+std::string no_file_problem(const std::filesystem::path& path);
+
 /// Writes beside the target and renames into place, so that a reader sees the old file or the new one, never
 /// a part. WriteError when the disk refuses.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -1,4 +1,5 @@
 #include "base/files.h"
+#include "base/text.h"
 #include "json/object_reader.h"
 
 #include <fmt/format.h>
@@ -61,6 +62,7 @@ Document parse(std::string name, std::string text) {
              fmt::format("key '{}' appears twice in one object", value.get<std::string>()));
     return true;
   };
+  if (trim(text).empty()) refuse(name, text, 0, "the file is empty, expected a JSON object");
   try {
     const char* begin = text.data();
     auto root = std::make_shared<const nlohmann::json>(

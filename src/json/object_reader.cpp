@@ -206,8 +206,9 @@ Vec3d ObjectReader::vec3_or(const std::string& key, Vec3d fallback, Range range)
   return has(key) ? vec3(key, range) : fallback;
 }
 
-ObjectReader ObjectReader::object(const std::string& key) {
+ObjectReader ObjectReader::object(const std::string& key, const std::string& expected) {
   const auto& value = required(key);
+  if (!value.is_object()) fail(key, fmt::format("must be {}, is {}", expected, value.type_name()));
   return {*document_, pointer_to(key), value};
 }
 

@@ -72,7 +72,8 @@ class ObjectReader {
   Vec3d vec3(const std::string& key, Range range = kAnyNumber);
   Vec3d vec3_or(const std::string& key, Vec3d fallback, Range range = kAnyNumber);
 
-  ObjectReader object(const std::string& key);
+  /// `expected` is what a complaint asks for where an object is not all that may stand there.
+  ObjectReader object(const std::string& key, const std::string& expected = "an object");
   /// Array of objects; an absent key is an empty array for objects_or_none.
   std::vector<ObjectReader> objects(const std::string& key);
   std::vector<ObjectReader> objects_or_none(const std::string& key);

@@ -47,9 +47,7 @@ std::filesystem::path existing_file(json::ObjectReader& in,
                                     const std::string& key,
                                     const std::filesystem::path& folder) {
   const auto path = resolve_path(folder, in.system_text(key));
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    in.fail(key, fmt::format("there is no file {}", path.string()));
+  if (const auto problem = no_file_problem(path); !problem.empty()) in.fail(key, problem);
   return path;
 }
 

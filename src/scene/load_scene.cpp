@@ -22,6 +22,9 @@ Camera load_camera(json::ObjectReader in) {
   camera.far_m = in.number_or("far", camera.far_m, json::kPositive);
   if (in.has("focus_distance")) camera.focus_distance_m = in.number("focus_distance", json::kPositive);
   in.finish();
+  if (camera.near_m >= camera.far_m)
+    in.fail(in.has("near") ? "near" : "far",
+            fmt::format("'near' must be below 'far', they are {} and {}", camera.near_m, camera.far_m));
   const Vec3d view = camera.look_at_m - camera.position_m;
   if (length(view) == 0) in.fail("look_at", "must differ from position: the view has no direction");
   // gluLookAt divides by |view x up|: below 1e-9 of their lengths the picture's up direction is rounding

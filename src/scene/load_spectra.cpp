@@ -15,6 +15,8 @@ namespace {
 using spectra::Beyond;
 using spectra::Spectrum;
 
+constexpr const char* kColour = R"(three numbers or {"spectrum": name})";
+
 Beyond load_beyond(json::ObjectReader& in) {
   return in.one_of_or("beyond", "hold", {"hold", "zero"}) == "zero" ? Beyond::IsZero : Beyond::HoldsEnds;
 }
@@ -152,7 +154,7 @@ Colour load_reflectance(json::ObjectReader& in, const std::string& key, const Sp
   // Above 1 a surface would reflect more than it receives, and the light between two such surfaces has no
   // finite sum.
   if (in.holds_array(key)) return {in.vec3(key, {0.0, 1.0}), std::nullopt};
-  auto entry = in.object(key);
+  auto entry = in.object(key, kColour);
   const auto use = load_use(entry, data);
   const auto& spectrum = used(data, use);
   const double largest = use.scale * *std::max_element(spectrum.values.begin(), spectrum.values.end());
@@ -164,14 +166,18 @@ Colour load_reflectance(json::ObjectReader& in, const std::string& key, const Sp
 }
 
 Colour load_radiance(json::ObjectReader& in, const std::string& key, const SpectralData& data) {
-  if (in.holds_array(key)) return {in.vec3(key, json::kNotNegative), std::nullopt};
-  auto entry = in.object(key);
+  if (in.holds_array(key)) return {in.vec3(key, kRadiance), std::nullopt};
+  auto entry = in.object(key, kColour);
   const auto use = load_use(entry, data);
   const auto& spectrum = used(data, use);
   if (spectrum.beyond != Beyond::IsZero && !spectrum.wavelengths_nm.empty())
     entry.fail("spectrum",
                "holds its ends beyond its samples, as reflectances do; a light needs \"beyond\": \"zero\"");
-  return {spectra::rgb_of_xyz(spectra::xyz_of_light(spectrum)) * use.scale, use};
+  const Rgb rgb = spectra::rgb_of_xyz(spectra::xyz_of_light(spectrum)) * use.scale;
+  if (!(std::max({std::fabs(rgb.x), std::fabs(rgb.y), std::fabs(rgb.z)}) <= kRadiance.max))
+    in.fail(key, fmt::format("reaches ({}, {}, {}); a picture holds at most {}", rgb.x, rgb.y, rgb.z,
+                             kRadiance.max));
+  return {rgb, use};
 }
 
 spectra::RefractiveIndex load_index(json::ObjectReader& in, const std::string& key, SpectralData& data) {

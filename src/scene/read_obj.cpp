@@ -21,6 +21,8 @@ class ObjReader {
   explicit ObjReader(const std::string& name) : name_(name) {}
 
   MeshFile read(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     for (const auto& line : split(text, '\n')) {
       ++line_;
       read_line(std::string_view(line).substr(0, line.find('#')));

@@ -31,6 +31,13 @@ TEST(JsonDocument, WhatTheParserAloneNoticesHasItsPlaceToo) {
       << complaint_about(deep);
 }
 
+TEST(JsonDocument, AnEmptyFileIsCalledOne) {
+  for (const char* text : {"", " \n\t\n"})
+    EXPECT_TRUE(std::string(complaint_about(text))
+                    .starts_with("a.json:1:1: the file is empty, expected a JSON object"))
+        << complaint_about(text);
+}
+
 // Files that programs write are often one line, and nobody wants it on the terminal.
 TEST(JsonDocument, OfALongLineOnlyTheSurroundingsAreShown) {
   const std::string space(100000, ' ');

@@ -148,7 +148,7 @@ const std::vector<BrokenScene> kBroken{
     {"NegativeRadiance",
      "\"radiance\": [1, 1, 1]",
      "\"radiance\": [1, -1, 1]",
-     {"scene.json:19:", "/lights/0/radiance/1", "at least 0"}},
+     {"scene.json:19:", "/lights/0/radiance/1", "must lie in [0, 3.4"}},
     {"UpAlongTheView",
      "\"fov_y\": 45",
      "\"up\": [0, 0, 1]",
@@ -242,6 +242,12 @@ TEST(ObjFile, IsReadWithTabsAsWithBlanks) {
   EXPECT_EQ(file.mesh.positions.size(), 3U);
   EXPECT_EQ(file.material_names, std::vector<std::string>{"red"});
   EXPECT_EQ(file.mesh.triangle_materials, scene::parse_obj("a.obj", text).mesh.triangle_materials);
+}
+
+TEST(ObjFile, MayBeginWithAByteOrderMark) {
+  const auto file =
+      scene::parse_obj("a.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  EXPECT_EQ(file.mesh.positions.size(), 3U);
 }
 
 // A search through all names so far for each line would take a minute.
