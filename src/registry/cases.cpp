@@ -5,6 +5,7 @@
 #include "json/object_reader.h"
 #include "registry/filters.h"
 #include "registry/plain_name.h"
+#include "registry/suite_checks.h"
 
 #include <algorithm>
 #include <map>
@@ -44,9 +45,7 @@ CaseScene load_case_scene(ObjectReader in,
   CaseScene scene;
   scene.name = picture_name(in, names);
   scene.file = resolve_path(folder, in.system_text("file"));
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(scene.file, ignored))
-    in.fail("file", fmt::format("there is no file {}", scene.file.string()));
+  if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
   if (in.has("reference")) scene.reference = in.text("reference");
   if (scene.reference == scene.name) in.fail("reference", "is the scene itself; leave it out");
@@ -134,11 +133,13 @@ PathShare load_path_share(ObjectReader in, const std::set<std::string>& scenes) 
 
 std::string load_requirement(ObjectReader& in) {
   auto text = in.text("requirement");
+  std::string problem;
   try {
-    parse_requirement(text);
+    problem = unknown_requirement(parse_requirement(text));
   } catch (const InputError& e) {
-    in.fail("requirement", e.what());
+    problem = e.what();
   }
+  if (!problem.empty()) in.fail("requirement", problem);
   return text;
 }
 
@@ -158,60 +159,26 @@ void load_scenes(ObjectReader& in, Case& one_case) {
     one_case.path_shares.push_back(load_path_share(std::move(entry), scenes));
 }
 
-// One scene may serve several cases; it is rendered once, so it must be the same scene everywhere.
-void refuse_conflicts(const std::vector<Case>& cases) {
-  std::map<std::string, std::pair<const Case*, const CaseScene*>> scenes;
-  std::map<std::string, const Case*> differences;
-  for (const auto& one_case : cases) {
-    for (const auto& scene : one_case.scenes) {
-      const auto [first, is_new] = scenes.try_emplace(scene.name, &one_case, &scene);
-      const auto& [other_case, other] = first->second;
-      if (!is_new && other->reference != scene.reference)
-        throw InputError(fmt::format(
-            "{}: scene '{}' is judged by the reference of '{}', but by that of '{}' in {}; use another name",
-            one_case.file.string(), scene.name, reference_name(scene), reference_name(*other),
-            other_case->file.string()));
-      if (!is_new && (other->file != scene.file || other->spp != scene.spp))
-        throw InputError(
-            fmt::format("{}: scene '{}' is {} with {} spp, but {} with {} spp in {}; use another name",
-                        one_case.file.string(), scene.name, scene.file.string(), scene.spp,
-                        other->file.string(), other->spp, other_case->file.string()));
-    }
-    for (const auto& difference : one_case.differences)
-      if (!differences.try_emplace(difference.name, &one_case).second)
-        throw InputError(fmt::format("{}: difference '{}' is also one of {}; use another name",
-                                     one_case.file.string(), difference.name,
-                                     differences[difference.name]->file.string()));
+// Hidden folders are those of other programs.
+std::vector<std::filesystem::path> case_folders(const Suite& suite) {
+  std::error_code failed;
+  std::vector<std::filesystem::path> folders;
+  for (const auto& entry : std::filesystem::directory_iterator(suite.cases, failed)) {
+    std::error_code leads_nowhere;
+    if (!entry.path().filename().string().starts_with('.') && entry.is_directory(leads_nowhere))
+      folders.push_back(entry.path());
   }
-  for (const auto& [name, one_case] : differences)
-    if (scenes.contains(name))
-      throw InputError(fmt::format("{}: difference '{}' has the name of a scene in {}; use another name",
-                                   one_case->file.string(), name, scenes[name].first->file.string()));
-}
-
-// After symbolic links: a case must not reach into what is none of the suite's business.
-void refuse_outside(const std::filesystem::path& file,
-                    const std::filesystem::path& folder,
-                    const Case& one_case) {
-  const auto inside = std::filesystem::weakly_canonical(folder);
-  const auto meant = std::filesystem::weakly_canonical(file);
-  if (const auto relative = meant.lexically_relative(inside); relative.empty() || *relative.begin() == "..")
-    throw InputError(fmt::format("{}: the scene {} lies outside the suite's cases in {}; copy it there",
-                                 one_case.file.string(), meant.string(), inside.string()));
-}
-
-void check_references(const std::vector<Case>& cases) {
-  std::set<std::string> with_reference;
-  for (const auto& one_case : cases)
-    for (const auto& scene : one_case.scenes)
-      if (scene.reference.empty()) with_reference.insert(scene.name);
-  for (const auto& one_case : cases)
-    for (const auto& scene : one_case.scenes)
-      if (!with_reference.contains(reference_name(scene)))
-        throw InputError(fmt::format(
-            "{}: scene '{}' is to be judged by the reference of '{}', but no scene of the suite with a "
-            "reference of its own has that name{}",
-            one_case.file.string(), scene.name, scene.reference, closest(scene.reference, with_reference)));
+  if (failed)
+    throw InputError(fmt::format("{}: the cases of suite '{}' cannot be read: {}", suite.cases.string(),
+                                 suite.name, failed.message()));
+  std::sort(folders.begin(), folders.end());
+  for (const auto& folder : folders)
+    if (std::error_code ignored; !std::filesystem::exists(folder / "case.json", ignored))
+      throw InputError(
+          fmt::format("{}: is a folder of suite '{}' without case.json; write one, or move the folder "
+                      "elsewhere",
+                      folder.string(), suite.name));
+  return folders;
 }
 
 // A tolerance that is not that of all cases has a reason, which says how it was found.
@@ -254,16 +221,8 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
 Case load_case(const std::filesystem::path& file) { return parse_case(file, read_file(file)); }
 
 std::vector<Case> load_cases(const Suite& suite) {
-  std::error_code failed;
-  std::vector<std::filesystem::path> folders;
-  for (const auto& entry : std::filesystem::directory_iterator(suite.cases, failed))
-    if (entry.is_directory()) folders.push_back(entry.path());
-  if (failed)
-    throw InputError(fmt::format("{}: the cases of suite '{}' cannot be read: {}", suite.cases.string(),
-                                 suite.name, failed.message()));
-  std::sort(folders.begin(), folders.end());
   std::vector<Case> cases;
-  for (const auto& folder : folders) cases.push_back(load_case(folder / "case.json"));
+  for (const auto& folder : case_folders(suite)) cases.push_back(load_case(folder / "case.json"));
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes) refuse_outside(scene.file, suite.cases, one_case);
   if (cases.empty())

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "json/object_reader.h"
 #include "registry/defaults.h"
+#include "registry/limits.h"
 #include "registry/placeholders.h"
 #include "registry/plain_name.h"
 
@@ -17,8 +18,6 @@ namespace orbs::registry {
 namespace {
 
 using json::ObjectReader;
-
-constexpr double kMostMegabytes = 1 << 30;
 
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
@@ -47,18 +46,22 @@ Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
   return suite;
 }
 
+std::string limit_problem(const std::string& requirement, const FeatureSet& declares) {
+  try {
+    const auto code = parse_requirement(requirement);
+    return has_feature(declares, code)
+               ? fmt::format("'declares' has {}; leave it out there, or here", requirement)
+               : unknown_requirement(code);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
 KnownLimit load_limit(ObjectReader in, const FeatureSet& declares) {
   KnownLimit limit{in.texts("requirements"), in.text("reason")};
-  for (std::size_t i = 0; i < limit.requirements.size(); ++i) {
-    try {
-      if (has_feature(declares, parse_requirement(limit.requirements[i])))
-        in.fail_at("requirements", i,
-                   fmt::format("'declares' has {}; leave it out there, or here", limit.requirements[i]));
-    } catch (const InputError& e) {
-      if (std::string(e.what()).starts_with(in.file())) throw;
-      in.fail_at("requirements", i, e.what());
-    }
-  }
+  for (std::size_t i = 0; i < limit.requirements.size(); ++i)
+    if (const auto problem = limit_problem(limit.requirements[i], declares); !problem.empty())
+      in.fail_at("requirements", i, problem);
   if (limit.reason.empty()) in.fail("reason", "must say why");
   in.finish();
   return limit;
@@ -66,11 +69,16 @@ KnownLimit load_limit(ObjectReader in, const FeatureSet& declares) {
 
 FeatureSet load_features(ObjectReader& in, const std::string& key) {
   const auto text = in.text(key);
+  FeatureSet features;
+  std::string problem;
   try {
-    return parse_features(text);
+    features = parse_features(text);
+    problem = unknown_requirement(features);
   } catch (const InputError& e) {
-    in.fail(key, e.what());
+    problem = e.what();
   }
+  if (!problem.empty()) in.fail(key, problem);
+  return features;
 }
 
 std::vector<std::string> load_environment(ObjectReader& in) {
@@ -84,6 +92,8 @@ std::vector<std::string> load_environment(ObjectReader& in) {
 
 std::vector<std::string> load_command(ObjectReader& in) {
   auto command = template_texts(in, "command", command_placeholders());
+  if (const auto& program = command.front(); program.empty() || program.starts_with('-'))
+    in.fail_at("command", 0, fmt::format("must be a program or {{executable}}, is '{}'", program));
   for (const char* needed : {"scene", "output"})
     if (!uses_placeholder(command, needed))
       in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
@@ -143,21 +153,6 @@ RenderSeconds load_render_seconds(ObjectReader in) {
   return place;
 }
 
-// What is not named stays as it is.
-void load_limits(ObjectReader in, warden::Limits& limits) {
-  constexpr double kMegabyte = 1 << 20;
-  const auto bytes = [&](const char* key) {
-    return static_cast<std::size_t>(in.number(key, {0, kMostMegabytes}) * kMegabyte);
-  };
-  limits.wall_seconds = in.number_or("wall_seconds", limits.wall_seconds, json::kPositive);
-  limits.grace_seconds = in.number_or("grace_seconds", limits.grace_seconds, json::kNotNegative);
-  if (in.has("cpu_seconds")) limits.cpu_seconds = in.number("cpu_seconds", json::kPositive);
-  if (in.has("memory_megabytes")) limits.memory_bytes = bytes("memory_megabytes");
-  if (in.has("output_megabytes")) limits.output_bytes = bytes("output_megabytes");
-  if (in.has("log_megabytes")) limits.log_bytes = bytes("log_megabytes");
-  in.finish();
-}
-
 Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
@@ -185,7 +180,7 @@ Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
     renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));
   renderer.command = load_command(in);
   renderer.limits = limits;
-  if (in.has("limits")) load_limits(in.object("limits"), renderer.limits);
+  if (in.has("limits")) read_limits(in.object("limits"), renderer.limits);
   renderer.spp_scale = in.number_or("spp_scale", renderer.spp_scale, json::kPositive);
   if (in.has("spp_scale_of_scenes")) {
     auto scenes = in.object("spp_scale_of_scenes");
@@ -226,7 +221,7 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));
   warden::Limits limits;
-  if (in.has("limits")) load_limits(in.object("limits"), limits);
+  if (in.has("limits")) read_limits(in.object("limits"), limits);
   refuse_doubles(in.objects("renderers"));
   for (auto& entry : in.objects("renderers"))
     configuration.renderers.push_back(load_renderer(std::move(entry), limits));

@@ -4,6 +4,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <tuple>
@@ -17,6 +18,13 @@ namespace orbs::registry {
 namespace {
 
 constexpr std::string_view kOrder = "GMLA";
+
+struct Group {
+  char letter;
+  int highest;
+};
+constexpr std::array kGroups{Group{'G', 5}, Group{'M', 8}, Group{'L', 4},
+                             Group{'A', 4}, Group{'E', 6}, Group{'S', 1}};
 
 int rank(char group) {
   const auto at = kOrder.find(group);
@@ -156,6 +164,24 @@ RequirementCode parse_requirement(std::string_view text) {
 }
 
 std::string format_requirement(RequirementCode code) { return fmt::format("{}{}", code.group, code.level); }
+
+std::string unknown_requirement(RequirementCode code) {
+  std::string known;
+  for (const auto& [letter, highest] : kGroups) {
+    if (code.group == letter && code.level <= highest) return "";
+    known += fmt::format("{}{}1", known.empty() ? "" : ", ", letter);
+    if (highest > 1) known += fmt::format(" to {}{}", letter, highest);
+  }
+  return fmt::format("there is no requirement {}; there are {}", format_requirement(code), known);
+}
+
+std::string unknown_requirement(const FeatureSet& features) {
+  for (const auto& [group, levels] : features)
+    if (auto problem = unknown_requirement(RequirementCode{group, levels.empty() ? 0 : *levels.rbegin()});
+        !problem.empty())
+      return problem;
+  return "";
+}
 
 bool comes_before(RequirementCode a, RequirementCode b) {
   return std::pair(rank(a.group), a.level) < std::pair(rank(b.group), b.level);

@@ -91,6 +91,18 @@ TEST(AddedRenderer, WithATakenNameIsRefused) {
   EXPECT_EQ(sandbox.read("configuration.json"), before);
 }
 
+TEST(AddedRenderer, WhoseCommandOrNameCannotWorkIsRefused) {
+  const Sandbox sandbox;
+  const auto before = sandbox.read("configuration.json");
+  const auto answer =
+      sandbox.orbs({"renderer", "add", "m6", "--executable", "/bin/sh", "--", "-c", "{scene}", "{output}"});
+  EXPECT_EQ(answer.status, 2) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "/command/0: must be a program or {executable}, is '-c'")) << answer.text;
+  EXPECT_EQ(sandbox.orbs({"renderer", "add", "junit.xml"}).status, 2);
+  EXPECT_EQ(sandbox.orbs({"renderer", "add", std::string(300, 'x')}).status, 2);
+  EXPECT_EQ(sandbox.read("configuration.json"), before);
+}
+
 // A shell script that takes its "scene" to be the name of a finished picture.
 TEST(HandWrittenScene, IsUsedInPlaceOfTheExportedOneAndKeptApart) {
   const Sandbox sandbox;

@@ -118,6 +118,62 @@ TEST(Cases, MistakesAreNamedWithTheirPlace) {
             std::string::npos);
 }
 
+TEST(Cases, ARequirementThatDoesNotExistIsRefused) {
+  for (const char* wrong : {"M11", "Z9", "G6", "E7", "S2"}) {
+    const auto message = message_of(case_text("", R"([{"name": "1", "file": "1.json"}])", wrong));
+    EXPECT_NE(message.find(std::string("/requirement: there is no requirement ") + wrong +
+                           "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, E1 to E6, S1"),
+              std::string::npos)
+        << message;
+  }
+}
+
+TEST(Cases, AFolderWithoutItsCaseIsNamedAndHiddenOnesAreNotLookedAt) {
+  const TestFolder scratch("registry-folders");
+  scratch.write("a/1.json", "{}");
+  scratch.write("a/2.json", "{}");
+  scratch.write("a/case.json", case_text(""));
+  scratch.write(".git/config", "");
+  EXPECT_EQ(load_cases({"s", scratch.path(), scratch.path()}).size(), 1U);
+  scratch.write("notes/read.me", "");
+  try {
+    load_cases({"s", scratch.path(), scratch.path()});
+    ADD_FAILURE();
+  } catch (const orbs::InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("notes: is a folder of suite 's' without case.json"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(Cases, ALinkThatLeadsNowhereIsNoFolderOfTheSuite) {
+  const TestFolder scratch("registry-links");
+  scratch.write("a/1.json", "{}");
+  scratch.write("a/2.json", "{}");
+  scratch.write("a/case.json", case_text(""));
+  std::filesystem::create_symlink("loop", scratch.path() / "loop");
+  EXPECT_EQ(load_cases({"s", scratch.path(), scratch.path()}).size(), 1U);
+}
+
+TEST(Cases, ASceneFileThatIsNoFileIsCalledWhatItIs) {
+  const TestFolder scratch("registry-no-file");
+  scratch.write("m2/1.json/inside", "");
+  std::filesystem::create_symlink("2.json", scratch.path() / "m2/2.json");
+  const auto text_of = [&](const std::string& file) {
+    scratch.write("m2/case.json", case_text("", R"([{"name": "1", "file": ")" + file + R"("}])"));
+    try {
+      load_case(scratch.path() / "m2/case.json");
+    } catch (const orbs::InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(text_of("1.json").find("1.json is a folder, expected a file"), std::string::npos)
+      << text_of("1.json");
+  EXPECT_NE(text_of("2.json").find("2.json is a symbolic link that leads nowhere"), std::string::npos)
+      << text_of("2.json");
+}
+
 TEST(Cases, StandInTheOrderOfTheSpecification) {
   const SuiteOfTwo folders(case_text("", R"([{"name": "1", "file": "1.json"}])", "L1"),
                            case_text("", R"([{"name": "2", "file": "2.json"}])", "M3"));

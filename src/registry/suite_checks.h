@@ -1,0 +1,19 @@
+#pragma once
+
+#include "registry/cases.h"
+
+/// What only all cases of a suite together tell. InputErrors with the file of the case.
+namespace orbs::registry {
+
+/// One scene may serve several cases; it is rendered once, so it must be the same scene everywhere.
+void refuse_conflicts(const std::vector<Case>& cases);
+
+/// After symbolic links: a case must not reach into what is none of the suite's business.
+void refuse_outside(const std::filesystem::path& file,
+                    const std::filesystem::path& folder,
+                    const Case& one_case);
+
+/// A scene that is judged by the reference of another one names a scene which has a reference of its own.
+void check_references(const std::vector<Case>& cases);
+
+}  // namespace orbs::registry
