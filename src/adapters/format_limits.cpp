@@ -26,13 +26,12 @@ std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
   return reasons;
 }
 
-std::string light_limit(const scene::Light& light, const char* renderer) {
+std::string light_limit(const scene::Light& light, const std::string& called, const char* renderer) {
   if (light.ies)
-    return fmt::format("light '{}' has an IES profile: {} has them for points without size only", light.name,
-                       renderer);
+    return fmt::format("{} has an IES profile: {} has them for points without size only", called, renderer);
   if (std::holds_alternative<scene::DiskShape>(light.shape) && !is_round(light_frame(light.matrix)))
-    return fmt::format("light '{}' is a disk stretched into an ellipse, whose area {} does not know",
-                       light.name, renderer);
+    return fmt::format("{} is a disk stretched into an ellipse, whose area {} does not know", called,
+                       renderer);
   return "";
 }
 

@@ -21,7 +21,8 @@ struct BeyondOrbs {
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels);
-std::string light_limit(const scene::Light& light, const char* renderer);
+/// `called`: how the sentence calls the light.
+std::string light_limit(const scene::Light& light, const std::string& called, const char* renderer);
 std::string oren_nayar_limit(const std::string& material, double roughness, const char* renderer);
 /// `form` says what the renderer has: "a product" or "height-correlated".
 std::string masking_limit(const std::string& material, double alpha, const char* renderer, const char* form);

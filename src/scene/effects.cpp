@@ -1,5 +1,6 @@
 #include "scene/effects.h"
 
+#include "scene/called.h"
 #include "scene/effects_parts.h"
 #include "scene/lower_parts.h"
 
@@ -41,8 +42,9 @@ void add_materials(const Scene& scene, SceneEffects& found) {
 }
 
 void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
-  for (const auto& light : scene.lights) {
-    const auto thing = fmt::format("light '{}'", light.name);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto& light = scene.lights[i];
+    const auto thing = called("light", light.name, i);
     if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), thing);
     if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, thing);
     if (light.reflectance != Rgb{})
@@ -69,9 +71,9 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
     if (count > 1)
       note(found, {Effect::Instancing, true, fmt::format("stands in {} places", count)},
            fmt::format("mesh '{}'", scene.meshes[static_cast<std::size_t>(mesh)].name));
-  for (const auto& sphere : scene.spheres)
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     note(found, {Effect::AnalyticShape, true, "is a sphere by its formula"},
-         fmt::format("shape '{}'", sphere.name));
+         called("shape", scene.spheres[i].name, i));
 }
 
 void add_outputs(const Scene& scene, SceneEffects& found) {

@@ -1,5 +1,6 @@
 #include "scene/lower.h"
 
+#include "scene/called.h"
 #include "scene/effects.h"
 #include "scene/lower_parts.h"
 
@@ -30,8 +31,8 @@ std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
           {has_several_materials(mesh) ? "G5" : "G4",
            fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
   }
-  for (const auto& sphere : scene.spheres)
-    features.push_back({"S1", fmt::format("shape '{}' is a sphere by its formula", sphere.name)});
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    features.push_back({"S1", called("shape", scene.spheres[i].name, i) + " is a sphere by its formula"});
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     if (!seen.contains(static_cast<int>(i)))
       features.push_back(
@@ -48,16 +49,16 @@ std::string lacking(const std::vector<CalledFeature>& features, const Capabiliti
 }
 
 std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
-  for (auto& light : scene.lights) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    auto& light = scene.lights[i];
     if (std::holds_alternative<SphereShape>(light.shape) && !uniform_scale(light.matrix))
-      return fmt::format(
-          "light '{}' is a sphere with a scale that is not uniform, which no level of ORB.S has", light.name);
+      return called("light", light.name, i) +
+             " is a sphere with a scale that is not uniform, which no level of ORB.S has";
     if (capabilities.contains("L3")) continue;
     const auto moved = without_matrix(light);
     if (!moved)
-      return fmt::format(
-          "light '{}' is turned or scaled in a way that its sizes cannot take up, which needs L3",
-          light.name);
+      return called("light", light.name, i) +
+             " is turned or scaled in a way that its sizes cannot take up, which needs L3";
     light = *moved;
   }
   return lacking(features_of_lights(scene), capabilities);

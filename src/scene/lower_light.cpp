@@ -1,3 +1,4 @@
+#include "scene/called.h"
 #include "scene/lower_parts.h"
 
 #include <cmath>
@@ -94,9 +95,10 @@ std::optional<Light> without_matrix(const Light& light) {
 
 std::vector<CalledFeature> features_of_lights(const Scene& scene) {
   std::vector<CalledFeature> features;
-  for (const auto& light : scene.lights) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto& light = scene.lights[i];
     const auto note = [&](const char* requirement, const char* what) {
-      features.push_back({requirement, fmt::format("light '{}' {}", light.name, what)});
+      features.push_back({requirement, fmt::format("{} {}", called("light", light.name, i), what)});
     };
     const bool is_sphere = std::holds_alternative<SphereShape>(light.shape);
     note(is_sphere ? "L2" : "L1", is_sphere ? "is a sphere" : "is an area light");

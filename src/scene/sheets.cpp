@@ -1,3 +1,4 @@
+#include "scene/called.h"
 #include "scene/load_parts.h"
 
 #include <fmt/format.h>
@@ -24,10 +25,10 @@ std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
                          axis.y, axis.z, i, instance.name);
     }
   }
-  for (const auto& sphere : scene.spheres)
-    if (sphere.material == material)
-      return fmt::format("sphere '{}' is no sheet: an axis can be projected into flat things only",
-                         sphere.name);
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    if (scene.spheres[i].material == material)
+      return fmt::format("{} is a sphere and no sheet: an axis can be projected into flat things only",
+                         called("shape", scene.spheres[i].name, i));
   return "";
 }
 

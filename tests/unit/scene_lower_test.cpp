@@ -231,3 +231,14 @@ TEST(CalledFeatures, AreNamedWithWhatCallsForThem) {
                                                        {"L2", "light 's' is a sphere"},
                                                        {"M8", "material 'n' is smooth glass"}}));
 }
+
+TEST(Lowering, ALightWithoutANameIsCalledByItsPlace) {
+  auto scene = scene_with({"", RectShape{1, 1}, {1, 1, 1}, {}, {}});
+  scene.lights.push_back({"", SphereShape{1}, {1, 1, 1}, scaling({1, 2, 1}), {}});
+  scene.lights[0].name = "l";
+  EXPECT_EQ(reason_of(scene, {"L1"}),
+            "light 1 is a sphere with a scale that is not uniform, which no level of ORB.S has");
+  scene.lights[0].name = "";
+  scene.lights.pop_back();
+  EXPECT_EQ(reason_of(scene, {"L1"}), "light 0 is an area light, which needs L1");
+}

@@ -3,6 +3,7 @@
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/mitsuba/stokes_frame.h"
 #include "adapters/parts.h"
+#include "scene/called.h"
 #include "scene/effects.h"
 #include "scene/lower_parts.h"
 
@@ -141,7 +142,8 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
     note(wrap_limit(texture, kName));
     if (transport != scene::LightTransport::Colour) note(spectral_texture_limit(texture, kName));
   }
-  for (const scene::Light& light : scene.lights) note(light_limit(light, kName));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    note(light_limit(scene.lights[i], scene::called("light", scene.lights[i].name, i), kName));
   for (const Part& part : parts_of(scene)) note(back_limit(scene, part));
   note(stokes_limit(scene));
   return reasons;

@@ -3,6 +3,7 @@
 #include "adapters/parts.h"
 #include "adapters/pbrt/pbrt.h"
 #include "image/image_io.h"
+#include "scene/called.h"
 #include "scene/effects.h"
 #include "scene/lower_parts.h"
 
@@ -85,10 +86,9 @@ std::string back_limit(const scene::Scene& scene, const Part& part) {
       part.mesh.name, material.name);
 }
 
-std::string reflecting_limit(const scene::Light& light) {
+std::string reflecting_limit(const scene::Light& light, const std::string& called) {
   if (light.reflectance == scene::Rgb{}) return "";
-  return fmt::format("light '{}' reflects where it shines: pbrt's diffuse surfaces reflect on both sides",
-                     light.name);
+  return called + " reflects where it shines: pbrt's diffuse surfaces reflect on both sides";
 }
 
 // pbrt enlarges other pictures to the next power of two and so blurs their texels.
@@ -122,9 +122,10 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
     note(size_limit(texture));
     if (is_spectral) note(spectral_texture_limit(texture, kName));
   }
-  for (const scene::Light& light : scene.lights) {
-    note(light_limit(light, kName));
-    note(reflecting_limit(light));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto called = scene::called("light", scene.lights[i].name, i);
+    note(light_limit(scene.lights[i], called, kName));
+    note(reflecting_limit(scene.lights[i], called));
   }
   for (const Part& part : parts_of(scene)) note(back_limit(scene, part));
   return reasons;

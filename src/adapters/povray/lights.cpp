@@ -160,15 +160,12 @@ std::string light_text(const scene::Scene& scene, const scene::Light& light, con
   return std::visit(LightWriter{scene, light, settings}, light.shape);
 }
 
-std::string light_limit(const scene::Light& light) {
+std::string light_limit(const scene::Light& light, const std::string& called) {
   if (light.ies)
-    return fmt::format(
-        "light '{}' has an IES profile: POV-Ray's light sources have no measured intensity distribution",
-        light.name);
+    return called + " has an IES profile: POV-Ray's light sources have no measured intensity distribution";
   if (!std::holds_alternative<scene::SphereShape>(light.shape) || scene::uniform_scale(light.matrix))
     return "";
-  return fmt::format(
-      "sphere light '{}' is stretched into an ellipsoid, for which POV-Ray has no light source", light.name);
+  return called + " is a sphere stretched into an ellipsoid, for which POV-Ray has no light source";
 }
 
 }  // namespace orbs::adapters::povray

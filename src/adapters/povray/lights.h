@@ -12,6 +12,6 @@ namespace orbs::adapters::povray {
 std::string light_text(const scene::Scene& scene, const scene::Light& light, const PovraySettings& settings);
 
 /// Why the light cannot be written, "" when it can.
-std::string light_limit(const scene::Light& light);
+std::string light_limit(const scene::Light& light, const std::string& called);
 
 }  // namespace orbs::adapters::povray

@@ -2,6 +2,7 @@
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/povray.h"
+#include "scene/called.h"
 #include "scene/lower_parts.h"
 
 #include <set>
@@ -88,7 +89,8 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
     if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
   }
   for (const int texture : textures) note(texture_limit(scene.textures[static_cast<std::size_t>(texture)]));
-  for (const scene::Light& light : scene.lights) note(povray::light_limit(light));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    note(povray::light_limit(scene.lights[i], scene::called("light", scene.lights[i].name, i)));
   if (settings.photons == 0 && needs_caustics(scene, materials))
     note(
         "a mirror or glass throws light on diffuse surfaces, which takes photons, and they are switched off");
