@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "studies/bench.h"
 #include "studies/bench_report.h"
 
@@ -34,7 +35,9 @@ void add_options(CLI::App& command, BenchOptions& options) {
       ->capture_default_str();
   command.add_option("--only", options.only,
                      "these renderers (default: orbs, and cycles where it is installed)");
-  command.add_option("-o,--output", options.output, "file for all numbers")->capture_default_str();
+  command.add_option("-o,--output", options.output, "file for all numbers")
+      ->capture_default_str()
+      ->check(not_empty("a file"));
 }
 
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "results/prices.h"
 #include "studies/price_list.h"
 
@@ -33,10 +34,11 @@ void add_options(CLI::App& command, EffectsOptions& options) {
   command.add_option("--size", options.prices.size_px, "longer side in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
-  command.add_option(
-      "-o,--output", options.output,
-      "file for all numbers (default: prices.json in the working folder; beside the references "
-      "of the suite, runs and their pages show it)");
+  command
+      .add_option("-o,--output", options.output,
+                  "file for all numbers (default: prices.json in the working folder; beside the references "
+                  "of the suite, runs and their pages show it)")
+      ->check(not_empty("a file"));
   command.add_flag("--markdown", options.as_markdown, "print the table in Markdown");
 }
 

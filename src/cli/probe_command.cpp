@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "studies/probe.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void add_options(CLI::App& command, ProbeOptions& options) {
   command.add_option("--threads", options.probe.threads, "threads of each render")
       ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str();
-  command.add_option("-o,--output", options.output, "JSON file for all findings");
+  command.add_option("-o,--output", options.output, "JSON file for all findings")->check(not_empty("a file"));
 }
 
 int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {

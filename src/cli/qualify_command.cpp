@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "results/run_folder.h"
 #include "studies/qualify.h"
@@ -44,8 +45,10 @@ void add_options(CLI::App& command, QualifyOptions& options) {
       ->check(above_zero())
       ->capture_default_str();
   command.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, kMostThreads));
-  command.add_option("-o,--output", options.output,
-                     "file for the results (default: qualification.json beside the references)");
+  command
+      .add_option("-o,--output", options.output,
+                  "file for the results (default: qualification.json beside the references)")
+      ->check(not_empty("a file"));
 }
 
 int qualify(const registry::Configuration& configuration,

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "report/page_file.h"
 
@@ -43,7 +44,9 @@ void add_report_command(CLI::App& app, const Program& program, Action& action) {
   auto* command = app.add_subcommand("report", "Writes the page of a run as one HTML file");
   const auto options = std::make_shared<ReportOptions>();
   command->add_option("run", options->run, "folder of the run (default: the newest outputs-* here)");
-  command->add_option("-o,--output", options->output, "the file to write")->required();
+  command->add_option("-o,--output", options->output, "the file to write")
+      ->required()
+      ->check(not_empty("a file"));
   command
       ->add_option("--most-megabytes", options->most_megabytes, "room for pictures; failures are taken first")
       ->check(zero_or_more());

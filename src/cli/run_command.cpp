@@ -1,6 +1,7 @@
 #include "adapters/interrupt.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "report/files.h"
 #include "report/table.h"
@@ -45,10 +46,14 @@ void add_options(CLI::App& command, RunOptions& options) {
                      "only these renderers (default: all that are installed)");
   command.add_option("-e,--exec", options.executable,
                      "program to start instead of the chosen renderer's own");
-  command.add_option("-o,--output", options.output,
-                     "new folder for the results (default: outputs-YYMMDD-HHMMSS)");
-  auto* resume = command.add_option("--resume", options.resume,
-                                    "go on with the run in this folder: render what is missing or outdated");
+  command
+      .add_option("-o,--output", options.output,
+                  "new folder for the results (default: outputs-YYMMDD-HHMMSS)")
+      ->check(not_empty("a folder"));
+  auto* resume = command
+                     .add_option("--resume", options.resume,
+                                 "go on with the run in this folder: render what is missing or outdated")
+                     ->check(not_empty("a folder"));
   for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
     resume->excludes(command.get_option(choice));
   command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
@@ -165,6 +170,8 @@ int run_plan(const registry::Configuration& configuration,
   fmt::print("\n{}\n{:.1f} s in all; results: {}\n",
              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
              folder.string());
+  if (results::judged_nothing(record))
+    fmt::print(stderr, "orbs: nothing was judged: every picture is unsupported, for the reasons above\n");
   if (options.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
@@ -178,7 +185,8 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
   add_options(*command, *options);
   command->footer(
       "Every option has a default that may stand in configuration.json under \"defaults\".\n"
-      "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run.");
+      "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run, or "
+      "nothing was judged: every picture is unsupported.");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;

@@ -12,7 +12,13 @@ std::string command_of(const RunRecord& run, const PictureRecord& picture) {
   return commands;
 }
 
+bool judged_nothing(const RunRecord& run) {
+  return std::all_of(run.pictures.begin(), run.pictures.end(),
+                     [](const PictureRecord& picture) { return picture.verdict == Verdict::Unsupported; });
+}
+
 int exit_status(const RunRecord& run) {
+  if (judged_nothing(run)) return 2;
   const bool failed = std::any_of(run.pictures.begin(), run.pictures.end(), [](const PictureRecord& picture) {
     return picture.declared && counts_as_failure(picture.verdict);
   });

@@ -188,7 +188,11 @@ struct RunRecord {
 /// The shell commands of the renders that the picture is made from, joined by " ; ".
 std::string command_of(const RunRecord& run, const PictureRecord& picture);
 
-/// 0 when nothing that counts failed, else 1: a failure counts when the renderer declares the requirement.
+/// Whether every picture is unsupported, which says nothing about any renderer.
+bool judged_nothing(const RunRecord& run);
+
+/// 0 when nothing that counts failed, else 1: a failure counts when the renderer declares the requirement. 2
+/// when nothing was judged.
 int exit_status(const RunRecord& run);
 
 }  // namespace orbs::results

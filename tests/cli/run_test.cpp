@@ -198,6 +198,17 @@ TEST(Run, UndeclaredRequirementsAreUnsupportedWithTheReasonAndNoFailure) {
   EXPECT_TRUE(contains(answer.text, "good does not declare M3: it has no mirrors")) << answer.text;
 }
 
+TEST(Run, WhereNothingIsJudgedItIsNoSuccess) {
+  const Sandbox sandbox;
+  auto text = configuration_with("");
+  const std::string declares = "\"declares\": \"G5/M8\"";
+  sandbox.write("configuration.json",
+                text.replace(text.find(declares), declares.size(), R"("declares": "G5")"));
+  const auto answer = sandbox.orbs({"run", "-r", "good"});
+  EXPECT_EQ(answer.status, 2) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs: nothing was judged: every picture is unsupported")) << answer.text;
+}
+
 // The page needs nothing but the run's folder: not the suite, not the references of this machine.
 TEST(Run, LeavesAFolderThatCanBeShownOnItsOwn) {
   const Sandbox sandbox;

@@ -40,11 +40,19 @@ TEST(Verdicts, HaveDifferentNames) {
 
 TEST(ExitStatus, IsOneForEveryFailureOnWhatARendererDeclares) {
   RunRecord run;
-  EXPECT_EQ(exit_status(run), 0);
   run.pictures = {picture(Verdict::Pass, true), picture(Verdict::Unsupported, true),
                   picture(Verdict::Fail, false)};
   EXPECT_EQ(exit_status(run), 0);
   run.pictures.push_back(picture(Verdict::MissingReference, true));
+  EXPECT_EQ(exit_status(run), 1);
+}
+
+TEST(ExitStatus, IsTwoWhereNothingWasJudged) {
+  RunRecord run;
+  EXPECT_EQ(exit_status(run), 2);
+  run.pictures = {picture(Verdict::Unsupported, true), picture(Verdict::Unsupported, false)};
+  EXPECT_EQ(exit_status(run), 2);
+  run.pictures.push_back(picture(Verdict::Crash, true));
   EXPECT_EQ(exit_status(run), 1);
 }
 
