@@ -1,5 +1,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
+#include "cli/number_checks.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "metrics/compare.h"
@@ -105,9 +107,11 @@ void add_compare_command(CLI::App& app, const Program& /*program*/, Action& acti
   command->add_option("reference", options->second, "what it should be")->required();
   command->add_option("--metric", options->metric,
                       "the metric of --min and --max, computed in any case (default: psnr_srgb8)");
-  command->add_option("--min", options->min, "least value that is within the tolerance");
-  command->add_option("--max", options->max, "greatest value that is within the tolerance");
-  command->add_option("--maps", options->maps, "folder for the error maps, EXR and PNG");
+  command->add_option("--min", options->min, "least value that is within the tolerance")->check(any_number());
+  command->add_option("--max", options->max, "greatest value that is within the tolerance")
+      ->check(any_number());
+  command->add_option("--maps", options->maps, "folder for the error maps, EXR and PNG")
+      ->check(not_empty("a folder"));
   command->add_flag("--all", options->all, "also the metrics that take long: FLIP, PU21, JERI's SSIM");
   command->add_flag("--definitions", options->definitions, "say what each number means");
   command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the pictures cannot be compared.");

@@ -1,5 +1,11 @@
+#include "base/error.h"
+#include "base/text.h"
 #include "cli/commands.h"
+#include "registry/cases.h"
 #include "runner/renderer_version.h"
+
+#include <optional>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,7 +15,24 @@ namespace orbs::cli {
 
 namespace {
 
-void examine(const registry::Renderer& renderer, const runner::Plan& places) {
+// Of all suites; nothing when one cannot be read, which is told.
+std::optional<std::set<std::string>> scene_names(const registry::Configuration& configuration) {
+  std::set<std::string> names;
+  for (const auto& suite : configuration.suites) {
+    try {
+      for (const auto& one_case : registry::load_cases(suite))
+        for (const auto& scene : one_case.scenes) names.insert(scene.name);
+    } catch (const InputError& e) {
+      fmt::print("suite {} cannot be read: {}\n", suite.name, e.what());
+      return std::nullopt;
+    }
+  }
+  return names;
+}
+
+void examine(const registry::Renderer& renderer,
+             const runner::Plan& places,
+             const std::optional<std::set<std::string>>& scenes) {
   fmt::print("{}\n", renderer.name);
   const auto executable = runner::installed_executable(renderer, places.root, places.build);
   if (executable) {
@@ -27,6 +50,9 @@ void examine(const registry::Renderer& renderer, const runner::Plan& places) {
   fmt::print("  declares  {}\n", registry::format_features(renderer.declares));
   for (const auto& limit : renderer.known_limits)
     fmt::print("  without   {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);
+  for (const auto& [name, scale] : renderer.spp_scale_of_scenes)
+    if (scenes && !scenes->contains(name))
+      fmt::print("  spp_scale_of_scenes  no suite has a scene '{}'{}\n", name, closest(name, *scenes));
 }
 
 }  // namespace
@@ -42,7 +68,8 @@ void add_doctor_command(CLI::App& app, const Program& program, Action& action) {
       runner::Plan places;
       places.root = read.root;
       places.build = program.folder;
-      for (const auto& renderer : read.renderers) examine(renderer, places);
+      const auto scenes = scene_names(read);
+      for (const auto& renderer : read.renderers) examine(renderer, places, scenes);
       return 0;
     };
   });

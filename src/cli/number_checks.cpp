@@ -21,6 +21,10 @@ CLI::Validator check(bool (*holds)(double), const char* expected) {
 
 }  // namespace
 
+CLI::Validator any_number() {
+  return check([](double) { return true; }, "a number");
+}
+
 CLI::Validator above_zero() {
   return check([](double number) { return number > 0; }, "a number above 0");
 }

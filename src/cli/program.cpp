@@ -1,7 +1,11 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
+#include "cli/not_empty.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <set>
 
@@ -66,12 +70,19 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   return action();
 }
 
+int refuse_output() {
+  fmt::print(stderr, "orbs: standard output cannot be written: {}\n", std::strerror(errno));
+  return kBadInput;
+}
+
 }  // namespace
 
 std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
   auto file = std::make_shared<std::string>();
-  command.add_option("--configuration", *file,
-                     "file with suites, renderers and defaults (default: the nearest configuration.json)");
+  command
+      .add_option("--configuration", *file,
+                  "file with suites, renderers and defaults (default: the nearest configuration.json)")
+      ->check(not_empty("a file"));
   return file;
 }
 
@@ -89,11 +100,14 @@ std::string joined_list(const std::vector<std::string>& values) {
 
 int run_program(int argc, char** argv, const std::string& version) {
   try {
-    return parse_and_act(argc, argv, version);
+    const int status = parse_and_act(argc, argv, version);
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? status : refuse_output();
   } catch (const InputError& e) {
     fmt::print(stderr, "orbs: {}\n", e.what());
     return kBadInput;
   } catch (const std::exception& e) {
+    // fmt::print throws where a full buffer cannot be written.
+    if (std::ferror(stdout) != 0) return refuse_output();
     fmt::print(stderr, "orbs: internal error: {}\n", e.what());
     return kOurBug;
   }

@@ -61,6 +61,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"no_samples", {"run", "--spp-scale", "0"}, "--spp-scale: expected a number above 0, not '0'"},
         Mistake{
             "samples_are_no_number", {"run", "--spp-scale", "nan"}, "expected a number above 0, not 'nan'"},
+        Mistake{"resumed_folder_is_empty", {"run", "--resume", ""}, "--resume: needs a folder"},
+        Mistake{"output_is_empty", {"run", "-o", ""}, "--output: needs a folder"},
+        Mistake{"configuration_is_empty", {"run", "--configuration", ""}, "--configuration: needs a file"},
+        Mistake{"report_output_is_empty", {"report", "-o", ""}, "--output: needs a file"},
+        Mistake{"tolerance_is_no_number",
+                {"compare", "a.exr", "b.exr", "--min", "nan"},
+                "expected a number, not 'nan'"},
         Mistake{"help_of_the_command", {"report"}, "--output is required; 'orbs report --help' shows"},
         Mistake{"served_folder_is_missing", {"serve", "none"}, "none: holds no results.json"},
         Mistake{

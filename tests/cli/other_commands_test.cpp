@@ -59,6 +59,27 @@ TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
       << answer.text;
 }
 
+TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
+  const Sandbox sandbox;
+  auto text = sandbox.read("configuration.json");
+  const std::string limits = R"("limits": {})";  // the first is of "good"
+  sandbox.write("configuration.json",
+                text.replace(text.find(limits), limits.size(),
+                             limits + R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2})"));
+  const auto answer = sandbox.orbs({"doctor"});
+  EXPECT_TRUE(
+      contains(answer.text, "  spp_scale_of_scenes  no suite has a scene 'gray' (did you mean 'grey'?)"))
+      << answer.text;
+  EXPECT_FALSE(contains(answer.text, "scene 'mirror'")) << answer.text;
+}
+
+TEST(StandardOutput, ThatCannotBeWrittenIsNoSuccess) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.shell(ORBS_BINARY_DIR "/orbs list > /dev/full");
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_EQ(answer.text, "orbs: standard output cannot be written: No space left on device\n");
+}
+
 TEST(Compare, PrintsAllNumbersAndTheirDefinitionsOnRequest) {
   const Sandbox sandbox;
   write_grey(sandbox, "a.exr", 0.5F);
