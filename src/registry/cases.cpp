@@ -133,13 +133,11 @@ PathShare load_path_share(ObjectReader in, const std::set<std::string>& scenes) 
 
 std::string load_requirement(ObjectReader& in) {
   auto text = in.text("requirement");
-  std::string problem;
   try {
-    problem = unknown_requirement(parse_requirement(text));
+    refuse_unknown(parse_requirement(text));
   } catch (const InputError& e) {
-    problem = e.what();
+    in.fail("requirement", e.what());
   }
-  if (!problem.empty()) in.fail("requirement", problem);
   return text;
 }
 

@@ -49,9 +49,10 @@ Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
 std::string limit_problem(const std::string& requirement, const FeatureSet& declares) {
   try {
     const auto code = parse_requirement(requirement);
+    refuse_unknown(code);
     return has_feature(declares, code)
                ? fmt::format("'declares' has {}; leave it out there, or here", requirement)
-               : unknown_requirement(code);
+               : "";
   } catch (const InputError& e) {
     return e.what();
   }
@@ -69,16 +70,13 @@ KnownLimit load_limit(ObjectReader in, const FeatureSet& declares) {
 
 FeatureSet load_features(ObjectReader& in, const std::string& key) {
   const auto text = in.text(key);
-  FeatureSet features;
-  std::string problem;
   try {
-    features = parse_features(text);
-    problem = unknown_requirement(features);
+    auto features = parse_features(text);
+    refuse_unknown(features);
+    return features;
   } catch (const InputError& e) {
-    problem = e.what();
+    in.fail(key, e.what());
   }
-  if (!problem.empty()) in.fail(key, problem);
-  return features;
 }
 
 std::vector<std::string> load_environment(ObjectReader& in) {

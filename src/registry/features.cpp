@@ -165,22 +165,19 @@ RequirementCode parse_requirement(std::string_view text) {
 
 std::string format_requirement(RequirementCode code) { return fmt::format("{}{}", code.group, code.level); }
 
-std::string unknown_requirement(RequirementCode code) {
+void refuse_unknown(RequirementCode code) {
   std::string known;
   for (const auto& [letter, highest] : kGroups) {
-    if (code.group == letter && code.level <= highest) return "";
+    if (code.group == letter && code.level <= highest) return;
     known += fmt::format("{}{}1", known.empty() ? "" : ", ", letter);
     if (highest > 1) known += fmt::format(" to {}{}", letter, highest);
   }
-  return fmt::format("there is no requirement {}; there are {}", format_requirement(code), known);
+  throw InputError(fmt::format("there is no requirement {}; there are {}", format_requirement(code), known));
 }
 
-std::string unknown_requirement(const FeatureSet& features) {
+void refuse_unknown(const FeatureSet& features) {
   for (const auto& [group, levels] : features)
-    if (auto problem = unknown_requirement(RequirementCode{group, levels.empty() ? 0 : *levels.rbegin()});
-        !problem.empty())
-      return problem;
-  return "";
+    refuse_unknown(RequirementCode{group, levels.empty() ? 0 : *levels.rbegin()});
 }
 
 bool comes_before(RequirementCode a, RequirementCode b) {

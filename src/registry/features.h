@@ -34,11 +34,10 @@ struct RequirementCode {
 RequirementCode parse_requirement(std::string_view text);
 std::string format_requirement(RequirementCode code);
 
-/// Why no suite has that requirement, with those that there are: G1 to G5, M1 to M8, L1 to L4, A1 to A4 of
-/// ORB.S, E1 to E6 beyond it, and S1, spheres by their formula. "" for one of these.
-std::string unknown_requirement(RequirementCode code);
-/// The same of the first that a set has too many.
-std::string unknown_requirement(const FeatureSet& features);
+/// InputError, with those that there are, when a requirement is none of G1 to G5, M1 to M8, L1 to L4, A1 to
+/// A4 of ORB.S, E1 to E6 beyond it, and S1, spheres by their formula.
+void refuse_unknown(RequirementCode code);
+void refuse_unknown(const FeatureSet& features);
 
 /// Order of the specification: groups G, M, L, A, then the others by letter; numbers within a group.
 bool comes_before(RequirementCode a, RequirementCode b);

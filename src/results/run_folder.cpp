@@ -8,13 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -75,7 +72,7 @@ bool is_file(int descriptor, const fs::path& file) {
   std::array<char, 32> holder{};
   const auto length = descriptor < 0 ? 0 : ::pread(descriptor, holder.data(), holder.size(), 0);
   if (descriptor >= 0) ::close(descriptor);
-  if (error != EWOULDBLOCK)
+  if (error != EAGAIN && error != EACCES)
     throw InputError(fmt::format("{}: cannot be locked: {}", file.string(), std::strerror(error)));
   throw InputError(fmt::format(
       "{}: a run of process {} goes on in this folder; wait for its end, or stop it",
@@ -83,15 +80,13 @@ bool is_file(int descriptor, const fs::path& file) {
       trim(std::string_view(holder.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))))));
 }
 
-// is_running holds the lock for an instant in order to ask; a run holds it for longer than all of this.
-int lock_in_time(int descriptor) {
-  constexpr int kTries = 20;
-  constexpr std::chrono::milliseconds kPause{5};
-  for (int tries = 1;; ++tries) {
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
-    if (errno != EWOULDBLOCK || tries == kTries) return -1;
-    std::this_thread::sleep_for(kPause);
-  }
+// Of the open file, not of the process, so that one process, too, cannot lock it twice; and unlike that of
+// flock(2) it can be asked for without being taken, which would be in the way of a run that begins.
+struct flock whole_file() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
 }
 
 }  // namespace
@@ -99,7 +94,9 @@ int lock_in_time(int descriptor) {
 RunLock::RunLock(const fs::path& folder) : file_(folder / kLockFile) {
   for (;;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0 || lock_in_time(descriptor_) != 0) refuse_locked(file_, descriptor_, errno);
+    const auto lock = whole_file();
+    if (descriptor_ < 0 || ::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0)
+      refuse_locked(file_, descriptor_, errno);
     if (is_file(descriptor_, file_)) break;
     ::close(descriptor_);
   }
@@ -117,7 +114,8 @@ RunLock::~RunLock() {
 bool is_running(const fs::path& folder) {
   const int descriptor = ::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return false;
-  const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  auto lock = whole_file();
+  const bool taken = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
   ::close(descriptor);
   return taken;
 }

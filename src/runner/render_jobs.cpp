@@ -66,15 +66,22 @@ Execution execute_or_say_why(const Plan& plan,
   }
 }
 
-// The render of an earlier run in an unfinished folder of its own, to be judged by what has changed.
-Execution take_over(const JobRecord& found, const fs::path& folder, const WorkFolders& folders) {
+// The render of an earlier run in an unfinished folder of its own, to be judged by what has changed. Nothing
+// when its picture is gone or cannot be read any more.
+std::optional<Execution> take_over(const JobRecord& found,
+                                   const fs::path& folder,
+                                   const WorkFolders& folders) {
+  Execution execution{found, {}};
+  try {
+    if (found.rendered) execution.picture = image::read_image(folders.run / found.image);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
   const auto unfinished = folders.unfinished / folder;
   fs::create_directories(unfinished);
   for (const auto& entry : fs::directory_iterator(folders.run / folder))
     if (entry.symlink_status().type() == fs::file_type::regular && entry.path().filename() != "job.json")
       fs::copy_file(entry.path(), unfinished / entry.path().filename());
-  Execution execution{found, {}};
-  if (found.rendered) execution.picture = image::read_image(folders.run / found.image);
   return execution;
 }
 
@@ -104,9 +111,9 @@ class Renders {
     now.renderer_version = versions_[job.renderer];
     note_hashes(plan_, index, context_.orbs_version, now);
     auto found = found_job(folders_.run / job.folder);
-    if (found && found->pictures.size() != pictures_of(plan_, index)) found.reset();  // cut short by somebody
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
-    if (found && !reason && found->job.judged_hash == now.judged_hash) {
+    if (found && !reason && found->job.judged_hash == now.judged_hash &&
+        found->pictures.size() == pictures_of(plan_, index)) {
       keep(index, std::move(*found));
       return;
     }
@@ -115,8 +122,8 @@ class Renders {
       return;
     }
     if (reason) say(fmt::format("{} {}: {}", now.renderer, now.scene, *reason));
-    auto execution = found && !reason ? take_over(found->job, job.folder, folders_) : render(job);
-    finish(index, std::move(execution), now);
+    auto execution = found && !reason ? take_over(found->job, job.folder, folders_) : std::nullopt;
+    finish(index, execution ? std::move(*execution) : render(job), now);
   }
 
   Work take() { return std::move(work_); }

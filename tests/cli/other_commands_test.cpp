@@ -61,11 +61,7 @@ TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
 
 TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
   const Sandbox sandbox;
-  auto text = sandbox.read("configuration.json");
-  const std::string limits = R"("limits": {})";  // the first is of "good"
-  sandbox.write("configuration.json",
-                text.replace(text.find(limits), limits.size(),
-                             limits + R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2})"));
+  sandbox.add_to_good(R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2})");
   const auto answer = sandbox.orbs({"doctor"});
   EXPECT_TRUE(
       contains(answer.text, "  spp_scale_of_scenes  no suite has a scene 'gray' (did you mean 'grey'?)"))

@@ -67,17 +67,30 @@ TEST(Resume, DoesWhatIsMissingAndWhatIsTornAndNothingElse) {
   EXPECT_NO_THROW(results::read_job_file(sandbox.folder() / "out/good/v1.5/job.json"));
 }
 
-TEST(Resume, RendersAgainWhatHasLostItsPictures) {
+TEST(Resume, JudgesAgainWhatHasLostItsVerdicts) {
   const Sandbox sandbox;
   first_run(sandbox);
-  const auto kept = rendered_at(sandbox, "good/grey");
-  auto text = sandbox.read("out/good/grey/job.json");
+  const auto job = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
+  const auto text = sandbox.read("out/good/grey/job.json");
   const auto from = text.find("\"pictures\": [");
   ASSERT_NE(from, std::string::npos);
   sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"pictures\": []\n}\n");
   const auto answer = resume(sandbox);
   EXPECT_EQ(answer.status, 0) << answer.text;
-  EXPECT_NE(rendered_at(sandbox, "good/grey"), kept);
+  const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
+  EXPECT_EQ(now.pictures.size(), job.pictures.size());
+  EXPECT_EQ(now.job.wall_seconds, job.job.wall_seconds);
+}
+
+TEST(Resume, RendersAgainWhatCannotBeJudgedForWantOfItsPicture) {
+  const Sandbox sandbox;
+  first_run(sandbox);
+  std::filesystem::remove(sandbox.folder() / "out/good/grey/result.exr");
+  replace_in(sandbox, "cases/m1_grey/case.json", R"("tests": "t")", R"("tests": "t", "mean_ratio": 0.2,
+             "tolerance_reason": "another")");
+  const auto answer = resume(sandbox);
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(sandbox.has("out/good/grey/result.exr"));
 }
 
 TEST(Resume, RendersAgainWhatHasAnotherSceneOrCommand) {

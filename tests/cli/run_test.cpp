@@ -102,11 +102,7 @@ TEST(Run, RecordsWhatMadeAPictureAndWhatItCost) {
 
 TEST(Run, ARendererMayTakeItsOwnNumberOfSamplesForAScene) {
   const Sandbox sandbox;
-  auto text = sandbox.read("configuration.json");
-  const std::string limits = R"("limits": {})";  // the first is of "good"
-  sandbox.write("configuration.json",
-                text.replace(text.find(limits), limits.size(),
-                             limits + R"(, "spp_scale": 2, "spp_scale_of_scenes": {"grey": 3})"));
+  sandbox.add_to_good(R"(, "spp_scale": 2, "spp_scale_of_scenes": {"grey": 3})");
   sandbox.orbs({"run", "-r", "good", "-s", "grey,mirror", "-o", "out"});
   EXPECT_EQ(member(sandbox.read("out/good/grey/job.json"), "spp"), "24");
   EXPECT_EQ(member(sandbox.read("out/good/mirror/job.json"), "spp"), "16");

@@ -137,6 +137,12 @@ void Sandbox::write(const std::string& file, const std::string& text) const {
   std::ofstream(folder_ / file, std::ios::binary) << text;
 }
 
+void Sandbox::add_to_good(const std::string& members) const {
+  auto text = read("configuration.json");
+  const std::string limits = R"("limits": {})";  // the first entry is that of "good"
+  write("configuration.json", text.insert(text.find(limits) + limits.size(), members));
+}
+
 std::string Sandbox::read(const std::string& file) const { return read_file(folder_ / file); }
 
 std::vector<std::string> Sandbox::runs() const {

@@ -28,6 +28,8 @@ class Sandbox {
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
   bool has(const std::string& file) const { return std::filesystem::exists(folder_ / file); }
+  /// Adds members to the entry of the renderer "good": `, "spp_scale": 2`.
+  void add_to_good(const std::string& members) const;
   /// Folders outputs-* that are there, sorted.
   std::vector<std::string> runs() const;
 
