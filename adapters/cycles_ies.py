@@ -107,15 +107,26 @@ def _azimuths_of(plane, first, last):
     return (plane,)
 
 
+def _plane_at_zero(plane_at):
+    """Between the neighbours of 0 = 360, for a profile from 90 to 270 that has no plane at 180."""
+    first, last = min(plane_at), max(plane_at)
+    share_of_first = (360 - last) / (360 - last + first)
+    pairs = zip(plane_at[first], plane_at[last])
+    return [share_of_first * at_first + (1 - share_of_first) * at_last for at_first, at_last in pairs]
+
+
 def _unfolded(vertical, horizontal, candela, peak):
+    starts_right = horizontal[0] == 0 or (horizontal[0], horizontal[-1]) == (90, 270)
+    if not starts_right or horizontal[-1] > 360:
+        raise IesError("horizontal angles of type C start at 0 (or run from 90 to 270) and end by 360")
     plane_at = {}
     for plane, row in zip(horizontal, candela):
         for azimuth in _azimuths_of(plane, horizontal[0], horizontal[-1]):
             plane_at.setdefault(azimuth, row)
-    plane_at.setdefault(360, candela[0])  # files that stop short of 360 go on with their first plane
+    if 0 not in plane_at:
+        plane_at[0] = _plane_at_zero(plane_at)
+    plane_at.setdefault(360, plane_at[0])  # files that stop short of 360 go on with their first plane
     azimuths = sorted(plane_at)
-    if azimuths[0] != 0 or azimuths[-1] != 360:
-        raise IesError("horizontal angles of type C start at 0 (or run from 90 to 270) and end by 360")
     return Profile(vertical, azimuths, [plane_at[azimuth] for azimuth in azimuths], peak)
 
 

@@ -1,6 +1,7 @@
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
+#include "base/scratch_folder.h"
 #include "golden/read_back.h"
 #include "image/image_io.h"
 #include "scene/generators.h"
@@ -33,20 +34,12 @@ const Format kPbrt{"pbrt", adapters::pbrt_limits, adapters::write_pbrt, tests::r
 
 class Exported : public testing::TestWithParam<Format> {
  protected:
-  void SetUp() override {
-    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::replace(name.begin(), name.end(), '/', '-');
-    folder_ = fs::temp_directory_path() / ("orbs-exported-" + name);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   tests::ReadScene read_back(const scene::Scene& scene) const {
     GetParam().write(scene, folder_ / "scene.txt");
     return GetParam().read(folder_ / "scene.txt");
   }
-  fs::path folder_;
+  ScratchFolder scratch_{"orbs-exported"};
+  fs::path folder_ = scratch_.path();
 };
 
 INSTANTIATE_TEST_SUITE_P(Formats, Exported, testing::Values(kMitsuba, kPbrt), [](const auto& format) {

@@ -23,6 +23,9 @@ KERNELS = {
     "spectral": ([SPECTRAL, INTERFACE], [POLARISED, FLUORESCENT]),
     "bispectral": ([SPECTRAL, FLUORESCENT], [POLARISED]),
     "polarised": ([SPECTRAL, POLARISED], [FLUORESCENT]),
+    "stokes": ([SPECTRAL, POLARISED], [FLUORESCENT]),
+    "polarised_bispectral": ([SPECTRAL, POLARISED, FLUORESCENT], []),
+    "stokes_bispectral": ([SPECTRAL, POLARISED, FLUORESCENT], []),
 }
 
 
@@ -38,6 +41,9 @@ def main(nm, files):
     seen = {}
     for file in files:
         kernel = pathlib.Path(file).name.split(".")[0]
+        if kernel not in KERNELS:
+            problems.append(f"{kernel}: nothing here says what its path loop may hold")
+            continue
         names = symbols(nm, file)
         seen[kernel] = len(names)
         wanted, unwanted = KERNELS[kernel]

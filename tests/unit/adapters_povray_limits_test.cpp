@@ -57,6 +57,21 @@ TEST(PovrayLimits, NamesMaterialsThatPovrayLacks) {
   EXPECT_TRUE(adapters::povray_limits(scene_with(scene::OrenNayar{{1, 1, 1}, 0, {}})).empty());
 }
 
+// Oren-Nayar of roughness 0 is Lambert, and lit through glass like it.
+TEST(PovrayLimits, LightThroughGlassOnWhatIsDiffuseTakesPhotons) {
+  for (const scene::MaterialModel& floor : {scene::MaterialModel{scene::Lambert{{0.5, 0.5, 0.5}, {}}},
+                                            scene::MaterialModel{scene::OrenNayar{}}}) {
+    auto scene = scene_with(floor);
+    scene.trace_depth = 4;
+    scene.lights.push_back({"l", scene::SphereShape{1}, {1, 1, 1}, {}, {}});
+    EXPECT_TRUE(adapters::povray_limits(scene).empty());
+    scene.materials.push_back({"glass", scene::Glass{}});
+    scene.instances.push_back({"lens", 0, {}, {}});
+    scene.meshes[0].triangle_materials[1] = 1;
+    EXPECT_TRUE(one_reason_with(scene, "takes photons"));
+  }
+}
+
 TEST(PovrayLimits, LooksOnlyAtWhatIsShown) {
   auto scene = scene_with(scene::Ggx{{1, 1, 1}, 0.1});
   scene.materials.push_back({"plain", scene::Lambert{{1, 1, 1}, {}}});

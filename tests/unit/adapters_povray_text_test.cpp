@@ -2,6 +2,7 @@
 #include "adapters/povray/povray.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/scratch_folder.h"
 #include "scene/generators.h"
 
 #include <cmath>
@@ -23,16 +24,10 @@ namespace fs = std::filesystem;
 class PovrayText : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        fs::temp_directory_path() /
-        ("orbs-povray-text-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     scene_.camera = {};
     scene_.camera.position_m = {0, 0, 5};
     scene_.trace_depth = 1;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   int material(const scene::MaterialModel& model) {
     scene_.materials.push_back({"m", model});
@@ -50,7 +45,8 @@ class PovrayText : public testing::Test {
   }
   std::string meshes() const { return read_file(folder_ / "a-meshes.inc"); }
 
-  fs::path folder_;
+  ScratchFolder scratch_{"orbs-povray-text"};
+  fs::path folder_ = scratch_.path();
   scene::Scene scene_;
 };
 

@@ -2,6 +2,7 @@
 // would be right.
 #include "base/error.h"
 #include "base/files.h"
+#include "base/scratch_folder.h"
 #include "scene/load_scene.h"
 #include "scene/mesh_files.h"
 
@@ -187,15 +188,14 @@ std::string error_of(const std::string& text) {
 class BrokenSceneTest : public testing::TestWithParam<BrokenScene> {};
 
 std::string file_error(const std::string& extension, const std::string& content) {
-  const auto file = std::filesystem::temp_directory_path() / ("orbs-broken-mesh" + extension);
+  const ScratchFolder scratch("orbs-broken-mesh");
+  const auto file = scratch.path() / ("mesh" + extension);
   write_file(file, content);
   const std::string scene =
       R"({"format": "orbs-scene/1", "name": "m", "camera": {"position": [0, 0, 5], "look_at": [0, 0, 0]},
     "materials": [{"name": "a", "type": "mirror", "reflectance": [1, 1, 1]}], "meshes": [{"name": "m", "file": ")" +
       file.string() + R"("}]})";
-  const auto error = error_of(scene);
-  std::filesystem::remove(file);
-  return error;
+  return error_of(scene);
 }
 
 }  // namespace

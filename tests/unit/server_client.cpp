@@ -15,12 +15,11 @@ namespace orbs::server_tests {
 
 namespace fs = std::filesystem;
 
-RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head_time)
-    : bundle_(fs::temp_directory_path() / fmt::format("orbs-bundle-{}-{}", ::getpid(), head_time.count())) {
-  fs::create_directories(bundle_);
-  for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"}) write_file(bundle_ / name, name);
+RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head_time) {
+  for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"})
+    write_file(bundle_.path() / name, name);
   thread_ = std::thread([this, run, head_time] {
-    server::serve({{run}, bundle_, "127.0.0.1", 0, head_time}, stop_, [this](const std::string& url) {
+    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_time}, stop_, [this](const std::string& url) {
       const auto digits = url.substr(url.rfind(':') + 1);
       port_ = static_cast<int>(to_integer(digits.substr(0, digits.find('/'))).value_or(0));
       port_.notify_all();
@@ -32,8 +31,6 @@ RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head
 RunningServer::~RunningServer() {
   stop_ = true;
   thread_.join();
-  std::error_code ignored;
-  fs::remove_all(bundle_, ignored);
 }
 
 int connect_to(int port) {

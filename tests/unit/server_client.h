@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/scratch_folder.h"
 #include "server/serve.h"
 
 #include <atomic>
@@ -28,7 +29,7 @@ class RunningServer {
  private:
   std::atomic<bool> stop_ = false;
   std::atomic<int> port_ = 0;
-  std::filesystem::path bundle_;
+  ScratchFolder bundle_{"orbs-bundle"};
   std::thread thread_;
 };
 

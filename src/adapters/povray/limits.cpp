@@ -69,7 +69,9 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
   for (const int material : materials) {
     const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
     if (povray::surface_of(model) != Surface::Plain) has_specular = true;
-    if (std::holds_alternative<scene::Lambert>(model)) has_diffuse = true;
+    // Oren-Nayar of any roughness but 0, where it is Lambert, is refused by itself.
+    if (std::holds_alternative<scene::Lambert>(model) || std::holds_alternative<scene::OrenNayar>(model))
+      has_diffuse = true;
   }
   return has_diffuse && has_specular;
 }
