@@ -1,11 +1,12 @@
-// Makes the pictures of the README from a run:  node screenshots.mjs <build folder> <run folder> <output folder>
-// Needs Debian's chromium. The case shown is the first failure with a picture.
+// Makes the pictures of the README from a run:
+//   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address on the page, from '#' on>...]
+// Needs Debian's chromium. The case shown is the first failure with a picture. With addresses only their pictures are made.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const [build, run, output] = process.argv.slice(2);
+const [build, run, output, ...views] = process.argv.slice(2);
 mkdirSync(output, { recursive: true });
 const server = spawn(join(build, "orbs"), ["serve", run]);
 const url = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])));
@@ -24,10 +25,18 @@ async function take(name, height, address, ready) {
   await page.screenshot({ path: join(output, `${name}.png`) });
 }
 
-await take("overview", 530, "", ".cell a");
-const cell = page.locator(".cell a.tone-bad, .cell a.tone-unsure, .cell a.tone-good").first();
-const link = new URL(await cell.getAttribute("href"), page.url()).hash;
-await take("case", 960, `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`, ".stage canvas[data-drawn]");
-await take("chart", 630, "#/charts", ".plot canvas");
+async function takeUsual() {
+  await take("overview", 530, "", ".cell a");
+  const cell = page.locator(".cell a.tone-bad, .cell a.tone-unsure, .cell a.tone-good").first();
+  const link = new URL(await cell.getAttribute("href"), page.url()).hash;
+  await take("case", 960, `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`, ".stage canvas[data-drawn]");
+  await take("chart", 630, "#/charts", ".plot canvas");
+}
+
+if (views.length === 0) await takeUsual();
+for (const view of views) {
+  const [, name, address] = /^([^=]+)=(.+)$/s.exec(view);
+  await take(name, 760, address, ".stage canvas[data-drawn]");
+}
 await browser.close();
 server.kill("SIGTERM");

@@ -186,7 +186,7 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
   command->footer(
       "Every option has a default that may stand in configuration.json under \"defaults\".\n"
       "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run, or "
-      "nothing was judged: every picture is unsupported.");
+      "nothing was judged: every picture is unsupported, 130 interrupted: --resume goes on.");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;

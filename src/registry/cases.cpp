@@ -186,7 +186,9 @@ void load_tolerances(ObjectReader& in, Case& one_case) {
   one_case.tile_ratio = in.number_or("tile_ratio", kTileRatio, {kLeastRatio, 1});
   one_case.edge_blur = in.number_or("edge_blur", kEdgeBlur, {kLeastRatio, 2});
   if (in.has("stokes_error")) one_case.stokes_error = in.number("stokes_error", {kLeastRatio, 1});
-  if (!has_own) return;
+  // One of Stokes vectors has no usual value that it departs from; it may say why all the same.
+  const bool says_why = in.has("stokes_error") && in.has("tolerance_reason");
+  if (!has_own && !says_why) return;
   one_case.tolerance_reason = in.text("tolerance_reason");
   if (one_case.tolerance_reason.empty()) in.fail("tolerance_reason", "must say why this case has its own");
 }

@@ -19,9 +19,12 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
   EXPECT_GT(bench.number("metrics_cpu_ms"), 0);
   EXPECT_GT(bench.number("equal_cpu_seconds"), 0);
   auto overhead = bench.object("overhead");
-  EXPECT_GT(overhead.object("bare_ms").number("least"), 0);
-  EXPECT_GT(overhead.object("harness_ms").number("least"), 0);
-  EXPECT_GT(overhead.number("added_ms"), 0);
+  auto bare_ms = overhead.object("bare_ms");
+  auto harness_ms = overhead.object("harness_ms");
+  EXPECT_GT(bare_ms.number("least"), 0);
+  EXPECT_GT(harness_ms.number("least"), 0);
+  // Of two renders on a busy machine the one with the harness may be the quicker: its sign is no fact.
+  EXPECT_NEAR(overhead.number("added_ms"), harness_ms.number("median") - bare_ms.number("median"), 1e-6);
   EXPECT_GT(overhead.number("watching_share"), 0);
   auto renderers = bench.objects("renderers");
   ASSERT_EQ(renderers.size(), 1U);

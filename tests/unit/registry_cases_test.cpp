@@ -81,6 +81,8 @@ TEST(Cases, AToleranceOfItsOwnHasAReason) {
   EXPECT_NE(message_of(case_text(R"(, "tolerance_reason": "of nothing")")).find("tolerance_reason"),
             std::string::npos);
   EXPECT_EQ(message_of(case_text(R"(, "tile_ratio": 0.5, "tolerance_reason": "r")")), "no error");
+  EXPECT_EQ(message_of(case_text(R"(, "stokes_error": 0.5, "tolerance_reason": "r")")), "no error");
+  EXPECT_EQ(message_of(case_text(R"(, "stokes_error": 0.5)")), "no error");
 }
 
 TEST(Cases, MistakesAreNamedWithTheirPlace) {
