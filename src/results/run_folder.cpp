@@ -72,7 +72,7 @@ bool is_file(int descriptor, const fs::path& file) {
   std::array<char, 32> holder{};
   const auto length = descriptor < 0 ? 0 : ::pread(descriptor, holder.data(), holder.size(), 0);
   if (descriptor >= 0) ::close(descriptor);
-  if (error != EAGAIN && error != EACCES)
+  if (descriptor < 0 || (error != EAGAIN && error != EACCES))
     throw InputError(fmt::format("{}: cannot be locked: {}", file.string(), std::strerror(error)));
   throw InputError(fmt::format(
       "{}: a run of process {} goes on in this folder; wait for its end, or stop it",

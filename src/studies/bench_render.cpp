@@ -80,8 +80,8 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
   if (process.cause == warden::Cause::Stopped) return std::nullopt;
   auto outcome = runner::classify(process, job, entry.limits);
   if (!outcome.picture)
-    throw InputError(
-        fmt::format("renderer '{}' {}; it said:\n{}", entry.name, outcome.sentence, process.output));
+    throw InputError(fmt::format("renderer '{}' {}; {}", entry.name, outcome.sentence,
+                                 process.output.empty() ? "it said nothing" : "it said:\n" + process.output));
   BenchPicture made;
   const auto report = subject.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
   made.render = {settings.spp,           process.user_seconds + process.system_seconds,

@@ -1,5 +1,6 @@
 #include "studies/missing_light.h"
 
+#include "scene/called.h"
 #include "scene/lower_parts.h"
 #include "studies/bench_render.h"
 
@@ -36,9 +37,7 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
   std::vector<MissingLight> pictures;
   for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
     auto dark = *scene.scene;
-    const auto& light = dark.lights[i].name;
-    const auto name =
-        light.empty() ? fmt::format("without light {}", i + 1) : fmt::format("without light '{}'", light);
+    const auto name = "without " + scene::called("light", dark.lights[i].name, i);
     dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
     const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
     const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);
