@@ -98,7 +98,7 @@ export async function open(browser: Browser, url: string, options: Parameters<Br
 /** Waits until the stage shows exactly these pictures. */
 export async function drawn(page: Page, names: string): Promise<void> {
   await page.waitForFunction((wanted) => document.querySelector<HTMLCanvasElement>(".stage canvas")?.dataset["drawn"] === wanted, names);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await settled(page);
 }
 
 /** Colour of the stage at a point of it, 0 to 255. */
@@ -113,4 +113,30 @@ export function colourAt(page: Page, x: number, y: number): Promise<number[]> {
     pen.drawImage(canvas, px * scale, py * scale, 1, 1, 0, 0, 1, 1);
     return [...pen.getImageData(0, 0, 1, 1).data.slice(0, 3)];
   }, [x, y] as const);
+}
+
+/** What the tests change of an overview. */
+export interface SomeOverview {
+  run: { name: string; live: boolean; finished: boolean };
+  states: { name: string }[];
+  cells: Record<string, (number | null)[]>;
+  measures: Record<string, (number | null)[]>;
+  infinite: Record<string, number[]>;
+  pictures: string[];
+  charts?: unknown[];
+}
+
+/** Answers for overviews with what `change` makes of the run's own; `run` counts as the server counts. */
+export async function changeOverview(page: Page, change: (overview: SomeOverview, asked: number) => void, run: number | "*" = "*"): Promise<void> {
+  let asked = 0;
+  await page.route(`**/data/${run}/overview.json`, async (route) => {
+    const overview = (await (await route.fetch()).json()) as SomeOverview;
+    change(overview, ++asked);
+    await route.fulfill({ json: overview });
+  });
+}
+
+/** Waits until the page has shown what it was told before. */
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }

@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { CasePage } from "./case/CasePage";
 import { ChartsPage } from "./charts/ChartsPage";
 import { Help } from "./common/Help";
@@ -6,40 +6,10 @@ import { useActions, type Action } from "./common/keys";
 import type { Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
 import type { Source } from "./data/source";
-import type { Overview, Progress } from "./data/types";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
 import { go, useRoute } from "./route";
-
-/** The overview of a run, kept up to date while the run goes on. */
-function useSession(source: Source, run: number): Session | string | undefined {
-  const [loaded, setLoaded] = useState<{ run: number; overview: Overview } | string>();
-  const [progress, setProgress] = useState<Progress>();
-  const load = useCallback(
-    () =>
-      source.overview(run).then(
-        (overview) => setLoaded({ run, overview }),
-        (error: unknown) => setLoaded(error instanceof Error ? error.message : String(error)),
-      ),
-    [source, run],
-  );
-  useEffect(() => {
-    setProgress(undefined);
-    void load();
-  }, [load]);
-  const live = typeof loaded === "object" && loaded.run === run && loaded.overview.run.live;
-  useEffect(() => {
-    if (!live) return undefined;
-    return source.follow(run, (news) => {
-      setProgress(news);
-      void load();
-    });
-  }, [live, load, source, run]);
-  return useMemo(() => {
-    if (loaded === undefined || typeof loaded === "string") return loaded;
-    return loaded.run === run ? { source, run, overview: loaded.overview, progress } : undefined;
-  }, [source, run, loaded, progress]);
-}
+import { useSession } from "./use_session";
 
 export function App({ source }: { source: Source }) {
   const route = useRoute();

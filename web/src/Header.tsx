@@ -61,14 +61,20 @@ function runText({ overview: { run } }: Session): string {
   return parts.join(" · ");
 }
 
-/** What a run that goes on has done; for one that was killed, that it was. */
+/** What a run that goes on has done, or why that is not known; for one that was killed, that it was. */
 function LiveBar({ session }: { session: Session }) {
   const { run } = session.overview;
-  const { progress } = session;
+  const { progress, trouble } = session;
   if (!run.live)
     return (
       <p class="live ended" role="status">
-        This run ended before it was finished: what it had rendered until then is shown.
+        This run was not finished: what it had rendered until then is shown.
+      </p>
+    );
+  if (trouble !== undefined)
+    return (
+      <p class="live ended" role="status">
+        What was known last is shown, and asked for again: {trouble}.
       </p>
     );
   if (!progress)

@@ -1,12 +1,15 @@
 import type { Source } from "../data/source";
-import type { Overview, PictureDetail, Progress } from "../data/types";
+import type { Overview, Progress } from "../data/types";
 
 /** The run that is shown, and how to get at the rest. */
 export interface Session {
   source: Source;
   run: number;
   overview: Overview;
+  /** Of a run that goes on, once it has been told. */
   progress: Progress | undefined;
+  /** Why nothing newer is known of a run that goes on. */
+  trouble: string | undefined;
 }
 
 /** Index of the picture of a case by a renderer, -1 when the run has none. */
@@ -42,8 +45,3 @@ export const sentenceOf = (overview: Overview, index: number): string =>
 
 export const isInfinite = (overview: Overview, metric: string, index: number): boolean =>
   overview.infinite[metric]?.includes(index) ?? false;
-
-/** Details are asked for once, unless the run goes on and they may still change. */
-export function detailOf(session: Session, index: number): Promise<PictureDetail> {
-  return session.source.picture(session.run, index);
-}

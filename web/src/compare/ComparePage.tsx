@@ -1,4 +1,5 @@
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
+import { useAnswer, type Answer } from "../common/answer";
 import { number } from "../common/format";
 import type { Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
@@ -11,13 +12,10 @@ import { timesOf, timeSummary } from "./times";
 const kHeadings: Record<Kind, string> = { worse: "Became worse", better: "Became better", new: "New", gone: "Gone", same: "As before" };
 const kMostRows = 500; // of one heading
 
-function useOverview(session: Session, run: number): Overview | undefined {
-  const [other, setOther] = useState<{ run: number; overview: Overview }>();
-  useEffect(() => {
-    if (run !== session.run) void session.source.overview(run).then((overview) => setOther({ run, overview }));
-  }, [run, session.run, session.source]);
-  if (run === session.run) return session.overview;
-  return other?.run === run ? other.overview : undefined;
+function useOverview(session: Session, run: number): Answer<Overview> {
+  const own = run === session.run;
+  const answer = useAnswer(String(run), own, async () => (own ? session.overview : session.source.overview(run)));
+  return own ? { value: session.overview } : answer;
 }
 
 function SideChoice({ label, session, run, renderer, overview, runParam, rendererParam }: {
@@ -125,7 +123,8 @@ export function ComparePage({ session, route }: { session: Session; route: Route
   };
   // The newest run stands first, so the one before it is the next.
   const [runA, runB] = [runOf("before", 1), runOf("after", 0)];
-  const [overviewA, overviewB] = [useOverview(session, runA), useOverview(session, runB)];
+  const [answerA, answerB] = [useOverview(session, runA), useOverview(session, runB)];
+  const [overviewA, overviewB] = [answerA.value, answerB.value];
   const oneRun = source.runs.length < 2;
   const usual = (i: number): string => (oneRun && session.overview.renderers.length > 1 ? (session.overview.renderers[i]?.name ?? "") : "");
   const rendererA = route.query["ra"] ?? usual(1);
@@ -151,7 +150,11 @@ export function ComparePage({ session, route }: { session: Session; route: Route
         </label>
       </div>
       {changes && overviewA && overviewB ? <TimeLine a={overviewA} b={overviewB} changes={changes} /> : null}
-      {!changes || !overviewA || !overviewB ? <p class="loading">Reading …</p> : (
+      {[[runA, answerA.problem] as const, [runB, answerB.problem] as const].map(([run, problem]) =>
+        problem === undefined ? null : <p role="alert" key={run}>The run {source.runs[run]} cannot be shown: {problem}</p>)}
+      {!changes || !overviewA || !overviewB ? (
+        answerA.problem === undefined && answerB.problem === undefined ? <p class="loading">Reading …</p> : null
+      ) : (
         (Object.keys(kHeadings) as Kind[]).map((kind) => (
           <Changes key={kind} kind={kind} changes={changes.filter((one) => one.kind === kind)} metric={metric}
             a={{ overview: overviewA, renderer: rendererA }} b={{ overview: overviewB, renderer: rendererB }}

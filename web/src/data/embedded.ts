@@ -17,7 +17,9 @@ function bytesOf(id: string): Uint8Array<ArrayBuffer> {
 
 /** The page written by `orbs report`: all data stands in script elements of the file. */
 export function embeddedSource(): Source {
-  const overview = JSON.parse(textOf("orbs-overview")) as Overview;
+  const written = JSON.parse(textOf("orbs-overview")) as Overview;
+  // In a file no run goes on.
+  const overview = { ...written, run: { ...written.run, live: false } };
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
   let pictures: PictureDetail[] | undefined;
   return {

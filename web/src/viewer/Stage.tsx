@@ -1,4 +1,5 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { reasonOf } from "../common/answer";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { panesOf, pictureAt, placed, zoomedAt, type Pane, type Size } from "./geometry";
@@ -71,7 +72,7 @@ export function Stage(props: Props) {
     try {
       if (canvas.current) painter.current = new Painter(canvas.current);
     } catch (error) {
-      setProblem(error instanceof Error ? error.message : String(error));
+      setProblem(reasonOf(error));
     }
     return () => painter.current?.dispose();
   }, []);
