@@ -265,34 +265,6 @@ test("two runs: better, worse, new and gone", async () => {
   await page.close();
 });
 
-test("a click on a point opens the picture that made it", async () => {
-  const { page, errors } = await open(browser, `${url}#/charts`);
-  const over = page.locator(".plot .u-over").nth(1);
-  await over.waitFor();
-  const box = await over.boundingBox();
-  assert.ok(box);
-  // Looks for a point from left to right, as somebody who moves the mouse does.
-  for (let i = 1; i < 40 && page.url().endsWith("charts"); ++i)
-    for (let j = 1; j < 12 && page.url().endsWith("charts"); ++j) await page.mouse.click(box.x + (box.width * i) / 40, box.y + (box.height * j) / 12);
-  await page.waitForSelector(".case");
-  assert.match(page.url(), /#\/case\//);
-  assert.deepEqual(errors, []);
-  await page.close();
-});
-
-test("curves with bands are drawn when the data has some", async () => {
-  const { page, errors } = await open(browser, "about:blank");
-  await changeOverview(page, (overview) => {
-    const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
-    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
-    overview.charts = [chart];
-  });
-  await page.goto(`${url}#/charts`);
-  await page.getByRole("region", { name: "error over time" }).locator("canvas").waitFor();
-  assert.deepEqual(errors, []);
-  await page.close();
-});
-
 test("the '?' sheet lists the keys, and Escape closes it", async () => {
   const { page } = await open(browser, url + values);
   await drawn(page, "result");
