@@ -3,20 +3,24 @@ import { CasePage } from "./case/CasePage";
 import { ChartsPage } from "./charts/ChartsPage";
 import { Help } from "./common/Help";
 import { useActions, type Action } from "./common/keys";
-import type { Session } from "./common/session";
+import { NoSuchRun } from "./common/NoSuchRun";
+import { runNamed, runQuery, type Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
 import type { Source } from "./data/source";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
-import { go, useRoute } from "./route";
+import { go, note, useRoute } from "./route";
 import { useSession } from "./use_session";
 
 export function App({ source }: { source: Source }) {
   const route = useRoute();
   const [help, setHelp] = useState(false);
-  const run = Math.max(0, source.runs.indexOf(route.query["run"] ?? source.runs[0] ?? ""));
+  const run = runNamed(source, route.query["run"], 0);
   const session = useSession(source, run);
-  const query: Record<string, string> = route.query["run"] ? { run: route.query["run"] } : {};
+  const query = runQuery(source, run);
+  useEffect(() => {
+    if (source.runs.length > 1 && !route.query["run"]) note(query);
+  }, [route]);
   const actions: Action[] = [
     { key: "?", label: "this sheet", group: "Page", run: () => setHelp(true) },
     { key: "Escape", label: "to the overview", group: "Page", run: () => go({ path: [], query }) },
@@ -34,9 +38,10 @@ export function App({ source }: { source: Source }) {
       <button class="skip" onClick={() => document.getElementById("content")?.focus()}>
         Skip to the content
       </button>
-      <Header source={source} session={session} route={route} onHelp={() => setHelp(true)} />
+      <Header source={source} run={run} session={session} route={route} onHelp={() => setHelp(true)} />
       <main id="content" tabIndex={-1} class={`view-${view || "overview"}`}>
-        {session === undefined ? <p class="loading">Reading the run …</p> : null}
+        {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
+        {run >= 0 && session === undefined ? <p class="loading">Reading the run …</p> : null}
         {typeof session === "string" ? <p role="alert">The run cannot be shown: {session}</p> : null}
         {typeof session === "object" ? <View session={session} view={view} /> : null}
       </main>

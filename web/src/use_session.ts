@@ -15,7 +15,8 @@ function troubleOf(problem: string | undefined, news: News | undefined): string 
 export function useSession(source: Source, run: number): Session | string | undefined {
   const [heard, setHeard] = useState<{ run: number; news: News; count: number }>();
   const [attempt, setAttempt] = useState(0);
-  const { value: overview, problem } = useAnswer(String(run), `${heard?.count ?? 0} ${attempt}`, () => source.overview(run));
+  const { value: overview, problem } = useAnswer(String(run), `${heard?.count ?? 0} ${attempt}`, 
+    run < 0 ? undefined : () => source.overview(run));
   const live = overview?.run.live ?? false;
   useEffect(() => {
     if (!live) return undefined;

@@ -36,7 +36,7 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   const index = findCell(overview, caseName, picture, renderer);
   // A render that ends changes what there is to know.
   const { value: detail, problem } = useAnswer(`${session.run} ${index}`, overview.cells.state[index],
-    async () => (index < 0 ? undefined : session.source.picture(session.run, index)));
+    index < 0 ? undefined : () => session.source.picture(session.run, index));
   const { previous, next, siblings } = neighbours(session, index);
   const to = (cell: number | undefined): void => {
     if (cell !== undefined) keepLook(cellLink(session, cell));

@@ -9,14 +9,15 @@ export interface Answer<T> {
 }
 
 /**
- * What `ask` answers. Another `key` is another question: answers to the one before count no more. With another `turn`
+ * What `ask` answers; nothing is asked where there is none. Another `key` is another question: answers to the one before count no more. With another `turn`
  * the same is asked anew, and the last answer stays until there is a later one.
  */
-export function useAnswer<T>(key: string, turn: unknown, ask: () => Promise<T>): Answer<T> {
+export function useAnswer<T>(key: string, turn: unknown, ask: (() => Promise<T>) | undefined): Answer<T> {
   const [answer, setAnswer] = useState<Answer<T> & { key: string }>();
   const question = useRef({ key, asked: 0, answered: 0 });
   if (question.current.key !== key) question.current = { key, asked: 0, answered: 0 };
   useEffect(() => {
+    if (!ask) return;
     const own = question.current;
     const number = ++own.asked;
     const put = (found: Answer<T>): void => {

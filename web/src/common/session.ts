@@ -12,6 +12,14 @@ export interface Session {
   trouble: string | undefined;
 }
 
+/** The run that a member of a query names; without a name the usual one, -1 when there is no such run. */
+export const runNamed = (source: Source, name: string | undefined, usual: number): number =>
+  name ? source.runs.indexOf(name) : usual;
+
+/** The member of a query that names a run. Without it a link would show another run as soon as there is a newer one. */
+export const runQuery = (source: Source, run: number, param = "run"): Record<string, string> =>
+  source.runs.length > 1 ? { [param]: source.runs[run] ?? "" } : {};
+
 /** Index of the picture of a case by a renderer, -1 when the run has none. */
 export function findCell(overview: Overview, caseName: string, picture: string, renderer: string): number {
   const { cells } = overview;
