@@ -5,6 +5,7 @@ import { createRequire } from "node:module";
 import type { Socket } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import type { Browser, Page } from "playwright-core";
 
 const source = process.env["ORBS_SOURCE_DIR"] ?? "";
@@ -139,4 +140,27 @@ export async function changeOverview(page: Page, change: (overview: SomeOverview
 /** Waits until the page has shown what it was told before. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** A picture as the server packs it (src/report/packed_image.h), each channel with its number at (x, y). */
+export function packedPicture(width: number, height: number, channels: Record<string, (x: number, y: number) => number>): Buffer {
+  const names = Object.keys(channels);
+  const header = JSON.stringify({
+    format: "orbs-image/1", width, height, layer: "", layers: [""], attributes: {},
+    channels: names.map((name) => ({ name, type: "float", exact: true })),
+  });
+  const text = Buffer.from(header.padEnd(Math.ceil((4 + header.length) / 8) * 8 - 4));
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(text.length);
+  const planes = names.map((name) => {
+    const plane = new Float32Array(width * height);
+    for (let i = 0; i < plane.length; ++i) plane[i] = channels[name]?.(i % width, Math.floor(i / width)) ?? NaN;
+    return Buffer.from(plane.buffer);
+  });
+  return gzipSync(Buffer.concat([length, text, ...planes]));
+}
+
+/** Shows these pictures, by the names of their files, in place of the run's own. */
+export async function replacePictures(page: Page, pictures: Record<string, Buffer>): Promise<void> {
+  for (const [file, body] of Object.entries(pictures)) await page.route(`**/image/**/${file}*`, (route) => route.fulfill({ body }));
 }
