@@ -113,6 +113,8 @@ test("a region has the numbers of its pixels alone", async () => {
   // 1 of 16 x 8 x 3 numbers is 1 too small.
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("-0.002604").waitFor();
   assert.match(await page.locator(".region").innerText(), /mean \|Δ\|\s+0\.002604\s+mean Δ²\s+0\.002604\s+mean Δ\s+-0\.002604/);
+  await page.goto(`${values}?region=0%2C0%2C32%2C32`);
+  await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("NaN").waitFor();
   await page.close();
 });
 
@@ -127,7 +129,7 @@ test("of many wrong pixels it says how many, and how many of these can be visite
 
 test("a layer that only other pictures have can be left", async () => {
   const { page } = await open(browser, `${values}?layer=S3`);
-  await page.getByText("result the picture has no layer 'S3'").waitFor();
+  await page.getByText("result: the picture has no layer 'S3'").waitFor();
   await page.getByRole("combobox", { name: "Layer" }).selectOption({ label: "colour" });
   await drawn(page, "result");
   await page.close();

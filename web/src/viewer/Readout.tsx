@@ -33,7 +33,7 @@ export function Readout({ at, images, rasters, channel: chosen }: {
             const inside = at && x >= 0 && y >= 0 && x < loaded.width && y < loaded.height;
             return (
               <tr key={image.name}>
-                <th scope="row">{image.name}</th>
+                <th scope="row" title={image.name}>{image.name}</th>
                 {columns(loaded, chosen).map((c) => {
                   const { name = "", exact = true } = loaded.channels[c] ?? {};
                   return (

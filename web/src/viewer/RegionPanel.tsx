@@ -1,10 +1,13 @@
-import { number } from "../common/format";
+import { number, rawFloat } from "../common/format";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { StatisticsTable } from "./Histogram";
 import { isWithin, type Region } from "./statistics";
 import { useRegionMetrics, useStatistics } from "./use_counted";
 import { isRaster, type Loaded } from "./use_rasters";
+
+// One NaN in the region makes its means NaN, which is not the same as none.
+const text = (value: number): string => (Number.isFinite(value) ? number(value) : rawFloat(value));
 
 function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster; region: Region }) {
   const statistics = useStatistics(raster, region);
@@ -50,9 +53,9 @@ export function RegionPanel({ region, images, rasters, onClear }: {
         <tbody>
           {metrics ? (
             <>
-              <tr title="mean of |result − reference| over R, G, B, linear"><th scope="row">mean |Δ|</th><td class="number">{number(metrics.absolute)}</td></tr>
-              <tr title="mean of (result − reference)² over R, G, B, linear"><th scope="row">mean Δ²</th><td class="number">{number(metrics.squared)}</td></tr>
-              <tr title="mean of result − reference over R, G, B, linear: the bias"><th scope="row">mean Δ</th><td class="number">{number(metrics.signed)}</td></tr>
+              <tr title="mean of |result − reference| over R, G, B, linear"><th scope="row">mean |Δ|</th><td class="number">{text(metrics.absolute)}</td></tr>
+              <tr title="mean of (result − reference)² over R, G, B, linear"><th scope="row">mean Δ²</th><td class="number">{text(metrics.squared)}</td></tr>
+              <tr title="mean of result − reference over R, G, B, linear: the bias"><th scope="row">mean Δ</th><td class="number">{text(metrics.signed)}</td></tr>
             </>
           ) : null}
           {images.map((image) => {

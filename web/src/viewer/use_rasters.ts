@@ -32,7 +32,7 @@ export function useRasters(session: Session, images: ImageEntry[], wanted: strin
       // Only pictures have layers; a map has one, whatever is chosen.
       const own = image.kind === "map" ? "" : layer;
       source.raster(run, image.file, own, signal).then(put, (error: unknown) =>
-        put({ problem: `${image.name} ${reasonOf(error)}` }));
+        put({ problem: `${image.name}: ${reasonOf(error)}` }));
     }
   }, [source, run, key, layer, wanted.join("\n")]);
   return loaded;
