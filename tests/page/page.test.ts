@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
-import { colourAt, drawn, launch, open, playLive, report, Scratch, serve, type Served } from "./stand";
+import { changeOverview, colourAt, drawn, launch, open, report, Scratch, serve, type Served } from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -38,18 +38,12 @@ test("the overview shows each state by symbol and word, failures first", async (
 
 test("of pictures in the same state the one with the worst number speaks for the requirement", async () => {
   const page = await browser.newPage();
-  await page.route("**/overview.json", async (route) => {
-    const overview = (await (await route.fetch()).json()) as {
-      cells: Record<string, number[]>;
-      measures: Record<string, number[]>;
-      pictures: string[];
-    };
+  await changeOverview(page, (overview) => {
     const { cells, measures } = overview;
     for (const column of ["case", "renderer", "state", "declared"]) cells[column]!.fill(cells[column]![0]!, 0, 3);
     overview.pictures = ["good", "worst", "better", ...overview.pictures];
-    cells["picture"] = cells["picture"]!.map((picture, i) => (i < 3 ? i : picture + 3));
+    cells["picture"] = cells["picture"]!.map((picture, i) => (i < 3 ? i : picture! + 3));
     measures["psnr_srgb8"]!.splice(0, 3, 50, 36, 42);
-    await route.fulfill({ json: overview });
   });
   await page.goto(url);
   await page.locator(".row.requirement").first().waitFor();
@@ -271,35 +265,6 @@ test("two runs: better, worse, new and gone", async () => {
   await page.close();
 });
 
-test("a click on a point opens the picture that made it", async () => {
-  const { page, errors } = await open(browser, `${url}#/charts`);
-  const over = page.locator(".plot .u-over").nth(1);
-  await over.waitFor();
-  const box = await over.boundingBox();
-  assert.ok(box);
-  // Looks for a point from left to right, as somebody who moves the mouse does.
-  for (let i = 1; i < 40 && page.url().endsWith("charts"); ++i)
-    for (let j = 1; j < 12 && page.url().endsWith("charts"); ++j) await page.mouse.click(box.x + (box.width * i) / 40, box.y + (box.height * j) / 12);
-  await page.waitForSelector(".case");
-  assert.match(page.url(), /#\/case\//);
-  assert.deepEqual(errors, []);
-  await page.close();
-});
-
-test("curves with bands are drawn when the data has some", async () => {
-  const { page, errors } = await open(browser, "about:blank");
-  await page.route("**/overview.json", async (route) => {
-    const overview = (await (await route.fetch()).json()) as Record<string, unknown>;
-    const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
-    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
-    await route.fulfill({ json: { ...overview, charts: [chart] } });
-  });
-  await page.goto(`${url}#/charts`);
-  await page.getByRole("region", { name: "error over time" }).locator("canvas").waitFor();
-  assert.deepEqual(errors, []);
-  await page.close();
-});
-
 test("the '?' sheet lists the keys, and Escape closes it", async () => {
   const { page } = await open(browser, url + values);
   await drawn(page, "result");
@@ -308,25 +273,5 @@ test("the '?' sheet lists the keys, and Escape closes it", async () => {
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => !document.querySelector("dialog"));
   assert.match(page.url(), /case/, "Escape only closed the sheet");
-  await page.close();
-});
-
-test("a run that goes on fills its cells as renders end", async () => {
-  const folder = join(scratch.folder, "live");
-  const run = await playLive(folder);
-  const served = await serve(folder);
-  const { page, errors } = await open(browser, `${served.url}#/?by=picture&order=given`);
-  await page.getByText("0 of 3 renders done").waitFor();
-  run.stdin?.write("one\n");
-  await page.getByText("1 of 3 renders done, 1 running, 1 left, about 20.0 s to go").waitFor();
-  const cells = page.locator(".cell a .word");
-  await page.waitForFunction(() => document.querySelectorAll(".cell a.tone-good").length === 1);
-  assert.deepEqual(await cells.allInnerTexts(), ["pass", "running", "waiting"]);
-  run.stdin?.write("two\nthree\n");
-  run.stdin?.end();
-  await page.waitForFunction(() => !document.querySelector(".live"));
-  assert.deepEqual(await cells.allInnerTexts(), ["pass", "fail", "fail"]);
-  assert.deepEqual(errors, []);
-  served.process.kill("SIGTERM");
   await page.close();
 });

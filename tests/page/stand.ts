@@ -5,6 +5,7 @@ import { createRequire } from "node:module";
 import type { Socket } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import type { Browser, Page } from "playwright-core";
 
 const source = process.env["ORBS_SOURCE_DIR"] ?? "";
@@ -98,7 +99,7 @@ export async function open(browser: Browser, url: string, options: Parameters<Br
 /** Waits until the stage shows exactly these pictures. */
 export async function drawn(page: Page, names: string): Promise<void> {
   await page.waitForFunction((wanted) => document.querySelector<HTMLCanvasElement>(".stage canvas")?.dataset["drawn"] === wanted, names);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await settled(page);
 }
 
 /** Colour of the stage at a point of it, 0 to 255. */
@@ -113,4 +114,53 @@ export function colourAt(page: Page, x: number, y: number): Promise<number[]> {
     pen.drawImage(canvas, px * scale, py * scale, 1, 1, 0, 0, 1, 1);
     return [...pen.getImageData(0, 0, 1, 1).data.slice(0, 3)];
   }, [x, y] as const);
+}
+
+/** What the tests change of an overview. */
+export interface SomeOverview {
+  run: { name: string; live: boolean; finished: boolean };
+  states: { name: string }[];
+  cells: Record<string, (number | null)[]>;
+  measures: Record<string, (number | null)[]>;
+  infinite: Record<string, number[]>;
+  pictures: string[];
+  charts?: unknown[];
+}
+
+/** Answers for overviews with what `change` makes of the run's own; `run` counts as the server counts. */
+export async function changeOverview(page: Page, change: (overview: SomeOverview, asked: number) => void, run: number | "*" = "*"): Promise<void> {
+  let asked = 0;
+  await page.route(`**/data/${run}/overview.json`, async (route) => {
+    const overview = (await (await route.fetch()).json()) as SomeOverview;
+    change(overview, ++asked);
+    await route.fulfill({ json: overview });
+  });
+}
+
+/** Waits until the page has shown what it was told before. */
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** A picture as the server packs it (src/report/packed_image.h), each channel with its number at (x, y). */
+export function packedPicture(width: number, height: number, channels: Record<string, (x: number, y: number) => number>): Buffer {
+  const names = Object.keys(channels);
+  const header = JSON.stringify({
+    format: "orbs-image/1", width, height, layer: "", layers: [""], attributes: {},
+    channels: names.map((name) => ({ name, type: "float", exact: true })),
+  });
+  const text = Buffer.from(header.padEnd(Math.ceil((4 + header.length) / 8) * 8 - 4));
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(text.length);
+  const planes = names.map((name) => {
+    const plane = new Float32Array(width * height);
+    for (let i = 0; i < plane.length; ++i) plane[i] = channels[name]?.(i % width, Math.floor(i / width)) ?? NaN;
+    return Buffer.from(plane.buffer);
+  });
+  return gzipSync(Buffer.concat([length, text, ...planes]));
+}
+
+/** Shows these pictures, by the names of their files, in place of the run's own. */
+export async function replacePictures(page: Page, pictures: Record<string, Buffer>): Promise<void> {
+  for (const [file, body] of Object.entries(pictures)) await page.route(`**/image/**/${file}*`, (route) => route.fulfill({ body }));
 }

@@ -1,52 +1,26 @@
-import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { CasePage } from "./case/CasePage";
 import { ChartsPage } from "./charts/ChartsPage";
 import { Help } from "./common/Help";
 import { useActions, type Action } from "./common/keys";
-import type { Session } from "./common/session";
+import { NoSuchRun } from "./common/NoSuchRun";
+import { runNamed, runQuery, type Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
 import type { Source } from "./data/source";
-import type { Overview, Progress } from "./data/types";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
-import { go, useRoute } from "./route";
-
-/** The overview of a run, kept up to date while the run goes on. */
-function useSession(source: Source, run: number): Session | string | undefined {
-  const [loaded, setLoaded] = useState<{ run: number; overview: Overview } | string>();
-  const [progress, setProgress] = useState<Progress>();
-  const load = useCallback(
-    () =>
-      source.overview(run).then(
-        (overview) => setLoaded({ run, overview }),
-        (error: unknown) => setLoaded(error instanceof Error ? error.message : String(error)),
-      ),
-    [source, run],
-  );
-  useEffect(() => {
-    setProgress(undefined);
-    void load();
-  }, [load]);
-  const live = typeof loaded === "object" && loaded.run === run && loaded.overview.run.live;
-  useEffect(() => {
-    if (!live) return undefined;
-    return source.follow(run, (news) => {
-      setProgress(news);
-      void load();
-    });
-  }, [live, load, source, run]);
-  return useMemo(() => {
-    if (loaded === undefined || typeof loaded === "string") return loaded;
-    return loaded.run === run ? { source, run, overview: loaded.overview, progress } : undefined;
-  }, [source, run, loaded, progress]);
-}
+import { go, note, useRoute } from "./route";
+import { useSession } from "./use_session";
 
 export function App({ source }: { source: Source }) {
   const route = useRoute();
   const [help, setHelp] = useState(false);
-  const run = Math.max(0, source.runs.indexOf(route.query["run"] ?? source.runs[0] ?? ""));
+  const run = runNamed(source, route.query["run"], 0);
   const session = useSession(source, run);
-  const query: Record<string, string> = route.query["run"] ? { run: route.query["run"] } : {};
+  const query = runQuery(source, run);
+  useEffect(() => {
+    if (source.runs.length > 1 && !route.query["run"]) note(query);
+  }, [route]);
   const actions: Action[] = [
     { key: "?", label: "this sheet", group: "Page", run: () => setHelp(true) },
     { key: "Escape", label: "to the overview", group: "Page", run: () => go({ path: [], query }) },
@@ -64,9 +38,10 @@ export function App({ source }: { source: Source }) {
       <button class="skip" onClick={() => document.getElementById("content")?.focus()}>
         Skip to the content
       </button>
-      <Header source={source} session={session} route={route} onHelp={() => setHelp(true)} />
+      <Header source={source} run={run} session={session} route={route} onHelp={() => setHelp(true)} />
       <main id="content" tabIndex={-1} class={`view-${view || "overview"}`}>
-        {session === undefined ? <p class="loading">Reading the run …</p> : null}
+        {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
+        {run >= 0 && session === undefined ? <p class="loading">Reading the run …</p> : null}
         {typeof session === "string" ? <p role="alert">The run cannot be shown: {session}</p> : null}
         {typeof session === "object" ? <View session={session} view={view} /> : null}
       </main>

@@ -1,18 +1,20 @@
 import { seconds } from "./common/format";
-import type { Session } from "./common/session";
+import { runQuery, type Session } from "./common/session";
 import type { Source } from "./data/source";
 import { go, routeText, type Route } from "./route";
 
 interface Props {
   source: Source;
+  /** -1 when the address names one that is not here. */
+  run: number;
   session: Session | string | undefined;
   route: Route;
   onHelp: () => void;
 }
 
-export function Header({ source, session, route, onHelp }: Props) {
+export function Header({ source, run: index, session, route, onHelp }: Props) {
   const [view = ""] = route.path;
-  const query: Record<string, string> = route.query["run"] ? { run: route.query["run"] } : {};
+  const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
     <a href={routeText({ path, query })} aria-current={view === (path[0] ?? "") ? "page" : undefined}>
       {label}
@@ -32,7 +34,7 @@ export function Header({ source, session, route, onHelp }: Props) {
           <label>
             <span class="unseen">Run</span>
             <select
-              value={run?.name ?? ""}
+              value={source.runs[index] ?? ""}
               onChange={(event) => go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })}
             >
               {source.runs.map((name) => (
@@ -61,14 +63,20 @@ function runText({ overview: { run } }: Session): string {
   return parts.join(" · ");
 }
 
-/** What a run that goes on has done; for one that was killed, that it was. */
+/** What a run that goes on has done, or why that is not known; for one that was killed, that it was. */
 function LiveBar({ session }: { session: Session }) {
   const { run } = session.overview;
-  const { progress } = session;
+  const { progress, trouble } = session;
   if (!run.live)
     return (
       <p class="live ended" role="status">
-        This run ended before it was finished: what it had rendered until then is shown.
+        This run was not finished: what it had rendered until then is shown.
+      </p>
+    );
+  if (trouble !== undefined)
+    return (
+      <p class="live ended" role="status">
+        What was known last is shown, and asked for again: {trouble}.
       </p>
     );
   if (!progress)

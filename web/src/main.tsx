@@ -1,6 +1,7 @@
 import { render } from "preact";
 import "uplot/dist/uPlot.min.css";
 import { App } from "./App";
+import { reasonOf } from "./common/answer";
 import { openSource } from "./data/source";
 import "./style/base.css";
 import "./style/overview.css";
@@ -16,6 +17,6 @@ if (root)
       render(<App source={source} />, root);
     },
     (error: unknown) => {
-      root.textContent = `The run cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+      root.textContent = `The run cannot be shown: ${reasonOf(error)}`;
     },
   );

@@ -1,6 +1,6 @@
-import { useEffect, useState } from "preact/hooks";
+import { useAnswer } from "../common/answer";
 import { useActions } from "../common/keys";
-import { detailOf, findCell, namesOf, sentenceOf, stateOf, type Session } from "../common/session";
+import { findCell, namesOf, sentenceOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import type { Case, PictureDetail } from "../data/types";
 import { cellLink } from "../overview/Grid";
@@ -11,22 +11,6 @@ import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Passports } from "./Passports";
-
-function useDetail(session: Session, index: number): PictureDetail | string | undefined {
-  const [detail, setDetail] = useState<{ key: string; value: PictureDetail | string }>();
-  const key = `${session.run} ${index}`;
-  const state = session.overview.cells.state[index];
-  useEffect(() => {
-    let wanted = true;
-    if (index >= 0)
-      detailOf(session, index).then(
-        (value) => wanted && setDetail({ key, value }),
-        (error: unknown) => wanted && setDetail({ key, value: error instanceof Error ? error.message : String(error) }),
-      );
-    return () => void (wanted = false);
-  }, [key, state]);
-  return detail?.key === key ? detail.value : undefined;
-}
 
 /** Cells of the same renderer before and after this one, and the others of the same picture. */
 function neighbours(session: Session, index: number) {
@@ -50,7 +34,9 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   const [, caseName = "", picture = "", renderer = ""] = route.path;
   const { overview } = session;
   const index = findCell(overview, caseName, picture, renderer);
-  const detail = useDetail(session, index);
+  // A render that ends changes what there is to know.
+  const { value: detail, problem } = useAnswer(`${session.run} ${index}`, overview.cells.state[index],
+    index < 0 ? undefined : () => session.source.picture(session.run, index));
   const { previous, next, siblings } = neighbours(session, index);
   const to = (cell: number | undefined): void => {
     if (cell !== undefined) keepLook(cellLink(session, cell));
@@ -89,9 +75,9 @@ export function CasePage({ session, route }: { session: Session; route: Route })
         </p>
         {one.smallest_error_seen ? <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p> : null}
       </header>
-      {typeof detail === "string" ? <p role="alert">{detail}</p> : null}
-      {detail === undefined ? <p class="loading">Reading …</p> : null}
-      {typeof detail === "object" ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
+      {problem !== undefined ? <p role="alert">The picture cannot be shown: {problem}</p> : null}
+      {detail === undefined && problem === undefined ? <p class="loading">Reading …</p> : null}
+      {detail ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
     </article>
   );
 }

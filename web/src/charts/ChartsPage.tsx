@@ -3,7 +3,8 @@ import type { Session } from "../common/session";
 import type { Chart } from "../data/types";
 import { cellLink } from "../overview/Grid";
 import { go, note, parseRoute, type Route } from "../route";
-import { chartByPicture, chartOfTwo, hasPoints, quantitiesOf, type Quantity } from "./from_run";
+import { chartByPicture, chartOfTwo, quantitiesOf, type Quantity } from "./from_run";
+import { hasPoints, leftOutText } from "./drawable";
 import { Plot } from "./Plot";
 
 function Choice({ label, param, chosen, quantities }: { label: string; param: string; chosen: Quantity; quantities: Quantity[] }) {
@@ -18,11 +19,14 @@ function Choice({ label, param, chosen, quantities }: { label: string; param: st
 }
 
 function ChartSection({ chart, onOpen, children }: { chart: Chart; onOpen: (cell: number) => void; children?: preact.ComponentChildren }) {
+  const leftOut = leftOutText(chart);
   return (
     <section class="chart" aria-label={chart.title}>
       <h2>{chart.title}</h2>
       <div class="chart-choices">{children}</div>
-      {hasPoints(chart) ? <Plot chart={chart} onOpen={onOpen} /> : <p class="quiet">The run has no numbers for this.</p>}
+      {hasPoints(chart) ? <Plot chart={chart} onOpen={onOpen} /> : null}
+      {leftOut ? <p class="quiet left-out">{leftOut}</p> : null}
+      {!hasPoints(chart) && !leftOut ? <p class="quiet">The run has no numbers for this.</p> : null}
     </section>
   );
 }
@@ -54,7 +58,7 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
         <Choice label="Up" param="cy" chosen={y} quantities={quantities} />
         <Choice label="Right" param="cx" chosen={x} quantities={quantities} />
       </ChartSection>
-      {(overview.charts ?? []).filter(hasPoints).map((chart) => <ChartSection key={chart.title} chart={chart} onOpen={open} />)}
+      {(overview.charts ?? []).map((chart) => <ChartSection key={chart.title} chart={chart} onOpen={open} />)}
     </>
   );
 }

@@ -2,6 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { number } from "../common/format";
 import type { Chart, ChartPoint } from "../data/types";
+import { isDrawable } from "./drawable";
 import { seriesColour } from "./palette";
 
 interface Props {
@@ -17,11 +18,9 @@ interface Columns {
   series: uPlot.Series[];
 }
 
-const usable = (value: number, log: boolean): boolean => Number.isFinite(value) && (!log || value > 0);
-
 /** All series over the union of their x, as uPlot wants them; a band is two series more. */
 function columnsOf(chart: Chart, dark: boolean): Columns {
-  const kept = chart.series.map((one) => one.points.filter((p) => usable(p.x, chart.x.log) && usable(p.y, chart.y.log)));
+  const kept = chart.series.map((one) => one.points.filter((point) => isDrawable(chart, point)));
   // Two points of one series at the same x must both be seen: x of the second is moved by the least that keeps them apart.
   const xs = new Set<number>();
   const placed = kept.map((points) => {

@@ -6,24 +6,39 @@ export interface Quantity {
   name: string;
   label: string;
   column: Column;
+  /** Pictures whose number is infinite, which no column can say. */
+  infinite: ReadonlySet<number>;
   log: boolean;
 }
+
+// Half of the pictures below zero would have no place on a logarithmic axis, and nothing but zeros none at all.
+const suitsLog = (column: Column): boolean =>
+  column.some((value) => value !== null && value > 0) && !column.some((value) => value !== null && value < 0);
 
 /** What each picture cost, then every metric of the run. Only what the run has numbers for. */
 export function quantitiesOf(overview: Overview): Quantity[] {
   const { cells, metrics, measures } = overview;
   const memory = cells.peak_rss_bytes.map((value) => (value === null ? null : value / 1e6));
+  const cost = (name: string, label: string, column: Column): Quantity =>
+    ({ name, label, column, infinite: new Set(), log: suitsLog(column) });
   const all: Quantity[] = [
-    { name: "wall_seconds", label: "wall time (s)", column: cells.wall_seconds, log: true },
-    { name: "cpu_seconds", label: "CPU time (s)", column: cells.cpu_seconds, log: true },
-    { name: "render_seconds", label: "renderer's own time (s)", column: cells.render_seconds, log: true },
-    { name: "peak_rss_bytes", label: "peak memory (MB)", column: memory, log: true },
-    // Ratios in dB are logarithms already.
-    ...metrics.map((metric) => ({ name: metric.name, label: metric.unit === "1" ? metric.name : `${metric.name} (${metric.unit})`,
-      column: measures[metric.name] ?? [], log: metric.lower_is_better && !metric.signed })),
+    cost("wall_seconds", "wall time (s)", cells.wall_seconds),
+    cost("cpu_seconds", "CPU time (s)", cells.cpu_seconds),
+    cost("render_seconds", "renderer's own time (s)", cells.render_seconds),
+    cost("peak_rss_bytes", "peak memory (MB)", memory),
+    ...metrics.map((metric) => {
+      const column = measures[metric.name] ?? [];
+      return { name: metric.name, label: metric.unit === "1" ? metric.name : `${metric.name} (${metric.unit})`, column,
+        infinite: new Set(overview.infinite[metric.name]),
+        // Ratios in dB are logarithms already.
+        log: metric.lower_is_better && !metric.signed && suitsLog(column) };
+    }),
   ];
-  return all.filter(({ column }) => column.some((value) => value !== null && value > 0));
+  return all.filter(({ column, infinite }) => infinite.size > 0 || column.some((value) => value !== null));
 }
+
+const valueOf = ({ column, infinite }: Quantity, cell: number): number | null =>
+  infinite.has(cell) ? Infinity : (column[cell] ?? null);
 
 /** Pictures that are the same for several cases are one point. */
 function eachPicture(overview: Overview, visit: (cell: number, renderer: number, picture: string) => void): void {
@@ -43,8 +58,8 @@ export function chartByPicture(overview: Overview, quantity: Quantity): Chart {
   const place = new Map<string, number>();
   const series = overview.renderers.map(({ name }) => ({ name, points: [] as ChartPoint[] }));
   eachPicture(overview, (cell, renderer, picture) => {
-    const y = quantity.column[cell];
-    if (y === null || y === undefined) return;
+    const y = valueOf(quantity, cell);
+    if (y === null) return;
     if (!place.has(picture)) {
       place.set(picture, ticks.length);
       ticks.push(picture);
@@ -60,11 +75,9 @@ export function chartByPicture(overview: Overview, quantity: Quantity): Chart {
 export function chartOfTwo(overview: Overview, x: Quantity, y: Quantity): Chart {
   const series = overview.renderers.map(({ name }) => ({ name, points: [] as ChartPoint[] }));
   eachPicture(overview, (cell, renderer, picture) => {
-    const [px, py] = [x.column[cell], y.column[cell]];
-    if (px === null || px === undefined || py === null || py === undefined) return;
+    const [px, py] = [valueOf(x, cell), valueOf(y, cell)];
+    if (px === null || py === null) return;
     series[renderer]?.points.push({ x: px, y: py, cell, label: picture });
   });
   return { title: `${y.label} against ${x.label}`, x: { label: x.label, log: x.log }, y: { label: y.label, log: y.log }, series };
 }
-
-export const hasPoints = (chart: Chart): boolean => chart.series.some(({ points }) => points.length > 0);

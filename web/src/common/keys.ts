@@ -20,12 +20,14 @@ function isTyping(target: EventTarget | null): boolean {
     : target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
+// What is pressed, ticked, moved or scrolled by these keys when it has the focus.
+const kWithKeys = "button, a, summary, [role=slider], input, pre, code";
+
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
   if (document.querySelector("dialog[open]")) return; // its own keys are the browser's
-  // Space and Enter on a button press that button.
-  const onButton = event.target instanceof HTMLElement && event.target.closest("button, a, summary, [role=slider]");
-  if (onButton && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow"))) return;
+  const hasKeys = event.target instanceof HTMLElement && event.target.closest(kWithKeys);
+  if (hasKeys && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow"))) return;
   const name = event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
   for (const set of [...sets].reverse()) {
     // Without Shift a capital comes from Caps Lock, which means nothing here.

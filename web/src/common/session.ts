@@ -1,13 +1,24 @@
 import type { Source } from "../data/source";
-import type { Overview, PictureDetail, Progress } from "../data/types";
+import type { Overview, Progress } from "../data/types";
 
 /** The run that is shown, and how to get at the rest. */
 export interface Session {
   source: Source;
   run: number;
   overview: Overview;
+  /** Of a run that goes on, once it has been told. */
   progress: Progress | undefined;
+  /** Why nothing newer is known of a run that goes on. */
+  trouble: string | undefined;
 }
+
+/** The run that a member of a query names; without a name the usual one, -1 when there is no such run. */
+export const runNamed = (source: Source, name: string | undefined, usual: number): number =>
+  name ? source.runs.indexOf(name) : usual;
+
+/** The member of a query that names a run. Without it a link would show another run as soon as there is a newer one. */
+export const runQuery = (source: Source, run: number, param = "run"): Record<string, string> =>
+  source.runs.length > 1 ? { [param]: source.runs[run] ?? "" } : {};
 
 /** Index of the picture of a case by a renderer, -1 when the run has none. */
 export function findCell(overview: Overview, caseName: string, picture: string, renderer: string): number {
@@ -42,8 +53,3 @@ export const sentenceOf = (overview: Overview, index: number): string =>
 
 export const isInfinite = (overview: Overview, metric: string, index: number): boolean =>
   overview.infinite[metric]?.includes(index) ?? false;
-
-/** Details are asked for once, unless the run goes on and they may still change. */
-export function detailOf(session: Session, index: number): Promise<PictureDetail> {
-  return session.source.picture(session.run, index);
-}

@@ -1,6 +1,8 @@
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo } from "preact/hooks";
+import { useAnswer, type Answer } from "../common/answer";
 import { number } from "../common/format";
-import type { Session } from "../common/session";
+import { NoSuchRun } from "../common/NoSuchRun";
+import { runNamed, runQuery, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import type { Overview } from "../data/types";
 import { cellLink } from "../overview/Grid";
@@ -8,16 +10,15 @@ import { note, type Route } from "../route";
 import { changesOf, stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
 import { timesOf, timeSummary } from "./times";
 
-const kHeadings: Record<Kind, string> = { worse: "Became worse", better: "Became better", new: "New", gone: "Gone", same: "As before" };
+const kHeadings: Record<Kind, string> = {
+  worse: "Became worse", better: "Became better", open: "Not rendered (yet) before or after", new: "New", gone: "Gone", same: "As before",
+};
 const kMostRows = 500; // of one heading
 
-function useOverview(session: Session, run: number): Overview | undefined {
-  const [other, setOther] = useState<{ run: number; overview: Overview }>();
-  useEffect(() => {
-    if (run !== session.run) void session.source.overview(run).then((overview) => setOther({ run, overview }));
-  }, [run, session.run, session.source]);
-  if (run === session.run) return session.overview;
-  return other?.run === run ? other.overview : undefined;
+function useOverview(session: Session, run: number): Answer<Overview> {
+  const own = run === session.run;
+  const answer = useAnswer(String(run), own, own || run < 0 ? undefined : () => session.source.overview(run));
+  return own ? { value: session.overview } : answer;
 }
 
 function SideChoice({ label, session, run, renderer, overview, runParam, rendererParam }: {
@@ -119,13 +120,15 @@ function Changes({ kind, changes, a, b, metric, links }: {
 /** Two runs, or two renderers: what is better, worse, new and gone. */
 export function ComparePage({ session, route }: { session: Session; route: Route }) {
   const { source } = session;
-  const runOf = (param: string, usual: number): number => {
-    const named = source.runs.indexOf(route.query[param] ?? "");
-    return named >= 0 ? named : Math.min(usual, source.runs.length - 1);
-  };
   // The newest run stands first, so the one before it is the next.
-  const [runA, runB] = [runOf("before", 1), runOf("after", 0)];
-  const [overviewA, overviewB] = [useOverview(session, runA), useOverview(session, runB)];
+  const runA = runNamed(source, route.query["before"], Math.min(1, source.runs.length - 1));
+  const runB = runNamed(source, route.query["after"], 0);
+  useEffect(() => {
+    if (source.runs.length > 1 && (!route.query["before"] || !route.query["after"]))
+      note({ ...runQuery(source, runA, "before"), ...runQuery(source, runB, "after") });
+  }, [route]);
+  const [answerA, answerB] = [useOverview(session, runA), useOverview(session, runB)];
+  const [overviewA, overviewB] = [answerA.value, answerB.value];
   const oneRun = source.runs.length < 2;
   const usual = (i: number): string => (oneRun && session.overview.renderers.length > 1 ? (session.overview.renderers[i]?.name ?? "") : "");
   const rendererA = route.query["ra"] ?? usual(1);
@@ -151,7 +154,13 @@ export function ComparePage({ session, route }: { session: Session; route: Route
         </label>
       </div>
       {changes && overviewA && overviewB ? <TimeLine a={overviewA} b={overviewB} changes={changes} /> : null}
-      {!changes || !overviewA || !overviewB ? <p class="loading">Reading …</p> : (
+      {runA < 0 ? <NoSuchRun source={source} route={route} param="before" /> : null}
+      {runB < 0 ? <NoSuchRun source={source} route={route} param="after" /> : null}
+      {[[runA, answerA.problem] as const, [runB, answerB.problem] as const].map(([run, problem]) =>
+        problem === undefined ? null : <p role="alert" key={run}>The run {source.runs[run]} cannot be shown: {problem}</p>)}
+      {!changes || !overviewA || !overviewB ? (
+        runA >= 0 && runB >= 0 && answerA.problem === undefined && answerB.problem === undefined ? <p class="loading">Reading …</p> : null
+      ) : (
         (Object.keys(kHeadings) as Kind[]).map((kind) => (
           <Changes key={kind} kind={kind} changes={changes.filter((one) => one.kind === kind)} metric={metric}
             a={{ overview: overviewA, renderer: rendererA }} b={{ overview: overviewB, renderer: rendererB }}

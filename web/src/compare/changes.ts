@@ -1,7 +1,9 @@
 import { isInfinite, namesOf, stateOf, type CellNames } from "../common/session";
+import { isOpen } from "../common/states";
 import type { Overview } from "../data/types";
 
-export type Kind = "worse" | "better" | "new" | "gone" | "same";
+/** "open": not rendered before or after, so that nothing can be said. */
+export type Kind = "worse" | "better" | "open" | "new" | "gone" | "same";
 
 export interface Change {
   kind: Kind;
@@ -17,14 +19,15 @@ const valueOf = (overview: Overview, metric: string, cell: number): number | und
 
 // A change of the number counts from a hundredth of it: less is another seed, another machine.
 function kindOf(a: Overview, before: number, b: Overview, after: number, metric: string): Kind {
+  if (isOpen(stateOf(a, before)) || isOpen(stateOf(b, after))) return "open";
   const step = rankOf(b, after) - rankOf(a, before);
   if (step !== 0) return step > 0 ? "worse" : "better";
-  const [old, now] = [valueOf(a, metric, before), valueOf(b, metric, after)];
+  const known = b.metrics.find((one) => one.name === metric);
+  const sized = (value: number | undefined) => (known?.signed && value !== undefined ? Math.abs(value) : value);
+  const [old, now] = [sized(valueOf(a, metric, before)), sized(valueOf(b, metric, after))];
   if (old === undefined || now === undefined || old === now) return "same";
   if (Number.isFinite(old) && Math.abs(now - old) <= 0.01 * Math.abs(old)) return "same";
-  const known = b.metrics.find((one) => one.name === metric);
-  const grows = known?.signed ? Math.abs(now) > Math.abs(old) : now > old;
-  return grows === (known?.lower_is_better ?? false) ? "worse" : "better";
+  return now > old === (known?.lower_is_better ?? false) ? "worse" : "better";
 }
 
 function byKey(overview: Overview, renderer: string, asRenderer: string): Map<string, { cell: number; names: CellNames }> {

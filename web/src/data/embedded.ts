@@ -4,7 +4,7 @@ import type { Overview, PictureDetail } from "./types";
 
 function textOf(id: string): string {
   const element = document.getElementById(id);
-  if (!element) throw new Error("is not in this file: it was written without");
+  if (!element) throw new Error("it is not in this file, which was written without");
   return element.textContent ?? "";
 }
 
@@ -17,7 +17,9 @@ function bytesOf(id: string): Uint8Array<ArrayBuffer> {
 
 /** The page written by `orbs report`: all data stands in script elements of the file. */
 export function embeddedSource(): Source {
-  const overview = JSON.parse(textOf("orbs-overview")) as Overview;
+  const written = JSON.parse(textOf("orbs-overview")) as Overview;
+  // In a file no run goes on.
+  const overview = { ...written, run: { ...written.run, live: false } };
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
   let pictures: PictureDetail[] | undefined;
   return {
@@ -32,7 +34,7 @@ export function embeddedSource(): Source {
     raster: async (_run, file, layer) => {
       const element = elements[file];
       if (!element)
-        throw new Error("is not in this file, which was kept small; 'orbs serve' shows it from the run's folder");
+        throw new Error("it is not in this file, which was kept small; 'orbs serve' shows it from the run's folder");
       if (layer) throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
       return unpack(new Blob([bytesOf(element)]).stream());
     },

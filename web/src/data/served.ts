@@ -3,7 +3,10 @@ import type { Source } from "./source";
 import type { Overview, PictureDetail, Progress } from "./types";
 
 async function get(address: string, signal?: AbortSignal): Promise<Response> {
-  const answer = await fetch(address, signal ? { signal } : {});
+  const answer = await fetch(address, signal ? { signal } : {}).catch((error: unknown) => {
+    if (signal?.aborted) throw error;
+    throw new Error("the server does not answer"); // each browser has its own words for that
+  });
   if (!answer.ok) throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
   return answer;
 }
@@ -15,7 +18,12 @@ export async function servedSource(): Promise<Source> {
   const fileAddress = (run: number, file: string): string => `/data/${run}/file/${encoded(file)}`;
   return {
     runs: runs.map((run) => run.name),
-    overview: async (run) => (await (await get(`/data/${run}/overview.json`)).json()) as Overview,
+    overview: async (run) => {
+      const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
+      const expected = runs[run]?.name ?? "";
+      if (overview.run.name === expected) return overview;
+      throw new Error(`expected the run '${expected}' and found '${overview.run.name}': the server was started anew; reload the page`);
+    },
     picture: async (run, index) => (await (await get(`/data/${run}/picture/${index}.json`)).json()) as PictureDetail,
     raster: async (run, file, layer, signal) => {
       const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
@@ -28,13 +36,14 @@ export async function servedSource(): Promise<Source> {
       return result ? fileAddress(run, result.file.replace(/[^/]*$/, "result.png")) : undefined;
     },
     fileAddress,
-    follow: (run, onProgress) => {
+    follow: (run, onNews) => {
       const events = new EventSource(`/data/${run}/events`);
       events.addEventListener("progress", (event) => {
         const progress = JSON.parse((event as MessageEvent<string>).data) as Progress;
         if (!progress.live) events.close();
-        onProgress(progress);
+        onNews(progress);
       });
+      events.addEventListener("error", () => onNews(events.readyState === EventSource.CLOSED ? "silent" : "lost"));
       return () => events.close();
     },
   };

@@ -3,6 +3,9 @@ import type { Raster } from "./raster";
 import { servedSource } from "./served";
 import type { Overview, PictureDetail, Progress } from "./types";
 
+/** "lost" while the server is waited for, "silent" when it will tell nothing more. */
+export type News = Progress | "lost" | "silent";
+
 /** Where the page gets its data from: a server, or the file that it is itself. */
 export interface Source {
   /** Names of the runs that are there, the first to open with. */
@@ -15,8 +18,8 @@ export interface Source {
   thumbnail(run: number, index: number, image: () => Promise<PictureDetail>): Promise<string | undefined>;
   /** Address of a file of the run, undefined where it cannot be had. */
   fileAddress(run: number, file: string): string | undefined;
-  /** Calls back on progress of a run that goes on; returns what ends that. */
-  follow(run: number, onProgress: (progress: Progress) => void): () => void;
+  /** Tells the news of a run that goes on; returns what ends that. */
+  follow(run: number, onNews: (news: News) => void): () => void;
 }
 
 export async function openSource(): Promise<Source> {

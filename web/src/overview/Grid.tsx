@@ -1,6 +1,6 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { bytes, number, seconds } from "../common/format";
-import { isInfinite, namesOf, stateOf, type Session } from "../common/session";
+import { isInfinite, namesOf, runQuery, stateOf, type Session } from "../common/session";
 import { lookOf } from "../common/states";
 import type { Overview } from "../data/types";
 import { note, routeText } from "../route";
@@ -52,8 +52,7 @@ function shown(overview: Overview, show: string, index: number): string {
 
 export function cellLink(session: Session, index: number): string {
   const names = namesOf(session.overview, index);
-  const query: Record<string, string> = session.run > 0 ? { run: session.source.runs[session.run] ?? "" } : {};
-  return routeText({ path: ["case", names.case, names.picture, names.renderer], query });
+  return routeText({ path: ["case", names.case, names.picture, names.renderer], query: runQuery(session.source, session.run) });
 }
 
 function Cell({ session, index, show, onHover }: {

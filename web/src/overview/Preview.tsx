@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { bytes, seconds } from "../common/format";
-import { detailOf, namesOf, sentenceOf, type Session } from "../common/session";
+import { namesOf, sentenceOf, type Session } from "../common/session";
 
 export interface Hovered {
   index: number;
@@ -16,7 +16,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
     let wanted = true;
     setImage(undefined);
     if (overview.cells.thumbnail[index])
-      source.thumbnail(run, index, () => detailOf(session, index)).then(
+      source.thumbnail(run, index, () => source.picture(run, index)).then(
         (address) => wanted && setImage(address),
         () => undefined, // the sentence says enough
       );

@@ -1,4 +1,5 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { reasonOf } from "../common/answer";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { panesOf, pictureAt, placed, zoomedAt, type Pane, type Size } from "./geometry";
@@ -7,17 +8,20 @@ import { paintSettings, type PaintSettings } from "./paint_settings";
 import { Painter, type Paint } from "./painter";
 import { usePointer } from "./pointer";
 import { isRaster, type Loaded } from "./use_rasters";
+import type { Range } from "./statistics";
 import type { ViewState } from "./view_state";
 
 export interface Shown {
   image: ImageEntry;
   loaded: Loaded;
-  range: { min: number; max: number } | undefined;
+  range: Range | undefined;
 }
 
 interface Props {
   /** The picture in front; for swipe the left and the right one; for side by side all. */
   shown: Shown[];
+  /** All pictures that may be shown next. */
+  loaded: Raster[];
   view: ViewState;
   /** Size of the pictures, known as soon as one is there. */
   size: Size;
@@ -68,12 +72,30 @@ export function Stage(props: Props) {
   }, []);
 
   useEffect(() => {
-    try {
-      if (canvas.current) painter.current = new Painter(canvas.current);
-    } catch (error) {
-      setProblem(error instanceof Error ? error.message : String(error));
-    }
-    return () => painter.current?.dispose();
+    const element = canvas.current;
+    if (!element) return undefined;
+    const start = (): void => {
+      try {
+        painter.current = new Painter(element);
+        setProblem(undefined);
+      } catch (error) {
+        setProblem(reasonOf(error));
+      }
+    };
+    const stop = (event: Event): void => {
+      event.preventDefault(); // or the browser never starts it again
+      painter.current = undefined;
+      delete element.dataset["drawn"];
+      setProblem("the graphics driver has stopped; the pictures are drawn as soon as it starts again");
+    };
+    start();
+    element.addEventListener("webglcontextlost", stop);
+    element.addEventListener("webglcontextrestored", start);
+    return () => {
+      element.removeEventListener("webglcontextlost", stop);
+      element.removeEventListener("webglcontextrestored", start);
+      painter.current?.dispose();
+    };
   }, []);
 
   const swiping = view.mode === "swipe" && shown.length === 2;
@@ -90,6 +112,7 @@ export function Stage(props: Props) {
         const height = Math.round(stage.height * stage.scale);
         if (one.width !== width || one.height !== height) [one.width, one.height] = [width, height];
       }
+      painter.current.keepOnly(props.loaded);
       painter.current.clear(kSurround);
       shown.forEach((one, i) => {
         const pane = panes[i];

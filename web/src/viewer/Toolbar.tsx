@@ -1,6 +1,8 @@
+import { number } from "../common/format";
 import type { Action } from "../common/keys";
 import { toWorst, zoomTo, type Controls } from "./controls";
 import { kCurves, type ViewState } from "./view_state";
+import type { Worst } from "./worst";
 
 const curveNames: Record<(typeof kCurves)[number], string> = { srgb: "sRGB", gamma: "gamma", linear: "linear", false: "false colour" };
 
@@ -38,6 +40,12 @@ function NumberField({ label, value, step, onChange }: { label: string; value: n
   );
 }
 
+/** Only the worst of many pixels can be visited. */
+function worstText({ pixels, count }: Worst, index: number, error: number): string {
+  const all = count > pixels.length ? `the ${pixels.length} worst` : String(count);
+  return `${index + 1} of ${all}: ${number(error, error === Infinity)}`;
+}
+
 /** A button for every key of the viewer. */
 export function Toolbar({ controls: c, actions }: { controls: Controls; actions: Action[] }) {
   const { view, setView } = c;
@@ -51,7 +59,7 @@ export function Toolbar({ controls: c, actions }: { controls: Controls; actions:
     );
   };
   const worst = c.worst?.pixels[c.worstIndex];
-  const counted = c.worst ? `${c.worst.count} pixels differ` : "";
+  const counted = c.worst ? `${c.worst.count} ${c.worst.count === 1 ? "pixel differs" : "pixels differ"}` : "";
   return (
     <div class="toolbar">
       <ImageTabs controls={c} />
@@ -81,10 +89,8 @@ export function Toolbar({ controls: c, actions }: { controls: Controls; actions:
           {view.curve === "gamma" ? <NumberField label="γ" value={view.gamma} step={0.1} onChange={(gamma) => set({ gamma: Math.max(0.1, gamma) })} /> : null}
           <label class="field">
             <span class="unseen">Channel</span>
-            <select value={view.channel} title="channel (x)" onChange={(event) => set({ channel: event.currentTarget.value })}>
-              <option value="">{c.channels.length === 1 ? c.channels[0] : "RGB"}</option>
-              {c.channels.length > 1 ? c.channels.map((name) => <option key={name}>{name}</option>) : null}
-              {c.channels.length > 1 ? <option>luminance</option> : null}
+            <select value={c.channel} title="channel (x)" onChange={(event) => set({ channel: event.currentTarget.value })}>
+              {c.channels.map(({ value, label }) => <option key={value} value={value}>{label}</option>)}
             </select>
           </label>
           {c.layers.length > 1 ? (
@@ -103,7 +109,7 @@ export function Toolbar({ controls: c, actions }: { controls: Controls; actions:
         <span class="group" role="group" aria-label="Errors">
           {button("y", "◂")}
           <button onClick={() => toWorst(c, 1)} title="next worst pixel (u)" disabled={!c.worst?.pixels.length}>
-            {worst ? `${c.worstIndex + 1} of ${c.worst?.count ?? 0}: ${Number(worst.error.toPrecision(3))}` : "Worst pixel"}
+            {c.worst && worst ? worstText(c.worst, c.worstIndex, worst.error) : "Worst pixel"}
           </button>
           {button("u", "▸")}
           {button("w", "Worst tile")}

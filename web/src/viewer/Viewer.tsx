@@ -4,6 +4,7 @@ import type { Session } from "../common/session";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { note, type Route } from "../route";
+import { channelChoices, channelInForce, seenChannels } from "./channels";
 import { viewActions, type Controls } from "./controls";
 import { HistogramPlot, StatisticsTable } from "./Histogram";
 import { Legend } from "./Legend";
@@ -11,10 +12,12 @@ import { paintSettings } from "./paint_settings";
 import { Readout } from "./Readout";
 import { RegionPanel } from "./RegionPanel";
 import { Stage, type Shown } from "./Stage";
+import { rangeOf } from "./statistics";
 import { Toolbar } from "./Toolbar";
 import { knownStatistics, useStatistics, useWorst } from "./use_counted";
 import { isRaster, useRasters } from "./use_rasters";
 import { parseView, viewQuery, type ViewState } from "./view_state";
+import type { Worst } from "./worst";
 
 /** The view, kept in the address: written a moment after it changed, read when somebody else changes it. */
 function useView(route: Route): [ViewState, (view: ViewState) => void] {
@@ -72,10 +75,9 @@ function useBlink(on: boolean, names: string[]): string | undefined {
   return on ? names[turn % names.length] : undefined;
 }
 
-const rangeOf = (raster: Raster): Shown["range"] => {
-  const channels = knownStatistics(raster)?.channels.slice(0, 3);
-  if (!channels?.length) return undefined;
-  return { min: Math.min(...channels.map((one) => one.min)), max: Math.max(...channels.map((one) => one.max)) };
+const rangeSeen = (raster: Raster, channel: string): Shown["range"] => {
+  const statistics = knownStatistics(raster);
+  return statistics && rangeOf(statistics, seenChannels(raster, channel));
 };
 
 export function Viewer({ session, images, route }: { session: Session; images: ImageEntry[]; route: Route }) {
@@ -83,7 +85,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const [hover, setHover] = useState<{ x: number; y: number }>();
   const [selecting, setSelecting] = useState(false);
   const [blinking, setBlinking] = useState(false);
-  const [worstIndex, setWorstIndex] = useState(-1);
+  const [visited, setVisited] = useState<{ of: Worst | undefined; index: number }>();
   const held = useShift();
 
   const reference = images.find((image) => image.kind === "reference");
@@ -113,13 +115,20 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const worst = useWorst(front?.kind === "map" || sameSize ? errors : undefined, front?.kind === "map" ? undefined : referenceRaster);
   const statistics = useStatistics(raster, undefined);
   const size = raster ?? referenceRaster ?? rasterOf(result) ?? { width: 512, height: 512 };
-  const settings = front && paintSettings(front, view, raster, raster && rangeOf(raster));
+  const range = raster && rangeSeen(raster, view.channel);
+  const settings = front && paintSettings(front, view, raster, range);
+  const layers = (rasterOf(result) ?? referenceRaster)?.layers ?? [""];
 
-  useEffect(() => setWorstIndex(-1), [worst]);
+  const worstIndex = visited?.of === worst ? (visited?.index ?? -1) : -1;
+  const setWorstIndex = (index: number): void => {
+    setVisited({ of: worst, index });
+    setHover(undefined); // until it moves again the pointer is where it was, and looked at is another pixel
+  };
   const controls: Controls = {
-    images, view, setView, front, size, statistics, worst, worstIndex, setWorstIndex, selecting, setSelecting, blinking,
-    setBlinking, held, channels: raster?.channels.map((channel) => channel.name) ?? [],
-    layers: (rasterOf(result) ?? referenceRaster)?.layers ?? [""], ticked, falseColour: settings?.falseColour ?? false,
+    images, view, setView, front, size, range, worst, worstIndex, setWorstIndex, selecting, setSelecting, blinking,
+    setBlinking, held, channels: channelChoices(raster), channel: channelInForce(raster, view.channel),
+    // A link may ask for a layer that these pictures do not have; it must be possible to choose another.
+    layers: layers.includes(view.layer) ? layers : [...layers, view.layer], ticked, falseColour: settings?.falseColour ?? false,
     scaleEnd: settings?.scaleEnd ?? 1,
   };
   const actions = viewActions(controls);
@@ -127,7 +136,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   if (images.length === 0) return <p class="quiet no-pictures">There is no picture of this: nothing was rendered.</p>;
   const shown: Shown[] = panes.map((image) => {
     const own = rasterOf(image);
-    return { image, loaded: rasters.get(image.name), range: own && rangeOf(own) };
+    return { image, loaded: rasters.get(image.name), range: own && rangeSeen(own, view.channel) };
   });
   const marked = worst?.pixels[worstIndex];
   return (
@@ -135,7 +144,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
       <Toolbar controls={controls} actions={actions} />
       <div class="viewer-body">
         <div class="viewer-main">
-          <Stage shown={shown} view={view} size={size} marked={marked} selecting={selecting} onView={setView}
+          <Stage shown={shown} loaded={[...rasters.values()].filter(isRaster)} view={view} size={size} marked={marked} selecting={selecting} onView={setView}
             onHover={setHover} onRegion={(region) => setView({ ...view, region })} />
           {settings?.falseColour && front ? (
             <Legend image={front} settings={settings} onLog={() => setView({ ...view, log: !view.log })}
@@ -146,7 +155,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
           ) : null}
         </div>
         <aside class="viewer-side">
-          <Readout at={marked ? { x: marked.x, y: marked.y } : hover} images={images} rasters={rasters} />
+          <Readout at={hover ?? marked} images={images} rasters={rasters} channel={view.channel} />
           {front ? <h3>{front.name}{view.region ? ", whole picture" : ""}</h3> : null}
           {statistics ? <><HistogramPlot statistics={statistics} /><StatisticsTable statistics={statistics} /></> : null}
           {view.region ? <RegionPanel region={view.region} images={images} rasters={rasters}

@@ -1,7 +1,7 @@
 import type { Action } from "../common/keys";
 import type { ImageEntry } from "../data/types";
 import { fitZoom, type Size } from "./geometry";
-import type { Statistics } from "./statistics";
+import type { Range } from "./statistics";
 import { kCurves, kModes, type ViewState } from "./view_state";
 import type { Worst } from "./worst";
 
@@ -12,7 +12,8 @@ export interface Controls {
   setView: (view: ViewState) => void;
   front: ImageEntry | undefined;
   size: Size;
-  statistics: Statistics | undefined;
+  /** Of what is seen of the picture in front, once it has been counted. */
+  range: Range | undefined;
   worst: Worst | undefined;
   worstIndex: number;
   setWorstIndex: (index: number) => void;
@@ -21,7 +22,9 @@ export interface Controls {
   blinking: boolean;
   setBlinking: (on: boolean) => void;
   held: boolean;
-  channels: string[];
+  /** What can be shown of the picture in front, and what of that is. */
+  channels: { value: string; label: string }[];
+  channel: string;
   layers: string[];
   ticked: string[];
   falseColour: boolean;
@@ -56,10 +59,8 @@ export function toWorstTile(c: Controls): void {
 
 /** Exposure and offset that bring the picture's range to 0 to 1; of false colours the end to its largest magnitude. */
 export function normalise(c: Controls): void {
-  const channels = c.statistics?.channels.slice(0, 3) ?? [];
-  const min = Math.min(...channels.map((one) => one.min));
-  const max = Math.max(...channels.map((one) => one.max));
-  if (!Number.isFinite(min) || !Number.isFinite(max) || !c.front) return;
+  if (!c.range || !c.front) return;
+  const { min, max } = c.range;
   if (c.falseColour) {
     c.setView({ ...c.view, ends: { ...c.view.ends, [c.front.name]: Math.max(Math.abs(min), Math.abs(max)) || 1 } });
   } else if (max > min) {
@@ -109,7 +110,7 @@ export function viewActions(c: Controls): Action[] {
     act("n", "normalise to the picture's range", () => normalise(c)),
     act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
     act("z", "zebra on clipped values", () => set({ zebra: !view.zebra })),
-    act("x", "next channel", () => set({ channel: next(["", ...c.channels, "luminance"], view.channel) })),
+    act("x", "next channel", () => set({ channel: next(c.channels.map(({ value }) => value), c.channel) })),
     act("r", "reset how it looks", () =>
       set({ exposure: 0, offset: 0, curve: "srgb", gamma: 2.2, channel: "", layer: "", log: false, zebra: false, ends: {} })),
     act("f", "fit", () => set({ zoom: 0 })),

@@ -1,5 +1,6 @@
 import { rawFloat } from "../common/format";
 import { valueAt, type Raster } from "../data/raster";
+import { seenChannels } from "./channels";
 import { placed, type Pane, type Size } from "./geometry";
 import type { Shown } from "./Stage";
 import { isRaster } from "./use_rasters";
@@ -34,7 +35,7 @@ function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, 
   const y0 = Math.max(0, Math.floor((pane.y - top) / at.zoom));
   const x1 = Math.min(raster.width, Math.ceil((pane.x + pane.width - left) / at.zoom));
   const y1 = Math.min(raster.height, Math.ceil((pane.y + pane.height - top) / at.zoom));
-  const channels = Math.min(3, raster.planes.length);
+  const channels = seenChannels(raster, view.channel);
   pen.font = `${Math.min(14, at.zoom / 4.2)}px ui-monospace, monospace`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
@@ -42,16 +43,16 @@ function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, 
   const line = Math.min(15, at.zoom / 3.6);
   for (let y = y0; y < y1; ++y)
     for (let x = x0; x < x1; ++x)
-      for (let c = 0; c < channels; ++c) {
+      channels.forEach((c, i) => {
         const text = tiny(valueAt(raster, c, y * raster.width + x));
         const tx = left + (x + 0.5) * at.zoom;
-        const ty = top + (y + 0.5) * at.zoom + (c - (channels - 1) / 2) * line;
+        const ty = top + (y + 0.5) * at.zoom + (i - (channels.length - 1) / 2) * line;
         // Readable on any colour: light letters with a dark rim.
         pen.strokeStyle = "rgba(0,0,0,.75)";
         pen.strokeText(text, tx, ty);
-        pen.fillStyle = channels === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
+        pen.fillStyle = channels.length === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
         pen.fillText(text, tx, ty);
-      }
+      });
 }
 
 function drawBox(pen: CanvasRenderingContext2D, pane: Pane, view: ViewState, size: Size,

@@ -14,7 +14,8 @@ export interface Paint {
   offset: number;
   curve: number;
   gamma: number;
-  channel: number;
+  channels: number[];
+  luminance: boolean;
   falseColour: boolean;
   diverging: boolean;
   log: boolean;
@@ -22,12 +23,14 @@ export interface Paint {
   zebra: boolean;
 }
 
+const kScales = 3; // the texture unit of the colour scales, behind those of the channels
+
 /** Draws pictures with WebGL2. The numbers stay what they are: all that is changed is how they look. */
 export class Painter {
   private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
   private readonly uniforms = new Map<string, WebGLUniformLocation | null>();
-  private readonly textures = new Map<Raster, WebGLTexture>();
+  private readonly textures = new Map<Raster, Map<number, WebGLTexture>>();
   private readonly scales: WebGLTexture;
 
   /** Fails with an Error that says what the browser lacks. */
@@ -39,13 +42,13 @@ export class Painter {
     gl.useProgram(this.program);
     gl.bindVertexArray(gl.createVertexArray());
     this.scales = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE1);
+    gl.activeTexture(gl.TEXTURE0 + kScales);
     gl.bindTexture(gl.TEXTURE_2D, this.scales);
     const rows = new Uint8Array([...scaleBytes(false), ...scaleBytes(true)]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
     for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-    gl.uniform1i(this.uniform("picture"), 0);
-    gl.uniform1i(this.uniform("scaleColours"), 1);
+    ["first", "second", "third"].forEach((name, unit) => gl.uniform1i(this.uniform(name), unit));
+    gl.uniform1i(this.uniform("scaleColours"), kScales);
   }
 
   private link(): WebGLProgram {
@@ -75,27 +78,23 @@ export class Painter {
     return this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
   }
 
-  private texture(raster: Raster): WebGLTexture {
-    const known = this.textures.get(raster);
-    if (known) return known;
+  /** Binds one channel of a picture to the texture unit that is active. */
+  private bind(raster: Raster, channel: number): void {
     const { gl } = this;
+    const own = this.textures.get(raster) ?? new Map<number, WebGLTexture>();
+    this.textures.set(raster, own);
+    const known = own.get(channel);
+    if (known) return gl.bindTexture(gl.TEXTURE_2D, known);
     const texture = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
-    const half = isHalf(raster);
     const { width, height } = raster;
-    const count = shownChannels(raster);
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, half ? gl.R16UI : gl.R32UI, width, height, count);
-    for (let c = 0; c < count; ++c) {
-      const plane = half ? (raster.planes[c] as Uint16Array) : floatBits(raster, c);
-      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, c, width, height, 1, gl.RED_INTEGER,
-        half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, plane);
-    }
-    this.textures.set(raster, texture);
-    return texture;
+    const half = isHalf(raster, channel);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, half ? gl.R16UI : gl.R32UI, width, height);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED_INTEGER, half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
+      half ? (raster.planes[channel] as Uint16Array) : floatBits(raster, channel));
+    own.set(channel, texture);
   }
 
   clear(surround: number): void {
@@ -108,9 +107,12 @@ export class Painter {
 
   paint(p: Paint, surround: number): void {
     const { gl } = this;
-    const texture = this.texture(p.raster);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    // A single channel stands for all three, so that no texture unit is without one.
+    const channels = [0, 1, 2].map((i) => p.channels[i] ?? p.channels[0] ?? 0);
+    channels.forEach((channel, unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      this.bind(p.raster, channel);
+    });
     const [x, y, width, height] = p.clip.map(Math.round) as [number, number, number, number];
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(x, this.canvas.height - y - height, Math.max(0, width), Math.max(0, height));
@@ -127,9 +129,9 @@ export class Painter {
     set("inverseGamma", 1 / p.gamma);
     set("scaleEnd", p.scaleEnd);
     setInt("curve", p.curve);
-    setInt("channel", p.channel);
-    setInt("channelCount", shownChannels(p.raster));
-    setInt("isHalf", isHalf(p.raster) ? 1 : 0);
+    gl.uniform3iv(this.uniform("areHalf"), channels.map((channel) => (isHalf(p.raster, channel) ? 1 : 0)));
+    setInt("isColour", p.channels.length === 3 ? 1 : 0);
+    setInt("isLuminance", p.luminance ? 1 : 0);
     setInt("falseColour", p.falseColour ? 1 : 0);
     setInt("isDiverging", p.diverging ? 1 : 0);
     setInt("isLog", p.log ? 1 : 0);
@@ -138,24 +140,21 @@ export class Painter {
   }
 
   /** Frees the textures of all pictures but these. */
-  keepOnly(rasters: Set<Raster>): void {
-    for (const [raster, texture] of this.textures)
-      if (!rasters.has(raster)) {
-        this.gl.deleteTexture(texture);
-        this.textures.delete(raster);
-      }
+  keepOnly(rasters: Raster[]): void {
+    for (const [raster, own] of this.textures) {
+      if (rasters.includes(raster)) continue;
+      for (const texture of own.values()) this.gl.deleteTexture(texture);
+      this.textures.delete(raster);
+    }
   }
 
   dispose(): void {
-    this.keepOnly(new Set());
+    this.keepOnly([]);
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
 }
 
-const shownChannels = (raster: Raster): number => (raster.planes.length >= 3 ? 3 : 1);
-
-const isHalf = (raster: Raster): boolean =>
-  raster.planes.slice(0, shownChannels(raster)).every((plane) => plane instanceof Uint16Array);
+const isHalf = (raster: Raster, channel: number): boolean => raster.planes[channel] instanceof Uint16Array;
 
 function floatBits(raster: Raster, channel: number): Uint32Array {
   const floats = floatsOf(raster, channel, 0, raster.width * raster.height);

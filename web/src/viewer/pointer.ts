@@ -46,6 +46,7 @@ export function usePointer(options: Options) {
     const keys = (event: KeyboardEvent): void => {
       if (event.key.toLowerCase() === "c") isC.current = event.type === "keydown";
     };
+    const release = (): void => void (isC.current = false); // it comes up in another window
     const element = now.current.box.current;
     // Not passive: the page must not scroll along.
     const wheel = (event: WheelEvent): void => {
@@ -57,10 +58,12 @@ export function usePointer(options: Options) {
     element?.addEventListener("wheel", wheel, { passive: false });
     addEventListener("keydown", keys);
     addEventListener("keyup", keys);
+    addEventListener("blur", release);
     return () => {
       element?.removeEventListener("wheel", wheel);
       removeEventListener("keydown", keys);
       removeEventListener("keyup", keys);
+      removeEventListener("blur", release);
     };
   }, []);
 

@@ -11,12 +11,16 @@ void main() {
 export const kFragmentShader = `#version 300 es
 precision highp float;
 precision highp int;
-precision highp usampler2DArray;
+precision highp usampler2D;
 
-uniform usampler2DArray picture;
+// The channels that are seen; of a single one only the first is looked at.
+uniform usampler2D first;
+uniform usampler2D second;
+uniform usampler2D third;
+uniform bvec3 areHalf;
+uniform bool isColour;
+uniform bool isLuminance;
 uniform sampler2D scaleColours;
-uniform bool isHalf;
-uniform int channelCount;
 uniform ivec2 size;
 uniform vec2 paneOrigin;      // of the pane on the canvas, pixels, from the top left
 uniform float canvasHeight;
@@ -26,7 +30,6 @@ uniform float gain;
 uniform float offset;
 uniform int curve;            // 0 sRGB, 1 gamma, 2 linear
 uniform float inverseGamma;
-uniform int channel;          // -1 colour or largest magnitude, -2 luminance, else the index
 uniform bool falseColour;
 uniform bool isDiverging;
 uniform bool isLog;
@@ -38,21 +41,20 @@ out vec4 seen;
 const vec3 kBad = vec3(1.0, 0.0, 1.0);
 const float kDecades = 4.0;   // of a logarithmic scale
 
-float numberAt(ivec2 at, int c, inout bool bad) {
-  uint bits = texelFetch(picture, ivec3(at, c), 0).r;
+float numberAt(uint bits, bool isHalf, inout bool bad) {
   uint exponent = isHalf ? (bits >> 10) & 31u : (bits >> 23) & 255u;
   if (exponent == (isHalf ? 31u : 255u)) { bad = true; return 0.0; }
   return isHalf ? unpackHalf2x16(bits).x : uintBitsToFloat(bits);
 }
 
 vec3 pixelAt(ivec2 at, inout bool bad) {
-  if (channelCount < 3) return vec3(numberAt(at, 0, bad));
-  return vec3(numberAt(at, 0, bad), numberAt(at, 1, bad), numberAt(at, 2, bad));
+  float one = numberAt(texelFetch(first, at, 0).r, areHalf.x, bad);
+  if (!isColour) return vec3(one);
+  return vec3(one, numberAt(texelFetch(second, at, 0).r, areHalf.y, bad), numberAt(texelFetch(third, at, 0).r, areHalf.z, bad));
 }
 
 float scalarOf(vec3 v) {
-  if (channel == -2) return dot(v, vec3(0.2126, 0.7152, 0.0722));
-  if (channel >= 0) return channel == 0 ? v.r : channel == 1 ? v.g : v.b;
+  if (isLuminance) return dot(v, vec3(0.2126, 0.7152, 0.0722));
   float largest = v.r;
   if (abs(v.g) > abs(largest)) largest = v.g;
   if (abs(v.b) > abs(largest)) largest = v.b;
@@ -80,8 +82,9 @@ void main() {
   vec2 onPane = vec2(gl_FragCoord.x, canvasHeight - gl_FragCoord.y) - paneOrigin;
   vec2 place = origin + onPane / zoom;
   if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) { seen = vec4(surround, 1.0); return; }
-  // Shown smaller than it is, a pixel of the screen is the mean of up to 4 x 4 pixels, and magenta if one of them is bad.
-  int taps = zoom < 1.0 ? int(min(4.0, ceil(1.0 / zoom))) : 1;
+  // Shown smaller than it is, a pixel of the screen is the mean of the pixels that it covers, magenta if one of them is
+  // bad. 64 x 64 is more than the smallest zoom of the largest pictures that drivers take asks for.
+  int taps = zoom < 1.0 ? int(min(64.0, ceil(1.0 / zoom))) : 1;
   bool bad = false;
   vec3 sum = vec3(0.0);
   for (int j = 0; j < taps; ++j)
@@ -92,7 +95,7 @@ void main() {
   if (bad) { seen = vec4(kBad, 1.0); return; }
   vec3 v = sum / float(taps * taps);
   if (falseColour) { seen = vec4(colouredScalar(scalarOf(v)), 1.0); return; }
-  if (channel != -1) v = vec3(scalarOf(v));
+  if (isLuminance) v = vec3(scalarOf(v));
   v = v * gain + offset;
   if (zebra && any(greaterThan(v, vec3(1.0))) && stripes()) { seen = vec4(0.0, 0.0, 0.0, 1.0); return; }
   if (zebra && any(lessThan(v, vec3(0.0))) && stripes()) { seen = vec4(1.0); return; }

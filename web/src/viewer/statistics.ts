@@ -26,6 +26,22 @@ export interface Statistics {
 
 export type Region = [number, number, number, number];
 
+/** The region has pixels, and all of them are in the picture: links hold whatever somebody typed. */
+export const isWithin = ([x0, y0, x1, y1]: Region, { width, height }: Raster): boolean =>
+  0 <= x0 && x0 < x1 && x1 <= width && 0 <= y0 && y0 < y1 && y1 <= height;
+
+export interface Range {
+  min: number;
+  max: number;
+}
+
+/** Of the finite numbers of some channels; undefined when they have none. */
+export function rangeOf(statistics: Statistics, channels: number[]): Range | undefined {
+  const counted = statistics.channels.filter((one, c) => channels.includes(c) && one.min <= one.max);
+  if (counted.length === 0) return undefined;
+  return { min: Math.min(...counted.map((one) => one.min)), max: Math.max(...counted.map((one) => one.max)) };
+}
+
 const kPixelsAtOnce = 1 << 20; // about 10 ms: the page stays quick while large pictures are counted
 
 /** Lets the browser paint and answer keys; throws when nobody waits for the result any more. */

@@ -1,5 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Raster } from "../data/raster";
+import { regionMetrics, type RegionMetrics } from "./region_metrics";
 import { statisticsOf, type Region, type Statistics } from "./statistics";
 import { worstOf, type Worst } from "./worst";
 
@@ -9,43 +10,48 @@ const worsts = new WeakMap<Raster, Map<Raster | undefined, Worst>>();
 
 export const knownStatistics = (raster: Raster): Statistics | undefined => statistics.get(raster);
 
-/** Statistics of a picture, or of a region of it, as soon as they are counted. */
-export function useStatistics(raster: Raster | undefined, region: Region | undefined): Statistics | undefined {
-  const [found, setFound] = useState<{ raster: Raster; region: string; statistics: Statistics }>();
-  const key = region?.join(",") ?? "";
+/** What `count` finds, as soon as it has; it counts anew when one of `of` changes. */
+function useCounted<T>(of: readonly unknown[], count: ((signal: AbortSignal) => Promise<T>) | undefined): T | undefined {
+  const [found, setFound] = useState<{ of: readonly unknown[]; value: T }>();
   useEffect(() => {
-    if (!raster || (!region && statistics.has(raster))) return undefined;
+    if (!count) return undefined;
     const abort = new AbortController();
-    statisticsOf(raster, region, abort.signal).then(
-      (result) => {
-        if (!region) statistics.set(raster, result);
-        setFound({ raster, region: key, statistics: result });
+    count(abort.signal).then(
+      (value) => {
+        if (!abort.signal.aborted) setFound({ of, value });
       },
       () => undefined, // nobody waits any more
     );
     return () => abort.abort();
-  }, [raster, key]);
-  if (!raster) return undefined;
-  if (!region && statistics.has(raster)) return statistics.get(raster);
-  return found && found.raster === raster && found.region === key ? found.statistics : undefined;
+  }, of);
+  return found?.of.every((one, i) => one === of[i]) ? found.value : undefined;
+}
+
+/** Statistics of a picture, or of a region of it. */
+export function useStatistics(raster: Raster | undefined, region: Region | undefined): Statistics | undefined {
+  const known = raster && !region ? statistics.get(raster) : undefined;
+  const count = async (signal: AbortSignal, of: Raster): Promise<Statistics> => {
+    const result = await statisticsOf(of, region, signal);
+    if (!region) statistics.set(of, result);
+    return result;
+  };
+  const counted = useCounted([raster, region?.join()], raster && !known ? (signal) => count(signal, raster) : undefined);
+  return known ?? counted;
 }
 
 /** Where the errors are largest: of a map itself, or of a picture against its reference. */
 export function useWorst(raster: Raster | undefined, reference: Raster | undefined): Worst | undefined {
-  const [, redraw] = useState(0);
   const known = raster && worsts.get(raster)?.get(reference);
-  useEffect(() => {
-    if (!raster || known) return undefined;
-    const abort = new AbortController();
-    worstOf(raster, reference, abort.signal).then(
-      (worst) => {
-        const all = worsts.get(raster) ?? new Map<Raster | undefined, Worst>();
-        worsts.set(raster, all.set(reference, worst));
-        redraw((n) => n + 1);
-      },
-      () => undefined, // nobody waits any more
-    );
-    return () => abort.abort();
-  }, [raster, reference, known]);
-  return known;
+  const count = async (signal: AbortSignal, of: Raster): Promise<Worst> => {
+    const worst = await worstOf(of, reference, signal);
+    worsts.set(of, (worsts.get(of) ?? new Map<Raster | undefined, Worst>()).set(reference, worst));
+    return worst;
+  };
+  const counted = useCounted([raster, reference], raster && !known ? (signal) => count(signal, raster) : undefined);
+  return known ?? counted;
 }
+
+/** Numbers of the difference of two pictures in a region that lies within both. */
+export const useRegionMetrics = (result: Raster | undefined, reference: Raster | undefined, region: Region): RegionMetrics | undefined =>
+  useCounted([result, reference, region.join()],
+    result && reference ? (signal) => regionMetrics(result, reference, region, signal) : undefined);

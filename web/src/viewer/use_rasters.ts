@@ -1,4 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { reasonOf } from "../common/answer";
 import type { Session } from "../common/session";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
@@ -31,7 +32,7 @@ export function useRasters(session: Session, images: ImageEntry[], wanted: strin
       // Only pictures have layers; a map has one, whatever is chosen.
       const own = image.kind === "map" ? "" : layer;
       source.raster(run, image.file, own, signal).then(put, (error: unknown) =>
-        put({ problem: `${image.name} ${error instanceof Error ? error.message : String(error)}` }));
+        put({ problem: `${image.name}: ${reasonOf(error)}` }));
     }
   }, [source, run, key, layer, wanted.join("\n")]);
   return loaded;

@@ -1,0 +1,93 @@
+// Charts: what they show, and what they say that they cannot show.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { changeOverview, launch, open, Scratch, serve, type Served, type SomeOverview } from "./stand";
+
+const scratch = new Scratch();
+let browser: Browser;
+let small: Served;
+
+before(async () => {
+  browser = await launch();
+  small = await serve(scratch.run("small"));
+});
+
+after(async () => {
+  await browser?.close();
+  small?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+/** The charts of a run whose `metric` has these numbers, by the index of the picture, and no others. */
+async function charts(query: string, metric: string, values: Record<number, number>, change: (overview: SomeOverview) => void = () => undefined): Promise<{ page: Page; errors: string[] }> {
+  const { page, errors } = await open(browser, "about:blank");
+  await changeOverview(page, (overview) => {
+    const column = overview.measures[metric];
+    assert.ok(column);
+    column.fill(null);
+    for (const [cell, value] of Object.entries(values)) column[Number(cell)] = value;
+    change(overview);
+  });
+  await page.goto(`${small.url}#/charts?${query}`);
+  await page.locator(".chart").first().waitFor();
+  return { page, errors };
+}
+
+const first = (page: Page) => page.locator(".chart").first();
+
+test("a click on a point opens the picture that made it", async () => {
+  // Pictures 0, 2 and 3 are of "one"; the middle of -1, 0 and 1 is in the middle of the chart.
+  const { page, errors } = await charts("of=lean", "lean", { 0: -1, 2: 0, 3: 1 });
+  const over = first(page).locator(".u-over");
+  await over.waitFor();
+  const box = await over.boundingBox();
+  assert.ok(box);
+  // The middle of three places along the axis; of three renderers side by side on half a place "one" is the left.
+  await page.mouse.click(box.x + (box.width * (1.5 - 1 / 6)) / 3, box.y + box.height / 2);
+  await page.waitForSelector(".case");
+  assert.match(page.url(), /#\/case\/a1_stokes\/stokes\/one$/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("curves with bands are drawn when the data has some", async () => {
+  const { page, errors } = await open(browser, "about:blank");
+  await changeOverview(page, (overview) => {
+    const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
+    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
+    overview.charts = [chart];
+  });
+  await page.goto(`${small.url}#/charts`);
+  await page.getByRole("region", { name: "error over time" }).locator("canvas").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("quantities that are nowhere above zero are offered, on an axis that has a place for them", async () => {
+  const { page } = await charts("of=l1&cx=lean", "l1", { 0: -2, 2: -1, 3: 0 });
+  assert.match(await first(page).locator("h2").innerText(), /l1/);
+  await first(page).locator(".plot canvas").waitFor();
+  assert.equal(await first(page).locator(".left-out").count(), 0);
+  await page.close();
+});
+
+test("points that have no place in a chart are counted below it", async () => {
+  const { page } = await charts("of=l1", "l1", { 0: 0, 1: 0, 2: 0.25, 3: 4 });
+  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 4 points are not shown: 2 are 0, which has no place on a logarithmic axis.");
+  await page.close();
+});
+
+test("numbers that are infinite are counted below the chart", async () => {
+  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", { 2: 30 }, (overview) => (overview.infinite = { psnr_srgb8: [0] }));
+  assert.equal(await first(page).locator(".left-out").innerText(), "1 of 2 points is not shown: 1 is infinite.");
+  await page.close();
+});
+
+test("a quantity that is infinite everywhere is offered, and said to be", async () => {
+  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", {}, (overview) => (overview.infinite = { psnr_srgb8: [0, 2] }));
+  assert.match(await first(page).locator("h2").innerText(), /psnr_srgb8/);
+  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 2 points are not shown: 2 are infinite.");
+  assert.equal(await first(page).locator(".plot").count(), 0);
+  await page.close();
+});

@@ -1,0 +1,151 @@
+// Runs that go on, and answers that come late or not at all.
+import assert from "node:assert/strict";
+import type { ChildProcess } from "node:child_process";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { changeOverview, launch, open, playLive, Scratch, serve, settled, type Served } from "./stand";
+
+const scratch = new Scratch();
+let browser: Browser;
+let two: Served;
+
+before(async () => {
+  browser = await launch();
+  two = await serve(scratch.run("small"), scratch.run("before"));
+});
+
+after(async () => {
+  await browser?.close();
+  two?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+/** A run of three renders that goes on, and a page that is not there yet. */
+async function live(name: string): Promise<{ run: ChildProcess; served: Served; page: Page; errors: string[]; end: () => Promise<void> }> {
+  const folder = join(scratch.folder, name);
+  const run = await playLive(folder);
+  const served = await serve(folder);
+  const { page, errors } = await open(browser, "about:blank");
+  const end = async (): Promise<void> => {
+    await page.close();
+    run.stdin?.end();
+    served.process.kill("SIGTERM");
+  };
+  return { run, served, page, errors, end };
+}
+
+const overview = "#/?by=picture&order=given";
+const passed = (page: Page, count: number) =>
+  page.waitForFunction((wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted, count);
+
+test("a run that goes on fills its cells as renders end", async () => {
+  const { run, served, page, errors, end } = await live("fills");
+  await page.goto(served.url + overview);
+  await page.getByText("0 of 3 renders done").waitFor();
+  run.stdin?.write("one\n");
+  await page.getByText("1 of 3 renders done, 1 running, 1 left, about 20.0 s to go").waitFor();
+  const cells = page.locator(".cell a .word");
+  await passed(page, 1);
+  assert.deepEqual(await cells.allInnerTexts(), ["pass", "running", "waiting"]);
+  run.stdin?.write("two\nthree\n");
+  run.stdin?.end();
+  await page.waitForFunction(() => !document.querySelector(".live"));
+  assert.deepEqual(await cells.allInnerTexts(), ["pass", "fail", "fail"]);
+  assert.deepEqual(errors, []);
+  await end();
+});
+
+test("a run that goes on stays when it cannot be read once, and is read again", async () => {
+  const { run, served, page, end } = await live("breaks");
+  let isBroken = false;
+  await page.route("**/overview.json", (route) => (isBroken ? route.fulfill({ status: 500, body: "the disk is gone" }) : route.continue()));
+  await page.goto(served.url + overview);
+  await page.getByText("0 of 3 renders done").waitFor();
+  isBroken = true;
+  run.stdin?.write("one\n");
+  await page.getByText("the disk is gone").waitFor();
+  assert.equal(await page.locator(".cell a .word").count(), 3);
+  isBroken = false;
+  await passed(page, 1);
+  await page.getByText("1 of 3 renders done").waitFor();
+  await end();
+});
+
+test("of two answers about a run that goes on the one that was asked for later is shown", async () => {
+  const { run, served, page, end } = await live("overlaps");
+  let release = (): void => undefined;
+  const released = new Promise<void>((resolve) => (release = resolve));
+  let asked = 0;
+  let oldGiven: Promise<void> | undefined;
+  await page.route("**/overview.json", async (route) => {
+    const number = ++asked;
+    const response = await route.fetch();
+    if (number === 2) await released; // the first news of the run made the page ask for this
+    const given = route.fulfill({ response });
+    if (number === 2) oldGiven = given;
+    await given;
+  });
+  await page.goto(served.url + overview);
+  await page.getByText("0 of 3 renders done").waitFor();
+  run.stdin?.write("one\n");
+  await passed(page, 1);
+  const finished = page.waitForEvent("requestfinished");
+  release();
+  await finished;
+  await oldGiven;
+  await settled(page);
+  assert.equal(await page.locator(".cell a.tone-good").count(), 1);
+  await end();
+});
+
+test("when the server is gone the page says so and keeps what it knows", async () => {
+  const { served, page, end } = await live("ends");
+  await page.goto(served.url + overview);
+  await page.getByText("0 of 3 renders done").waitFor();
+  served.process.kill("SIGKILL");
+  await page.getByText("the server does not answer").waitFor();
+  assert.equal(await page.locator(".cell a .word").count(), 3);
+  await end();
+});
+
+test("a run that ends just before the page could follow it is shown as it ended", async () => {
+  const { page, errors } = await open(browser, "about:blank");
+  // The server answers 204 to whoever wants to follow a run that has ended.
+  await changeOverview(page, ({ run }, asked) => (run.live = asked === 1));
+  await page.goto(`${two.url}#/`);
+  await page.locator(".grid .row").first().waitFor();
+  await page.waitForFunction(() => !document.querySelector(".live"));
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("an answer about a run that was left for another one is not waited for, nor shown", async () => {
+  const { page, errors } = await open(browser, "about:blank");
+  let release = (): void => undefined;
+  const released = new Promise<void>((resolve) => (release = resolve));
+  await page.route("**/data/0/overview.json", async (route) => {
+    await released;
+    await route.continue();
+  });
+  await page.goto(two.url);
+  await page.getByText("Reading the run").waitFor();
+  await page.getByRole("combobox", { name: "Run" }).selectOption("before");
+  await page.locator(".grid .row").first().waitFor();
+  const finished = page.waitForEvent("requestfinished", (request) => request.url().endsWith("/data/0/overview.json"));
+  release();
+  await finished;
+  await settled(page);
+  assert.equal(await page.getByText("Reading the run").count(), 0);
+  assert.ok((await page.locator(".grid .row").count()) > 1);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a server that was started anew with other runs is found out", async () => {
+  const { page } = await open(browser, "about:blank");
+  await changeOverview(page, ({ run }) => (run.name = "another"));
+  await page.goto(`${two.url}#/`);
+  await page.getByText("expected the run 'small' and found 'another'").waitFor();
+  await page.close();
+});
