@@ -9,8 +9,8 @@ export interface Answer<T> {
 }
 
 /**
- * What `ask` answers; nothing is asked where there is none. Another `key` is another question: answers to the one before count no more. With another `turn`
- * the same is asked anew, and the last answer stays until there is a later one.
+ * What `ask` answers; nothing is asked where there is none. Another `key` is another question: answers to the one
+ * before count no more. With another `turn` the same is asked anew, and the last answer stays until there is a later one.
  */
 export function useAnswer<T>(key: string, turn: unknown, ask: (() => Promise<T>) | undefined): Answer<T> {
   const [answer, setAnswer] = useState<Answer<T> & { key: string }>();
