@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "server/connection.h"
+#include "server/run_names.h"
 #include "server/site.h"
 
 #include <chrono>
@@ -52,7 +53,12 @@ void serve(const ServeSettings& settings,
   Site site;
   site.stop = &stop;
   site.bundle = load_bundle(settings.bundle);
-  for (const auto& folder : settings.runs) site.runs.push_back(std::make_unique<ServedRun>(folder));
+  std::vector<std::filesystem::path> folders;
+  for (const auto& folder : settings.runs) {
+    site.runs.push_back(std::make_unique<ServedRun>(folder));
+    folders.push_back(site.runs.back()->folder());
+  }
+  site.names = run_names(folders);
   ConnectionLimits limits;
   limits.head_time = settings.head_time;
   GatedServer server({is_loopback_address(settings.address)}, limits);

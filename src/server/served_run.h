@@ -19,7 +19,6 @@ class ServedRun {
   explicit ServedRun(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }
-  std::string name() const { return folder_.filename().string(); }
   std::string started() const;
 
   /// The texts of report::overview_json and its siblings.

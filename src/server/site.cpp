@@ -52,8 +52,8 @@ bool send_bundle_file(const Site& site, std::string_view path, httplib::Response
 std::string runs_json(Site& site) {
   json::Writer out;
   out.begin_object().member("format", "orbs-runs/1").key("runs").begin_array();
-  for (const auto& run : site.runs)
-    out.begin_object().member("name", run->name()).member("started", run->started()).end_object();
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    out.begin_object().member("name", site.names[i]).member("started", site.runs[i]->started()).end_object();
   return out.end_array().end_object().text();
 }
 

@@ -30,6 +30,7 @@ struct BundleFile {
 
 struct Site {
   std::vector<std::unique_ptr<ServedRun>> runs;
+  std::vector<std::string> names;  // of the runs
   std::vector<BundleFile> bundle;
   ImageCache images{std::size_t{256} << 20U, 2};
   const std::atomic<bool>* stop = nullptr;
