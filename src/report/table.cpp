@@ -74,7 +74,7 @@ std::string renderer_lines(const RunRecord& run) {
 }
 
 // One line for all pictures of a renderer and requirement of which the same is said; failures before what is
-// unsupported.
+// unsupported. Of what an interrupted run did not come to the counts of the renderers say enough.
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   struct Remark {
     const results::PictureRecord* first;
@@ -82,7 +82,7 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   };
   std::vector<Remark> remarks;
   for (const auto& picture : run.pictures) {
-    if (picture.verdict == Verdict::Pass) continue;
+    if (picture.verdict == Verdict::Pass || picture.verdict == Verdict::Skipped) continue;
     const auto same = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& remark) {
       const auto& first = *remark.first;
       return first.renderer == picture.renderer && first.requirement == picture.requirement &&

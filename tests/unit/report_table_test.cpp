@@ -75,6 +75,16 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
   EXPECT_NE(text.find("The run was interrupted"), std::string::npos);
 }
 
+TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
+  auto run = small_run();
+  run.pictures[2].verdict = Verdict::Skipped;
+  run.pictures[2].sentence = "the run ended before its turn";
+  run.renderers[1].counts = {{"skipped", 1}, {"unsupported", 1}};
+  const auto text = summary_text(run, {});
+  EXPECT_NE(text.find("1 skipped"), std::string::npos);
+  EXPECT_EQ(text.find("before its turn"), std::string::npos) << text;
+}
+
 TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   auto run = small_run();
   auto& bad = run.pictures[2];
