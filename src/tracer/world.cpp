@@ -17,9 +17,25 @@ namespace orbs::tracer {
 
 namespace {
 
-PinholeCamera prepare_camera(const scene::Camera& camera) {
+// The zero of the world's coordinates. Floats are as coarse as 1 m at 10^7 m from theirs, so it lies near the
+// camera: where scenes have it, or whole steps from there, which doubles subtract exactly. Half a step away a
+// float tells 8e-6 m.
+Vec3d origin_near(const scene::Camera& camera) {
+  constexpr double kStep_m = 256;
+  const auto nearest = [](double m) { return kStep_m * std::round(m / kStep_m); };
+  return {nearest(camera.position_m.x), nearest(camera.position_m.y), nearest(camera.position_m.z)};
+}
+
+Mat4 seen_from(Mat4 matrix, Vec3d origin) {
+  matrix(0, 3) -= origin.x;
+  matrix(1, 3) -= origin.y;
+  matrix(2, 3) -= origin.z;
+  return matrix;
+}
+
+PinholeCamera prepare_camera(const scene::Camera& camera, Vec3d origin) {
   const auto frame = scene::camera_frame(camera);
-  return {cast<float>(camera.position_m),
+  return {cast<float>(camera.position_m - origin),
           cast<float>(frame.forward),
           cast<float>(frame.right * frame.half_width),
           cast<float>(frame.up * frame.half_height),
@@ -54,7 +70,7 @@ Affine normal_map(const Mat4& matrix) {
   return out;
 }
 
-void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World& world) {
+void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& settings, World& world) {
   std::vector<int> uses(scene.meshes.size(), 0);
   std::size_t copied = 0;
   for (const auto& instance : scene.instances) {
@@ -64,12 +80,13 @@ void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World&
   std::vector<std::size_t> shared(scene.meshes.size(), kNothing);
   for (const auto& instance : scene.instances) {
     const auto index = static_cast<std::size_t>(instance.mesh);
+    const Mat4 matrix = seen_from(instance.matrix, origin);
     Part part;
     for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
       part.material_of.push_back(scene::remapped(instance, m));
     if (copied <= settings.most_copied_triangles || uses[index] == 1) {
       part.mesh = world.meshes.size();
-      world.meshes.push_back(copy_mesh(scene.meshes[index], instance.matrix));
+      world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
     } else {
       if (shared[index] == kNothing) {
         shared[index] = world.meshes.size();
@@ -77,8 +94,8 @@ void add_meshes(const scene::Scene& scene, const WorldSettings& settings, World&
       }
       part.kind = PartKind::InstancedMesh;
       part.mesh = shared[index];
-      part.to_world = affine(instance.matrix);
-      part.normal_to_world = normal_map(instance.matrix);
+      part.to_world = affine(matrix);
+      part.normal_to_world = normal_map(matrix);
     }
     world.parts.push_back(std::move(part));
   }
@@ -115,17 +132,18 @@ EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
   return out;
 }
 
-AreaLight prepare_light(const scene::Scene& scene, const scene::Light& light, World& world) {
-  const Mat4 back = inverse(light.matrix).value();
+AreaLight prepare_light(const scene::Scene& scene, const scene::Light& light, Vec3d origin, World& world) {
+  const Mat4 matrix = seen_from(light.matrix, origin);
+  const Mat4 back = inverse(matrix).value();
   const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
   AreaLight out{
-      .shape = std::visit([&](const auto& s) { return prepare_shape(s, light.matrix, normal); }, light.shape),
+      .shape = std::visit([&](const auto& s) { return prepare_shape(s, matrix, normal); }, light.shape),
       .radiance = {cast<float>(light.radiance), add_spectrum(scene, light.spectrum, world)},
       .reflectance = cast<float>(light.reflectance),
       .ies = light.ies,
       .ies_axes = {},
-      .centre = cast<float>(transform_point(light.matrix, {}))};
-  const Mat4 turned = light.ies ? light.matrix * light.ies->matrix : light.matrix;
+      .centre = cast<float>(transform_point(matrix, {}))};
+  const Mat4 turned = light.ies ? matrix * light.ies->matrix : matrix;
   const std::array axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
   for (std::size_t i = 0; i < 3; ++i)
     out.ies_axes[i] = cast<float>(normalised(transform_direction(turned, axes[i])));
@@ -204,23 +222,23 @@ void build_emitters(World& world) {
   world.emitters.build(powers, std::move(triangles), world.lights.size());
 }
 
-void add_spheres(const scene::Scene& scene, World& world) {
+void add_spheres(const scene::Scene& scene, Vec3d origin, World& world) {
   for (const auto& sphere : scene.spheres) {
     Part part;
     part.kind = PartKind::Sphere;
     part.sphere = world.spheres.size();
     world.spheres.push_back(
-        {cast<float>(sphere.centre_m), static_cast<float>(sphere.radius_m), sphere.material});
+        {cast<float>(sphere.centre_m - origin), static_cast<float>(sphere.radius_m), sphere.material});
     world.parts.push_back(std::move(part));
   }
 }
 
-void add_lights(const scene::Scene& scene, World& world) {
+void add_lights(const scene::Scene& scene, Vec3d origin, World& world) {
   for (const auto& light : scene.lights) {
     Part part;
     part.kind = PartKind::Light;
     part.light = world.lights.size();
-    world.lights.push_back(prepare_light(scene, light, world));
+    world.lights.push_back(prepare_light(scene, light, origin, world));
     world.parts.push_back(std::move(part));
   }
 }
@@ -251,7 +269,8 @@ bool has_use_for_light_paths(const World& world) {
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   World world;
   world.transport = checked_transport(scene, settings);
-  world.camera = prepare_camera(scene.camera);
+  const Vec3d origin = origin_near(scene.camera);
+  world.camera = prepare_camera(scene.camera, origin);
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
   world.environment = {cast<float>(scene.environment),
@@ -259,9 +278,9 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
   add_materials(scene, world);
-  add_meshes(scene, settings, world);
-  add_spheres(scene, world);
-  add_lights(scene, world);
+  add_meshes(scene, origin, settings, world);
+  add_spheres(scene, origin, world);
+  add_lights(scene, origin, world);
   build_emitters(world);
   for (TriangleMesh& mesh : world.meshes) prepare_faces(mesh);
   if (settings.mirrored_light) find_mirror_planes(world);

@@ -1,0 +1,76 @@
+// Where a scene stands in its coordinates is of no account: floats are coarse far from their zero.
+#include "unit/tracer_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+// All kinds of things that have a place: copied and instanced meshes, a ball by its formula, lamps of each
+// shape. All numbers are sums of few powers of two, so that moving them loses nothing in double.
+scene::Scene furnished() {
+  return scene::load_scene_text("test.json",
+                                tests::scene_text("[0, 2.5, 6]", "[0, 0.75, 0]", 24, 6, R"(
+    "materials": [{"name": "floor", "type": "lambert", "reflectance": [0.8, 0.6, 0.4]},
+                  {"name": "glass", "type": "glass", "ior": 1.5},
+                  {"name": "mirror", "type": "mirror", "reflectance": [0.9, 0.9, 0.9]},
+                  {"name": "glow", "type": "emission", "radiance": [3, 2, 1]}],
+    "meshes": [{"name": "floor", "generator": "plane", "half_size": 6, "material": "floor"},
+               {"name": "wall", "generator": "plane", "half_size": 1, "material": "mirror"},
+               {"name": "cube", "generator": "cube", "half_size": 0.25, "material": "glass"},
+               {"name": "lamp", "generator": "plane", "half_size": 0.25, "material": "glow"}],
+    "instances": [{"mesh": "floor"},
+                  {"mesh": "wall", "matrix": [{"translate": [-1.5, 1, -1]}, {"rotate_x": 80}]},
+                  {"mesh": "cube", "matrix": [{"translate": [0.75, 0.5, 1]}, {"rotate_y": 30}]},
+                  {"mesh": "cube", "matrix": [{"translate": [-0.75, 0.5, 1]}]},
+                  {"mesh": "lamp", "matrix": [{"translate": [1.5, 1, 0]}, {"rotate_z": 70}]}],
+    "shapes": [{"type": "sphere", "centre": [0, 0.5, 0], "radius": 0.5, "material": "glass"}],
+    "lights": [{"type": "rect", "half_width": 0.25, "half_length": 0.25, "radiance": [8, 8, 8],
+                "matrix": [{"translate": [0.5, 3, 0.25]}]},
+               {"type": "disk", "radius": 0.25, "radiance": [8, 4, 8], "matrix": [{"translate": [-2, 3, 0.5]}]},
+               {"type": "sphere", "radius": 0.25, "radiance": [2, 4, 8], "matrix": [{"translate": [2, 2, 1]}]}])",
+                                                  "40"),
+                                ORBS_SOURCE_DIR);
+}
+
+void move(Mat4& matrix, Vec3d by) {
+  matrix(0, 3) += by.x;
+  matrix(1, 3) += by.y;
+  matrix(2, 3) += by.z;
+}
+
+scene::Scene moved(scene::Scene scene, Vec3d by) {
+  scene.camera.position_m += by;
+  scene.camera.look_at_m += by;
+  for (auto& instance : scene.instances) move(instance.matrix, by);
+  for (auto& light : scene.lights) move(light.matrix, by);
+  for (auto& sphere : scene.spheres) sphere.centre_m += by;
+  return scene;
+}
+
+image::Image picture_of(const scene::Scene& scene) {
+  const std::atomic<bool> never{false};
+  // Meshes with several instances stay instances.
+  const auto world = tracer::make_world(scene, {.most_copied_triangles = 0});
+  return tracer::render(world, {.samples_per_pixel = 16}, never, [](const tracer::Progress&) {}).picture;
+}
+
+// To the bit, for places that are whole steps of the tracer's own zero apart.
+TEST(FarPlaces, ShowTheSamePicture) {
+  const auto at_zero = picture_of(furnished());
+  EXPECT_GT(tests::mean_of_channel(at_zero, 0), 0.05);
+  for (const Vec3d by : {Vec3d{1048576, -256, 512}, Vec3d{-268435456, 4096, 67108864}})
+    EXPECT_EQ(picture_of(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
+}
+
+// Within the step the camera stands up to 128 m from the zero, where floats are 8e-6 m apart.
+TEST(FarPlaces, ShowNearlyTheSamePictureInBetween) {
+  const auto at_zero = picture_of(furnished());
+  const auto between = picture_of(moved(furnished(), {1048576 + 100, -100, 612}));
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(tests::mean_of_channel(between, c), tests::mean_of_channel(at_zero, c),
+                0.01 * tests::mean_of_channel(at_zero, c));
+}
+
+}  // namespace
