@@ -197,8 +197,26 @@ void encode_and_write(const char* format,
 
 namespace {
 
+// Of a layer, too: "variance.G". The first channel is what a grey picture is made of, whatever its name.
+bool is_colour(const OIIO::ImageSpec& spec, int channel) {
+  const auto& name = spec.channelnames[static_cast<std::size_t>(channel)];
+  const auto last = name.substr(name.rfind('.') + 1);
+  constexpr std::array kColours{"R", "G", "B", "A", "Y"};
+  return channel == 0 || std::find(kColours.begin(), kColours.end(), last) != kColours.end();
+}
+
+// Only EXR has such pixels. The library divides them by the largest integer, and no number of the file is
+// meant so; a channel of labels beside the colours is read by nobody.
+void check_no_integers(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+  for (int c = 0; c < spec.nchannels; ++c)
+    if (is_colour(spec, c) && spec.channelformat(c) == OIIO::TypeUInt32)
+      refuse(file, fmt::format("the EXR channel '{}' holds integers, expected half or float",
+                               spec.channelnames[static_cast<std::size_t>(c)]));
+}
+
 Image read_pixels(OIIO::ImageInput& input, const std::filesystem::path& file) {
   const OIIO::ImageSpec& spec = input.spec();
+  check_no_integers(spec, file);
   Image image = make_image(spec.width, spec.height, spec.channelnames);
   image.attributes = text_attributes(spec);
   if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
