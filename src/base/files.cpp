@@ -65,6 +65,13 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   throw WriteError(fmt::format("{}: cannot be put into place: {}", path.string(), failed.message()));
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw WriteError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+}
+
 namespace {
 
 // All that was written to the disk of that folder. One call instead of one fsync for each of a dozen files:

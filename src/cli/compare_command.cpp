@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/files.h"
 #include "cli/commands.h"
 #include "cli/not_empty.h"
 #include "cli/number_checks.h"
@@ -84,10 +85,7 @@ int compare_files(CompareOptions options) {
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
   print_noise(metrics::test_noise(first, second), options.definitions);
   if (!options.maps.empty()) {
-    std::error_code failed;
-    std::filesystem::create_directories(options.maps, failed);
-    if (failed)
-      throw InputError(fmt::format("{}: the folder cannot be made: {}", options.maps, failed.message()));
+    make_folder(options.maps);
     runner::write_maps(first, comparison, options.maps);
   }
   if (options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric))) return 0;

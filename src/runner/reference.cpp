@@ -1,6 +1,7 @@
 #include "runner/reference.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "registry/cases.h"
 #include "runner/choose.h"
@@ -106,7 +107,7 @@ int render_references(const registry::Configuration& configuration,
                       const ReferenceContext& context) {
   const auto& suite = registry::find_suite(configuration, selection.suite);
   const auto all = due_references(wanted_references(suite, selection, context), settings.reason, context);
-  std::filesystem::create_directories(suite.references);
+  make_folder(suite.references);
   bool too_noisy = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& wanted = all[i];

@@ -20,7 +20,7 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
   const auto of_scene = scene_content_hash(scene::load_scene(scene), scene);
   unfinished.made_from =
       hash_text(content_hash(split_paths ? "layers" : "", content_hash(read_file(tracer), of_scene)));
-  std::filesystem::create_directories(unfinished.folder.parent_path());
+  make_folder(unfinished.folder.parent_path());
   // Names of scenes never begin with a point.
   const auto lock_file = unfinished.folder.parent_path() / fmt::format(".{}.lock", target.stem().string());
   unfinished.lock = std::make_unique<FileLock>(lock_file, [&](const std::string& process) {
@@ -29,7 +29,7 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
         target.string(), process);
   });
   // Not before: who held the lock until now has removed it.
-  std::filesystem::create_directories(unfinished.folder);
+  make_folder(unfinished.folder);
   return unfinished;
 }
 

@@ -262,6 +262,22 @@ TEST(Reference, ThatHasAppearedMeanwhileIsKept) {
   EXPECT_TRUE(contains(said, "kept, as it has appeared meanwhile: grey")) << said;
 }
 
+TEST(Reference, WhoseFolderCannotBeMadeIsSaidPlainly) {
+  const Sandbox sandbox;
+  const auto references = sandbox.folder() / "references";
+  std::filesystem::remove_all(references);
+  sandbox.write("references", "");
+  const auto no_folder = sandbox.orbs({"reference", "-s", "grey", "--spp", "4"});
+  EXPECT_EQ(no_folder.status, 2);
+  EXPECT_EQ(no_folder.text,
+            fmt::format("orbs: {}: the folder cannot be made: Not a directory\n", references.string()));
+  std::filesystem::remove(references);
+  sandbox.write("references/.unfinished", "");
+  const auto no_passes = sandbox.orbs({"reference", "-s", "grey", "--spp", "4"});
+  EXPECT_EQ(no_passes.status, 2);
+  EXPECT_TRUE(contains(no_passes.text, "the folder cannot be made: Not a directory")) << no_passes.text;
+}
+
 TEST(Reference, HasTheSamePixelsForTheSameSeed) {
   const Sandbox sandbox;
   const auto pixels = [&] {
