@@ -228,3 +228,23 @@ TEST(ImageBrokenFiles, IntegersBesideTheColoursOfAnExrAreHarmless) {
   const auto picture = exr_of(folder, {"R", "G", "B", "id"});
   EXPECT_EQ(outcome_of(folder, "a.exr", with_integers(picture, "id")), "read");
 }
+
+// Without a byte on the disk: the file is one hole. Readers that take a file as a whole would ask for as
+// much memory.
+TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyPictureIsNotRead) {
+  const TestFolder folder("broken-hole");
+  constexpr std::uintmax_t kBytes = 10'000'000'000;
+  for (const char* name : {"a.pfm", "a.ppm", "a.exr", "a.png"}) {
+    const auto file = folder.path() / name;
+    orbs::write_file(file, "PF\n100 100\n-1.0\n");
+    std::filesystem::resize_file(file, kBytes);
+    try {
+      read_image(file);
+      FAIL() << "was read";
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("has 10000000000 bytes; no picture that is read has more than"),
+                std::string::npos)
+          << e.what();
+    }
+  }
+}
