@@ -66,7 +66,7 @@ void copy_native_scene(const fs::path& native, const fs::path& folder) {
     if (std::find(kOurs.begin(), kOurs.end(), file.string()) != kOurs.end())
       throw InputError(fmt::format("{}: a render writes a file of that name; rename it",
                                    (native.parent_path() / file).string()));
-    fs::create_directories((folder / file).parent_path());
+    make_folder((folder / file).parent_path());
     write_file(folder / file, read_file(native.parent_path() / file));
   }
 }

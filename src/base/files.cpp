@@ -42,27 +42,52 @@ std::string no_file_problem(const std::filesystem::path& path) {
                                                        : "a device or a pipe");
 }
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
+namespace {
+
+// The file in which what is to become `path` is written first.
+std::filesystem::path write_beside(const std::filesystem::path& path, std::string_view bytes) {
   static std::atomic<int> counter{0};
   auto beside = path;
   beside += fmt::format(".{}-{}.part", ::getpid(), counter++);
-  {
-    std::ofstream file(beside, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.flush();
-    if (!file) {
-      const std::string reason = std::strerror(errno);
-      std::error_code ignored;
-      std::filesystem::remove(beside, ignored);
-      throw WriteError(fmt::format("{}: cannot be written: {}", path.string(), reason));
-    }
-  }
+  std::ofstream file(beside, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.flush();
+  if (file) return beside;
+  const std::string reason = std::strerror(errno);
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  throw WriteError(fmt::format("{}: cannot be written: {}", path.string(), reason));
+}
+
+}  // namespace
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  const auto beside = write_beside(path, bytes);
   std::error_code failed;
   std::filesystem::rename(beside, path, failed);
   if (!failed) return;
   std::error_code ignored;
   std::filesystem::remove(beside, ignored);
   throw WriteError(fmt::format("{}: cannot be put into place: {}", path.string(), failed.message()));
+}
+
+void check_output_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (const auto problem = no_file_problem(path);
+      !problem.empty() && std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
+    throw InputError(problem);
+  if (const auto folder = path.parent_path();
+      !folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: there is no folder {}; make it, or name another file", path.string(),
+                                 folder.string()));
+  std::filesystem::remove(write_beside(path, ""), ignored);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw WriteError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
 namespace {

@@ -18,6 +18,13 @@ std::string no_file_problem(const std::filesystem::path& path);
 /// a part. WriteError when the disk refuses.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// For who will write this file after long work: InputError when something else is there (a folder, a device)
+/// or its folder is not, WriteError when nothing can be written beside it. What is there stays as it is.
+void check_output_file(const std::filesystem::path& path);
+
+/// Makes the folder and those above it, unless they are there. WriteError with the reason when it cannot be.
+void make_folder(const std::filesystem::path& folder);
+
 /// Puts the folder `finished` into the place of `target`, of which it must be a neighbour on the disk:
 /// whoever looks sees the old folder, none, or the new one whole, after a power cut too. Makes the folders
 /// above. WriteError when the disk refuses.

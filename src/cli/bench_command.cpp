@@ -41,6 +41,7 @@ void add_options(CLI::App& command, BenchOptions& options) {
 }
 
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {
+  check_output_file(options.output);
   options.bench.only = joined_list(options.only);
   studies::BenchContext context;
   context.build = program.folder;

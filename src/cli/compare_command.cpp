@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/files.h"
 #include "cli/commands.h"
 #include "cli/not_empty.h"
 #include "cli/number_checks.h"
@@ -8,6 +9,7 @@
 #include "metrics/noise_numbers.h"
 #include "metrics/table.h"
 #include "runner/judge.h"
+#include "runner/noise.h"
 
 #include <cmath>
 #include <optional>
@@ -36,6 +38,15 @@ image::Image read_linear(const std::string& file) {
   if (image::is_ldr_file(file))
     for (auto& value : picture.pixels) value = image::srgb_decode(value);
   return picture;
+}
+
+// Noise and bias would be numbers that mean nothing.
+void check_variances(const image::Image& picture, const std::string& file) {
+  if (const auto problem = runner::variance_problem(picture); !problem.empty())
+    throw InputError(
+        fmt::format("{}: {}, so noise cannot be told from bias; mend these channels, or leave "
+                    "out all of variance.R, G and B",
+                    file, problem));
 }
 
 std::string place_text(const std::optional<metrics::Rectangle>& where) {
@@ -74,6 +85,8 @@ int compare_files(CompareOptions options) {
   if (!options.metric.empty()) metrics::find_metric(options.metric);
   const auto first = read_linear(options.first);
   const auto second = read_linear(options.second);
+  check_variances(first, options.first);
+  check_variances(second, options.second);
   metrics::CompareSettings settings{
       .negatives = metrics::NegativePixels::Allowed, .threads = 0, .all = options.all};
   if (!options.metric.empty()) settings.also = {options.metric};
@@ -84,10 +97,7 @@ int compare_files(CompareOptions options) {
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
   print_noise(metrics::test_noise(first, second), options.definitions);
   if (!options.maps.empty()) {
-    std::error_code failed;
-    std::filesystem::create_directories(options.maps, failed);
-    if (failed)
-      throw InputError(fmt::format("{}: the folder cannot be made: {}", options.maps, failed.message()));
+    make_folder(options.maps);
     runner::write_maps(first, comparison, options.maps);
   }
   if (options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric))) return 0;

@@ -45,6 +45,8 @@ void add_options(CLI::App& command, EffectsOptions& options) {
 int effects(const registry::Configuration& configuration,
             const EffectsOptions& options,
             const Program& program) {
+  const auto file = options.output.empty() ? results::kPricesFile : options.output;
+  check_output_file(file);
   studies::PriceContext context;
   context.build = program.folder;
   context.orbs_version = program.version;
@@ -54,7 +56,6 @@ int effects(const registry::Configuration& configuration,
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
   const auto list = studies::make_price_list(configuration, suite, scenes, options.prices, context);
   if (!list) return kInterrupted;
-  const auto file = options.output.empty() ? results::kPricesFile : options.output;
   write_file(file, studies::price_json(*list));
   fmt::print("{}\nall numbers: {}\n",
              options.as_markdown ? studies::price_markdown(*list) : studies::price_table(*list), file);

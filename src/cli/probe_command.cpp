@@ -44,6 +44,7 @@ void add_options(CLI::App& command, ProbeOptions& options) {
 }
 
 int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
+  if (!options.output.empty()) check_output_file(options.output);
   auto settings = configuration.defaults;
   if (!options.suite.empty()) settings.suite = options.suite;
   if (!options.cases.empty()) settings.cases = joined_list(options.cases);

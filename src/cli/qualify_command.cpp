@@ -62,14 +62,15 @@ int qualify(const registry::Configuration& configuration,
   settings.threads = options.threads;
   settings.jobs = 1;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto file = options.output.empty() ? plan.suite.references / results::kQualificationFile
+                                           : std::filesystem::path(options.output);
+  check_output_file(file);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
   const auto run = results::read_run_folder(folder).run;
   const auto& stop = adapters::catch_interrupts();
   const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto gates = studies::qualify(plan, run, options.qualify, {program.version, &stop, say});
   if (stop) return kInterrupted;
-  const auto file = options.output.empty() ? plan.suite.references / results::kQualificationFile
-                                           : std::filesystem::path(options.output);
   write_file(file, results::qualification_json(studies::merged(results::read_qualification(file), gates)));
   fmt::print("{}{}\n", studies::qualification_text(gates), file.string());
   return std::all_of(gates.begin(), gates.end(), results::is_qualified) ? 0 : 1;

@@ -31,6 +31,10 @@ constexpr std::array kFormats{"exr", "hdr", "png", "jpg", "jpeg", "bmp", "tga", 
 // channels.
 constexpr double kMostValues = 536870912.0;
 
+// Checks and readers take a file as a whole. No format needs more than 8 bytes for a value: a 16-bit number
+// in text has 6, a float 4.
+constexpr std::uintmax_t kMostBytes = 8 * static_cast<std::uintmax_t>(kMostValues) + (1U << 20);
+
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
   throw InputError(fmt::format("{}: {}", file.string(), problem));
 }
@@ -61,7 +65,10 @@ void check_file(const std::filesystem::path& file) {
   if (status.type() == std::filesystem::file_type::not_found) refuse(file, "there is no such picture file");
   if (failed) refuse(file, fmt::format("cannot be read: {}", failed.message()));
   if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a file, expected a picture");
-  if (std::filesystem::file_size(file, failed) == 0 && !failed) refuse(file, "is empty, expected a picture");
+  const auto bytes = std::filesystem::file_size(file, failed);
+  if (bytes == 0 && !failed) refuse(file, "is empty, expected a picture");
+  if (bytes > kMostBytes && !failed)
+    refuse(file, fmt::format("has {} bytes; no picture that is read has more than {}", bytes, kMostBytes));
 }
 
 void check_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes, const std::filesystem::path& file) {
@@ -197,8 +204,26 @@ void encode_and_write(const char* format,
 
 namespace {
 
+// Of a layer, too: "variance.G". The first channel is what a grey picture is made of, whatever its name.
+bool is_colour(const OIIO::ImageSpec& spec, int channel) {
+  const auto& name = spec.channelnames[static_cast<std::size_t>(channel)];
+  const auto last = name.substr(name.rfind('.') + 1);
+  constexpr std::array kColours{"R", "G", "B", "A", "Y"};
+  return channel == 0 || std::find(kColours.begin(), kColours.end(), last) != kColours.end();
+}
+
+// Only EXR has such pixels. The library divides them by the largest integer, and no number of the file is
+// meant so; a channel of labels beside the colours is read by nobody.
+void check_no_integers(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+  for (int c = 0; c < spec.nchannels; ++c)
+    if (is_colour(spec, c) && spec.channelformat(c) == OIIO::TypeUInt32)
+      refuse(file, fmt::format("the EXR channel '{}' holds integers, expected half or float",
+                               spec.channelnames[static_cast<std::size_t>(c)]));
+}
+
 Image read_pixels(OIIO::ImageInput& input, const std::filesystem::path& file) {
   const OIIO::ImageSpec& spec = input.spec();
+  check_no_integers(spec, file);
   Image image = make_image(spec.width, spec.height, spec.channelnames);
   image.attributes = text_attributes(spec);
   if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))

@@ -15,7 +15,8 @@ enum class Precision { Half, Float };
 /// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several pictures in it the
 /// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an
 /// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
-/// the file is missing, torn, too large to be meant, cropped, or no picture; nothing is printed.
+/// the file is missing, torn, too large to be meant, cropped, or no picture, or has colours that are 32-bit
+/// integers; nothing is printed.
 Image read_image(const std::filesystem::path& file);
 
 /// An EXR file whose bytes are at hand, read as read_image does; `name` is for messages.

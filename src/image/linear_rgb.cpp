@@ -1,14 +1,35 @@
 #include "image/linear_rgb.h"
 
+#include "base/error.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace orbs::image {
+
+namespace {
+
+// 1 or 3. Alpha has its place behind the colours.
+std::size_t colour_count(const Image& picture, const std::filesystem::path& file) {
+  const auto most = std::min<std::size_t>(picture.channel_count(), 3);
+  std::size_t count = 1;
+  while (count < most && picture.channels[count] != "A") ++count;
+  if (count == 2)
+    throw InputError(fmt::format("{}: has the channels {}; expected one colour or three, and alpha as 'A'",
+                                 file.string(), fmt::join(picture.channels, ", ")));
+  return count;
+}
+
+}  // namespace
 
 Image read_linear_rgb(const std::filesystem::path& file) {
   const Image picture = read_image(file);
   const bool encoded = is_ldr_file(file);
-  const bool grey = picture.channel_count() < 3;
+  const bool grey = colour_count(picture, file) == 1;
   Image linear = make_image(picture.width, picture.height, {"R", "G", "B"});
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)

@@ -1,19 +1,10 @@
 #include "results/run_folder.h"
 
 #include "base/error.h"
-#include "base/text.h"
 #include "results/read_record.h"
 #include "results/work_folder.h"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace orbs::results {
 
@@ -61,64 +52,15 @@ bool update_jobs(RunView& view) {
   return changed;
 }
 
-// The file may have been removed by its last holder between our opening and our locking it.
-bool is_file(int descriptor, const fs::path& file) {
-  struct stat ours {};
-  struct stat there {};
-  return ::fstat(descriptor, &ours) == 0 && ::stat(file.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
-}
-
-[[noreturn]] void refuse_locked(const fs::path& file, int descriptor, int error) {
-  std::array<char, 32> holder{};
-  const auto length = descriptor < 0 ? 0 : ::pread(descriptor, holder.data(), holder.size(), 0);
-  if (descriptor >= 0) ::close(descriptor);
-  if (descriptor < 0 || (error != EAGAIN && error != EACCES))
-    throw InputError(fmt::format("{}: cannot be locked: {}", file.string(), std::strerror(error)));
-  throw InputError(fmt::format(
-      "{}: a run of process {} goes on in this folder; wait for its end, or stop it",
-      file.parent_path().string(),
-      trim(std::string_view(holder.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))))));
-}
-
-// Of the open file, not of the process, so that one process, too, cannot lock it twice; and unlike that of
-// flock(2) it can be asked for without being taken, which would be in the way of a run that begins.
-struct flock whole_file() {
-  struct flock lock {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  return lock;
-}
-
 }  // namespace
 
-RunLock::RunLock(const fs::path& folder) : file_(folder / kLockFile) {
-  for (;;) {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    const auto lock = whole_file();
-    if (descriptor_ < 0 || ::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0)
-      refuse_locked(file_, descriptor_, errno);
-    if (is_file(descriptor_, file_)) break;
-    ::close(descriptor_);
-  }
-  const auto holder = fmt::format("{}\n", ::getpid());
-  if (::ftruncate(descriptor_, 0) != 0 || ::write(descriptor_, holder.data(), holder.size()) < 0)
-    refuse_locked(file_, descriptor_, errno);
-}
+RunLock::RunLock(const fs::path& folder)
+    : lock_(folder / kLockFile, [&](const std::string& process) {
+        return fmt::format("{}: a run of process {} goes on in this folder; wait for its end, or stop it",
+                           folder.string(), process);
+      }) {}
 
-RunLock::~RunLock() {
-  std::error_code ignored;
-  fs::remove(file_, ignored);
-  ::close(descriptor_);
-}
-
-bool is_running(const fs::path& folder) {
-  const int descriptor = ::open((folder / kLockFile).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (descriptor < 0) return false;
-  auto lock = whole_file();
-  const bool taken = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  ::close(descriptor);
-  return taken;
-}
+bool is_running(const fs::path& folder) { return is_locked(folder / kLockFile); }
 
 RunView read_run_folder(const fs::path& folder) {
   RunView view;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/file_lock.h"
 #include "results/record.h"
 
 #include <cstddef>
@@ -15,13 +16,9 @@ class RunLock {
  public:
   /// InputError when another process holds it, which is named, or the folder cannot be written to.
   explicit RunLock(const std::filesystem::path& folder);
-  ~RunLock();
-  RunLock(const RunLock&) = delete;
-  RunLock& operator=(const RunLock&) = delete;
 
  private:
-  std::filesystem::path file_;
-  int descriptor_ = -1;
+  FileLock lock_;
 };
 
 /// True while a process holds the lock of the run in `folder`.

@@ -1,6 +1,6 @@
 #include "results/work_folder.h"
 
-#include "base/error.h"
+#include "base/files.h"
 
 #include <system_error>
 
@@ -19,11 +19,9 @@ constexpr const char* kUnfinished = ".unfinished";
 
 // The process id keeps it apart from renders of a killed run that are just being ended by their wardens.
 WorkFolder::WorkFolder(const fs::path& run) : path_(run / kUnfinished / fmt::format("{}", ::getpid())) {
-  std::error_code failed;
-  fs::remove_all(run / kUnfinished, failed);
-  fs::create_directories(path_, failed);
-  if (failed)
-    throw WriteError(fmt::format("{}: the folder cannot be made: {}", path_.string(), failed.message()));
+  std::error_code ignored;
+  fs::remove_all(run / kUnfinished, ignored);
+  make_folder(path_);
 }
 
 WorkFolder::~WorkFolder() {

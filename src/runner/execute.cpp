@@ -4,7 +4,6 @@
 #include "adapters/native_scene.h"
 #include "adapters/process.h"
 #include "adapters/programs.h"
-#include "base/error.h"
 #include "base/files.h"
 #include "base/shell.h"
 #include "image/image_io.h"
@@ -43,13 +42,6 @@ adapters::ProcessRequest process_request(const registry::Renderer& renderer,
   request.limits = renderer.limits;
   request.stop = stop;
   return request;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
-    throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
 }
 
 // The job once for each seed of the renderer.

@@ -154,7 +154,7 @@ PictureRecord judge_difference(const Plan& plan,
   const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].image);
   const auto result = difference_of(of, minus);
   const auto relative = std::filesystem::path(record.renderer) / record.picture;
-  std::filesystem::create_directories(folders.unfinished / relative);
+  make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");
   record.image = (relative / "result.exr").string();
   judge_picture(plan, planned, result, folders.unfinished, record);

@@ -1,6 +1,7 @@
 #include "runner/reference.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "registry/cases.h"
 #include "runner/choose.h"
@@ -10,6 +11,7 @@
 #include "scene/load_scene.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -88,6 +90,15 @@ std::vector<WantedReference> due_references(std::vector<WantedReference> all,
   return all;
 }
 
+// Those before it took hours, in which another call may have been quicker.
+bool is_kept(const WantedReference& wanted,
+             const ReferenceSettings& settings,
+             const ReferenceContext& context) {
+  if (!trim(settings.reason).empty() || !exists(wanted)) return false;
+  context.say(fmt::format("kept, as it has appeared meanwhile: {}", wanted.name));
+  return true;
+}
+
 }  // namespace
 
 int render_references(const registry::Configuration& configuration,
@@ -96,20 +107,22 @@ int render_references(const registry::Configuration& configuration,
                       const ReferenceContext& context) {
   const auto& suite = registry::find_suite(configuration, selection.suite);
   const auto all = due_references(wanted_references(suite, selection, context), settings.reason, context);
-  std::filesystem::create_directories(suite.references);
+  make_folder(suite.references);
   bool too_noisy = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& wanted = all[i];
-    const auto unfinished =
-        unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
+    if (is_kept(wanted, settings, context)) continue;
+    auto unfinished = unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
     const auto rendered = render_reference(wanted, settings, context, unfinished);
     if (!rendered) {
       context.say(fmt::format("stopped at {}, the same call goes on from there; {} of {} references are done",
                               wanted.name, i, all.size()));
       return kInterrupted;
     }
+    // The passes stay, for a call with a reason.
+    if (is_kept(wanted, settings, context)) continue;
     store_reference(*rendered, wanted, settings.reason);
-    remove_passes(unfinished);
+    remove_passes(std::move(unfinished));
     const bool noisy = rendered->noise_db < wanted.noise_db;
     too_noisy = too_noisy || noisy;
     context.say(fmt::format("[{}/{}] {:<18} {:>7} spp, noise {:.2f} dB{}", i + 1, all.size(), wanted.name,

@@ -34,7 +34,7 @@ struct ReferenceContext {
 /// them. A scene that is judged by the reference of another one gets none. Returns 0, or 1 when one is
 /// noisier than its gate allows, or 130 when stopped: the next call goes on with the passes that are whole.
 /// InputError before anything is rendered when none is missing and no reason is given, or a history is
-/// broken.
+/// broken; later when another call renders the same one.
 int render_references(const registry::Configuration& configuration,
                       const registry::Defaults& selection,
                       const ReferenceSettings& settings,

@@ -78,7 +78,7 @@ std::optional<Execution> take_over(const JobRecord& found,
     return std::nullopt;
   }
   const auto unfinished = folders.unfinished / folder;
-  fs::create_directories(unfinished);
+  make_folder(unfinished);
   for (const auto& entry : fs::directory_iterator(folders.run / folder))
     if (entry.symlink_status().type() == fs::file_type::regular && entry.path().filename() != "job.json")
       fs::copy_file(entry.path(), unfinished / entry.path().filename());
@@ -163,7 +163,7 @@ class Renders {
     execution.record.settings_hash = now.settings_hash;
     execution.record.limits_hash = now.limits_hash;
     execution.record.judged_hash = now.judged_hash;
-    fs::create_directories(folders_.unfinished / folder);
+    make_folder(folders_.unfinished / folder);
     work_.pictures[index] = judge_scene(plan_, index, execution, folders_);
     write_file(folders_.unfinished / folder / "job.json",
                results::job_json(execution.record, work_.pictures[index]));

@@ -21,14 +21,13 @@ std::filesystem::path make_run_folder(const std::string& wanted) {
   std::error_code failed;
   if (!wanted.empty()) {
     const auto folder = std::filesystem::absolute(wanted).lexically_normal();
-    const bool is_taken = std::filesystem::exists(folder) && !(std::filesystem::is_directory(folder) &&
-                                                               std::filesystem::is_empty(folder, failed));
+    const bool is_taken =
+        std::filesystem::exists(folder, failed) &&
+        !(std::filesystem::is_directory(folder, failed) && std::filesystem::is_empty(folder, failed));
     if (is_taken)
       throw InputError(
           fmt::format("{}: exists already; name a new or empty folder with -o", folder.string()));
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-      throw InputError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+    make_folder(folder);
     return folder;
   }
   const std::time_t now = std::time(nullptr);

@@ -20,7 +20,16 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
   const auto of_scene = scene_content_hash(scene::load_scene(scene), scene);
   unfinished.made_from =
       hash_text(content_hash(split_paths ? "layers" : "", content_hash(read_file(tracer), of_scene)));
-  std::filesystem::create_directories(unfinished.folder);
+  make_folder(unfinished.folder.parent_path());
+  // Names of scenes never begin with a point.
+  const auto lock_file = unfinished.folder.parent_path() / fmt::format(".{}.lock", target.stem().string());
+  unfinished.lock = std::make_unique<FileLock>(lock_file, [&](const std::string& process) {
+    return fmt::format(
+        "{}: another call, of process {}, renders this reference; wait for its end, or stop it",
+        target.string(), process);
+  });
+  // Not before: who held the lock until now has removed it.
+  make_folder(unfinished.folder);
   return unfinished;
 }
 
@@ -40,9 +49,10 @@ std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, con
   }
 }
 
-void remove_passes(const UnfinishedReference& unfinished) {
+void remove_passes(UnfinishedReference unfinished) {
   std::error_code ignored;
   std::filesystem::remove_all(unfinished.folder, ignored);
+  unfinished.lock.reset();
   std::filesystem::remove(unfinished.folder.parent_path(), ignored);  // unless it has those of another
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "base/file_lock.h"
 #include "image/image.h"
 #include "runner/reference_passes.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,10 +16,13 @@ namespace orbs::runner {
 struct UnfinishedReference {
   std::filesystem::path folder;  // of this reference alone
   std::string made_from;         // hash of what a pass depends on beside its samples and seed
+  // Another call would render the same passes, and remove them when it is done.
+  std::unique_ptr<FileLock> lock;
 };
 
 /// In `<references>/.unfinished/<name>`: passes of this scene by this very build of the tracer, with or
-/// without layers of path classes. Makes the folder. InputError when the scene or the tracer cannot be read.
+/// without layers of path classes. Makes the folder, and locks it beside it. InputError when the scene or the
+/// tracer cannot be read, or another call, which is named, is at work on this reference.
 UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          const std::filesystem::path& scene,
                                          const std::filesystem::path& tracer,
@@ -31,6 +36,6 @@ std::filesystem::path file_of(const UnfinishedReference& unfinished, const Pass&
 std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, const Pass& pass);
 
 /// When the reference is in its place: no pass is needed any more.
-void remove_passes(const UnfinishedReference& unfinished);
+void remove_passes(UnfinishedReference unfinished);
 
 }  // namespace orbs::runner

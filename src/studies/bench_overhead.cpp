@@ -79,7 +79,7 @@ std::optional<Overhead> measure_overhead(const scene::Scene& scene,
                                          int rounds,
                                          const std::filesystem::path& scratch,
                                          const std::atomic<bool>* stop) {
-  std::filesystem::create_directories(scratch);
+  make_folder(scratch);
   image::write_exr(picture, scratch / "picture.exr");
   const auto plan = copying_plan(scene, scratch / "picture.exr");
   const runner::WorkFolders folders{scratch / "run", scratch / "run/unfinished"};

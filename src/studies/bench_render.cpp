@@ -4,6 +4,7 @@
 #include "adapters/process.h"
 #include "adapters/programs.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "json/object_reader.h"
 #include "runner/outcome.h"
@@ -50,7 +51,7 @@ BenchSubject prepare_subject(const runner::ChosenRenderer& renderer,
   subject.settings.executable = renderer.executable;
   std::error_code ignored;
   subject.is_built_in = std::filesystem::equivalent(renderer.executable, plan.build / "orbs-tracer", ignored);
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const auto job = adapters::make_job(renderer.entry, scene, subject.settings, folder);
   adapters::export_scene(renderer.entry, std::get<scene::Scene>(prepared), job.scene_file);
   return subject;

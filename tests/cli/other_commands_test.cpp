@@ -108,6 +108,26 @@ TEST(Compare, HasStatusTwoForWhatCannotBeCompared) {
   EXPECT_EQ(sandbox.orbs({"compare", "a.exr", "a.exr", "--metric", "psnr", "--min", "1"}).status, 2);
 }
 
+// "noise_share" and the bias would be numbers that mean nothing.
+TEST(Compare, RefusesVariancesThatCannotBe) {
+  const Sandbox sandbox;
+  auto picture = image::make_image(16, 12, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (auto& sample : picture.pixels) sample = 0.5F;
+  image::write_exr(picture, sandbox.folder() / "good.exr");
+  EXPECT_EQ(sandbox.orbs({"compare", "good.exr", "good.exr"}).status, 0);
+  for (const float value :
+       {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    picture.at(3, 2, 4) = value;
+    image::write_exr(picture, sandbox.folder() / "bad.exr");
+    for (const auto& files : {std::vector<std::string>{"good.exr", "bad.exr"}, {"bad.exr", "good.exr"}}) {
+      const auto answer = sandbox.orbs({"compare", files[0], files[1]});
+      EXPECT_EQ(answer.status, 2) << answer.text;
+      EXPECT_TRUE(contains(answer.text, fmt::format("bad.exr: variance.G is {} at pixel (3, 2)", value)))
+          << answer.text;
+    }
+  }
+}
+
 TEST(Compare, WritesTheErrorMaps) {
   const Sandbox sandbox;
   write_grey(sandbox, "a.exr", 0.5F);

@@ -1,6 +1,7 @@
 // References are rendered by the built-in tracer itself.
 #include "runner/reference.h"
 
+#include "base/error.h"
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
@@ -9,8 +10,10 @@
 #include "runner/reference_history.h"
 
 #include <atomic>
+#include <functional>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace orbs;
 using cli_tests::Sandbox;
@@ -169,17 +172,19 @@ struct Stoppable {
                   text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
   }
   int render(bool is_to_stop) {
-    stop = false;
     said.clear();
+    return render("test", [this, is_to_stop](const std::string& line) {
+      said += line + "\n";
+      stop = is_to_stop;
+    });
+  }
+  int render(const std::string& reason, const std::function<void(const std::string&)>& say) {
+    stop = false;
     const auto read = registry::load_configuration(sandbox.folder() / "configuration.json");
     auto selection = read.defaults;
     selection.scenes = {"grey"};
-    return runner::render_references(
-        read, selection, {.seed = 40, .reason = "test"},
-        {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, [&](const std::string& line) {
-           said += line + "\n";
-           stop = is_to_stop;
-         }});
+    return runner::render_references(read, selection, {.seed = 40, .reason = reason},
+                                     {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
   }
   std::string hash() const {
     return runner::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
@@ -210,6 +215,67 @@ TEST(Reference, ThatWasStoppedBeginsAnewWhenItsSceneHasChanged) {
   changed.sandbox.write("cases/m1_grey/grey.json", scene.replace(reflectance, 3, "0.6"));
   EXPECT_EQ(changed.render(false), 0);
   EXPECT_FALSE(contains(changed.said, "of an earlier call")) << changed.said;
+}
+
+// The call that is first would remove the passes of the other.
+TEST(Reference, IsNotRenderedByTwoCallsAtOnce) {
+  Stoppable scene;
+  std::string refusal;
+  const auto call_again = [&](const std::string&) {
+    if (!refusal.empty()) return;
+    refusal = "none";
+    try {
+      scene.render("test", [](const std::string&) {});
+    } catch (const InputError& e) {
+      refusal = e.what();
+    }
+  };
+  EXPECT_EQ(scene.render("test", call_again), 0);
+  EXPECT_TRUE(contains(refusal, fmt::format("another call, of process {}, renders this reference; wait for "
+                                            "its end, or stop it",
+                                            ::getpid())))
+      << refusal;
+  EXPECT_TRUE(contains(refusal, (scene.sandbox.folder() / "references/grey.exr").string())) << refusal;
+  EXPECT_FALSE(scene.sandbox.has("references/.unfinished"));
+}
+
+// The system lets go of a lock when its process is killed, the file stays.
+TEST(Reference, OfACallThatWasKilledIsGoneOnWith) {
+  Stoppable scene;
+  EXPECT_EQ(scene.render(true), 130);
+  scene.sandbox.write("references/.unfinished/.grey.lock", "99999\n");
+  EXPECT_EQ(scene.render(false), 0);
+  EXPECT_TRUE(contains(scene.said, "dB, of an earlier call")) << scene.said;
+  EXPECT_FALSE(scene.sandbox.has("references/.unfinished"));
+}
+
+TEST(Reference, ThatHasAppearedMeanwhileIsKept) {
+  Stoppable scene;
+  const auto file = scene.sandbox.folder() / "references/grey.exr";
+  std::filesystem::remove(file);
+  std::string said;
+  scene.render("", [&](const std::string& line) {
+    said += line + "\n";
+    scene.sandbox.write("references/grey.exr", "of another call");
+  });
+  EXPECT_EQ(scene.sandbox.read("references/grey.exr"), "of another call");
+  EXPECT_TRUE(contains(said, "kept, as it has appeared meanwhile: grey")) << said;
+}
+
+TEST(Reference, WhoseFolderCannotBeMadeIsSaidPlainly) {
+  const Sandbox sandbox;
+  const auto references = sandbox.folder() / "references";
+  std::filesystem::remove_all(references);
+  sandbox.write("references", "");
+  const auto no_folder = sandbox.orbs({"reference", "-s", "grey", "--spp", "4"});
+  EXPECT_EQ(no_folder.status, 2);
+  EXPECT_EQ(no_folder.text,
+            fmt::format("orbs: {}: the folder cannot be made: Not a directory\n", references.string()));
+  std::filesystem::remove(references);
+  sandbox.write("references/.unfinished", "");
+  const auto no_passes = sandbox.orbs({"reference", "-s", "grey", "--spp", "4"});
+  EXPECT_EQ(no_passes.status, 2);
+  EXPECT_TRUE(contains(no_passes.text, "the folder cannot be made: Not a directory")) << no_passes.text;
 }
 
 TEST(Reference, HasTheSamePixelsForTheSameSeed) {

@@ -64,6 +64,19 @@ std::string with_size(const std::string& exr, std::int32_t width, std::int32_t h
   return with_box(with_box(exr, "dataWindow", box), "displayWindow", box);
 }
 
+// The list of EXR channels has each name, a zero and the type: 2 is float, 0 a 32-bit integer.
+std::string with_integers(std::string exr, const std::string& channel) {
+  const auto at = exr.find(channel + std::string("\0\2\0\0\0", 5));
+  EXPECT_NE(at, std::string::npos) << channel;
+  exr[at + channel.size() + 1] = '\0';
+  return exr;
+}
+
+std::string exr_of(const TestFolder& folder, const std::vector<std::string>& channels) {
+  write_exr(make_image(2, 2, channels), folder.path() / "floats.exr");
+  return orbs::read_file(folder.path() / "floats.exr");
+}
+
 }  // namespace
 
 TEST(ImageBrokenFiles, AnEmptyFileIsNoPicture) {
@@ -197,4 +210,41 @@ TEST(ImageBrokenFiles, AJpegWithoutItsEndIsRefused) {
   const auto outcome =
       outcome_of(folder, "a.jpg", std::string("\xff\xd8\xff\xda\x00\x08\x12\x34\xff\x00\x56", 11));
   EXPECT_EQ(outcome, (folder.path() / "a.jpg").string() + ": is no whole JPEG: the end marker is missing");
+}
+
+// OpenImageIO would divide them by 4294967295: a label of 7 would be a colour of 1.6e-9.
+TEST(ImageBrokenFiles, AnExrWhoseColoursAreIntegersIsRefused) {
+  const TestFolder folder("broken-integers");
+  const auto colours = exr_of(folder, {"R", "G", "B", "variance.G", "id"});
+  for (const char* channel : {"R", "G", "B", "variance.G"})
+    EXPECT_EQ(outcome_of(folder, "a.exr", with_integers(colours, channel)),
+              fmt::format("{}: the EXR channel '{}' holds integers, expected half or float",
+                          (folder.path() / "a.exr").string(), channel));
+  EXPECT_NE(outcome_of(folder, "a.exr", with_integers(exr_of(folder, {"mask"}), "mask")), "read");
+}
+
+TEST(ImageBrokenFiles, IntegersBesideTheColoursOfAnExrAreHarmless) {
+  const TestFolder folder("broken-labels");
+  const auto picture = exr_of(folder, {"R", "G", "B", "id"});
+  EXPECT_EQ(outcome_of(folder, "a.exr", with_integers(picture, "id")), "read");
+}
+
+// Without a byte on the disk: the file is one hole. Readers that take a file as a whole would ask for as
+// much memory.
+TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyPictureIsNotRead) {
+  const TestFolder folder("broken-hole");
+  constexpr std::uintmax_t kBytes = 10'000'000'000;
+  for (const char* name : {"a.pfm", "a.ppm", "a.exr", "a.png"}) {
+    const auto file = folder.path() / name;
+    orbs::write_file(file, "PF\n100 100\n-1.0\n");
+    std::filesystem::resize_file(file, kBytes);
+    try {
+      read_image(file);
+      FAIL() << "was read";
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("has 10000000000 bytes; no picture that is read has more than"),
+                std::string::npos)
+          << e.what();
+    }
+  }
 }
