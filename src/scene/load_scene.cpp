@@ -1,6 +1,7 @@
 #include "scene/load_scene.h"
 
 #include "base/files.h"
+#include "scene/camera_frame.h"
 #include "scene/load_parts.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,18 @@
 namespace orbs::scene {
 
 namespace {
+
+// Directions are floats, rounded by up to 6e-8: with finer pixels the picture would move by a tenth of one.
+void check_pixels(json::ObjectReader& in, const Camera& camera) {
+  constexpr double kFinest_rad = 1e-6;
+  const double pixel_rad = 2 * camera_frame(camera).half_height / camera.height_px;
+  if (!(pixel_rad >= kFinest_rad))
+    in.fail(in.has("fov_y") ? "fov_y" : "height",
+            fmt::format(
+                "makes pixels of {:.4g} rad; they must be at least {} rad high, which is what directions in "
+                "float can tell: widen fov_y, or take fewer pixels",
+                pixel_rad, kFinest_rad));
+}
 
 Camera load_camera(json::ObjectReader in) {
   constexpr int kLargestSide = 65536;
@@ -31,6 +44,7 @@ Camera load_camera(json::ObjectReader in) {
   // noise.
   if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
     in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");
+  check_pixels(in, camera);
   return camera;
 }
 
