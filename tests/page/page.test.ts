@@ -206,6 +206,21 @@ test("Stokes layers are numbers of both signs and get a diverging scale", async 
   await page.close();
 });
 
+test("layers of result and reference have one scale", async () => {
+  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`);
+  await drawn(page, "result reference");
+  await page.waitForFunction(() => document.querySelector(".ticks")?.textContent?.includes("−1"));
+  const box = await page.locator(".stage").boundingBox();
+  const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
+  const left = await colourAt(page, x - 80, y);
+  await page.evaluate(() => { location.hash = location.hash.replace("swipe=1", "swipe=0"); });
+  await page.waitForFunction(() => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0");
+  await drawn(page, "result reference");
+  assert.deepEqual(await colourAt(page, x - 80, y), left);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("a case says what its scene calls for, and what that costs", async () => {
   const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one`);
   const effects = page.locator(".effects");

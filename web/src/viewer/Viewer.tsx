@@ -8,7 +8,7 @@ import { channelChoices, channelInForce, seenChannels } from "./channels";
 import { viewActions, type Controls } from "./controls";
 import { HistogramPlot, StatisticsTable } from "./Histogram";
 import { Legend } from "./Legend";
-import { paintSettings } from "./paint_settings";
+import { isMap, paintSettings } from "./paint_settings";
 import { Readout } from "./Readout";
 import { RegionPanel } from "./RegionPanel";
 import { Stage, type Shown } from "./Stage";
@@ -114,8 +114,19 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const sameSize = errors && referenceRaster && errors.width === referenceRaster.width && errors.height === referenceRaster.height;
   const worst = useWorst(front?.kind === "map" || sameSize ? errors : undefined, front?.kind === "map" ? undefined : referenceRaster);
   const statistics = useStatistics(raster, undefined);
+  const resultRaster = rasterOf(result);
+  const layered = view.layer !== "";
+  useStatistics(layered ? resultRaster : undefined, undefined);
+  useStatistics(layered ? referenceRaster : undefined, undefined);
+  // Result and reference of numbers have one scale: beside each other a colour must be the same number in both.
+  const rangeFor = (image: ImageEntry, own: Raster): Shown["range"] => {
+    const alike = layered && !isMap(image) ? [own, resultRaster, referenceRaster] : [own];
+    const ranges = alike.flatMap((one) => (one && rangeSeen(one, view.channel)) ?? []);
+    return ranges.length === 0 ? undefined
+      : { min: Math.min(...ranges.map((one) => one.min)), max: Math.max(...ranges.map((one) => one.max)) };
+  };
   const size = raster ?? referenceRaster ?? rasterOf(result) ?? { width: 512, height: 512 };
-  const range = raster && rangeSeen(raster, view.channel);
+  const range = front && raster && rangeFor(front, raster);
   const settings = front && paintSettings(front, view, raster, range);
   const layers = (rasterOf(result) ?? referenceRaster)?.layers ?? [""];
 
@@ -136,7 +147,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   if (images.length === 0) return <p class="quiet no-pictures">There is no picture of this: nothing was rendered.</p>;
   const shown: Shown[] = panes.map((image) => {
     const own = rasterOf(image);
-    return { image, loaded: rasters.get(image.name), range: own && rangeSeen(own, view.channel) };
+    return { image, loaded: rasters.get(image.name), range: own && rangeFor(image, own) };
   });
   const marked = worst?.pixels[worstIndex];
   return (
