@@ -354,7 +354,7 @@ def render(output):
     scene.render.dither_intensity = 0.0
     for name in dir(scene.render):
         if name.startswith("use_stamp"):
-            setattr(scene.render, name, False)  # no dates and durations in the file: same picture, same bytes
+            setattr(scene.render, name, False)  # no dates and durations in the file: same image, same bytes
     start = time.perf_counter()
     bpy.ops.render.render()
     print(f"orbs: render_seconds {time.perf_counter() - start:.6f}", flush=True)
@@ -362,7 +362,7 @@ def render(output):
     temporary = f"{output}.{os.getpid()}.part"
     bpy.data.images["Render Result"].save_render(temporary, scene=scene)
     if not os.path.exists(temporary):
-        raise SceneError("Blender wrote no picture")
+        raise SceneError("Blender wrote no image")
     os.replace(temporary, output)
 
 

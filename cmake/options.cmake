@@ -2,7 +2,7 @@
 add_library(orbs_options INTERFACE)
 target_compile_options(orbs_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
-  # FMA contraction breaks the antisymmetry that watertight edge tests and bit-equal pictures rest on; and NaN must stay NaN.
+  # FMA contraction breaks the antisymmetry that watertight edge tests and bit-equal images rest on; and NaN must stay NaN.
   -ffp-contract=off -fno-fast-math
   # These two only say that nobody reads errno or traps; every value, NaN and infinities included, stays the same.
   -fno-math-errno -fno-trapping-math

@@ -1,6 +1,6 @@
-// Makes the pictures of the README from a run:
+// Makes the images of the README from a run:
 //   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address on the page, from '#' on>...]
-// Needs Debian's chromium. The case shown is the first failure with a picture. With addresses only their pictures are made.
+// Needs Debian's chromium. The case shown is the first failure with an image. With addresses only their images are made.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";

@@ -67,7 +67,7 @@ std::string alpha_limit(const std::string& material, double alpha, const char* r
 
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer) {
   return fmt::format(
-      "texture '{}' is seen by wavelengths: {} makes spectra of the colours of pictures by a model of its "
+      "texture '{}' is seen by wavelengths: {} makes spectra of the colours of images by a model of its "
       "own",
       texture.name, renderer);
 }

@@ -33,7 +33,7 @@ std::string masking_limit(const std::string& material,
                           bool has_separable);
 /// A roughness that the renderer takes for another one: below `least_alpha`.
 std::string alpha_limit(const std::string& material, double alpha, const char* renderer, double least_alpha);
-/// Colours of pictures in a scene for wavelengths: each renderer makes spectra of them by its own model.
+/// Colours of images in a scene for wavelengths: each renderer makes spectra of them by its own model.
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer);
 std::string wrap_limit(const scene::Texture& texture, const char* renderer);
 

@@ -6,7 +6,7 @@ namespace orbs {
 
 /// Mixes two words into one with every input bit reaching every output bit: the finaliser of SplitMix64
 /// (Steele, Lea, Flood 2014) over their combination. Random numbers of the project are functions of what they
-/// are for, never of what was drawn before: same seed, same picture, for any order of work.
+/// are for, never of what was drawn before: same seed, same image, for any order of work.
 constexpr std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   std::uint64_t z = a * 0x9e3779b97f4a7c15ULL + b + 0x9e3779b97f4a7c15ULL;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;

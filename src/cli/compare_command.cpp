@@ -32,17 +32,17 @@ struct CompareOptions {
   bool definitions = false;
 };
 
-// Pictures for the screen hold sRGB values; the metrics are defined on linear ones.
+// Images for the screen hold sRGB values; the metrics are defined on linear ones.
 image::Image read_linear(const std::string& file) {
-  auto picture = image::read_image(file);
+  auto image = image::read_image(file);
   if (image::is_ldr_file(file))
-    for (auto& value : picture.pixels) value = image::srgb_decode(value);
-  return picture;
+    for (auto& value : image.pixels) value = image::srgb_decode(value);
+  return image;
 }
 
 // Noise and bias would be numbers that mean nothing.
-void check_variances(const image::Image& picture, const std::string& file) {
-  if (const auto problem = runner::variance_problem(picture); !problem.empty())
+void check_variances(const image::Image& image, const std::string& file) {
+  if (const auto problem = runner::variance_problem(image); !problem.empty())
     throw InputError(
         fmt::format("{}: {}, so noise cannot be told from bias; mend these channels, or leave "
                     "out all of variance.R, G and B",
@@ -111,9 +111,9 @@ int compare_files(CompareOptions options) {
 
 void add_compare_command(CLI::App& app, const Program& /*program*/, Action& action) {
   auto* command =
-      app.add_subcommand("compare", "Compares two pictures by every metric and tells noise from bias");
+      app.add_subcommand("compare", "Compares two images by every metric and tells noise from bias");
   const auto options = std::make_shared<CompareOptions>();
-  command->add_option("picture", options->first, "the result")->required();
+  command->add_option("image", options->first, "the result")->required();
   command->add_option("reference", options->second, "what it should be")->required();
   command->add_option("--metric", options->metric,
                       "the metric of --min and --max, computed in any case (default: psnr_srgb8)");
@@ -124,7 +124,7 @@ void add_compare_command(CLI::App& app, const Program& /*program*/, Action& acti
       ->check(not_empty("a folder"));
   command->add_flag("--all", options->all, "also the metrics that take long: FLIP, PU21, JERI's SSIM");
   command->add_flag("--definitions", options->definitions, "say what each number means");
-  command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the pictures cannot be compared.");
+  command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the images cannot be compared.");
   command->callback([=, &action] { action = [=] { return compare_files(*options); }; });
 }
 

@@ -71,7 +71,7 @@ void add_effects_command(CLI::App& app, const Program& program, Action& action) 
   const auto options = std::make_shared<EffectsOptions>();
   add_options(*command, *options);
   command->footer(
-      "Renders with the built-in tracer. Exit status: 0 every richer transport gives the same picture, 1 one "
+      "Renders with the built-in tracer. Exit status: 0 every richer transport gives the same image, 1 one "
       "does not.");
   command->callback([=, &program, &action] {
     action = [=, &program] {

@@ -31,7 +31,7 @@ void list_cases(const std::vector<Case>& cases) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& one_case : cases)
     rows.push_back({one_case.name, one_case.requirement, one_case.title,
-                    fmt::format("{}", fmt::join(registry::picture_names(one_case), ", "))});
+                    fmt::format("{}", fmt::join(registry::target_names(one_case), ", "))});
   print_columns(rows);
 }
 

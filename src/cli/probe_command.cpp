@@ -31,7 +31,7 @@ void add_options(CLI::App& command, ProbeOptions& options) {
                      "only these renderers (default: all that are installed)");
   command.add_option("-e,--exec", options.executable,
                      "program to start instead of the chosen renderer's own");
-  command.add_option("--size", options.probe.most_px, "longer side of the pictures in pixels")
+  command.add_option("--size", options.probe.most_px, "longer side of the images in pixels")
       ->check(CLI::Range(16, 1024))
       ->capture_default_str();
   command.add_option("--spp", options.probe.spp, "samples per pixel")
@@ -76,7 +76,7 @@ void add_probe_command(CLI::App& app, const Program& program, Action& action) {
   const auto options = std::make_shared<ProbeOptions>();
   add_options(*command, *options);
   command->footer(
-      "Every material of every instance, and every light, emits a flat colour of its own; a second picture\n"
+      "Every material of every instance, and every light, emits a flat colour of its own; a second image\n"
       "shows texture coordinates. Both are compared with what the scene's numbers say must be in each "
       "pixel.");
   command->callback([=, &program, &action] {

@@ -29,10 +29,10 @@ int write_report(const ReportOptions& options, const Program& program) {
   const auto view = results::read_run_folder(folder);
   const auto page = report::page_file(view, settings);
   write_file(options.output, page.text);
-  fmt::print("{}: {:.1f} MB, {} pictures\n", options.output,
-             static_cast<double>(page.text.size()) / kMegabyte, page.pictures);
+  fmt::print("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
+             page.images);
   if (!page.left_out.empty())
-    fmt::print("{} pictures are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
+    fmt::print("{} images are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
                page.left_out.size());
   for (const auto& file : page.left_out) fmt::print("  {}\n", file);
   return 0;
@@ -48,9 +48,9 @@ void add_report_command(CLI::App& app, const Program& program, Action& action) {
       ->required()
       ->check(not_empty("a file"));
   command
-      ->add_option("--most-megabytes", options->most_megabytes, "room for pictures; failures are taken first")
+      ->add_option("--most-megabytes", options->most_megabytes, "room for images; failures are taken first")
       ->check(zero_or_more());
-  command->add_flag("--exact", options->exact, "pictures with all their digits instead of 16-bit floats");
+  command->add_flag("--exact", options->exact, "images with all their digits instead of 16-bit floats");
   command->callback(
       [=, &program, &action] { action = [=, &program] { return write_report(*options, program); }; });
 }

@@ -109,20 +109,20 @@ registry::Defaults settings_of(const CLI::App& command,
 std::string progress_line(std::size_t done,
                           std::size_t count,
                           const results::JobRecord& job,
-                          const std::vector<results::PictureRecord>& pictures) {
+                          const std::vector<results::TargetRecord>& targets) {
   auto verdict = job.verdict;
   std::string sentence = job.sentence;
   std::optional<double> psnr;
-  for (const auto& picture : pictures) {
-    if (results::worse(verdict, picture.verdict) != verdict) sentence = picture.sentence;
-    verdict = results::worse(verdict, picture.verdict);
-    for (const auto& measure : picture.measures)
+  for (const auto& target : targets) {
+    if (results::worse(verdict, target.verdict) != verdict) sentence = target.sentence;
+    verdict = results::worse(verdict, target.verdict);
+    for (const auto& measure : target.measures)
       if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
   }
   const bool good = verdict == results::Verdict::Pass;
   auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
                           fmt::formatted_size("{}", count), count, job.renderer, job.scene,
-                          good && pictures.empty() ? "rendered" : verdict_name(verdict),
+                          good && targets.empty() ? "rendered" : verdict_name(verdict),
                           report::decibels(psnr), job.wall_seconds);
   if (!good) line += fmt::format("  {}", sentence);
   return line;
@@ -155,8 +155,8 @@ int run_plan(const registry::Configuration& configuration,
   context.orbs_version = program.version;
   context.command_line = program.command_line;
   context.stop = &adapters::catch_interrupts();
-  context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& pictures) {
-    fmt::print(stderr, "{}\n", progress_line(done, count, job, pictures));
+  context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& targets) {
+    fmt::print(stderr, "{}\n", progress_line(done, count, job, targets));
   };
   context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   std::filesystem::path folder;
@@ -171,7 +171,7 @@ int run_plan(const registry::Configuration& configuration,
              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
              folder.string());
   if (results::judged_nothing(record))
-    fmt::print(stderr, "orbs: nothing was judged: every picture is unsupported, for the reasons above\n");
+    fmt::print(stderr, "orbs: nothing was judged: every image is unsupported, for the reasons above\n");
   if (options.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
@@ -186,7 +186,7 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
   command->footer(
       "Every option has a default that may stand in configuration.json under \"defaults\".\n"
       "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run, or "
-      "nothing was judged: every picture is unsupported, 130 interrupted: --resume goes on.");
+      "nothing was judged: every image is unsupported, 130 interrupted: --resume goes on.");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;

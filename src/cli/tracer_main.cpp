@@ -51,13 +51,13 @@ Options parse_options(int argc, char** argv) {
   CLI::App app{"Renders one orbs-scene/1 file with the reference path tracer."};
   app.set_version_flag("--version", "orbs-tracer " ORBS_VERSION);
   app.add_option("scene", options.scene, "scene file (orbs-scene/1)")->required();
-  app.add_option("-o,--output", options.output, "picture to write (OpenEXR: R,G,B and their variances)")
+  app.add_option("-o,--output", options.output, "image to write (OpenEXR: R,G,B and their variances)")
       ->required();
   app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
-  app.add_option("--seed", options.render.seed, "same seed, same picture")->capture_default_str();
-  app.add_option("--threads", options.render.threads, "0: all cores; the picture does not depend on it")
+  app.add_option("--seed", options.render.seed, "same seed, same image")->capture_default_str();
+  app.add_option("--threads", options.render.threads, "0: all cores; the image does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--width", options.width, "replaces the camera's width, in pixels")
@@ -68,17 +68,17 @@ Options parse_options(int argc, char** argv) {
                "one layer per class of light path (path.EDSL.R ...)");
   app.add_option("--light-paths", options.light_paths,
                  "paths from the lights for caustics: auto (where a trial says they lower the noise), always "
-                 "or never; the picture is the same but for its noise")
+                 "or never; the image is the same but for its noise")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   std::string transport = "auto";
   app.add_option("--transport", transport,
                  "what light paths carry: auto (no more than the scene calls for), or one that has more: the "
-                 "picture is the same but for its noise")
+                 "image is the same but for its noise")
       ->check(CLI::IsMember(transport_choices()))
       ->capture_default_str();
   app.add_flag("--lossy", options.may_lose_effects,
-               "allow a transport that lacks what the scene calls for: the picture shows what is lost");
+               "allow a transport that lacks what the scene calls for: the image shows what is lost");
   app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
   try {
     app.parse(argc, argv);
@@ -125,7 +125,7 @@ void stamp(orbs::tracer::Rendering& rendering,
            const Options& options,
            const orbs::scene::Scene& scene,
            const orbs::tracer::World& world) {
-  auto& header = rendering.picture.attributes;
+  auto& header = rendering.image.attributes;
   header["orbs.program"] = "orbs-tracer";
   header["orbs.version"] = ORBS_VERSION;
   header["orbs.scene"] = scene.name;
@@ -137,7 +137,7 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
-        "S0 to S3 in the frame of the picture, for who looks at the oncoming light: S1 > 0 horizontal, S2 > "
+        "S0 to S3 in the frame of the image, for who looks at the oncoming light: S1 > 0 horizontal, S2 > "
         "0 "
         "at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
@@ -174,7 +174,7 @@ int run(const Options& options) {
   auto rendering = tracer::render(world, settings, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
   stamp(rendering, options, scene, world);
-  image::write_exr(rendering.picture, options.output);
+  image::write_exr(rendering.image, options.output);
   print_summary(rendering, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
   fmt::print(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",

@@ -16,7 +16,7 @@ float srgb_decode(float value) {
   return std::pow((value + 0.055F) / 1.055F, 2.4F);
 }
 
-Image display_picture(const Image& image) {
+Image display_image(const Image& image) {
   constexpr std::array kMagenta{1.0F, 0.0F, 1.0F};
   Image shown = select_rgb(image, "");
   for (std::size_t i = 0; i < shown.pixels.size(); i += 3) {

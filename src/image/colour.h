@@ -16,7 +16,7 @@ float srgb_decode(float value);
 constexpr double luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
 
 /// The channels R, G, B as they appear on a screen: clamped to [0, 1], then sRGB-encoded. Pixels with NaN are
-/// drawn magenta, so that a picture with bad numbers can be looked at. InputError when a channel is missing.
-Image display_picture(const Image& image);
+/// drawn magenta, so that an image with bad numbers can be looked at. InputError when a channel is missing.
+Image display_image(const Image& image);
 
 }  // namespace orbs::image

@@ -142,7 +142,7 @@ void check_attribute(std::string_view name, std::string_view type, std::string_v
     throw InputError(fmt::format("the EXR attribute '{}' ends inside a number", name));
   if (type == "stringvector") check_string_vector(value);
   if (type == "preview") check_preview(value);
-  // Compressed by a length of its own. Pictures that we compare need none.
+  // Compressed by a length of its own. Images that we compare need none.
   if (type == "idmanifest") throw InputError("the EXR file has an id manifest, which is not read");
 }
 
@@ -164,7 +164,7 @@ void note_attribute(Part& part, std::string_view name, std::string_view type, st
     part.tile = Window{width, static_cast<double>(in.word())};
   }
   if (is("type", "string") && value.starts_with("deep"))
-    throw InputError("holds deep pixels, expected a flat picture");
+    throw InputError("holds deep pixels, expected a flat image");
 }
 
 Part read_part(Reader& in) {
@@ -207,12 +207,12 @@ void check_memory(const Part& part, std::size_t file_bytes, double& places_left)
 }  // namespace
 
 void check_exr(std::string_view bytes) {
-  if (!bytes.starts_with(kMagic)) throw InputError("is no readable .exr picture: it does not start as one");
+  if (!bytes.starts_with(kMagic)) throw InputError("is no readable .exr image: it does not start as one");
   Reader in(bytes.substr(kMagic.size()));
   const auto version = in.word();
   if ((version & 0xffU) != kVersion || (version & ~(0xffU | kTiled | kLongNames | kDeep | kMultipart)) != 0)
     throw InputError(fmt::format("is an EXR file of an unknown version, {:#x}", version));
-  if ((version & kDeep) != 0) throw InputError("holds deep pixels, expected a flat picture");
+  if ((version & kDeep) != 0) throw InputError("holds deep pixels, expected a flat image");
   double places_left = static_cast<double>(bytes.size()) / 8;
   do {
     const Part part = read_part(in);

@@ -64,7 +64,7 @@ float signed_largest(const float* values, std::size_t count) {
   return largest;
 }
 
-// A picture has far more pixels than 8-bit output has colours.
+// An image has far more pixels than 8-bit output has colours.
 std::vector<Rgb> colour_table(ColourScale scale) {
   constexpr int kEntries = 1024;
   const float start = scale == ColourScale::Diverging ? -1.0F : 0.0F;
@@ -92,7 +92,7 @@ void set_pixel(Image& image, int x, int y, Rgb colour) {
   std::copy(colour.begin(), colour.end(), &image.at(x, y, 0));
 }
 
-// All lengths in pixels; they grow with the picture, so that the digits of a large one stay readable when it
+// All lengths in pixels; they grow with the image, so that the digits of a large one stay readable when it
 // is shown small.
 struct Layout {
   int zoom;
@@ -128,18 +128,18 @@ std::vector<Label> labels_of(ColourScale scale, float maximum) {
   return {};
 }
 
-void draw_scale_bar(Image& picture, const Layout& layout, const Colouring& colouring) {
+void draw_scale_bar(Image& image, const Layout& layout, const Colouring& colouring) {
   const float bottom = colouring.scale == ColourScale::Diverging ? -colouring.maximum : 0.0F;
   for (int y = 0; y < layout.height; ++y) {
     const float share = 1.0F - static_cast<float>(y) / static_cast<float>(layout.height - 1);
     const Rgb colour = colouring(bottom + share * (colouring.maximum - bottom));
-    for (int x = layout.bar_left; x < layout.bar_right; ++x) set_pixel(picture, x, y, colour);
+    for (int x = layout.bar_left; x < layout.bar_right; ++x) set_pixel(image, x, y, colour);
   }
   constexpr float kInk = 0.9F;
   for (const Label& label : labels_of(colouring.scale, colouring.maximum)) {
     const int room = layout.height - kGlyphHeightPx * layout.zoom;
     const int top = static_cast<int>(std::lround((1.0 - label.height_share) * room));
-    draw_text(picture, layout.text_left, top, label.text, layout.zoom, kInk);
+    draw_text(image, layout.text_left, top, label.text, layout.zoom, kInk);
   }
 }
 
@@ -174,12 +174,12 @@ Image false_colour(const Image& map, ColourScale scale, float maximum) {
   int text_width = 0;
   for (const Label& label : labels_of(scale, maximum))
     text_width = std::max(text_width, text_width_px(label.text, layout.zoom));
-  Image picture = make_image(layout.text_left + text_width + 3 * layout.zoom, layout.height, {"R", "G", "B"});
+  Image image = make_image(layout.text_left + text_width + 3 * layout.zoom, layout.height, {"R", "G", "B"});
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
-      set_pixel(picture, x, y, colouring(signed_largest(&map.at(x, y, 0), channels)));
-  draw_scale_bar(picture, layout, colouring);
-  return picture;
+      set_pixel(image, x, y, colouring(signed_largest(&map.at(x, y, 0), channels)));
+  draw_scale_bar(image, layout, colouring);
+  return image;
 }
 
 }  // namespace orbs::image

@@ -18,7 +18,7 @@ std::array<float, 3> colour_at(ColourScale scale, float position);
 /// off.
 float largest_magnitude(const Image& map);
 
-/// Picture for write_png: the map in colours at the left, unchanged in size, and beside it a bar of the
+/// Image for write_png: the map in colours at the left, unchanged in size, and beside it a bar of the
 /// linear scale from 0 (diverging: -maximum) to `maximum` with these numbers as digits. A map of three
 /// channels shows at each pixel the channel of largest magnitude, sign kept, so that nothing cancels. With
 /// maximum 0 every finite pixel has the colour of 0. InputError when the map has neither one nor three

@@ -34,7 +34,7 @@ Image select_rgb(const Image& image, std::string_view prefix) {
     const int index = channel_index(image, name);
     if (index < 0)
       throw InputError(
-          fmt::format("the picture has no channel '{}'; it has {}", name, fmt::join(image.channels, ", ")));
+          fmt::format("the image has no channel '{}'; it has {}", name, fmt::join(image.channels, ", ")));
     source[c] = static_cast<std::size_t>(index);
   }
   Image rgb = make_image(image.width, image.height, {"R", "G", "B"});
@@ -44,10 +44,10 @@ Image select_rgb(const Image& image, std::string_view prefix) {
   return rgb;
 }
 
-std::vector<Image> colours_of(const std::vector<Image>& pictures) {
+std::vector<Image> colours_of(const std::vector<Image>& images) {
   std::vector<Image> colours;
-  colours.reserve(pictures.size());
-  for (const Image& picture : pictures) colours.push_back(select_rgb(picture, ""));
+  colours.reserve(images.size());
+  for (const Image& image : images) colours.push_back(select_rgb(image, ""));
   return colours;
 }
 

@@ -48,7 +48,7 @@ bool is_variance(std::string_view channel);
 Image select_rgb(const Image& image, std::string_view prefix);
 
 /// R, G and B of each. InputError as select_rgb.
-std::vector<Image> colours_of(const std::vector<Image>& pictures);
+std::vector<Image> colours_of(const std::vector<Image>& images);
 
 /// Whether R, G and B are the same to the bit, and the sizes. InputError as select_rgb.
 bool has_same_colours(const Image& a, const Image& b);

@@ -27,7 +27,7 @@ namespace {
 // write to stderr. TIFF is left out because version 2.4 returns a torn float TIFF as if it were whole.
 constexpr std::array kFormats{"exr", "hdr", "png", "jpg", "jpeg", "bmp", "tga", "pfm", "ppm", "pgm"};
 
-// A header can claim any size in a few bytes. 2^29 floats (2 GiB) hold an 8192 x 8192 picture with eight
+// A header can claim any size in a few bytes. 2^29 floats (2 GiB) hold an 8192 x 8192 image with eight
 // channels.
 constexpr double kMostValues = 536870912.0;
 
@@ -55,26 +55,26 @@ std::string format_of(const std::filesystem::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
     refuse(file,
-           fmt::format("no picture format is known by this name; known are .{}", fmt::join(kFormats, " .")));
+           fmt::format("no image format is known by this name; known are .{}", fmt::join(kFormats, " .")));
   return extension;
 }
 
 void check_file(const std::filesystem::path& file) {
   std::error_code failed;
   const auto status = std::filesystem::status(file, failed);
-  if (status.type() == std::filesystem::file_type::not_found) refuse(file, "there is no such picture file");
+  if (status.type() == std::filesystem::file_type::not_found) refuse(file, "there is no such image file");
   if (failed) refuse(file, fmt::format("cannot be read: {}", failed.message()));
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a file, expected a picture");
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a file, expected an image");
   const auto bytes = std::filesystem::file_size(file, failed);
-  if (bytes == 0 && !failed) refuse(file, "is empty, expected a picture");
+  if (bytes == 0 && !failed) refuse(file, "is empty, expected an image");
   if (bytes > kMostBytes && !failed)
-    refuse(file, fmt::format("has {} bytes; no picture that is read has more than {}", bytes, kMostBytes));
+    refuse(file, fmt::format("has {} bytes; no image that is read has more than {}", bytes, kMostBytes));
 }
 
 void check_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes, const std::filesystem::path& file) {
-  if (spec.deep) refuse(file, "holds deep pixels, expected a flat picture");
+  if (spec.deep) refuse(file, "holds deep pixels, expected a flat image");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
-    refuse(file, fmt::format("the header says {} x {} px with {} channels, which is no picture", spec.width,
+    refuse(file, fmt::format("the header says {} x {} px with {} channels, which is no image", spec.width,
                              spec.height, spec.nchannels));
   const double values = static_cast<double>(spec.width) * spec.height * spec.nchannels;
   if (values > kMostValues)
@@ -87,7 +87,7 @@ void check_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes, const st
   if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
       spec.height != spec.full_height)
     refuse(file,
-           fmt::format("the stored pixels ({} x {} at {}, {}) are not the whole picture ({} x {} at {}, {}); "
+           fmt::format("the stored pixels ({} x {} at {}, {}) are not the whole image ({} x {} at {}, {}); "
                        "write it without a crop or overscan window",
                        spec.width, spec.height, spec.x, spec.y, spec.full_width, spec.full_height,
                        spec.full_x, spec.full_y));
@@ -118,7 +118,7 @@ void check_contents(const std::string& format, const std::filesystem::path& file
   if (format == "exr") check_bytes(check_exr, read_file(file), file);
 }
 
-std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& file) {
+std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& file) {
   check_file(file);
   const std::string format = format_of(file);
   check_contents(format, file);
@@ -128,7 +128,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& file
   hints["oiio:UnassociatedAlpha"] = 1;  // else colours with alpha come back multiplied by it, not as stored
   OIIO::ImageSpec ignored;
   if (!input->open(file.string(), ignored, hints))
-    refuse(file, fmt::format("is no readable .{} picture: {}", format, reason_of(input->geterror())));
+    refuse(file, fmt::format("is no readable .{} image: {}", format, reason_of(input->geterror())));
   check_size(input->spec(), std::filesystem::file_size(file), file);
   return input;
 }
@@ -147,7 +147,7 @@ std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) 
 }
 
 // The libraries below report some damage by exceptions of their own (and memory that a torn header asks for
-// by bad_alloc); for the caller all of it is a picture that cannot be read.
+// by bad_alloc); for the caller all of it is an image that cannot be read.
 template <typename F>
 auto guarded(const std::filesystem::path& file, F&& work) {
   try {
@@ -204,7 +204,7 @@ void encode_and_write(const char* format,
 
 namespace {
 
-// Of a layer, too: "variance.G". The first channel is what a grey picture is made of, whatever its name.
+// Of a layer, too: "variance.G". The first channel is what a grey image is made of, whatever its name.
 bool is_colour(const OIIO::ImageSpec& spec, int channel) {
   const auto& name = spec.channelnames[static_cast<std::size_t>(channel)];
   const auto last = name.substr(name.rfind('.') + 1);
@@ -234,19 +234,19 @@ Image read_pixels(OIIO::ImageInput& input, const std::filesystem::path& file) {
 }  // namespace
 
 Image read_image(const std::filesystem::path& file) {
-  return guarded(file, [&] { return read_pixels(*open_picture(file), file); });
+  return guarded(file, [&] { return read_pixels(*open_image(file), file); });
 }
 
 Image read_exr(const std::string& name, std::string_view bytes) {
   return guarded(name, [&] {
-    if (bytes.empty()) refuse(name, "is empty, expected a picture");
+    if (bytes.empty()) refuse(name, "is empty, expected an image");
     check_bytes(check_exr, bytes, name);
     // The library's reader takes bytes that it does not change as ones that it could.
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     auto input = OIIO::ImageInput::create("exr");
     OIIO::ImageSpec ignored;
     if (!input || !input->set_ioproxy(&memory) || !input->open("memory.exr", ignored))
-      refuse(name, fmt::format("is no readable .exr picture: {}", reason_of(input ? input->geterror() : "")));
+      refuse(name, fmt::format("is no readable .exr image: {}", reason_of(input ? input->geterror() : "")));
     check_size(input->spec(), bytes.size(), name);
     return read_pixels(*input, name);
   });
@@ -263,7 +263,7 @@ void write_channels(const Image& image,
     spec.channelnames = image.channels;
     for (const auto& channel : image.channels)
       spec.channelformats.push_back(is_variance(channel) ? OIIO::TypeFloat : colour_format);
-    // Without a DateTime the library writes the time of writing, and equal pictures would be unequal files.
+    // Without a DateTime the library writes the time of writing, and equal images would be unequal files.
     spec.attribute("DateTime", "");
     for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
     spec.attribute("compression", compression);
@@ -302,7 +302,7 @@ void write_png(const Image& image, const std::filesystem::path& file) {
 
 bool is_ldr_file(const std::filesystem::path& file) {
   return guarded(file, [&] {
-    const auto format = open_picture(file)->spec().format;
+    const auto format = open_image(file)->spec().format;
     return format == OIIO::TypeUInt8 || format == OIIO::TypeUInt16;
   });
 }

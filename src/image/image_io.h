@@ -12,22 +12,22 @@ namespace orbs::image {
 /// decades than half floats have. Float: all as they are.
 enum class Precision { Half, Float };
 
-/// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several pictures in it the
+/// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several images in it the
 /// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an
 /// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
-/// the file is missing, torn, too large to be meant, cropped, or no picture, or has colours that are 32-bit
+/// the file is missing, torn, too large to be meant, cropped, or no image, or has colours that are 32-bit
 /// integers; nothing is printed.
 Image read_image(const std::filesystem::path& file);
 
 /// An EXR file whose bytes are at hand, read as read_image does; `name` is for messages.
 Image read_exr(const std::string& name, std::string_view bytes);
 
-/// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place. Equal pictures
+/// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place. Equal images
 /// give equal files. InputError when two channels share a name, a finite value is beyond the largest half, or
 /// the disk refuses.
 void write_exr(const Image& image, const std::filesystem::path& file, Precision precision = Precision::Float);
 
-/// 8-bit PNG of the first three channels (or the first, as grey) of a picture that is ready to show: nearest
+/// 8-bit PNG of the first three channels (or the first, as grey) of an image that is ready to show: nearest
 /// of 256 steps, what lies outside [0, 1] at its end. Written like an EXR. InputError for NaN, which no PNG
 /// can show.
 void write_png(const Image& image, const std::filesystem::path& file);

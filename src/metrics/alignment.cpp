@@ -18,17 +18,17 @@ using image::Image;
 constexpr std::array kColours{"R", "G", "B"};
 constexpr float kLargestFinite = std::numeric_limits<float>::max();
 
-std::string missing_channels(const Image& picture) {
+std::string missing_channels(const Image& image) {
   std::vector<std::string> missing;
   for (const char* name : kColours)
-    if (image::channel_index(picture, name) < 0) missing.emplace_back(name);
+    if (image::channel_index(image, name) < 0) missing.emplace_back(name);
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-std::array<std::size_t, 3> colour_indices(const Image& picture) {
+std::array<std::size_t, 3> colour_indices(const Image& image) {
   std::array<std::size_t, 3> indices{};
   for (std::size_t c = 0; c < 3; ++c)
-    indices[c] = static_cast<std::size_t>(image::channel_index(picture, kColours[c]));
+    indices[c] = static_cast<std::size_t>(image::channel_index(image, kColours[c]));
   return indices;
 }
 
@@ -66,20 +66,20 @@ void stretch(std::array<int, 4>& box, std::size_t pixel, int width) {
   box = {std::min(box[0], x), box[1], std::max(box[2], x + 1), y + 1};
 }
 
-PixelFaults count_faults(const Image& picture, NegativePixels negatives) {
-  const auto index = colour_indices(picture);
+PixelFaults count_faults(const Image& image, NegativePixels negatives) {
+  const auto index = colour_indices(image);
   PixelFaults faults;
-  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {
-    const float* values = &picture.pixels[pixel * picture.channel_count()];
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+    const float* values = &image.pixels[pixel * image.channel_count()];
     const std::array rgb{values[index[0]], values[index[1]], values[index[2]]};
     bool good = true;  // NaN fails both comparisons
     for (const float value : rgb) good = good && value >= 0.0F && value <= kLargestFinite;
     if (good) continue;
     count_pixel(rgb, faults);
-    const auto described = describe_pixel(rgb, pixel, picture.width, negatives);
+    const auto described = describe_pixel(rgb, pixel, image.width, negatives);
     if (described.empty()) continue;
     if (faults.first.empty()) faults.first = described;
-    stretch(faults.box, pixel, picture.width);
+    stretch(faults.box, pixel, image.width);
   }
   return faults;
 }
@@ -100,17 +100,17 @@ AlignmentReport check_alignment(const Image& result, const Image& reference, Neg
                                   result.height, reference.width, reference.height);
     return report;
   }
-  for (const auto& [whose, picture] : {std::pair{"result", &result}, std::pair{"reference", &reference}}) {
-    const std::string missing = missing_channels(*picture);
+  for (const auto& [whose, image] : {std::pair{"result", &result}, std::pair{"reference", &reference}}) {
+    const std::string missing = missing_channels(*image);
     if (missing.empty()) continue;
     report.alignment = Alignment::WrongChannels;
-    report.sentence = fmt::format("the {} has no channel {}; it has {}", whose, missing,
-                                  fmt::join(picture->channels, ", "));
+    report.sentence =
+        fmt::format("the {} has no channel {}; it has {}", whose, missing, fmt::join(image->channels, ", "));
     return report;
   }
   report.result = count_faults(result, negatives);
   report.reference = count_faults(reference, negatives);
-  report.sentence = "both pictures have the same size, the channels R, G, B and valid numbers";
+  report.sentence = "both images have the same size, the channels R, G, B and valid numbers";
   if (report.result.first.empty() && report.reference.first.empty()) return report;
   report.alignment = Alignment::InvalidPixels;
   report.sentence = report.result.first.empty() ? describe_faults("reference", report.reference)

@@ -10,11 +10,11 @@ namespace orbs::metrics {
 
 enum class Alignment { Comparable, WrongSize, WrongChannels, InvalidPixels };
 
-/// Radiance is never negative, so a negative value is a fault. Pictures made by subtraction are negative by
+/// Radiance is never negative, so a negative value is a fault. Images made by subtraction are negative by
 /// noise.
 enum class NegativePixels { Refused, Allowed };
 
-/// Bad pixels of one picture in R, G, B; a pixel counts once in each kind that one of its channels shows.
+/// Bad pixels of one image in R, G, B; a pixel counts once in each kind that one of its channels shows.
 struct PixelFaults {
   std::size_t nan = 0;
   std::size_t infinite = 0;

@@ -5,7 +5,7 @@
 
 namespace orbs::metrics {
 
-/// Blocks whose means differ by more than noise, with the chance `false_alarms` that a right picture has one.
+/// Blocks whose means differ by more than noise, with the chance `false_alarms` that a right image has one.
 /// `samples` must have the result's variance.
 BlockScores score_blocks(const NoiseSamples& samples, double false_alarms);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr MapInfo kSignedMap{"signed", "result - reference in each channel; linear Rec.709, no clamp", true,
                              0.2F};
 
-image::Image signed_difference(const PicturePair& pair) {
+image::Image signed_difference(const ImagePair& pair) {
   image::Image map = image::make_image(pair.width, pair.height, {"R", "G", "B"});
   for (std::size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = pair.result[i] - pair.reference[i];
   return map;
@@ -40,7 +40,7 @@ Comparison compare(const image::Image& result,
   for (const std::string& name : settings.also) find_metric(name);
   comparison.alignment = check_alignment(result, reference, settings.negatives);
   if (comparison.alignment.alignment != Alignment::Comparable) return comparison;
-  const PicturePair pair = make_picture_pair(result, reference, mask, settings.threads);
+  const ImagePair pair = make_image_pair(result, reference, mask, settings.threads);
   comparison.pixels_counted = pair.included_count;
   for (const MetricInfo& metric : kMetrics) {
     if (!is_wanted(metric, settings)) continue;

@@ -16,16 +16,16 @@ namespace orbs::metrics {
 struct Measurement {
   const MetricInfo* metric;  // a line of kMetrics
   std::optional<double>
-      value;  // +infinity for the PSNR of equal pictures; nothing where the metric is not defined
+      value;  // +infinity for the PSNR of equal images; nothing where the metric is not defined
   std::optional<Rectangle> where = {};  // the pixels that it is of, where it is not of all
 };
 
 struct ErrorMap {
   MapInfo info;
-  image::Image image;  // of the pictures' size; masked pixels are shown as any other
+  image::Image image;  // of the images' size; masked pixels are shown as any other
 };
 
-/// All that is known about the difference of two pictures. Unless they are Comparable, there are no numbers
+/// All that is known about the difference of two images. Unless they are Comparable, there are no numbers
 /// and no maps.
 struct Comparison {
   AlignmentReport alignment;
@@ -42,7 +42,7 @@ struct CompareSettings {
   std::vector<std::string> also = {};  // names of metrics that are computed in any case
 };
 
-/// Compares the channels R, G, B of two linear Rec.709 pictures by the metrics of kMetrics that are always
+/// Compares the channels R, G, B of two linear Rec.709 images by the metrics of kMetrics that are always
 /// computed and those that the settings ask for. What makes them incomparable is an outcome, not an error;
 /// InputError only for a mask that does not fit and for a name that is no metric.
 Comparison compare(const image::Image& result,

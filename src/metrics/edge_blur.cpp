@@ -27,10 +27,10 @@ Neighbours neighbours_of(const NoiseSamples& samples, int x, int y) {
   return all;
 }
 
-double filtered(const std::vector<float>& picture, const Neighbours& around, std::size_t channel) {
+double filtered(const std::vector<float>& image, const Neighbours& around, std::size_t channel) {
   double sum = 0;
   for (std::size_t i = 0; i < around.size(); ++i)
-    sum += kFilter.at(i) * static_cast<double>(picture[3 * around.at(i) + channel]);
+    sum += kFilter.at(i) * static_cast<double>(image[3 * around.at(i) + channel]);
   return sum;
 }
 
@@ -71,7 +71,7 @@ Edge edge_at(const NoiseSamples& samples, const Neighbours& around, const std::a
     if (!(means.at(c) > 0)) continue;
     const std::size_t here = 3 * around[kMiddle] + c;
     const double soft = filtered(samples.reference, around, c);
-    // Below 0 only in a difference of pictures.
+    // Below 0 only in a difference of images.
     const double scale = std::max(0.0, soft) + means.at(c);
     const double change = (soft - static_cast<double>(samples.reference[here])) / scale;
     const double deviation = std::sqrt(change_variance(samples, around, c)) / scale;

@@ -7,8 +7,8 @@
 
 namespace orbs::metrics {
 
-/// How much softer the edges of a picture are than those of the reference: half the resolution, a filter over
-/// several pixels, a denoiser. Where a picture is smooth, these lower the noise by more than they cost in
+/// How much softer the edges of an image are than those of the reference: half the resolution, a filter over
+/// several pixels, a denoiser. Where an image is smooth, these lower the noise by more than they cost in
 /// edges, and its PSNR rises.
 ///
 /// With b the reference after the filter [1 2 1] / 4 in x and y, of all pixels and channels at an edge
@@ -19,15 +19,15 @@ namespace orbs::metrics {
 /// At an edge |b - reference| is above 5 % of the scale and above five times its own standard deviation, by
 /// the reference's variance. So noise does not turn a sign, and what has a sure sign has noise that cancels:
 /// the result's, and the reference's, which is in the error and in b - reference both and would else look
-/// like a blur of the result (0.05 in honest pictures of caustics). A reference that does not know its noise
+/// like a blur of the result (0.05 in honest images of caustics). A reference that does not know its noise
 /// counts as exact.
 struct EdgeBlur {
   double value = 0;
   double standard_error = 0;  // by the scatter of the pixels about the value; the channels of one are one
 };
 
-/// Linear Rec.709, no clamp. Counts pixels that are, with their eight neighbours, in the picture and not
-/// masked. Nothing when fewer than 100 of them lie at an edge. The pictures must be Comparable; InputError
+/// Linear Rec.709, no clamp. Counts pixels that are, with their eight neighbours, in the image and not
+/// masked. Nothing when fewer than 100 of them lie at an edge. The images must be Comparable; InputError
 /// when the mask does not fit them.
 std::optional<EdgeBlur> edge_blur(const image::Image& result,
                                   const image::Image& reference,

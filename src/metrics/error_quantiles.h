@@ -12,7 +12,7 @@ namespace orbs::metrics {
 namespace error_quantiles {
 
 /// The largest |result - reference| of the three channels.
-inline float error_of(const PicturePair& pair, std::size_t pixel) {
+inline float error_of(const ImagePair& pair, std::size_t pixel) {
   float largest = 0.0F;
   for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
     largest = std::max(largest, std::fabs(pair.result[i] - pair.reference[i]));
@@ -20,7 +20,7 @@ inline float error_of(const PicturePair& pair, std::size_t pixel) {
 }
 
 /// The smallest error that at least `share` of the unmasked pixels do not exceed.
-inline MetricResult quantile(const PicturePair& pair, double share) {
+inline MetricResult quantile(const ImagePair& pair, double share) {
   std::vector<float> errors;
   errors.reserve(pair.included_count);
   for (std::size_t pixel = 0; pixel < pair.pixel_count(); ++pixel)
@@ -32,15 +32,11 @@ inline MetricResult quantile(const PicturePair& pair, double share) {
 
 }  // namespace error_quantiles
 
-inline MetricResult compute_error_p95(const PicturePair& pair) {
-  return error_quantiles::quantile(pair, 0.95);
-}
+inline MetricResult compute_error_p95(const ImagePair& pair) { return error_quantiles::quantile(pair, 0.95); }
 
-inline MetricResult compute_error_p99(const PicturePair& pair) {
-  return error_quantiles::quantile(pair, 0.99);
-}
+inline MetricResult compute_error_p99(const ImagePair& pair) { return error_quantiles::quantile(pair, 0.99); }
 
-inline MetricResult compute_error_max(const PicturePair& pair) {
+inline MetricResult compute_error_max(const ImagePair& pair) {
   float largest = -1.0F;
   std::size_t at = 0;
   for (std::size_t pixel = 0; pixel < pair.pixel_count(); ++pixel) {

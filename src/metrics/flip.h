@@ -13,7 +13,7 @@ namespace orbs::metrics {
 
 namespace flip {
 
-inline MetricResult mean_of_map(const PicturePair& pair, const std::vector<float>& error) {
+inline MetricResult mean_of_map(const ImagePair& pair, const std::vector<float>& error) {
   MetricResult result{std::nullopt, image::make_image(pair.width, pair.height, {"Y"})};
   double sum = 0.0;
   for (std::size_t pixel = 0; pixel < pair.pixel_count(); ++pixel)
@@ -43,14 +43,14 @@ constexpr std::array kExposures_stops{0.08F, 1.24F, 2.40F, 3.56F};
 
 }  // namespace flip
 
-inline MetricResult compute_flip(const PicturePair& pair) {
+inline MetricResult compute_flip(const ImagePair& pair) {
   const auto shown = [](float value) { return std::clamp(value, 0.0F, 1.0F); };
   return flip::mean_of_map(
       pair, flip::error_map({pair.width, pair.height, pair.threads}, flip::mapped(pair.result, shown),
                             flip::mapped(pair.reference, shown)));
 }
 
-inline MetricResult compute_hdr_flip(const PicturePair& pair) {
+inline MetricResult compute_hdr_flip(const ImagePair& pair) {
   std::vector<float> largest(pair.pixel_count(), 0.0F);
   for (const float stops : flip::kExposures_stops) {
     const float factor = std::exp2(stops);

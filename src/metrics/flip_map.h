@@ -13,7 +13,7 @@ struct Grid {
   int threads = 1;  // no result depends on it
 };
 
-/// The FLIP error of each pixel, in [0, 1], at 67.02 pixels per degree. Both pictures are linear Rec.709 in
+/// The FLIP error of each pixel, in [0, 1], at 67.02 pixels per degree. Both images are linear Rec.709 in
 /// [0, 1], interleaved R, G, B.
 std::vector<float> error_map(const Grid& grid,
                              const std::vector<float>& result,

@@ -6,7 +6,7 @@
 
 namespace orbs::metrics {
 
-inline MetricResult compute_l1(const PicturePair& pair) {
+inline MetricResult compute_l1(const ImagePair& pair) {
   return mean_error(pair, pair.result, pair.reference, [](double t, double r) { return std::fabs(t - r); });
 }
 

@@ -56,16 +56,16 @@ double sure_difference(const Sums& tile) {
 void look_at_channel(const Samples& samples, std::size_t channel, std::optional<LocalBias>& worst) {
   constexpr int kSize = worst_tile::kSize_px;
   const Rectangle all{0, 0, samples.result.width, samples.result.height};
-  const Sums picture = sums_of(samples, all, channel);
-  const double picture_mean = picture.reference / picture.count;
-  if (!(picture_mean > 0)) return;
+  const Sums image = sums_of(samples, all, channel);
+  const double image_mean = image.reference / image.count;
+  if (!(image_mean > 0)) return;
   for (int y = 0; y < all.y1; y += kSize)
     for (int x = 0; x < all.x1; x += kSize) {
       const Rectangle where{x, y, std::min(x + kSize, all.x1), std::min(y + kSize, all.y1)};
       const Sums tile = sums_of(samples, where, channel);
       if (tile.count < static_cast<double>(worst_tile::kFewestPixels)) continue;
-      // Below 0 only in a difference of pictures, where the picture's own mean has to do.
-      const double scale = std::max(0.0, tile.reference / tile.count) + picture_mean;
+      // Below 0 only in a difference of images, where the image's own mean has to do.
+      const double scale = std::max(0.0, tile.reference / tile.count) + image_mean;
       const double value = std::max(0.0, sure_difference(tile)) / scale;
       if (!worst || value > worst->value) worst = {value, where};
     }

@@ -14,7 +14,7 @@ namespace {
 void check_rectangle(const Rectangle& r, int width, int height) {
   if (0 <= r.x0 && r.x0 < r.x1 && r.x1 <= width && 0 <= r.y0 && r.y0 < r.y1 && r.y1 <= height) return;
   throw InputError(
-      fmt::format("the masked rectangle [{}, {}, {}, {}] is not inside the {} x {} px picture; expected "
+      fmt::format("the masked rectangle [{}, {}, {}, {}] is not inside the {} x {} px image; expected "
                   "[x0, y0, x1, y1] with 0 <= x0 < x1 <= {} and 0 <= y0 < y1 <= {}",
                   r.x0, r.y0, r.x1, r.y1, width, height, width, height));
 }
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> included_pixels(const Mask& mask, int width, int heigh
   std::vector<std::uint8_t> included(count, 1);
   if (!mask.pixels.empty()) {
     if (mask.pixels.size() != count)
-      throw InputError(fmt::format("the mask has {} pixels, the picture {} ({} x {})", mask.pixels.size(),
+      throw InputError(fmt::format("the mask has {} pixels, the image {} ({} x {})", mask.pixels.size(),
                                    count, width, height));
     std::transform(mask.pixels.begin(), mask.pixels.end(), included.begin(),
                    [](std::uint8_t excluded) { return static_cast<std::uint8_t>(excluded == 0); });

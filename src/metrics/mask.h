@@ -20,8 +20,8 @@ struct Mask {
   std::vector<std::uint8_t> pixels;  // empty, or one byte for each pixel, row by row from the top
 };
 
-/// One byte for each pixel of a width x height picture: 1 counted, 0 left out. InputError when a rectangle is
-/// empty or reaches beyond the picture, when the bytes are not as many as the pixels, or when no pixel is
+/// One byte for each pixel of a width x height image: 1 counted, 0 left out. InputError when a rectangle is
+/// empty or reaches beyond the image, when the bytes are not as many as the pixels, or when no pixel is
 /// left.
 std::vector<std::uint8_t> included_pixels(const Mask& mask, int width, int height);
 

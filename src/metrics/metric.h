@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/image_pair.h"
 #include "metrics/mask.h"
-#include "metrics/picture_pair.h"
 
 #include <cstddef>
 #include <optional>
@@ -22,12 +22,12 @@ struct MapInfo {
   std::string_view name;  // also the end of its file name
   std::string_view definition;
   bool is_signed;
-  /// Where the colour scale of its PNG ends: fixed, so that pictures of different renderers can be laid side
+  /// Where the colour scale of its PNG ends: fixed, so that images of different renderers can be laid side
   /// by side.
   float scale_maximum;
 };
 
-/// Of a number that has no picture of its own.
+/// Of a number that has no image of its own.
 inline constexpr MapInfo kNoMap{"", "", false, 0.0F};
 
 /// Whether every comparison computes a metric, or only one that asks for it.
@@ -41,7 +41,7 @@ struct MetricInfo {
   bool lower_is_better;
   std::string_view definition;
   MapInfo map;
-  MetricResult (*compute)(const PicturePair&);
+  MetricResult (*compute)(const ImagePair&);
   Computed computed = Computed::Always;
 };
 
@@ -49,7 +49,7 @@ struct MetricInfo {
 /// same errors as a map of all pixels. The mean is summed in double by rows from the top, independent of
 /// threads.
 template <typename Error>
-MetricResult mean_error(const PicturePair& pair,
+MetricResult mean_error(const ImagePair& pair,
                         const std::vector<float>& result,
                         const std::vector<float>& reference,
                         Error error) {

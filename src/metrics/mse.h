@@ -4,7 +4,7 @@
 
 namespace orbs::metrics {
 
-inline MetricResult compute_mse(const PicturePair& pair) {
+inline MetricResult compute_mse(const ImagePair& pair) {
   return mean_error(pair, pair.result, pair.reference, [](double t, double r) { return (t - r) * (t - r); });
 }
 

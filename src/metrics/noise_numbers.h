@@ -24,8 +24,8 @@ struct NoiseNumber {
 /// Everything that the test found, in a fixed order. What it could not say is left out.
 std::vector<NoiseNumber> noise_numbers(const NoiseTest& test);
 
-/// That the means, else the blocks, differ by more than noise: what a reader must be told of a picture that
-/// passes. "" when they do not. Pictures of two renderers that are both right differ at the edges of objects,
+/// That the means, else the blocks, differ by more than noise: what a reader must be told of an image that
+/// passes. "" when they do not. Images of two renderers that are both right differ at the edges of objects,
 /// so their squares are left to whom they matter to.
 std::string bias_remark(const NoiseTest& test);
 

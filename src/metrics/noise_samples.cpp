@@ -10,17 +10,17 @@ namespace orbs::metrics {
 
 namespace {
 
-std::vector<float> variances_of(const image::Image& picture) {
+std::vector<float> variances_of(const image::Image& image) {
   for (const char* channel : {"variance.R", "variance.G", "variance.B"})
-    if (image::channel_index(picture, channel) < 0) return {};
-  return image::select_rgb(picture, "variance.").pixels;
+    if (image::channel_index(image, channel) < 0) return {};
+  return image::select_rgb(image, "variance.").pixels;
 }
 
 // Samples of the reference for each one of the result; 0 when the passports do not say.
 double sample_ratio(const image::Image& result, const image::Image& reference) {
-  const auto said = [](const image::Image& picture, const char* key) {
-    const auto found = picture.attributes.find(key);
-    return found == picture.attributes.end() ? std::string() : found->second;
+  const auto said = [](const image::Image& image, const char* key) {
+    const auto found = image.attributes.find(key);
+    return found == image.attributes.end() ? std::string() : found->second;
   };
   const auto of_result = to_number(said(result, "orbs.spp"));
   const auto of_reference = to_number(said(reference, "orbs.spp"));

@@ -10,13 +10,13 @@
 
 namespace orbs::metrics {
 
-/// What the statistics of two pictures are made from. Samples are interleaved R, G, B.
+/// What the statistics of two images are made from. Samples are interleaved R, G, B.
 struct NoiseSamples {
   int width = 0;
   int height = 0;
   std::vector<float> result;
   std::vector<float> reference;
-  std::vector<float> result_variance;     // of the mean; empty where the picture does not know it
+  std::vector<float> result_variance;     // of the mean; empty where the image does not know it
   std::vector<float> reference_variance;  // of the mean; empty: exact
   std::vector<std::uint8_t> included;     // 1: the pixel counts
   /// By channel how many times the variance of the result is that of the reference; 0 where nobody knows.
@@ -28,7 +28,7 @@ struct NoiseSamples {
 };
 
 /// The variance ratio is that of the sums, or, where it is larger, that of the numbers of samples that the
-/// passports of pictures of one program say ("orbs.program", "orbs.spp"): a result that missed what is rare
+/// passports of images of one program say ("orbs.program", "orbs.spp"): a result that missed what is rare
 /// knows nothing of it.
 NoiseSamples noise_samples(const image::Image& result, const image::Image& reference, const Mask& mask);
 

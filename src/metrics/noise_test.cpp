@@ -90,7 +90,7 @@ Estimate mean_of(const std::vector<double>& values) {
   return interval(mean, std::sqrt(scatter.sum) / count, kPerTest, scatter.degrees());
 }
 
-// The variances of both pictures over all channels; which of the two estimates of the result's is chosen as
+// The variances of both images over all channels; which of the two estimates of the result's is chosen as
 // in DifferenceVariance, for the same reason.
 struct PixelVariances {
   std::vector<double> own, expected;  // sums of the three channels of the counted pixels

@@ -6,30 +6,30 @@
 #include <array>
 #include <optional>
 
-/// Is a picture wrong, or only noisy? Statistics of result - reference in linear Rec.709, from the variances
-/// of the mean that the pictures carry in "variance.R/G/B".
+/// Is an image wrong, or only noisy? Statistics of result - reference in linear Rec.709, from the variances
+/// of the mean that the images carry in "variance.R/G/B".
 ///
 /// What the tests rest on:
 /// - The noise of different pixels is independent (a box filter, no denoiser), and so is that of the two
-///   pictures (other seeds). A sum over pixels then has the sum of their variances, and each of these may be
+///   images (other seeds). A sum over pixels then has the sum of their variances, and each of these may be
 ///   as rough as it likes as long as it is not biased: the sum pools them.
 /// - The sum of the estimates is rough where few pixels carry it. By Welch and Satterthwaite a sum of
 ///   estimates w_i with f_i degrees of freedom each has (sum w)^2 / sum(w^2 / f) of them. f is not known, as
 ///   the values that a pixel averages may be rare and large; we take 1, the least there is. So the degrees of
-///   freedom are the number of pixels that carry the variance, thousands in an ordinary picture, and few
+///   freedom are the number of pixels that carry the variance, thousands in an ordinary image, and few
 ///   where fireflies rule it: Student's distribution then makes the intervals as wide as honest ones must be.
-/// - What neither picture has seen, no test can know: light that arrives once in more samples than both have.
+/// - What neither image has seen, no test can know: light that arrives once in more samples than both have.
 ///   Nor what the result alone has not seen where the reference keeps its variance and samples to itself.
 namespace orbs::metrics {
 
-/// How many honest pictures in total are called wrong; three tests share it evenly.
+/// How many honest images in total are called wrong; three tests share it evenly.
 constexpr double kFalseAlarms = 1e-3;
 
 /// A relative difference of means that is never called an error: rounding in float over thousands of samples
 /// and the eighth bit of a texture make one of this order in renderers that are both right.
 constexpr double kNegligible = 1e-3;
 
-/// A number and the interval that a right picture leaves with the probability kFalseAlarms / 3 at most (for
+/// A number and the interval that a right image leaves with the probability kFalseAlarms / 3 at most (for
 /// the three channels of a mean ratio together).
 struct Estimate {
   double value = 0;
@@ -37,15 +37,15 @@ struct Estimate {
   double high = 0;
 };
 
-/// Variances: from the pictures' channels; a reference without them counts as exact. Scatter: the result does
+/// Variances: from the images' channels; a reference without them counts as exact. Scatter: the result does
 /// not know its noise, so it is read off the differences of neighbours; structure in the error then counts as
 /// noise, and noise that filters spread over more than a few pixels is taken for less than it is. Reference:
 /// the result is known to have none, so only the reference's counts.
 enum class NoiseSource { Variances, Scatter, Reference };
 
-/// What is known of the result beside its picture. NoiseFree: its renderer draws no random samples, so there
+/// What is known of the result beside its image. NoiseFree: its renderer draws no random samples, so there
 /// is nothing that more of them would lower, and what differs is an error.
-enum class ResultNoise { AsThePictureSays, NoiseFree };
+enum class ResultNoise { AsTheImageSays, NoiseFree };
 
 constexpr int kBlock_px = 8;
 
@@ -68,22 +68,22 @@ struct PixelScores {
 struct NoiseTest {
   NoiseSource source = NoiseSource::Variances;
   /// mean(result) / mean(reference) - 1 of R, G, B; nothing where the mean of the reference is not above ten
-  /// times its own noise (black, or a difference of pictures), as the ratio then says nothing.
+  /// times its own noise (black, or a difference of images), as the ratio then says nothing.
   std::array<std::optional<Estimate>, 3> mean_ratio;
-  double noise_squared = 0;           // the MSE that the noise of both pictures explains
+  double noise_squared = 0;           // the MSE that the noise of both images explains
   Estimate bias_squared;              // what is left of the MSE; below zero by chance
   double reference_squared = 0;       // mean square of the reference, the measure of what is negligible
   std::optional<BlockScores> blocks;  // these two by variances only
   std::optional<PixelScores> pixels;
 };
 
-/// The pictures must be Comparable; InputError when the mask does not fit them.
+/// The images must be Comparable; InputError when the mask does not fit them.
 NoiseTest test_noise(const image::Image& result,
                      const image::Image& reference,
                      const Mask& mask = {},
-                     ResultNoise result_noise = ResultNoise::AsThePictureSays);
+                     ResultNoise result_noise = ResultNoise::AsTheImageSays);
 
-/// Whether any of the three tests (mean ratio, blocks, bias squared) sees more than noise. Of right pictures
+/// Whether any of the three tests (mean ratio, blocks, bias squared) sees more than noise. Of right images
 /// with independent seeds that is the share kFalseAlarms at most.
 bool is_biased(const NoiseTest& test);
 

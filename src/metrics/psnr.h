@@ -9,13 +9,13 @@
 
 namespace orbs::metrics {
 
-/// 10 log10(peak^2 / mse) in dB; +infinity for mse 0, which only pictures without any difference have.
+/// 10 log10(peak^2 / mse) in dB; +infinity for mse 0, which only images without any difference have.
 inline double psnr_db(double peak, double mse) {
   if (mse == 0.0) return std::numeric_limits<double>::infinity();
   return 10.0 * std::log10(peak * peak / mse);
 }
 
-inline MetricResult compute_psnr_srgb8(const PicturePair& pair) {
+inline MetricResult compute_psnr_srgb8(const ImagePair& pair) {
   MetricResult squared =
       mean_error(pair, pair.result_display, pair.reference_display, [](double t, double r) {
         const double steps = 255.0 * (t - r);
@@ -24,7 +24,7 @@ inline MetricResult compute_psnr_srgb8(const PicturePair& pair) {
   return {psnr_db(255.0, *squared.value), std::move(squared.map)};
 }
 
-inline MetricResult compute_psnr_linear(const PicturePair& pair) {
+inline MetricResult compute_psnr_linear(const ImagePair& pair) {
   MetricResult squared = compute_mse(pair);
   return {psnr_db(1.0, *squared.value), std::move(squared.map)};
 }
@@ -37,7 +37,7 @@ inline constexpr MetricInfo kPsnrSrgb8{
     "linear Rec.709 "
     "value to [0, 1], the sRGB encoding (12.92 c up to 0.0031308, else 1.055 c^(1/2.4) - 0.055) and the "
     "factor 255; not "
-    "rounded to whole steps; infinite for equal pictures",
+    "rounded to whole steps; infinite for equal images",
     {"squared_srgb8", "squared difference in each channel of the clamped, sRGB-encoded values times 255",
      false, 650.25F},
     compute_psnr_srgb8};
@@ -47,7 +47,7 @@ inline constexpr MetricInfo kPsnrLinear{"psnr_linear",
                                         false,
                                         "10 log10(1 / MSE) with the peak 1; MSE over the channels R, G, B of "
                                         "all unmasked pixels; linear Rec.709, no clamp, no "
-                                        "exposure; infinite for equal pictures",
+                                        "exposure; infinite for equal images",
                                         kSquaredMap,
                                         compute_psnr_linear};
 

@@ -10,7 +10,7 @@
 namespace orbs::metrics {
 
 // R. K. Mantiuk, M. Azimi, "PU21: A novel perceptually uniform encoding for adapting existing quality metrics
-// for HDR", Picture Coding Symposium 2021; the constants of the variant "banding_glare".
+// for HDR", Image Coding Symposium 2021; the constants of the variant "banding_glare".
 namespace pu21 {
 
 constexpr double kWhite_cd_m2 = 100.0;  // the luminance of the value 1 on the screen that is assumed
@@ -27,7 +27,7 @@ inline double encode(double luminance_cd_m2) {
 
 }  // namespace pu21
 
-inline MetricResult compute_psnr_pu21(const PicturePair& pair) {
+inline MetricResult compute_psnr_pu21(const ImagePair& pair) {
   MetricResult squared = mean_error(pair, pair.result, pair.reference, [](double t, double r) {
     if (t == r) return 0.0;
     const double difference = pu21::encode(pu21::kWhite_cd_m2 * t) - pu21::encode(pu21::kWhite_cd_m2 * r);

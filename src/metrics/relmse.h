@@ -38,11 +38,11 @@ inline double trimmed_mean(const std::vector<double>& values, double share) {
 
 }  // namespace relmse
 
-inline MetricResult compute_relmse(const PicturePair& pair) {
+inline MetricResult compute_relmse(const ImagePair& pair) {
   return mean_error(pair, pair.result, pair.reference, relmse::error);
 }
 
-inline MetricResult compute_relmse_trimmed(const PicturePair& pair) {
+inline MetricResult compute_relmse_trimmed(const ImagePair& pair) {
   std::vector<double> of_pixels;
   of_pixels.reserve(pair.included_count);
   for (std::size_t pixel = 0; pixel < pair.pixel_count(); ++pixel) {
@@ -71,7 +71,7 @@ inline constexpr MetricInfo kRelMseTrimmed{
     true,
     "relmse_eps01 without the 0.1 % of the unmasked pixels (rounded down) whose mean over R, G, B is "
     "largest; "
-    "linear Rec.709, no clamp, no exposure. For noisy pictures, always beside the untrimmed number: what "
+    "linear Rec.709, no clamp, no exposure. For noisy images, always beside the untrimmed number: what "
     "fireflies are dropped from, small faults are dropped from as well",
     kNoMap,
     compute_relmse_trimmed};

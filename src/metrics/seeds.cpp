@@ -33,26 +33,26 @@ void check_seeds(const std::vector<image::Image>& colours) {
 
 }  // namespace
 
-bool are_equal(const std::vector<image::Image>& pictures) {
-  return std::all_of(pictures.begin(), pictures.end(),
-                     [&](const auto& picture) { return image::has_same_colours(picture, pictures.front()); });
+bool are_equal(const std::vector<image::Image>& images) {
+  return std::all_of(images.begin(), images.end(),
+                     [&](const auto& image) { return image::has_same_colours(image, images.front()); });
 }
 
-image::Image mean_of(const std::vector<image::Image>& pictures) {
-  const auto colours = image::colours_of(pictures);
+image::Image mean_of(const std::vector<image::Image>& images) {
+  const auto colours = image::colours_of(images);
   auto mean = image::make_image(colours.front().width, colours.front().height, {"R", "G", "B"});
   for (std::size_t i = 0; i < mean.pixels.size(); ++i)
     mean.pixels[i] = static_cast<float>(mean_at(colours, i));
   return mean;
 }
 
-image::Image mean_and_variance_of(const std::vector<image::Image>& pictures) {
-  const auto colours = image::colours_of(pictures);
+image::Image mean_and_variance_of(const std::vector<image::Image>& images) {
+  const auto colours = image::colours_of(images);
   check_seeds(colours);
   const auto count = static_cast<double>(colours.size());
   auto out = image::make_image(colours.front().width, colours.front().height,
                                {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  out.attributes = pictures.front().attributes;
+  out.attributes = images.front().attributes;
   out.attributes.erase("orbs.spp");  // of one render, not of their mean
   for (std::size_t i = 0; i < colours.front().pixels.size(); ++i) {
     const double mean = mean_at(colours, i);

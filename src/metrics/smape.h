@@ -6,7 +6,7 @@
 
 namespace orbs::metrics {
 
-inline MetricResult compute_smape(const PicturePair& pair) {
+inline MetricResult compute_smape(const ImagePair& pair) {
   // In each magnitude half of JERI's 0.02: keeps black pixels defined.
   constexpr double kEpsilon = 0.01;
   return mean_error(pair, pair.result, pair.reference, [](double t, double r) {

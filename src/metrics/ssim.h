@@ -44,7 +44,7 @@ struct Moments {
 };
 
 /// Filters the pixels around `row` along the columns.
-inline void filter_columns(const PicturePair& pair, const Weights& weights, int row, Moments& out) {
+inline void filter_columns(const ImagePair& pair, const Weights& weights, int row, Moments& out) {
   const auto width = static_cast<std::size_t>(pair.width);
   for (auto* values : {&out.x, &out.y, &out.xy, &out.xx_yy}) std::fill(values->begin(), values->end(), 0.0);
   for (int k = -kRadius; k <= kRadius; ++k) {
@@ -78,7 +78,7 @@ inline double index_at(const Moments& moments, const Weights& weights, std::size
 
 }  // namespace ssim
 
-inline MetricResult compute_ssim(const PicturePair& pair) {
+inline MetricResult compute_ssim(const ImagePair& pair) {
   constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
   image::Image map = image::make_image(pair.width, pair.height, {"Y"});
   std::fill(map.pixels.begin(), map.pixels.end(), kNoValue);
@@ -123,7 +123,7 @@ inline constexpr MetricInfo kSsim{
     "0.01, K2 0.03, "
     "L 1; population variance and covariance; on the luma .2126 R + .7152 G + .0722 B of the linear Rec.709 "
     "values clamped "
-    "to [0, 1] and sRGB-encoded; mean over the windows that lie inside the picture (the outer 5 px are no "
+    "to [0, 1] and sRGB-encoded; mean over the windows that lie inside the image (the outer 5 px are no "
     "centres) and whose "
     "centre is unmasked (masked pixels beside it still enter the window); no value below 11 x 11 px",
     {"ssim", "1 - SSIM of the window around each pixel; NaN in the outer 5 px", false, 1.0F},

@@ -32,7 +32,7 @@ struct Sums {
 
 // Pixels beyond the border are those of the border.
 inline Sums sums_around(
-    const PicturePair& pair, const std::vector<double>& a, const std::vector<double>& b, int x, int y) {
+    const ImagePair& pair, const std::vector<double>& a, const std::vector<double>& b, int x, int y) {
   Sums sums;
   for (int j = -kRadius; j <= kRadius; ++j)
     for (int i = -kRadius; i <= kRadius; ++i) {
@@ -61,7 +61,7 @@ inline double index_of(const Sums& sums) {
 
 }  // namespace ssim_jeri
 
-inline MetricResult compute_ssim_jeri(const PicturePair& pair) {
+inline MetricResult compute_ssim_jeri(const ImagePair& pair) {
   const auto a = ssim_jeri::displayed_luma(pair.result);
   const auto b = ssim_jeri::displayed_luma(pair.reference);
   image::Image map = image::make_image(pair.width, pair.height, {"Y"});
@@ -83,7 +83,7 @@ inline constexpr MetricInfo kSsimJeri{
     "structural similarity as JERI's viewer computes it: window 5 x 5 without weights, border pixels "
     "repeated; K1 0.01, K2 0.03, L 1; variance and covariance divided by 26; on .2126 R + .7152 G + .0722 B "
     "of max(c, 0)^(1/2.2) of the linear Rec.709 values, no clamp at 1, no exposure; mean over all unmasked "
-    "pixels as window centres (masked pixels beside them still enter). For comparison with pictures made "
+    "pixels as window centres (masked pixels beside them still enter). For comparison with images made "
     "with JERI; 'ssim' is the published definition",
     {"ssim_jeri", "1 - ssim_jeri of the window around each pixel", false, 1.0F},
     compute_ssim_jeri,

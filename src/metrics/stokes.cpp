@@ -42,9 +42,9 @@ double mean_square_of_blocks(const image::Image& a,
 
 }  // namespace
 
-bool has_stokes(const image::Image& picture) {
+bool has_stokes(const image::Image& image) {
   return std::all_of(kStokesLayers.begin(), kStokesLayers.end(), [&](const char* layer) {
-    return image::channel_index(picture, std::string(layer) + "R") >= 0;
+    return image::channel_index(image, std::string(layer) + "R") >= 0;
   });
 }
 

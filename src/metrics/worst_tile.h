@@ -15,7 +15,7 @@ constexpr int kSize_px = 16;
 constexpr std::size_t kFewestPixels = 64;  // a quarter of a tile: fewer would make it a second error_max
 
 /// Mean |result - reference| over R, G, B of the tile's unmasked pixels; nothing when they are too few.
-inline std::optional<double> error_of(const PicturePair& pair, const Rectangle& tile) {
+inline std::optional<double> error_of(const ImagePair& pair, const Rectangle& tile) {
   double sum = 0.0;
   std::size_t count = 0;
   for (int y = tile.y0; y < tile.y1; ++y)
@@ -33,7 +33,7 @@ inline std::optional<double> error_of(const PicturePair& pair, const Rectangle& 
 
 }  // namespace worst_tile
 
-inline MetricResult compute_worst_tile(const PicturePair& pair) {
+inline MetricResult compute_worst_tile(const ImagePair& pair) {
   constexpr int kSize = worst_tile::kSize_px;
   MetricResult worst;
   for (int y = 0; y < pair.height; y += kSize)

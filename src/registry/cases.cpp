@@ -24,17 +24,17 @@ constexpr int kMostSpp = 1 << 24;
 constexpr int kLargestPixel = 1 << 20;
 constexpr double kLeastRatio = 1e-4;  // below, rounding in float alone would fail it
 
-std::string picture_name(ObjectReader& in, std::set<std::string>& names) {
+std::string target_name(ObjectReader& in, std::set<std::string>& names) {
   auto name = plain_name(in, "name");
   if (!names.insert(name).second)
-    in.fail("name", fmt::format("'{}' is the name of an earlier picture of this case", name));
+    in.fail("name", fmt::format("'{}' is the name of an earlier image of this case", name));
   return name;
 }
 
 std::string known_name(ObjectReader& in, const std::string& key, const std::set<std::string>& names) {
   auto name = in.text(key);
   if (!names.contains(name))
-    in.fail(key, fmt::format("no picture of this case is called '{}'{}; there are: {}", name,
+    in.fail(key, fmt::format("no image of this case is called '{}'{}; there are: {}", name,
                              closest(name, names), fmt::join(names, ", ")));
   return name;
 }
@@ -43,7 +43,7 @@ CaseScene load_case_scene(ObjectReader in,
                           const std::filesystem::path& folder,
                           std::set<std::string>& names) {
   CaseScene scene;
-  scene.name = picture_name(in, names);
+  scene.name = target_name(in, names);
   scene.file = resolve_path(folder, in.system_text("file"));
   if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
@@ -56,7 +56,7 @@ CaseScene load_case_scene(ObjectReader in,
 Difference load_difference(ObjectReader in,
                            const std::set<std::string>& scenes,
                            std::set<std::string>& names) {
-  Difference difference{picture_name(in, names), known_name(in, "of", scenes),
+  Difference difference{target_name(in, names), known_name(in, "of", scenes),
                         known_name(in, "minus", scenes)};
   if (difference.of == difference.minus)
     in.fail("minus", "is the same scene as 'of': the difference would be black");
@@ -105,7 +105,7 @@ Mask load_mask(ObjectReader in, const std::set<std::string>& names) {
 
 PixelCheck load_pixel_check(ObjectReader in, const std::set<std::string>& names) {
   PixelCheck check;
-  check.picture = known_name(in, "scene", names);
+  check.target = known_name(in, "scene", names);
   check.region = checked_rectangle(in, "region", in.numbers("region", 4, {0, kLargestPixel}));
   const auto expected = in.numbers("expected", 3);
   std::copy(expected.begin(), expected.end(), check.expected.begin());
@@ -235,7 +235,7 @@ std::vector<Case> load_cases(const Suite& suite) {
   return cases;
 }
 
-std::vector<std::string> picture_names(const Case& one_case) {
+std::vector<std::string> target_names(const Case& one_case) {
   std::vector<std::string> names;
   for (const auto& scene : one_case.scenes) names.push_back(scene.name);
   for (const auto& difference : one_case.differences) names.push_back(difference.name);

@@ -15,10 +15,10 @@ struct CaseScene {
   std::string name;  // unique in the suite
   std::filesystem::path file;
   int spp = 64;
-  std::string reference = {};  // the scene of the suite whose picture this one is by definition; "": its own
+  std::string reference = {};  // the scene of the suite whose image this one is by definition; "": its own
 };
 
-/// A picture made by subtraction, judged like a scene: of - minus.
+/// An image made by subtraction, judged like a scene: of - minus.
 struct Difference {
   std::string name;
   std::string of;
@@ -36,14 +36,14 @@ struct Gate {
 using Rectangle = std::array<int, 4>;
 
 struct Mask {
-  std::string picture;  // a scene or a difference of the case
+  std::string target;  // a scene or a difference of the case
   std::vector<Rectangle> rectangles;
   std::string reason;
 };
 
-/// The mean linear value of a region of the renderer's picture, per channel.
+/// The mean linear value of a region of the renderer's image, per channel.
 struct PixelCheck {
-  std::string picture;
+  std::string target;
   Rectangle region{};
   std::array<double, 3> expected{};
   double tolerance = 0;
@@ -80,12 +80,12 @@ struct Case {
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;
-  std::string negative_values;  // why pictures may hold negative values; "" when they may not
+  std::string negative_values;  // why images may hold negative values; "" when they may not
 };
 
-/// What pictures must keep beside the gate of ORB.S, which 4 % more light can pass and which does not notice
-/// a lost detail in a large picture. Independent renderers that are right keep them: where the models are the
-/// same, Cycles' pictures of the orbs suite differ by 0.3 % in the mean and 6 % in a tile at most, and their
+/// What images must keep beside the gate of ORB.S, which 4 % more light can pass and which does not notice
+/// a lost detail in a large image. Independent renderers that are right keep them: where the models are the
+/// same, Cycles' images of the orbs suite differ by 0.3 % in the mean and 6 % in a tile at most, and their
 /// edges by 0.05. POV-Ray's anti-aliasing makes 0.12 of that, half the resolution 0.8 to 1.4. The mean's
 /// tolerance leaves room for the noise (0.22 % at most): all of a bias of 1 % lies beyond it.
 constexpr double kMeanRatio = 0.007;
@@ -108,8 +108,8 @@ std::vector<Case> load_cases(const Suite& suite);
 /// pattern that matches none.
 std::vector<CaseScene> scenes_of(const Suite& suite, const std::string& patterns);
 
-/// Names of the pictures that a case judges: its scenes, then its differences.
-std::vector<std::string> picture_names(const Case& one_case);
+/// Names of the images that a case judges: its scenes, then its differences.
+std::vector<std::string> target_names(const Case& one_case);
 
 /// The scene whose reference a scene is judged by: mostly its own.
 const std::string& reference_name(const CaseScene& scene);

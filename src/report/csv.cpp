@@ -12,8 +12,8 @@ namespace orbs::report {
 namespace {
 
 using results::JobRecord;
-using results::PictureRecord;
 using results::RunRecord;
+using results::TargetRecord;
 
 // RFC 4180, section 2.
 std::string csv_field(std::string_view text) {
@@ -28,19 +28,19 @@ std::string csv_field(std::string_view text) {
 
 std::vector<std::string> metric_names(const RunRecord& run) {
   std::vector<std::string> names;
-  for (const auto& picture : run.pictures)
-    for (const auto& measure : picture.measures)
+  for (const auto& target : run.targets)
+    for (const auto& measure : target.measures)
       if (std::find(names.begin(), names.end(), measure.name) == names.end()) names.push_back(measure.name);
   return names;
 }
 
-std::string measure_text(const PictureRecord& picture, const std::string& name) {
-  for (const auto& measure : picture.measures)
+std::string measure_text(const TargetRecord& target, const std::string& name) {
+  for (const auto& measure : target.measures)
     if (measure.name == name) return std::isinf(measure.value) ? "inf" : fmt::format("{}", measure.value);
   return "";
 }
 
-// Of a picture made from two renders, the sum of both costs.
+// Of an image made from two renders, the sum of both costs.
 struct Cost {
   double wall_seconds = 0;
   double cpu_seconds = 0;
@@ -51,9 +51,9 @@ struct Cost {
   std::string machine;  // "" when it is made on two kinds
 };
 
-Cost cost_of(const RunRecord& run, const PictureRecord& picture) {
+Cost cost_of(const RunRecord& run, const TargetRecord& target) {
   Cost cost;
-  for (const auto& id : picture.jobs)
+  for (const auto& id : target.jobs)
     for (const auto& job : run.jobs) {
       if (job.id != id || job.started.empty()) continue;
       const auto machine = results::timing_machine(job.host);
@@ -79,17 +79,17 @@ std::string cost_fields(const Cost& cost) {
 
 std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
-  std::string text = "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks";
+  std::string text = "suite,requirement,case,target,renderer,declared,verdict,sentence,remarks";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
   text += ",machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
-  for (const auto& picture : run.pictures) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(picture.requirement),
-                        csv_field(picture.case_name), csv_field(picture.picture), csv_field(picture.renderer),
-                        picture.declared, verdict_name(picture.verdict), csv_field(picture.sentence),
-                        csv_field(fmt::format("{}", fmt::join(picture.remarks, "; "))));
-    for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(picture, metric));
-    text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, picture)), csv_field(picture.image),
-                        csv_field(results::command_of(run, picture)));
+  for (const auto& target : run.targets) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(target.requirement),
+                        csv_field(target.case_name), csv_field(target.target), csv_field(target.renderer),
+                        target.declared, verdict_name(target.verdict), csv_field(target.sentence),
+                        csv_field(fmt::format("{}", fmt::join(target.remarks, "; "))));
+    for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(target, metric));
+    text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, target)), csv_field(target.image),
+                        csv_field(results::command_of(run, target)));
   }
   return text;
 }

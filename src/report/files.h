@@ -7,11 +7,11 @@
 
 namespace orbs::report {
 
-/// Long form, one row per picture and renderer, RFC 4180: text in quotes where it must be.
+/// Long form, one row per image and renderer, RFC 4180: text in quotes where it must be.
 std::string results_csv(const results::RunRecord& run);
 
 /// JUnit XML: a test suite per renderer, a test case per requirement. What the renderer does not declare or
-/// cannot be given counts as skipped; crashes, timeouts and missing pictures as errors, wrong pictures as
+/// cannot be given counts as skipped; crashes, timeouts and missing images as errors, wrong images as
 /// failures.
 std::string junit_xml(const results::RunRecord& run);
 

@@ -63,20 +63,20 @@ std::string verdict_element(const Cell& cell) {
 double seconds_of(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
   double seconds = 0;
   for (const auto& job : run.jobs)
-    for (const auto& picture : run.pictures)
-      if (picture.requirement == requirement && picture.renderer == renderer &&
-          picture.jobs == std::vector{job.id})
+    for (const auto& target : run.targets)
+      if (target.requirement == requirement && target.renderer == renderer &&
+          target.jobs == std::vector{job.id})
         seconds += job.wall_seconds;
   return seconds;
 }
 
 std::string details(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
   std::string text;
-  for (const auto& picture : run.pictures)
-    if (picture.requirement == requirement && picture.renderer == renderer) {
-      text += fmt::format("{}: {}: {}\n  {}\n", picture.picture, verdict_name(picture.verdict),
-                          picture.sentence, results::command_of(run, picture));
-      for (const auto& remark : picture.remarks) text += fmt::format("{}: {}\n", picture.picture, remark);
+  for (const auto& target : run.targets)
+    if (target.requirement == requirement && target.renderer == renderer) {
+      text += fmt::format("{}: {}: {}\n  {}\n", target.target, verdict_name(target.verdict), target.sentence,
+                          results::command_of(run, target));
+      for (const auto& remark : target.remarks) text += fmt::format("{}: {}\n", target.target, remark);
     }
   return text;
 }

@@ -17,9 +17,9 @@ namespace {
 using json::Writer;
 using results::JobRecord;
 using results::JobState;
-using results::PictureRecord;
 using results::RunRecord;
 using results::RunView;
+using results::TargetRecord;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // null in JSON
 
@@ -39,36 +39,36 @@ struct Names {
 constexpr std::string_view kWaiting = "waiting";
 constexpr std::string_view kRunning = "running";
 
-double state_of(const PictureRecord& picture,
+double state_of(const TargetRecord& target,
                 const RunView& view,
                 const std::map<std::string, std::size_t>& jobs) {
   bool is_waiting = false;
   bool is_running = false;
-  for (const auto& id : picture.jobs) {
+  for (const auto& id : target.jobs) {
     const auto job = jobs.find(id);
     if (!view.is_live || job == jobs.end()) continue;
     is_waiting = is_waiting || view.states[job->second] == JobState::Waiting;
     is_running = is_running || view.states[job->second] == JobState::Running;
   }
   // A difference of two renders is judged when the run ends.
-  is_waiting = is_waiting || (view.is_live && picture.jobs.size() > 1);
+  is_waiting = is_waiting || (view.is_live && target.jobs.size() > 1);
   if (is_running) return static_cast<double>(results::kVerdicts.size() + 1);
   if (is_waiting) return static_cast<double>(results::kVerdicts.size());
-  const auto at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), picture.verdict);
+  const auto at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), target.verdict);
   return static_cast<double>(at - results::kVerdicts.begin());
 }
 
 struct Columns {
-  Names cases, pictures, renderers, sentences, machines;
+  Names cases, targets, renderers, sentences, machines;
   std::map<std::string, std::vector<double>> cells;
   std::map<std::string, std::vector<double>> measures;
   std::map<std::string, std::vector<double>> infinite;
   std::vector<const results::Measure*> metrics;  // each name once
 };
 
-// A picture that is made from two renders costs both; the larger of the two memories. It has a machine when
+// An image that is made from two renders costs both; the larger of the two memories. It has a machine when
 // both have the same one.
-void add_cost(const PictureRecord& picture,
+void add_cost(const TargetRecord& target,
               const RunRecord& run,
               const std::map<std::string, std::size_t>& jobs,
               Columns& columns) {
@@ -79,7 +79,7 @@ void add_cost(const PictureRecord& picture,
   double spp = kNone;
   std::vector<std::string> machines;
   const auto add = [](double& sum, double value) { sum = std::isnan(sum) ? value : sum + value; };
-  for (const auto& id : picture.jobs) {
+  for (const auto& id : target.jobs) {
     const auto found = jobs.find(id);
     if (found == jobs.end() || run.jobs[found->second].started.empty()) continue;
     const JobRecord& job = run.jobs[found->second];
@@ -100,8 +100,8 @@ void add_cost(const PictureRecord& picture,
   columns.cells["spp"].push_back(spp);
 }
 
-void add_measures(const PictureRecord& picture, std::size_t index, Columns& columns) {
-  for (const auto& measure : picture.measures) {
+void add_measures(const TargetRecord& target, std::size_t index, Columns& columns) {
+  for (const auto& measure : target.measures) {
     auto& column = columns.measures[measure.name];
     if (column.empty()) columns.metrics.push_back(&measure);
     column.resize(index, kNone);
@@ -118,20 +118,20 @@ Columns columns_of(const RunView& view) {
   for (const auto& one_case : run.cases) columns.cases.of(one_case.name);
   for (const auto& renderer : run.renderers) columns.renderers.of(renderer.name);
   std::error_code ignored;
-  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
-    const auto& picture = run.pictures[i];
-    columns.cells["case"].push_back(columns.cases.of(picture.case_name));
-    columns.cells["picture"].push_back(columns.pictures.of(picture.picture));
-    columns.cells["renderer"].push_back(columns.renderers.of(picture.renderer));
-    columns.cells["state"].push_back(state_of(picture, view, jobs));
-    columns.cells["declared"].push_back(picture.declared ? 1 : 0);
-    columns.cells["sentence"].push_back(columns.sentences.of(picture.sentence));
-    const auto folder = std::filesystem::path(run.folder) / picture.image;
+  for (std::size_t i = 0; i < run.targets.size(); ++i) {
+    const auto& target = run.targets[i];
+    columns.cells["case"].push_back(columns.cases.of(target.case_name));
+    columns.cells["target"].push_back(columns.targets.of(target.target));
+    columns.cells["renderer"].push_back(columns.renderers.of(target.renderer));
+    columns.cells["state"].push_back(state_of(target, view, jobs));
+    columns.cells["declared"].push_back(target.declared ? 1 : 0);
+    columns.cells["sentence"].push_back(columns.sentences.of(target.sentence));
+    const auto folder = std::filesystem::path(run.folder) / target.image;
     columns.cells["thumbnail"].push_back(
-        !picture.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
-                                                                                                        : 0);
-    add_cost(picture, run, jobs, columns);
-    add_measures(picture, i, columns);
+        !target.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
+                                                                                                       : 0);
+    add_cost(target, run, jobs, columns);
+    add_measures(target, i, columns);
   }
   return columns;
 }
@@ -173,8 +173,8 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
   for (const auto& name : names.list) {
     const auto found =
         std::find_if(run.cases.begin(), run.cases.end(), [&](const auto& c) { return c.name == name; });
-    // A results.json without "cases" knows no more than what its pictures say.
-    const auto first = std::find_if(run.pictures.begin(), run.pictures.end(),
+    // A results.json without "cases" knows no more than what its images say.
+    const auto first = std::find_if(run.targets.begin(), run.targets.end(),
                                     [&](const auto& p) { return p.case_name == name; });
     const bool known = found != run.cases.end();
     out.begin_object().member("name", name).member("suite", known ? found->suite : run.suite);
@@ -222,19 +222,19 @@ void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
   out.end_array();
 }
 
-bool is_measured(const PictureRecord& picture, const results::Check& check) {
-  return std::any_of(picture.measures.begin(), picture.measures.end(),
+bool is_measured(const TargetRecord& target, const results::Check& check) {
+  return std::any_of(target.measures.begin(), target.measures.end(),
                      [&](const auto& measure) { return measure.name == check.what; });
 }
 
-// The metric of the most gates, the first by name among equals; "" when there is none. A picture's gate is
+// The metric of the most gates, the first by name among equals; "" when there is none. An image's gate is
 // its first condition on a number; the tolerances that follow it are the same for all.
 std::string main_metric(const RunRecord& run) {
   std::map<std::string, int> counts;
-  for (const auto& picture : run.pictures) {
-    const auto gate = std::find_if(picture.checks.begin(), picture.checks.end(),
-                                   [&](const auto& check) { return is_measured(picture, check); });
-    if (gate != picture.checks.end()) ++counts[gate->what];
+  for (const auto& target : run.targets) {
+    const auto gate = std::find_if(target.checks.begin(), target.checks.end(),
+                                   [&](const auto& check) { return is_measured(target, check); });
+    if (gate != target.checks.end()) ++counts[gate->what];
   }
   const auto most = std::max_element(counts.begin(), counts.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -266,9 +266,9 @@ std::string overview_json(const RunView& view) {
         .end_object();
   out.end_array();
   out.member("main_metric", main_metric(run));
-  out.member("pictures", columns.pictures.list).member("sentences", columns.sentences.list);
+  out.member("targets", columns.targets.list).member("sentences", columns.sentences.list);
   out.member("machines", columns.machines.list);
-  for (auto& [name, values] : columns.measures) values.resize(run.pictures.size(), kNone);
+  for (auto& [name, values] : columns.measures) values.resize(run.targets.size(), kNone);
   write_columns(out, "cells", columns.cells);
   write_columns(out, "measures", columns.measures);
   write_columns(out, "infinite", columns.infinite);

@@ -30,10 +30,10 @@ struct Plane {
 
 // The values of a channel, one behind the other, as `stored` makes them.
 template <typename Value, typename Stored>
-std::string bytes_of(const image::Image& picture, std::size_t channel, Stored stored) {
-  std::string bytes(picture.pixel_count() * sizeof(Value), '\0');
-  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {
-    const Value value = stored(picture.pixels[pixel * picture.channel_count() + channel]);
+std::string bytes_of(const image::Image& image, std::size_t channel, Stored stored) {
+  std::string bytes(image.pixel_count() * sizeof(Value), '\0');
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+    const Value value = stored(image.pixels[pixel * image.channel_count() + channel]);
     std::memcpy(bytes.data() + pixel * sizeof(Value), &value, sizeof(Value));
   }
   return bytes;
@@ -45,10 +45,10 @@ struct HalfLoss {
   bool overflows = false;
 };
 
-HalfLoss loss_as_half(const image::Image& picture, std::size_t channel) {
+HalfLoss loss_as_half(const image::Image& image, std::size_t channel) {
   HalfLoss loss;
-  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count()) {
-    const float value = picture.pixels[i];
+  for (std::size_t i = channel; i < image.pixels.size(); i += image.channel_count()) {
+    const float value = image.pixels[i];
     if (std::isnan(value)) continue;
     if (image::float_of_half(image::half_bits(value)) == value) continue;
     loss.is_exact = false;
@@ -58,16 +58,16 @@ HalfLoss loss_as_half(const image::Image& picture, std::size_t channel) {
   return loss;
 }
 
-Plane plane_of(const image::Image& picture, std::size_t channel, Rounding rounding) {
-  const auto loss = loss_as_half(picture, channel);
+Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding) {
+  const auto loss = loss_as_half(image, channel);
   Plane plane;
-  plane.name = picture.channels[channel].substr(picture.channels[channel].rfind('.') + 1);
+  plane.name = image.channels[channel].substr(image.channels[channel].rfind('.') + 1);
   plane.is_half = loss.is_exact || (rounding == Rounding::Rounded && !loss.overflows);
   plane.is_exact = loss.is_exact || !plane.is_half;
   if (plane.is_half) {
-    plane.bytes = bytes_of<std::uint16_t>(picture, channel, image::half_bits);
+    plane.bytes = bytes_of<std::uint16_t>(image, channel, image::half_bits);
   } else {
-    plane.bytes = bytes_of<float>(picture, channel, [](float value) { return value; });
+    plane.bytes = bytes_of<float>(image, channel, [](float value) { return value; });
   }
   return plane;
 }
@@ -77,13 +77,11 @@ std::string layer_of(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot);
 }
 
-std::string header_text(const image::Image& picture,
-                        std::string_view layer,
-                        const std::vector<Plane>& planes) {
+std::string header_text(const image::Image& image, std::string_view layer, const std::vector<Plane>& planes) {
   json::Writer out;
   out.begin_object().member("format", "orbs-image/1");
-  out.member("width", picture.width).member("height", picture.height);
-  out.member("layer", layer).member("layers", layers_of(picture)).key("channels").begin_array();
+  out.member("width", image.width).member("height", image.height);
+  out.member("layer", layer).member("layers", layers_of(image)).key("channels").begin_array();
   for (const auto& plane : planes)
     out.begin_object()
         .member("name", plane.name)
@@ -91,36 +89,36 @@ std::string header_text(const image::Image& picture,
         .member("exact", plane.is_exact)
         .end_object();
   out.end_array().key("attributes").begin_object();
-  for (const auto& [name, text] : picture.attributes) out.member(name, text);
+  for (const auto& [name, text] : image.attributes) out.member(name, text);
   return out.end_object().end_object().text();
 }
 
 }  // namespace
 
-std::vector<std::string> layers_of(const image::Image& picture) {
+std::vector<std::string> layers_of(const image::Image& image) {
   std::vector<std::string> layers;
-  for (const auto& channel : picture.channels)
+  for (const auto& channel : image.channels)
     if (const auto layer = layer_of(channel); std::find(layers.begin(), layers.end(), layer) == layers.end())
       layers.push_back(layer);
   return layers;
 }
 
-std::string packed_image(const image::Image& picture,
+std::string packed_image(const image::Image& image,
                          std::string_view layer,
                          Rounding rounding,
                          int gzip_level) {
   std::vector<std::size_t> channels;
-  for (std::size_t c = 0; c < picture.channel_count(); ++c)
-    if (layer_of(picture.channels[c]) == layer) channels.push_back(c);
+  for (std::size_t c = 0; c < image.channel_count(); ++c)
+    if (layer_of(image.channels[c]) == layer) channels.push_back(c);
   if (channels.empty())
-    throw InputError(fmt::format("the picture has no layer '{}'; it has '{}'", layer,
-                                 fmt::join(layers_of(picture), "', '")));
+    throw InputError(
+        fmt::format("the image has no layer '{}'; it has '{}'", layer, fmt::join(layers_of(image), "', '")));
   std::vector<Plane> planes(channels.size());
   for_each_index(static_cast<int>(channels.size()), 0, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    planes[at] = plane_of(picture, channels[at], rounding);
+    planes[at] = plane_of(image, channels[at], rounding);
   });
-  auto header = header_text(picture, layer, planes);
+  auto header = header_text(image, layer, planes);
   constexpr std::size_t kAlignment = 8;
   while ((4 + header.size()) % kAlignment != 0) header += ' ';
   const auto length = static_cast<std::uint32_t>(header.size());

@@ -6,23 +6,23 @@
 #include <string_view>
 #include <vector>
 
-/// Pictures in the form that the page reads (format "orbs-image/1"), so that no browser has to decode EXR.
+/// Images in the form that the page reads (format "orbs-image/1"), so that no browser has to decode EXR.
 namespace orbs::report {
 
-/// Exact: every number arrives as it stands in the picture. Rounded: as half floats, 11 significant bits;
+/// Exact: every number arrives as it stands in the image. Rounded: as half floats, 11 significant bits;
 /// channels with a finite value beyond the largest half stay exact.
 enum class Rounding { Exact, Rounded };
 
 /// The parts before the last '.' of the channel names, each once, in the order of the channels: "" for R, G,
 /// B, "variance" for "variance.R".
-std::vector<std::string> layers_of(const image::Image& picture);
+std::vector<std::string> layers_of(const image::Image& image);
 
 /// One layer as gzip of: the length of the header in 4 bytes, little-endian; the header, JSON, filled up with
 /// blanks so that what follows starts at a multiple of 8; for each channel its pixels by rows from the top,
 /// little-endian half or float as the header says. Exact channels are half where every value survives that.
 /// The header holds width, height, layer, layers (all there are), channels (name, type, exact) and the
-/// picture's text attributes. InputError when there is no such layer.
-std::string packed_image(const image::Image& picture,
+/// image's text attributes. InputError when there is no such layer.
+std::string packed_image(const image::Image& image,
                          std::string_view layer,
                          Rounding rounding,
                          int gzip_level);

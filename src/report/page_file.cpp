@@ -19,8 +19,8 @@ namespace orbs::report {
 namespace {
 
 namespace fs = std::filesystem;
-using results::PictureRecord;
 using results::RunView;
+using results::TargetRecord;
 
 // Every file of the run that the page would show, the most useful first, each once.
 std::vector<std::string> wanted_images(const RunView& view) {
@@ -31,13 +31,13 @@ std::vector<std::string> wanted_images(const RunView& view) {
   };
   for (const bool failures : {true, false})
     for (const bool maps : {false, true})
-      for (const auto& picture : view.run.pictures) {
-        if (results::counts_as_failure(picture.verdict) != failures) continue;
+      for (const auto& target : view.run.targets) {
+        if (results::counts_as_failure(target.verdict) != failures) continue;
         if (!maps) {
-          add(picture.image);
-          add(picture.reference_image);
+          add(target.image);
+          add(target.reference_image);
         } else {
-          for (const auto& map : picture.maps) add(map.image);
+          for (const auto& map : target.maps) add(map.image);
         }
       }
   return files;
@@ -55,7 +55,7 @@ std::string file_of(const RunView& view, const std::string& name) {
   return file->read(0, static_cast<std::size_t>(file->size()));
 }
 
-// Puts pictures into `page` while there is room and returns which file is which element.
+// Puts images into `page` while there is room and returns which file is which element.
 std::string add_images(const RunView& view, const PageFileSettings& settings, PageFile& page) {
   constexpr int kSmall = 9;
   std::size_t used = 0;
@@ -70,7 +70,7 @@ std::string add_images(const RunView& view, const PageFileSettings& settings, Pa
         continue;
       }
       used += bytes.size();
-      const auto id = fmt::format("image-{}", page.pictures++);
+      const auto id = fmt::format("image-{}", page.images++);
       names.member(file, id);
       page.text += data_element(id, "application/octet-stream;base64", bytes);
     } catch (const InputError& e) {
@@ -80,14 +80,14 @@ std::string add_images(const RunView& view, const PageFileSettings& settings, Pa
   return names.end_object().text();
 }
 
-// The small pictures of the overview are worth their few bytes only while there are few of them.
+// The small images of the overview are worth their few bytes only while there are few of them.
 void add_thumbnails(const RunView& view, PageFile& page) {
   constexpr std::size_t kMost = 200;
-  const auto& pictures = view.run.pictures;
+  const auto& targets = view.run.targets;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < pictures.size() && count < kMost; ++i) {
-    const auto name = (fs::path(pictures[i].image).parent_path() / "result.png").string();
-    if (pictures[i].image.empty() || !open_inside(view.run.folder, name)) continue;
+  for (std::size_t i = 0; i < targets.size() && count < kMost; ++i) {
+    const auto name = (fs::path(targets[i].image).parent_path() / "result.png").string();
+    if (targets[i].image.empty() || !open_inside(view.run.folder, name)) continue;
     page.text +=
         data_element(fmt::format("thumbnail-{}", i), "image/png;base64", base64(file_of(view, name)));
     ++count;
@@ -117,10 +117,10 @@ PageFile page_file(const RunView& view, const PageFileSettings& settings) {
   PageFile page;
   page.text = before;
   page.text += data_element("orbs-overview", "application/json", script_text(overview_json(view)));
-  std::string pictures = "[";
-  for (std::size_t i = 0; i < view.run.pictures.size(); ++i)
-    pictures += (i == 0 ? "" : ",\n") + picture_json(view, i);
-  page.text += data_element("orbs-pictures", "application/json", script_text(pictures + "]"));
+  std::string targets = "[";
+  for (std::size_t i = 0; i < view.run.targets.size(); ++i)
+    targets += (i == 0 ? "" : ",\n") + target_json(view, i);
+  page.text += data_element("orbs-targets", "application/json", script_text(targets + "]"));
   const auto names = add_images(view, settings, page);
   page.text += data_element("orbs-images", "application/json", script_text(names));
   add_thumbnails(view, page);

@@ -11,18 +11,18 @@ namespace orbs::report {
 
 struct PageFileSettings {
   std::filesystem::path bundle;          // folder of the built page
-  std::size_t most_bytes = 100'000'000;  // of the pictures in the file
-  bool exact = false;                    // pictures as they are, not rounded to half floats
+  std::size_t most_bytes = 100'000'000;  // of the images in the file
+  bool exact = false;                    // images as they are, not rounded to half floats
 };
 
 struct PageFile {
   std::string text;
-  std::size_t pictures = 0;           // packed into the file
-  std::vector<std::string> left_out;  // pictures for which there was no room, and such that cannot be read
+  std::size_t images = 0;             // packed into the file
+  std::vector<std::string> left_out;  // images for which there was no room, and such that cannot be read
 };
 
 /// The page and all it shows as one HTML file that needs no server and asks no network. While there is room,
-/// pictures are taken in this order: results and references of what failed, their maps, then those of the
+/// images are taken in this order: results and references of what failed, their maps, then those of the
 /// rest. InputError when the page is not built.
 PageFile page_file(const results::RunView& view, const PageFileSettings& settings);
 

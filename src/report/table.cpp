@@ -73,44 +73,44 @@ std::string renderer_lines(const RunRecord& run) {
   return aligned(rows);
 }
 
-// One line for all pictures of a renderer and requirement of which the same is said; failures before what is
+// One line for all images of a renderer and requirement of which the same is said; failures before what is
 // unsupported. Of what an interrupted run did not come to the counts of the renderers say enough.
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   struct Remark {
-    const results::PictureRecord* first;
-    std::string pictures;
+    const results::TargetRecord* first;
+    std::string targets;
   };
   std::vector<Remark> remarks;
-  for (const auto& picture : run.pictures) {
-    if (picture.verdict == Verdict::Pass || picture.verdict == Verdict::Skipped) continue;
+  for (const auto& target : run.targets) {
+    if (target.verdict == Verdict::Pass || target.verdict == Verdict::Skipped) continue;
     const auto same = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& remark) {
       const auto& first = *remark.first;
-      return first.renderer == picture.renderer && first.requirement == picture.requirement &&
-             first.verdict == picture.verdict && first.sentence == picture.sentence;
+      return first.renderer == target.renderer && first.requirement == target.requirement &&
+             first.verdict == target.verdict && first.sentence == target.sentence;
     });
     if (same == remarks.end()) {
-      remarks.push_back({&picture, picture.picture});
+      remarks.push_back({&target, target.target});
     } else {
-      same->pictures += fmt::format(", {}", picture.picture);
+      same->targets += fmt::format(", {}", target.target);
     }
   }
   std::stable_partition(remarks.begin(), remarks.end(),
                         [](const Remark& remark) { return remark.first->verdict != Verdict::Unsupported; });
   std::vector<Row> rows;
-  for (const auto& [first, pictures] : remarks)
+  for (const auto& [first, targets] : remarks)
     rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
-                    first->renderer, first->requirement, pictures, first->sentence});
+                    first->renderer, first->requirement, targets, first->sentence});
   return aligned(rows);
 }
 
-// What must be known of a picture beside its verdict. One that several cases look at is told once.
+// What must be known of an image beside its verdict. One that several cases look at is told once.
 std::string remark_lines(const RunRecord& run) {
   std::set<std::pair<std::string, std::string>> told;
   std::vector<Row> rows;
-  for (const auto& picture : run.pictures) {
-    if (picture.remarks.empty() || !told.emplace(picture.renderer, picture.picture).second) continue;
-    for (const auto& remark : picture.remarks)
-      rows.push_back({"remark", picture.renderer, picture.requirement, picture.picture, remark});
+  for (const auto& target : run.targets) {
+    if (target.remarks.empty() || !told.emplace(target.renderer, target.target).second) continue;
+    for (const auto& remark : target.remarks)
+      rows.push_back({"remark", target.renderer, target.requirement, target.target, remark});
   }
   return aligned(rows);
 }

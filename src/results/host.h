@@ -6,7 +6,7 @@
 
 namespace orbs::results {
 
-/// What pictures were rendered on. Texts are "" and numbers 0 where the system does not say.
+/// What images were rendered on. Texts are "" and numbers 0 where the system does not say.
 struct Host {
   std::string name;
   std::string cpu;       // its model

@@ -8,7 +8,7 @@ namespace {
 
 PriceRecord read_price(json::ObjectReader& in) {
   return {in.text("name"), in.object("time_ratio").number("median"), in.number("error_ratio"),
-          in.text("picture")};
+          in.text("target")};
 }
 
 }  // namespace

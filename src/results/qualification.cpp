@@ -30,7 +30,7 @@ void write_smallest(Writer& out, const char* key, const SmallestFault& smallest)
 }
 
 void write_gate(Writer& out, const GateRecord& gate) {
-  out.begin_object().member("case", gate.case_name).member("picture", gate.picture);
+  out.begin_object().member("case", gate.case_name).member("target", gate.target);
   out.member("qualified", is_qualified(gate)).member("judged_by", gate.judged_by);
   write_texts(out, "honest", gate.honest);
   out.member("accepts_honest", gate.accepts_honest).member("honest_sentence", gate.honest_sentence);
@@ -69,7 +69,7 @@ SmallestFault read_smallest(ObjectReader object) {
 GateRecord read_gate(ObjectReader& in) {
   GateRecord gate;
   gate.case_name = in.text("case");
-  gate.picture = in.text("picture");
+  gate.target = in.text("target");
   gate.judged_by = in.text("judged_by");
   gate.honest = read_texts(in.object("honest"));
   gate.accepts_honest = in.boolean_or("accepts_honest", false);

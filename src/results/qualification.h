@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-/// What is known about gates because it was tried (format "orbs-qualification/1"): which faults of a picture
+/// What is known about gates because it was tried (format "orbs-qualification/1"): which faults of an image
 /// each one rejects, and the smallest that it sees.
 namespace orbs::results {
 
 /// Beside the references, which it is about.
 inline constexpr const char* kQualificationFile = "qualification.json";
 
-/// One faulty twin of an honest picture.
+/// One faulty twin of an honest image.
 struct TwinRecord {
   std::string fault;     // "black", "1 px to the right", ...
   std::string no_fault;  // why it is none here ("R, G and B are equal in every pixel"); "" when it is one
@@ -24,15 +24,15 @@ struct TwinRecord {
 /// The smallest size of a fault, found by bisection; nothing where the largest that was tried is not enough.
 struct SmallestFault {
   std::optional<double> seen;      // the record says so, as a remark at least
-  std::optional<double> rejected;  // the verdict is that the picture is wrong
+  std::optional<double> rejected;  // the verdict is that the image is wrong
 };
 
-/// The gate of one picture of a case.
+/// The gate of one image of a case.
 struct GateRecord {
   std::string case_name;
-  std::string picture;
-  std::string judged_by;                      // hash of the case and the references of the picture
-  std::map<std::string, std::string> honest;  // passport of the honest picture: program, spp, seed
+  std::string target;
+  std::string judged_by;                      // hash of the case and the references of the image
+  std::map<std::string, std::string> honest;  // passport of the honest image: program, spp, seed
   bool accepts_honest = false;
   std::string honest_sentence;
   std::vector<TwinRecord> twins;
@@ -44,7 +44,7 @@ struct GateRecord {
   std::map<std::string, std::string> passport;  // "program", "version", "commit", "date", ...
 };
 
-/// True when the gate accepts the honest picture and rejects every twin that is a fault.
+/// True when the gate accepts the honest image and rejects every twin that is a fault.
 bool is_qualified(const GateRecord& gate);
 
 /// Reads the file; nothing in it when there is none. InputError with file, line and key.

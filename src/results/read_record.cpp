@@ -124,25 +124,25 @@ MapRecord read_map(ObjectReader& in) {
           in.number_or("scale_maximum", 1, json::kNotNegative)};
 }
 
-PictureRecord read_picture(ObjectReader& in) {
-  PictureRecord picture;
-  picture.requirement = in.text("requirement");
-  picture.case_name = in.text("case");
-  picture.picture = in.text("picture");
-  picture.renderer = in.text("renderer");
-  picture.jobs = texts_or_none(in, "jobs");
-  picture.declared = in.boolean_or("declared", false);
-  picture.verdict = read_verdict(in, "verdict");
-  picture.sentence = in.text_or("sentence", "");
-  for (auto& measure : in.objects_or_none("measures")) picture.measures.push_back(read_measure(measure));
-  for (auto& check : in.objects_or_none("checks")) picture.checks.push_back(read_check(check));
-  picture.remarks = texts_or_none(in, "remarks");
-  for (auto& map : in.objects_or_none("maps")) picture.maps.push_back(read_map(map));
-  picture.reference = in.text_or("reference", "");
-  picture.reference_passport = read_texts(in, "reference_passport");
-  picture.image = in.text_or("image", "");
-  picture.reference_image = in.text_or("reference_image", "");
-  return picture;
+TargetRecord read_target(ObjectReader& in) {
+  TargetRecord target;
+  target.requirement = in.text("requirement");
+  target.case_name = in.text("case");
+  target.target = in.text("target");
+  target.renderer = in.text("renderer");
+  target.jobs = texts_or_none(in, "jobs");
+  target.declared = in.boolean_or("declared", false);
+  target.verdict = read_verdict(in, "verdict");
+  target.sentence = in.text_or("sentence", "");
+  for (auto& measure : in.objects_or_none("measures")) target.measures.push_back(read_measure(measure));
+  for (auto& check : in.objects_or_none("checks")) target.checks.push_back(read_check(check));
+  target.remarks = texts_or_none(in, "remarks");
+  for (auto& map : in.objects_or_none("maps")) target.maps.push_back(read_map(map));
+  target.reference = in.text_or("reference", "");
+  target.reference_passport = read_texts(in, "reference_passport");
+  target.image = in.text_or("image", "");
+  target.reference_image = in.text_or("reference_image", "");
+  return target;
 }
 
 CaseRecord read_case(ObjectReader& in) {
@@ -167,7 +167,7 @@ SceneRecord read_scene(ObjectReader& in) {
                     read_effects(in, "not_called_for")};
   for (auto& price : in.objects_or_none("prices"))
     scene.prices.push_back({price.text("name"), price.number("time_ratio"), price.number("error_ratio"),
-                            price.text_or("picture", "")});
+                            price.text_or("target", "")});
   return scene;
 }
 
@@ -215,7 +215,7 @@ JobFile read_job_file(const std::filesystem::path& file) {
   ObjectReader in(document);
   check_format(in, "orbs-job/1");
   JobFile content{read_job(in, {}), {}};
-  for (auto& picture : in.objects_or_none("pictures")) content.pictures.push_back(read_picture(picture));
+  for (auto& target : in.objects_or_none("targets")) content.targets.push_back(read_target(target));
   return content;
 }
 
@@ -241,7 +241,7 @@ RunRecord read_results_file(const std::filesystem::path& file) {
     run.left_out.push_back({left.text("renderer"), left.text_or("reason", "")});
   for (auto& requirement : in.objects_or_none("requirements"))
     run.requirements.push_back(read_requirement(requirement));
-  for (auto& picture : in.objects_or_none("pictures")) run.pictures.push_back(read_picture(picture));
+  for (auto& target : in.objects_or_none("targets")) run.targets.push_back(read_target(target));
   for (auto& job : in.objects_or_none("jobs")) run.jobs.push_back(read_job(job, run.host));
   return run;
 }

@@ -7,10 +7,10 @@
 
 namespace orbs::results {
 
-/// What job.json holds: the render, and what was said about the pictures that it alone makes.
+/// What job.json holds: the render, and what was said about the images that it alone makes.
 struct JobFile {
   JobRecord job;
-  std::vector<PictureRecord> pictures;
+  std::vector<TargetRecord> targets;
 };
 
 /// Reads a job.json. InputError with file, line and key. Members that this program does not know are left

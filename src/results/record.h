@@ -16,7 +16,7 @@ namespace orbs::results {
 /// A number with what it means, for whoever meets it outside this program.
 struct Measure {
   std::string name;  // "psnr_srgb8"
-  double value = 0;  // infinite for equal pictures under a ratio in dB
+  double value = 0;  // infinite for equal images under a ratio in dB
   std::string unit;
   std::string definition;
   bool lower_is_better = false;
@@ -26,7 +26,7 @@ struct Measure {
   std::vector<double> where = {};  // x0, y0, x1, y1 of the pixels that it is of; empty: of all
 };
 
-/// A picture of the error that lies beside the result.
+/// An image of the error that lies beside the result.
 struct MapRecord {
   std::string name;   // "l1"
   std::string image;  // EXR of the raw numbers
@@ -35,7 +35,7 @@ struct MapRecord {
   double scale_maximum = 1;  // where its colour scale ends; the same for every renderer
 };
 
-/// One condition that a picture had to meet.
+/// One condition that an image had to meet.
 struct Check {
   std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
   bool passed = false;
@@ -54,9 +54,9 @@ struct JobRecord {
   std::vector<std::string> argv;
   std::string command;        // for a shell: the same render again, in the same place
   std::string scene_hash;     // of the scene that was rendered
-  std::string settings_hash;  // of what else makes the picture: command, environment, threads
-  std::string limits_hash;    // of what may end it without a picture: time, memory, files
-  std::string judged_hash;    // of what its pictures were judged by: cases, references, this program
+  std::string settings_hash;  // of what else makes the image: command, environment, threads
+  std::string limits_hash;    // of what may end it without an image: time, memory, files
+  std::string judged_hash;    // of what its images were judged by: cases, references, this program
   std::string native_scene;   // the hand-written one that was rendered; "" when it was exported
   std::string folder;
   int spp = 0;
@@ -73,18 +73,18 @@ struct JobRecord {
   int exit_code = 0;
   std::string signal;  // "SIGSEGV", "" for none
   bool core_dumped = false;
-  bool rendered = false;               // there is a usable picture
-  Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable picture", nothing about it being right
+  bool rendered = false;               // there is a usable image
+  Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable image", nothing about it being right
   std::string sentence;
   std::string image;
   std::string log;
 };
 
-/// One picture of one renderer, judged for one case.
-struct PictureRecord {
+/// One image of one renderer, judged for one case.
+struct TargetRecord {
   std::string requirement;
   std::string case_name;
-  std::string picture;  // a scene, or a difference of two
+  std::string target;  // a scene, or a difference of two
   std::string renderer;
   std::vector<std::string> jobs;  // ids of the renders it is made from
   bool declared = false;          // the renderer claims the requirement
@@ -118,12 +118,12 @@ struct EffectRecord {
   std::string reason;  // follows the thing: "has a film 550 nm high"
 };
 
-/// A scene rendered otherwise than it calls for: what that costs, and what becomes of the picture.
+/// A scene rendered otherwise than it calls for: what that costs, and what becomes of the image.
 struct PriceRecord {
   std::string name;        // "polarised", "without dispersion"
   double time_ratio = 0;   // CPU time per sample over that of what the scene calls for
   double error_ratio = 0;  // CPU time to the same noise, likewise; 0 where nobody knows
-  std::string picture;     // "same to the bit", or how it differs
+  std::string target;      // "same to the bit", or how it differs
 };
 
 /// What a scene calls for, and what its light paths must carry for that.
@@ -135,12 +135,12 @@ struct SceneRecord {
   std::vector<PriceRecord> prices = {};  // by orbs effects; none when nobody has asked
 };
 
-/// A cell of the table: the worst picture of a requirement.
+/// A cell of the table: the worst image of a requirement.
 struct Cell {
   bool declared = false;
   Verdict verdict = Verdict::Skipped;
-  std::optional<double> lowest_psnr_db;  // infinite when all pictures equal their references
-  std::string sentence;                  // of the worst picture
+  std::optional<double> lowest_psnr_db;  // infinite when all images equal their references
+  std::string sentence;                  // of the worst image
 };
 
 struct RequirementRecord {
@@ -181,14 +181,14 @@ struct RunRecord {
   std::vector<RendererRecord> renderers;
   std::vector<LeftOut> left_out;
   std::vector<RequirementRecord> requirements;
-  std::vector<PictureRecord> pictures;
+  std::vector<TargetRecord> targets;
   std::vector<JobRecord> jobs;
 };
 
-/// The shell commands of the renders that the picture is made from, joined by " ; ".
-std::string command_of(const RunRecord& run, const PictureRecord& picture);
+/// The shell commands of the renders that the image is made from, joined by " ; ".
+std::string command_of(const RunRecord& run, const TargetRecord& target);
 
-/// Whether every picture is unsupported, which says nothing about any renderer.
+/// Whether every image is unsupported, which says nothing about any renderer.
 bool judged_nothing(const RunRecord& run);
 
 /// 0 when nothing that counts failed, else 1: a failure counts when the renderer declares the requirement. 2

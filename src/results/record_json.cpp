@@ -37,7 +37,7 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("exit_code", job.exit_code).member("signal", job.signal);
   out.member("core_dumped", job.core_dumped);
   out.member("rendered", job.rendered);
-  // A usable picture is no verdict about it: that stands with the pictures.
+  // A usable image is no verdict about it: that stands with the images.
   out.member("outcome", job.rendered ? std::string_view("rendered") : verdict_name(job.verdict));
   out.member("sentence", job.sentence).member("image", job.image).member("log", job.log);
 }
@@ -56,21 +56,19 @@ void write_map(Writer& out, const MapRecord& map) {
   out.member("scale_maximum", map.scale_maximum).end_object();
 }
 
-void write_picture(Writer& out, const PictureRecord& picture) {
-  out.begin_object().member("requirement", picture.requirement).member("case", picture.case_name);
-  out.member("picture", picture.picture)
-      .member("renderer", picture.renderer)
-      .member("declared", picture.declared);
-  out.member("verdict", verdict_name(picture.verdict)).member("sentence", picture.sentence);
+void write_target(Writer& out, const TargetRecord& target) {
+  out.begin_object().member("requirement", target.requirement).member("case", target.case_name);
+  out.member("target", target.target).member("renderer", target.renderer).member("declared", target.declared);
+  out.member("verdict", verdict_name(target.verdict)).member("sentence", target.sentence);
   out.key("measures").begin_array();
-  for (const auto& measure : picture.measures) write_measure(out, measure);
+  for (const auto& measure : target.measures) write_measure(out, measure);
   out.end_array().key("checks").begin_array();
-  for (const auto& check : picture.checks) write_check(out, check);
-  out.end_array().member("remarks", picture.remarks);
-  out.member("jobs", picture.jobs).member("image", picture.image).key("maps").begin_array();
-  for (const auto& map : picture.maps) write_map(out, map);
-  out.end_array().member("reference", picture.reference).member("reference_image", picture.reference_image);
-  write_texts(out, "reference_passport", picture.reference_passport);
+  for (const auto& check : target.checks) write_check(out, check);
+  out.end_array().member("remarks", target.remarks);
+  out.member("jobs", target.jobs).member("image", target.image).key("maps").begin_array();
+  for (const auto& map : target.maps) write_map(out, map);
+  out.end_array().member("reference", target.reference).member("reference_image", target.reference_image);
+  write_texts(out, "reference_passport", target.reference_passport);
   out.end_object();
 }
 
@@ -119,7 +117,7 @@ void write_scene(Writer& out, const SceneRecord& scene) {
         .member("name", price.name)
         .member("time_ratio", price.time_ratio)
         .member("error_ratio", price.error_ratio)
-        .member("picture", price.picture)
+        .member("target", price.target)
         .end_object();
   out.end_array().end_object();
 }
@@ -176,13 +174,13 @@ std::string scenes_json(const std::vector<SceneRecord>& scenes) {
   return out.end_object().text();
 }
 
-std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures) {
+std::string job_json(const JobRecord& job, const std::vector<TargetRecord>& targets) {
   Writer out;
   out.begin_object().member("format", "orbs-job/1");
   write_job(out, job);
   out.key("host");
   write_host(out, job.host);
-  write_array(out, "pictures", pictures, write_picture);
+  write_array(out, "targets", targets, write_target);
   return out.end_object().text();
 }
 
@@ -204,7 +202,7 @@ std::string run_json(const RunRecord& run) {
     w.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();
   });
   write_array(out, "requirements", run.requirements, write_requirement);
-  write_array(out, "pictures", run.pictures, write_picture);
+  write_array(out, "targets", run.targets, write_target);
   write_array(out, "jobs", run.jobs, [&](Writer& w, const JobRecord& job) {
     w.begin_object();
     write_job(w, job);

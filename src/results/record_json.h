@@ -17,8 +17,8 @@ void write_host(json::Writer& out, const Host& host);
 void write_scene(json::Writer& out, const SceneRecord& scene);
 
 /// The text of a job's job.json (format "orbs-job/1"): all of the record, and what was said about the
-/// pictures that the render alone makes.
-std::string job_json(const JobRecord& job, const std::vector<PictureRecord>& pictures);
+/// images that the render alone makes.
+std::string job_json(const JobRecord& job, const std::vector<TargetRecord>& targets);
 
 /// What `orbs plan --json` prints (format "orbs-plan/1").
 std::string scenes_json(const std::vector<SceneRecord>& scenes);

@@ -28,11 +28,11 @@ bool take_job_file(RunView& view, std::size_t index) {
   }
   if (found.job.id != job.id) return false;
   job = std::move(found.job);
-  for (auto& picture : found.pictures)
-    for (auto& known : view.run.pictures)
-      if (known.case_name == picture.case_name && known.picture == picture.picture &&
-          known.renderer == picture.renderer)
-        known = picture;
+  for (auto& target : found.targets)
+    for (auto& known : view.run.targets)
+      if (known.case_name == target.case_name && known.target == target.target &&
+          known.renderer == target.renderer)
+        known = target;
   return true;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The folder of a run as others see it while the run goes on: results.json stands there from the start, with
-/// every render and picture still "skipped", and each finished render adds its job.json.
+/// every render and image still "skipped", and each finished render adds its job.json.
 namespace orbs::results {
 
 /// Held by a run for as long as it lives; the system lets go of it however the run ends.

@@ -6,7 +6,7 @@
 
 namespace orbs::results {
 
-/// What is said about one picture of one renderer, from best to worst: the worst of several speaks for all of
+/// What is said about one image of one renderer, from best to worst: the worst of several speaks for all of
 /// them.
 enum class Verdict {
   Pass,
@@ -14,14 +14,14 @@ enum class Verdict {
   Skipped,           // the run ended before its turn
   Inconclusive,      // the gate cannot tell: too much noise, or a reference that does not show its subject
   MissingReference,  // nothing to compare with, which is never a pass
-  Fail,              // a picture, but not the right one
+  Fail,              // an image, but not the right one
   ConstantImage,     // every pixel is the same, which the reference's are not
   InvalidPixels,     // NaN, infinite, or negative where the case does not allow it
   WrongChannels,     // R, G or B is missing
   WrongSize,         // another width or height
-  Stale,             // the picture is older than its render, or of another scene or render
-  Unreadable,        // what should be the picture cannot be read as one
-  NoOutput,          // the renderer ended well but left no picture
+  Stale,             // the image is older than its render, or of another scene or render
+  Unreadable,        // what should be the image cannot be read as one
+  NoOutput,          // the renderer ended well but left no image
   Timeout,           // of the clock, or of processor time
   OutOfMemory,       // beyond its memory limit
   Crash,             // could not start, was killed by a signal, or ended with an exit code

@@ -27,16 +27,16 @@ std::vector<std::string> names_of(const Items& items, NameOf&& name_of) {
   return names;
 }
 
-// The pictures of a case that are chosen, and the scenes that chosen differences are made from.
-Case with_pictures(const Case& whole, const std::set<std::string>& chosen) {
+// The images of a case that are chosen, and the scenes that chosen differences are made from.
+Case with_images(const Case& whole, const std::set<std::string>& chosen) {
   Case part = whole;
   auto needed = chosen;
   std::erase_if(part.differences, [&](const auto& difference) { return !chosen.contains(difference.name); });
   for (const auto& difference : part.differences) needed.insert({difference.of, difference.minus});
   std::erase_if(part.scenes, [&](const auto& scene) { return !needed.contains(scene.name); });
   const auto gone = [&](const std::string& name) { return !needed.contains(name); };
-  std::erase_if(part.masks, [&](const auto& mask) { return gone(mask.picture); });
-  std::erase_if(part.pixel_checks, [&](const auto& check) { return gone(check.picture); });
+  std::erase_if(part.masks, [&](const auto& mask) { return gone(mask.target); });
+  std::erase_if(part.pixel_checks, [&](const auto& check) { return gone(check.target); });
   std::erase_if(part.path_shares, [&](const auto& share) { return gone(share.scene); });
   return part;
 }
@@ -57,17 +57,17 @@ std::vector<Case> choose_cases(const std::vector<Case>& all, const registry::Def
       registry::select_names(names_of(all, [](const Case& c) { return c.name; }), settings.cases, "case");
   const auto requirements = registry::select_names(names_of(all, [](const Case& c) { return c.requirement; }),
                                                    settings.requirements, "requirement");
-  std::vector<std::string> all_pictures;
+  std::vector<std::string> all_targets;
   for (const auto& one_case : all)
-    for (const auto& name : registry::picture_names(one_case)) all_pictures.push_back(name);
-  const auto pictures = registry::select_names(all_pictures, settings.scenes, "scene");
+    for (const auto& name : registry::target_names(one_case)) all_targets.push_back(name);
+  const auto images = registry::select_names(all_targets, settings.scenes, "scene");
   const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   std::vector<Case> chosen;
   for (const auto& one_case : all) {
     if (!holds(cases, one_case.name) || !holds(requirements, one_case.requirement)) continue;
-    auto part = with_pictures(one_case, {pictures.begin(), pictures.end()});
+    auto part = with_images(one_case, {images.begin(), images.end()});
     if (!part.scenes.empty()) chosen.push_back(std::move(part));
   }
   if (chosen.empty())

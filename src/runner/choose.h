@@ -6,7 +6,7 @@
 
 namespace orbs::runner {
 
-/// The cases with the pictures that the settings choose. Scenes that only serve a chosen difference stay in,
+/// The cases with the images that the settings choose. Scenes that only serve a chosen difference stay in,
 /// too.
 std::vector<registry::Case> choose_cases(const std::vector<registry::Case>& all,
                                          const registry::Defaults& settings);

@@ -17,7 +17,7 @@ bool have_same_samples(const image::Image& a, const image::Image& b) {
   auto of_b = passport_of(b);
   const auto is_same = [&](const char* key) { return of_a[key] == of_b[key]; };
   return !of_a["seed"].empty() && is_same("program") && is_same("spp") && is_same("seed") &&
-         is_same("settings");  // of the passes of a reference; a picture of one pass has none
+         is_same("settings");  // of the passes of a reference; an image of one pass has none
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ std::vector<adapters::Job> turns_of(const Plan& plan,
   return turns;
 }
 
-// The job in its folder, with the scene written there and all that will prove its pictures to be its own.
+// The job in its folder, with the scene written there and all that will prove its images to be its own.
 std::vector<adapters::Job> prepare_turns(const Plan& plan,
                                          const PlannedJob& planned,
                                          const scene::Scene& prepared,
@@ -68,7 +68,7 @@ std::vector<adapters::Job> prepare_turns(const Plan& plan,
     adapters::copy_native_scene(planned.native_scene, first.folder);
   }
   const auto scene_file_hash = hash_text(content_hash(read_file(first.scene_file)));
-  // By the clock of that disk, as the picture will be.
+  // By the clock of that disk, as the image will be.
   const auto ready_since = std::filesystem::last_write_time(first.scene_file);
   for (auto& job : turns) {
     job.id = planned.id;
@@ -94,24 +94,24 @@ void note_process(const adapters::ProcessResult& process,
     record.render_seconds = record.render_seconds.value_or(0) + *seconds;
 }
 
-// The picture of all seeds in `file`, in place of their own.
+// The image of all seeds in `file`, in place of their own.
 image::Image put_together(const std::vector<adapters::Job>& turns,
-                          const std::vector<image::Image>& pictures,
+                          const std::vector<image::Image>& images,
                           const std::filesystem::path& file) {
   // A later seed may have left anything under any of these names.
   for (const auto& job : turns) std::filesystem::remove_all(job.image);
   std::filesystem::remove_all(file);
-  auto picture = metrics::are_equal(pictures) ? pictures.front() : metrics::mean_and_variance_of(pictures);
-  image::write_exr(picture, file);
-  return picture;
+  auto image = metrics::are_equal(images) ? images.front() : metrics::mean_and_variance_of(images);
+  image::write_exr(image, file);
+  return image;
 }
 
-// One process after the other, until one leaves no usable picture. The file is where the picture lies.
+// One process after the other, until one leaves no usable image. The file is where the image lies.
 std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::Job>& turns,
                                                     const registry::Renderer& renderer,
                                                     const std::atomic<bool>* stop,
                                                     JobRecord& record) {
-  std::vector<image::Image> pictures;
+  std::vector<image::Image> images;
   for (const auto& job : turns) {
     forget_render_seconds(renderer.render_seconds, job.folder);
     const auto process = adapters::run_process(process_request(renderer, job, stop));
@@ -119,10 +119,10 @@ std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
     if (outcome.verdict != Verdict::Pass || turns.size() == 1) return {std::move(outcome), job.image};
-    pictures.push_back(std::move(*outcome.picture));
+    images.push_back(std::move(*outcome.image));
   }
   const auto file = turns.front().folder / adapters::JobSettings{}.image_file;
-  return {{Verdict::Pass, "", put_together(turns, pictures, file)}, file};
+  return {{Verdict::Pass, "", put_together(turns, images, file)}, file};
 }
 
 // The same renders again, as they can be repeated once the folder is in its place.
@@ -187,7 +187,7 @@ Execution execute(const Plan& plan,
   record.verdict = outcome.verdict;
   record.sentence = outcome.sentence;
   record.rendered = outcome.verdict == Verdict::Pass;
-  // A picture that cannot be judged can still be looked at.
+  // An image that cannot be judged can still be looked at.
   if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize ||
       record.verdict == Verdict::Stale)
     record.image = (planned.folder / file.filename()).string();
@@ -195,7 +195,7 @@ Execution execute(const Plan& plan,
   if (keep_log) record.log = (planned.folder / "log.txt").string();
   std::error_code ignored;
   if (!keep_log) std::filesystem::remove(turns.front().folder / "log.txt", ignored);
-  execution.picture = std::move(outcome.picture);
+  execution.image = std::move(outcome.image);
   return execution;
 }
 

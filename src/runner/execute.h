@@ -20,7 +20,7 @@ struct WorkFolders {
 
 struct Execution {
   results::JobRecord record;
-  std::optional<image::Image> picture;
+  std::optional<image::Image> image;
 };
 
 /// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's unfinished

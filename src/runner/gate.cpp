@@ -21,9 +21,9 @@ std::string number_text(double value, const std::string& unit) {
              : fmt::format("{:.4g}{}{}", value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
 }
 
-// Twice the squared error. The tests of bias are what finds a wrong picture; this is for what they cannot see
+// Twice the squared error. The tests of bias are what finds a wrong image; this is for what they cannot see
 // because fireflies rule the linear values. It leaves room for what the delta method leaves out, the bend and
-// the clamp of the curve: 0.7 dB in an honest picture of edges and sky with 4 samples.
+// the clamp of the curve: 0.7 dB in an honest image of edges and sky with 4 samples.
 constexpr double kNoiseSlack_db = 3;
 
 double mse_srgb8_of(double psnr_db) { return 255 * 255 * std::pow(10, -psnr_db / 10); }
@@ -43,7 +43,7 @@ GateResult below_psnr(const std::string& is, double value, double least, const G
   if (!noise.result_mse && !noise.reference_mse) return {fail, missed};
   const double expected_db = psnr_srgb8_of(noise.result_mse.value_or(0) + noise.reference_mse.value_or(0));
   if (value < expected_db - kNoiseSlack_db) return {fail, missed};
-  // A right picture with this noise would measure the same, but would show no bias.
+  // A right image with this noise would measure the same, but would show no bias.
   if (!noise.bias.empty()) return {fail, fmt::format("{}; {}", missed, noise.bias)};
   return {
       Verdict::Inconclusive,
@@ -62,7 +62,7 @@ GateNoise gate_noise(const image::Image& result,
 }
 
 GateResult check_gate(const registry::Gate& gate, std::optional<double> value, const GateNoise& noise) {
-  if (!value) return {Verdict::Inconclusive, fmt::format("{} has no value for this picture", gate.metric)};
+  if (!value) return {Verdict::Inconclusive, fmt::format("{} has no value for this image", gate.metric)};
   const std::string unit(metrics::find_metric(gate.metric).unit);
   const auto is = fmt::format("{} is {}", gate.metric, number_text(*value, unit));
   if (gate.min && !(*value >= *gate.min)) {
@@ -83,7 +83,7 @@ GateResult check_mean_ratio(const std::string& channel,
                   channel, 100 * ratio->value, 100 * ratio->low, 100 * ratio->high, 100 * tolerance);
   if (ratio->low > tolerance || ratio->high < -tolerance) return {Verdict::Fail, is};
   if (ratio->low >= -tolerance && ratio->high <= tolerance) return {Verdict::Pass, is};
-  // The interval shrinks with the root of the samples, of picture and reference alike, until it ends at the
+  // The interval shrinks with the root of the samples, of image and reference alike, until it ends at the
   // nearer of the two limits.
   const double reach = ratio->high - ratio->value;
   const double distance = std::fabs(std::fabs(ratio->value) - tolerance);

@@ -12,7 +12,7 @@
 
 namespace orbs::runner {
 
-/// What is known about the noise of a picture and its reference when a gate is looked at.
+/// What is known about the noise of an image and its reference when a gate is looked at.
 struct GateNoise {
   std::optional<double> result_mse;  // in psnr_srgb8's steps, see noise_mse_srgb8; nothing: unknown
   std::optional<double> reference_mse;
@@ -30,7 +30,7 @@ struct GateResult {
 };
 
 /// Whether `value` meets the gate. A psnr_srgb8 that is too low is Inconclusive, with how many times the
-/// samples are needed, where the noise of both pictures alone explains it and no test sees a bias; else Fail.
+/// samples are needed, where the noise of both images alone explains it and no test sees a bias; else Fail.
 GateResult check_gate(const registry::Gate& gate, std::optional<double> value, const GateNoise& noise);
 
 /// Whether the mean of a channel ("R") is within `tolerance` of the reference's, relative to it: Fail where

@@ -22,24 +22,24 @@ namespace {
 
 using registry::Case;
 using results::Check;
-using results::PictureRecord;
+using results::TargetRecord;
 using results::Verdict;
 
-std::array<double, 3> mean_of_region(const image::Image& picture, const registry::Rectangle& region) {
+std::array<double, 3> mean_of_region(const image::Image& image, const registry::Rectangle& region) {
   std::array<double, 3> sum{};
-  const std::array<int, 3> channels{image::channel_index(picture, "R"), image::channel_index(picture, "G"),
-                                    image::channel_index(picture, "B")};
+  const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
+                                    image::channel_index(image, "B")};
   for (int y = region[1]; y < region[3]; ++y)
     for (int x = region[0]; x < region[2]; ++x)
       for (std::size_t c = 0; c < 3; ++c)
-        sum.at(c) += static_cast<double>(picture.at(x, y, static_cast<std::size_t>(channels.at(c))));
+        sum.at(c) += static_cast<double>(image.at(x, y, static_cast<std::size_t>(channels.at(c))));
   const double count = static_cast<double>(region[2] - region[0]) * (region[3] - region[1]);
   for (auto& value : sum) value /= count;
   return sum;
 }
 
-Check check_pixels(const registry::PixelCheck& check, const image::Image& picture) {
-  const auto mean = mean_of_region(picture, check.region);
+Check check_pixels(const registry::PixelCheck& check, const image::Image& image) {
+  const auto mean = mean_of_region(image, check.region);
   Check out{fmt::format("pixels [{}]", fmt::join(check.region, ",")), true, "", {}, {}};
   for (std::size_t c = 0; c < 3; ++c)
     out.passed = out.passed && std::fabs(mean.at(c) - check.expected.at(c)) <= check.tolerance;
@@ -63,7 +63,7 @@ Check check_share(const registry::PathShare& share, const std::map<std::string, 
 
 void add_measures(const metrics::Comparison& comparison,
                   const metrics::NoiseTest& noise,
-                  PictureRecord& record) {
+                  TargetRecord& record) {
   for (const auto& [metric, value, where] : comparison.measurements)
     if (value)
       record.measures.push_back({std::string(metric->name),
@@ -81,14 +81,14 @@ void add_measures(const metrics::Comparison& comparison,
                                number.high, rectangle_numbers(number.where)});
 }
 
-void check_conditions(const Case& one_case, const image::Image& result, PictureRecord& record) {
+void check_conditions(const Case& one_case, const image::Image& result, TargetRecord& record) {
   for (const auto& pixels : one_case.pixel_checks) {
-    if (pixels.picture != record.picture) continue;
+    if (pixels.target != record.target) continue;
     record.checks.push_back(check_pixels(pixels, result));
     if (!record.checks.back().passed) take(record, Verdict::Fail, record.checks.back().sentence);
   }
   for (const auto& share : one_case.path_shares) {
-    if (share.scene != record.picture) continue;
+    if (share.scene != record.target) continue;
     record.checks.push_back(check_share(share, record.reference_passport));
     // Not the renderer's fault: the case does not show what it is about.
     if (!record.checks.back().passed) take(record, Verdict::Inconclusive, record.checks.back().sentence);
@@ -97,10 +97,10 @@ void check_conditions(const Case& one_case, const image::Image& result, PictureR
 
 }  // namespace
 
-metrics::Mask mask_of(const Case& one_case, const std::string& picture) {
+metrics::Mask mask_of(const Case& one_case, const std::string& image) {
   metrics::Mask mask;
   for (const auto& one : one_case.masks) {
-    if (one.picture != picture) continue;
+    if (one.target != image) continue;
     for (const auto& r : one.rectangles) mask.rectangles.push_back({r[0], r[1], r[2], r[3]});
   }
   return mask;
@@ -110,9 +110,9 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
                                          const image::Image& result,
                                          const Reference& reference,
                                          const JudgeSettings& settings,
-                                         PictureRecord& record) {
+                                         TargetRecord& record) {
   record.reference = reference.file.string();
-  if (!reference.picture) {
+  if (!reference.image) {
     take(record, Verdict::MissingReference, reference.problem);
     return std::nullopt;
   }
@@ -120,14 +120,14 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
     record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
     return judge(one_case, without_variances(result), reference, settings, record);
   }
-  record.reference_passport = passport_of(*reference.picture);
-  const auto is_name = [&](const auto& difference) { return difference.name == record.picture; };
+  record.reference_passport = passport_of(*reference.image);
+  const auto is_name = [&](const auto& difference) { return difference.name == record.target; };
   const bool is_difference = std::any_of(one_case.differences.begin(), one_case.differences.end(), is_name);
-  const auto mask = mask_of(one_case, record.picture);
+  const auto mask = mask_of(one_case, record.target);
   const bool may_be_negative = is_difference || !one_case.negative_values.empty();
   const auto negatives =
       may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
-  auto comparison = metrics::compare(result, *reference.picture, mask,
+  auto comparison = metrics::compare(result, *reference.image, mask,
                                      {.negatives = negatives,
                                       .threads = settings.threads,
                                       .no_others = settings.measured == Measured::ForTheVerdict,
@@ -138,15 +138,15 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
          fmt::format("the reference cannot be used: {}", comparison.alignment.sentence));
     return std::nullopt;
   }
-  const auto noise = metrics::test_noise(result, *reference.picture, mask, settings.result_noise);
+  const auto noise = metrics::test_noise(result, *reference.image, mask, settings.result_noise);
   add_measures(comparison, noise, record);
   if (auto remark = metrics::bias_remark(noise); !remark.empty()) record.remarks.push_back(std::move(remark));
   const auto gate = check_gate(one_case.gate, metrics::value_of(comparison, one_case.gate.metric),
-                               gate_noise(result, *reference.picture, mask, noise));
+                               gate_noise(result, *reference.image, mask, noise));
   record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence,
                            one_case.gate.min, one_case.gate.max});
   take(record, gate.verdict, gate.sentence);
-  check_tolerances(one_case, {result, *reference.picture, mask, noise}, record);
+  check_tolerances(one_case, {result, *reference.image, mask, noise}, record);
   check_conditions(one_case, result, record);
   return comparison;
 }

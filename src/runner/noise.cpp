@@ -33,14 +33,14 @@ double expected_square(double linear, double variance) {
 
 }  // namespace
 
-std::optional<double> noise_mse_srgb8(const image::Image& picture,
+std::optional<double> noise_mse_srgb8(const image::Image& image,
                                       const image::Image& values,
                                       const metrics::Mask& mask) {
   for (const char* channel : {"variance.R", "variance.G", "variance.B"})
-    if (image::channel_index(picture, channel) < 0) return std::nullopt;
-  const auto variances = image::select_rgb(picture, "variance.");
+    if (image::channel_index(image, channel) < 0) return std::nullopt;
+  const auto variances = image::select_rgb(image, "variance.");
   const auto colours = image::select_rgb(values, "");
-  const auto included = metrics::included_pixels(mask, picture.width, picture.height);
+  const auto included = metrics::included_pixels(mask, image.width, image.height);
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < included.size(); ++pixel) {
@@ -54,31 +54,31 @@ std::optional<double> noise_mse_srgb8(const image::Image& picture,
   return sum / static_cast<double>(count);
 }
 
-std::string variance_problem(const image::Image& picture) {
-  const auto is_there = [&](const char* name) { return image::channel_index(picture, name) >= 0; };
+std::string variance_problem(const image::Image& image) {
+  const auto is_there = [&](const char* name) { return image::channel_index(image, name) >= 0; };
   const std::array<const char*, 3> names{"variance.R", "variance.G", "variance.B"};
   if (std::none_of(names.begin(), names.end(), is_there)) return "";
   for (const char* name : names) {
-    const int channel = image::channel_index(picture, name);
+    const int channel = image::channel_index(image, name);
     if (channel < 0) return fmt::format("there is no channel {} beside the others", name);
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x)
-        if (const float value = picture.at(x, y, static_cast<std::size_t>(channel));
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        if (const float value = image.at(x, y, static_cast<std::size_t>(channel));
             !(value >= 0) || std::isinf(value))
           return fmt::format("{} is {} at pixel ({}, {})", name, value, x, y);
   }
   return "";
 }
 
-image::Image without_variances(const image::Image& picture) {
-  auto names = picture.channels;
+image::Image without_variances(const image::Image& image) {
+  auto names = image.channels;
   std::erase_if(names, [](const auto& name) { return image::is_variance(name); });
-  auto rest = image::make_image(picture.width, picture.height, names);
-  rest.attributes = picture.attributes;
+  auto rest = image::make_image(image.width, image.height, names);
+  rest.attributes = image.attributes;
   for (std::size_t c = 0; c < names.size(); ++c) {
-    const auto from = static_cast<std::size_t>(image::channel_index(picture, names[c]));
-    for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel)
-      rest.pixels[pixel * names.size() + c] = picture.pixels[pixel * picture.channel_count() + from];
+    const auto from = static_cast<std::size_t>(image::channel_index(image, names[c]));
+    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+      rest.pixels[pixel * names.size() + c] = image.pixels[pixel * image.channel_count() + from];
   }
   return rest;
 }

@@ -101,7 +101,7 @@ Outcome process_outcome(const adapters::ProcessResult& process,
   return outcome;
 }
 
-// Whether there is a file to be read at all. A symbolic link could show any file of the machine as a picture.
+// Whether there is a file to be read at all. A symbolic link could show any file of the machine as an image.
 Outcome file_outcome(const adapters::Job& job, const std::string& name) {
   std::error_code ignored;
   const auto type = fs::symlink_status(job.image, ignored).type();
@@ -118,51 +118,50 @@ Outcome file_outcome(const adapters::Job& job, const std::string& name) {
   return {};
 }
 
-// What the picture says about itself must be about this render. Most renderers say nothing.
-Outcome passport_outcome(const adapters::Job& job, const image::Image& picture, const std::string& name) {
+// What the image says about itself must be about this render. Most renderers say nothing.
+Outcome passport_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
   const auto differs = [&](const char* key, const std::string& expected) {
-    const auto said = picture.attributes.find(key);
-    return !expected.empty() && said != picture.attributes.end() && said->second != expected;
+    const auto said = image.attributes.find(key);
+    return !expected.empty() && said != image.attributes.end() && said->second != expected;
   };
   if (differs("orbs.scene_hash", job.scene_file_hash))
     return {
-        Verdict::Stale, fmt::format("{} is a picture of another scene, says its orbs.scene_hash", name), {}};
+        Verdict::Stale, fmt::format("{} is an image of another scene, says its orbs.scene_hash", name), {}};
   if (differs("orbs.job", job.id))
     return {Verdict::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
   return {};
 }
 
-Outcome picture_outcome(const adapters::Job& job) {
+Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
   if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
-  image::Image picture;
+  image::Image image;
   try {
-    picture = image::read_image(job.image);
+    image = image::read_image(job.image);
   } catch (const InputError& e) {
     return {Verdict::Unreadable, named_within(job.folder, e.what()), {}};
   }
-  if (auto outcome = passport_outcome(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
-  if (auto outcome = check_pixels(job, picture, name); outcome.verdict != Verdict::Pass) return outcome;
-  return {Verdict::Pass, "", std::move(picture)};
+  if (auto outcome = passport_outcome(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
+  if (auto outcome = check_pixels(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
+  return {Verdict::Pass, "", std::move(image)};
 }
 
 }  // namespace
 
-Outcome check_pixels(const adapters::Job& job, const image::Image& picture, const std::string& name) {
-  if (picture.width != job.width_px || picture.height != job.height_px)
+Outcome check_pixels(const adapters::Job& job, const image::Image& image, const std::string& name) {
+  if (image.width != job.width_px || image.height != job.height_px)
     return {Verdict::WrongSize,
-            fmt::format("{} is {} x {} pixels, expected {} x {}", name, picture.width, picture.height,
+            fmt::format("{} is {} x {} pixels, expected {} x {}", name, image.width, image.height,
                         job.width_px, job.height_px),
             {}};
   for (const char* channel : {"R", "G", "B"})
-    if (image::channel_index(picture, channel) < 0)
-      return {
-          Verdict::WrongChannels,
-          fmt::format("{} has the channels {}, expected R, G, B", name, fmt::join(picture.channels, ", ")),
-          {}};
+    if (image::channel_index(image, channel) < 0)
+      return {Verdict::WrongChannels,
+              fmt::format("{} has the channels {}, expected R, G, B", name, fmt::join(image.channels, ", ")),
+              {}};
   const auto negatives =
       job.may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
-  const auto faults = metrics::check_alignment(picture, picture, negatives).result;
+  const auto faults = metrics::check_alignment(image, image, negatives).result;
   if (!faults.first.empty())
     return {
         Verdict::InvalidPixels,
@@ -176,7 +175,7 @@ Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const warden::Limits& limits) {
   auto outcome = process_outcome(process, job.folder, limits);
-  if (outcome.verdict == Verdict::Pass) outcome = picture_outcome(job);
+  if (outcome.verdict == Verdict::Pass) outcome = image_outcome(job);
   // Channels and what a reader quotes of a file are the renderer's words, too.
   outcome.sentence = clean_text(outcome.sentence);
   return outcome;

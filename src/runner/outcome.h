@@ -10,11 +10,11 @@
 
 namespace orbs::runner {
 
-/// How a render ended: Pass when there is a usable picture (whether it is right is another question).
+/// How a render ended: Pass when there is a usable image (whether it is right is another question).
 struct Outcome {
   results::Verdict verdict = results::Verdict::Pass;
   std::string sentence;
-  std::optional<image::Image> picture;  // with Pass
+  std::optional<image::Image> image;  // with Pass
 };
 
 /// Asks in this fixed order, and the first that applies is the answer: could not start, ended by us (a limit,
@@ -24,8 +24,8 @@ Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const warden::Limits& limits);
 
-/// The part of this that is about the pixels: size, channels, values. Pass without the picture when all are
-/// usable. `name` is the picture's in the sentence.
-Outcome check_pixels(const adapters::Job& job, const image::Image& picture, const std::string& name);
+/// The part of this that is about the pixels: size, channels, values. Pass without the image when all are
+/// usable. `name` is the image's in the sentence.
+Outcome check_pixels(const adapters::Job& job, const image::Image& image, const std::string& name);
 
 }  // namespace orbs::runner

@@ -43,12 +43,12 @@ std::string limits_hash(const Plan& plan, const PlannedJob& job) {
 std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version) {
   auto hash = content_hash(orbs_version);
   if (plan.renderers[plan.jobs[index].renderer].entry.is_noise_free) hash = content_hash("noise-free", hash);
-  for (const auto& planned : plan.pictures) {
+  for (const auto& planned : plan.targets) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != index) continue;
     const auto& one_case = plan.cases[planned.one_case];
-    hash = content_hash(planned.picture, content_hash(read_file(one_case.file), hash));
+    hash = content_hash(planned.target, content_hash(read_file(one_case.file), hash));
     for (const auto& scene : one_case.scenes) {
-      if (scene.name != planned.picture) continue;
+      if (scene.name != planned.target) continue;
       const auto reference = plan.suite.references / (registry::reference_name(scene) + ".exr");
       std::error_code ignored;
       hash = content_hash(plan.reference_hashes.at(scene.name), hash);
@@ -76,7 +76,7 @@ std::optional<std::string> why_outdated(const results::JobRecord& found, const r
                        now.renderer_version);
   if (found.settings_hash != now.settings_hash)
     return "its program, command, environment or threads have changed";
-  // A picture that was finished within the old limits is the same under new ones.
+  // An image that was finished within the old limits is the same under new ones.
   if (!found.rendered && found.limits_hash != now.limits_hash) return "its limits have changed";
   return std::nullopt;
 }

@@ -13,13 +13,13 @@ namespace orbs::runner {
 /// hand-written scene, of both.
 std::string scene_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what else makes the picture: program, command, environment, settings of the exporter, threads.
+/// Of what else makes the image: program, command, environment, settings of the exporter, threads.
 std::string settings_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what may end a render without a picture: time, memory, size of its files.
+/// Of what may end a render without an image: time, memory, size of its files.
 std::string limits_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what the pictures of the render at `index` are judged by: cases, references, this version of orbs.
+/// Of what the images of the render at `index` are judged by: cases, references, this version of orbs.
 std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version);
 
 /// Fills the four into the record.

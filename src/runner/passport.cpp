@@ -9,23 +9,23 @@
 
 namespace orbs::runner {
 
-std::map<std::string, std::string> passport_of(const image::Image& picture) {
+std::map<std::string, std::string> passport_of(const image::Image& image) {
   constexpr std::string_view kPrefix = "orbs.";
   std::map<std::string, std::string> passport;
-  for (const auto& [name, text] : picture.attributes)
+  for (const auto& [name, text] : image.attributes)
     if (name.starts_with(kPrefix)) passport[name.substr(kPrefix.size())] = text;
   return passport;
 }
 
-std::string image_hash(const image::Image& picture) {
-  auto names = picture.channels;
+std::string image_hash(const image::Image& image) {
+  auto names = image.channels;
   std::sort(names.begin(), names.end());
-  auto hash = content_hash(fmt::format("{} x {}", picture.width, picture.height));
-  std::vector<float> values(picture.pixel_count());
+  auto hash = content_hash(fmt::format("{} x {}", image.width, image.height));
+  std::vector<float> values(image.pixel_count());
   for (const auto& name : names) {
-    const auto channel = static_cast<std::size_t>(image::channel_index(picture, name));
+    const auto channel = static_cast<std::size_t>(image::channel_index(image, name));
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
-      values[pixel] = picture.pixels[pixel * picture.channel_count() + channel];
+      values[pixel] = image.pixels[pixel * image.channel_count() + channel];
     hash = content_hash(name, hash);
     hash = content_hash({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)}, hash);
   }

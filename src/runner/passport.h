@@ -5,14 +5,14 @@
 #include <map>
 #include <string>
 
-/// What the header of a picture says about who made it and how: its attributes "orbs.<key>".
+/// What the header of an image says about who made it and how: its attributes "orbs.<key>".
 namespace orbs::runner {
 
 /// The passport by key, without the prefix.
-std::map<std::string, std::string> passport_of(const image::Image& picture);
+std::map<std::string, std::string> passport_of(const image::Image& image);
 
 /// Hash of size, channels and pixels, whatever the order of the channels: the "image_hash" of a passport.
 /// What the header says is not in it, as it holds this hash.
-std::string image_hash(const image::Image& picture);
+std::string image_hash(const image::Image& image);
 
 }  // namespace orbs::runner

@@ -25,11 +25,11 @@ std::filesystem::path reference_file(const registry::Case& one_case,
 }
 
 // What its passport says that is not so; "" when there is nothing. What it does not say is taken at its word.
-std::string passport_problem(const image::Image& picture,
+std::string passport_problem(const image::Image& image,
                              const std::filesystem::path& file,
                              const std::string& scene,
                              const std::map<std::string, std::string>& scene_hashes) {
-  const auto passport = passport_of(picture);
+  const auto passport = passport_of(image);
   const auto name = file.stem().string();
   const auto differs = [&](const std::string& what, const std::string& now, const std::string& said) {
     return fmt::format(
@@ -45,66 +45,66 @@ std::string passport_problem(const image::Image& picture,
                    scene_now->second, scene_said->second);
   const auto image_said = passport.find("image_hash");
   if (image_said == passport.end()) return "";
-  const auto image_now = image_hash(picture);
+  const auto image_now = image_hash(image);
   return image_now == image_said->second
              ? ""
-             : differs("the reference is not the picture that was accepted", image_now, image_said->second);
+             : differs("the reference is not the image that was accepted", image_now, image_said->second);
 }
 
-// The picture, or why there is none.
+// The image, or why there is none.
 std::string read_reference(const std::filesystem::path& file,
                            const std::string& scene,
                            const std::map<std::string, std::string>& scene_hashes,
-                           std::optional<image::Image>& picture) {
+                           std::optional<image::Image>& image) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     return fmt::format("there is no reference {}; 'orbs reference' renders it", file.string());
   std::string problem;
   try {
-    picture = image::read_image(file);
-    image::select_rgb(*picture, "");
-    problem = passport_problem(*picture, file, scene, scene_hashes);
+    image = image::read_image(file);
+    image::select_rgb(*image, "");
+    problem = passport_problem(*image, file, scene, scene_hashes);
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
   }
-  if (!problem.empty()) picture.reset();
+  if (!problem.empty()) image.reset();
   return problem;
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
-                                                   const std::string& picture,
+                                                   const std::string& image,
                                                    const std::filesystem::path& references) {
   for (const auto& difference : one_case.differences)
-    if (difference.name == picture)
+    if (difference.name == image)
       return {reference_file(one_case, difference.of, references),
               reference_file(one_case, difference.minus, references)};
-  return {reference_file(one_case, picture, references)};
+  return {reference_file(one_case, image, references)};
 }
 
 Reference load_reference(const registry::Case& one_case,
-                         const std::string& picture,
+                         const std::string& image,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes) {
   Reference reference;
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
-                                       [&](const auto& d) { return d.name == picture; });
+                                       [&](const auto& d) { return d.name == image; });
   const bool is_difference = difference != one_case.differences.end();
-  const auto& scene = is_difference ? difference->of : picture;
+  const auto& scene = is_difference ? difference->of : image;
   reference.file = reference_file(one_case, scene, references);
-  reference.problem = read_reference(reference.file, scene, scene_hashes, reference.picture);
-  if (!is_difference || !reference.picture) return reference;
+  reference.problem = read_reference(reference.file, scene, scene_hashes, reference.image);
+  if (!is_difference || !reference.image) return reference;
   std::optional<image::Image> minus;
   reference.problem = read_reference(reference_file(one_case, difference->minus, references),
                                      difference->minus, scene_hashes, minus);
-  if (minus && (minus->width != reference.picture->width || minus->height != reference.picture->height))
+  if (minus && (minus->width != reference.image->width || minus->height != reference.image->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);
   if (reference.problem.empty()) {
-    reference.picture = difference_of(*reference.picture, *minus);
+    reference.image = difference_of(*reference.image, *minus);
   } else {
-    reference.picture.reset();
+    reference.image.reset();
   }
   return reference;
 }
@@ -116,14 +116,14 @@ void copy_references(const std::vector<registry::Case>& cases,
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   for (const auto& one_case : cases)
-    for (const auto& name : registry::picture_names(one_case)) {
+    for (const auto& name : registry::target_names(one_case)) {
       const auto reference = load_reference(one_case, name, references, scene_hashes);
-      if (!reference.picture) continue;
+      if (!reference.image) continue;
       const auto copy = folder / (name + ".exr");
       if (reference_files(one_case, name, references).size() == 1) {
         write_file(copy, read_file(reference.file));
       } else {
-        image::write_exr(*reference.picture, copy);
+        image::write_exr(*reference.image, copy);
       }
     }
 }
@@ -131,7 +131,7 @@ void copy_references(const std::vector<registry::Case>& cases,
 std::vector<results::MapRecord> write_maps(const image::Image& result,
                                            const metrics::Comparison& comparison,
                                            const std::filesystem::path& folder) {
-  image::write_png(image::display_picture(result), folder / "result.png");
+  image::write_png(image::display_image(result), folder / "result.png");
   std::vector<results::MapRecord> maps;
   for (const auto& map : comparison.maps) {
     const auto stem = fmt::format("error-{}", map.info.name);

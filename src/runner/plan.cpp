@@ -58,31 +58,31 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
 }
 
 void check_regions(const Plan& plan, const registry::Case& one_case) {
-  const auto scene_of = [&](const std::string& picture) {
-    auto name = picture;
+  const auto scene_of = [&](const std::string& target) {
+    auto name = target;
     for (const auto& difference : one_case.differences)
-      if (difference.name == picture) name = difference.of;
+      if (difference.name == target) name = difference.of;
     return std::find_if(plan.scenes.begin(), plan.scenes.end(),
                         [&](const auto& scene) { return scene.name == name; });
   };
-  const auto check = [&](const std::string& picture, const registry::Rectangle& region) {
-    const auto& camera = scene_of(picture)->scene->camera;
+  const auto check = [&](const std::string& target, const registry::Rectangle& region) {
+    const auto& camera = scene_of(target)->scene->camera;
     if (region[2] > camera.width_px || region[3] > camera.height_px)
       throw InputError(fmt::format("{}: the rectangle [{}] of '{}' reaches beyond its {} x {} pixels",
-                                   one_case.file.string(), fmt::join(region, ","), picture, camera.width_px,
+                                   one_case.file.string(), fmt::join(region, ","), target, camera.width_px,
                                    camera.height_px));
   };
   for (const auto& mask : one_case.masks) {
-    for (const auto& rectangle : mask.rectangles) check(mask.picture, rectangle);
-    const auto& camera = scene_of(mask.picture)->scene->camera;
-    with_note(fmt::format("reading the masks of '{}' in {}", mask.picture, one_case.file.string()), [&] {
-      metrics::included_pixels(mask_of(one_case, mask.picture), camera.width_px, camera.height_px);
+    for (const auto& rectangle : mask.rectangles) check(mask.target, rectangle);
+    const auto& camera = scene_of(mask.target)->scene->camera;
+    with_note(fmt::format("reading the masks of '{}' in {}", mask.target, one_case.file.string()), [&] {
+      metrics::included_pixels(mask_of(one_case, mask.target), camera.width_px, camera.height_px);
     });
   }
-  for (const auto& pixels : one_case.pixel_checks) check(pixels.picture, pixels.region);
+  for (const auto& pixels : one_case.pixel_checks) check(pixels.target, pixels.region);
 }
 
-// Everything that makes the picture what it is, but not the folder and the time: the same id in every run.
+// Everything that makes the image what it is, but not the folder and the time: the same id in every run.
 std::string job_id(const Plan& plan, const PlannedScene& scene, const ChosenRenderer& renderer, int spp) {
   return hash_text(content_hash(fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name,
                                             renderer.entry.name, spp, plan.settings.seed)));
@@ -110,17 +110,17 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   return plan.jobs.size() - 1;
 }
 
-void plan_pictures(Plan& plan) {
+void plan_targets(Plan& plan) {
   for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
     for (std::size_t c = 0; c < plan.cases.size(); ++c) {
       const auto& one_case = plan.cases[c];
       const bool declared = registry::has_feature(plan.renderers[renderer].entry.declares,
                                                   registry::parse_requirement(one_case.requirement));
-      const auto add = [&](const std::string& picture, const std::vector<std::string>& scenes) {
-        PlannedPicture planned{c, renderer, picture, {}, declared};
+      const auto add = [&](const std::string& target, const std::vector<std::string>& scenes) {
+        PlannedTarget planned{c, renderer, target, {}, declared};
         if (declared)
           for (const auto& scene : scenes) planned.jobs.push_back(job_for(plan, scene, renderer));
-        plan.pictures.push_back(std::move(planned));
+        plan.targets.push_back(std::move(planned));
       };
       for (const auto& scene : one_case.scenes) add(scene.name, {scene.name});
       for (const auto& difference : one_case.differences)
@@ -129,9 +129,9 @@ void plan_pictures(Plan& plan) {
 }
 
 bool may_be_negative(const Plan& plan, const PlannedJob& job) {
-  return std::any_of(plan.pictures.begin(), plan.pictures.end(), [&](const PlannedPicture& picture) {
-    return picture.renderer == job.renderer && picture.picture == plan.scenes[job.scene].name &&
-           !plan.cases[picture.one_case].negative_values.empty();
+  return std::any_of(plan.targets.begin(), plan.targets.end(), [&](const PlannedTarget& target) {
+    return target.renderer == job.renderer && target.target == plan.scenes[job.scene].name &&
+           !plan.cases[target.one_case].negative_values.empty();
   });
 }
 
@@ -176,7 +176,7 @@ Plan make_plan(const registry::Configuration& configuration,
               [&] { metrics::find_metric(one_case.gate.metric); });
     check_regions(plan, one_case);
   }
-  plan_pictures(plan);
+  plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {
     const auto& program = renderer.entry.command.front();
@@ -207,8 +207,8 @@ std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const Planne
 }
 
 std::string plan_text(const Plan& plan) {
-  std::string text = fmt::format("{} renders for {} pictures, {} at a time with {} threads each\n",
-                                 plan.jobs.size(), plan.pictures.size(), plan.settings.jobs, plan.threads);
+  std::string text = fmt::format("{} renders for {} images, {} at a time with {} threads each\n",
+                                 plan.jobs.size(), plan.targets.size(), plan.settings.jobs, plan.threads);
   for (const auto& job : plan.jobs) {
     const auto& scene = plan.scenes[job.scene];
     const auto& renderer = plan.renderers[job.renderer];

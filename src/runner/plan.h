@@ -39,11 +39,11 @@ struct PlannedJob {
   bool may_be_negative = false;          // its pixels: some case that looks at it allows that
 };
 
-/// One picture to judge: a picture of a case, by one renderer.
-struct PlannedPicture {
+/// One image to judge: an image of a case, by one renderer.
+struct PlannedTarget {
   std::size_t one_case = 0;  // of Plan::cases
   std::size_t renderer = 0;
-  std::string picture;
+  std::string target;
   std::vector<std::size_t> jobs;  // one for a scene, `of` and `minus` for a difference; none when undeclared
   bool declared = false;
 };
@@ -61,7 +61,7 @@ struct Plan {
   std::map<std::string, std::string>
       reference_hashes;  // by scene: hash of the one by whose reference it is judged
   std::vector<PlannedJob> jobs;
-  std::vector<PlannedPicture> pictures;
+  std::vector<PlannedTarget> targets;
 };
 
 /// Reads everything that the settings choose. `program_folder` is where orbs itself lies. InputError for

@@ -26,11 +26,11 @@ struct Largest {
 }  // namespace
 
 std::string gate_hash(const registry::Case& one_case,
-                      const std::string& picture,
+                      const std::string& target,
                       const std::filesystem::path& references) {
   auto hash = content_hash(read_file(one_case.file));
   std::error_code ignored;
-  for (const auto& file : reference_files(one_case, picture, references))
+  for (const auto& file : reference_files(one_case, target, references))
     if (std::filesystem::exists(file, ignored)) hash = content_hash(read_file(file), hash);
   return hash_text(hash);
 }
@@ -43,13 +43,13 @@ std::string smallest_error_seen(const registry::Case& one_case,
   Largest local_rejected;
   bool was_tried = false;
   std::string unknown;
-  for (const auto& picture : registry::picture_names(one_case)) {
+  for (const auto& target : registry::target_names(one_case)) {
     const auto gate = std::find_if(gates.begin(), gates.end(), [&](const GateRecord& one) {
-      return one.case_name == one_case.name && one.picture == picture;
+      return one.case_name == one_case.name && one.target == target;
     });
     was_tried = was_tried || gate != gates.end();
-    if (gate == gates.end() || gate->judged_by != gate_hash(one_case, picture, references)) {
-      unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", picture);
+    if (gate == gates.end() || gate->judged_by != gate_hash(one_case, target, references)) {
+      unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", target);
       continue;
     }
     global_seen.add(gate->global.seen);

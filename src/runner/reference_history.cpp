@@ -32,9 +32,9 @@ void write_entry(json::Writer& out, const ReplacedReference& entry) {
 ReplacedReference entry_of(const std::filesystem::path& reference, const std::string& reason) {
   ReplacedReference entry{local_time_now(), reason, "", {}};
   try {
-    const auto picture = image::read_image(reference);
-    entry.passport = passport_of(picture);
-    entry.passport["image_hash"] = image_hash(picture);
+    const auto image = image::read_image(reference);
+    entry.passport = passport_of(image);
+    entry.passport["image_hash"] = image_hash(image);
   } catch (const InputError& e) {
     entry.problem = e.what();
   }

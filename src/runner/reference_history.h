@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The references that a picture had before: <picture>.history.json beside the reference, format
+/// The references that an image had before: <image>.history.json beside the reference, format
 /// "orbs-history/1". Entries are only ever added.
 namespace orbs::runner {
 

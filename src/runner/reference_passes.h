@@ -27,13 +27,13 @@ struct PassSum {
   long long bad_samples = 0;  // as their headers say
 };
 
-/// Adds a picture whose samples are independent of those before: another seed. A channel that a pass lacks (a
+/// Adds an image whose samples are independent of those before: another seed. A channel that a pass lacks (a
 /// class of light paths that did not occur) counts as black. InputError when the size is another one.
-void add_pass(PassSum& sum, const image::Image& picture, const Pass& pass);
+void add_pass(PassSum& sum, const image::Image& image, const Pass& pass);
 
 /// The mean of all samples, sum n m / N, and its variance, sum n^2 v / N^2, as the passes are independent.
 /// R, G, B come first, then their variances, then the other channels by name. At least one pass is the
 /// caller's promise.
-image::Image mean_picture(const PassSum& sum);
+image::Image mean_image(const PassSum& sum);
 
 }  // namespace orbs::runner

@@ -70,13 +70,13 @@ std::optional<RenderedReference> render_reference(const WantedReference& wanted,
   while (rendered.sum.spp < target) {
     const Pass pass{std::min(target - rendered.sum.spp, most_spp_of_a_pass(wanted.pixels)),
                     static_cast<std::uint64_t>(settings.seed) + rendered.sum.passes.size()};
-    auto picture = kept_pass(unfinished, pass);
-    const bool is_of_an_earlier_call = picture.has_value();
-    if (!picture) picture = render_pass(wanted, pass, settings, context, file_of(unfinished, pass));
-    if (!picture) return std::nullopt;
-    add_pass(rendered.sum, *picture, pass);
-    rendered.picture = mean_picture(rendered.sum);
-    const auto mse = noise_mse_srgb8(rendered.picture, rendered.picture);
+    auto image = kept_pass(unfinished, pass);
+    const bool is_of_an_earlier_call = image.has_value();
+    if (!image) image = render_pass(wanted, pass, settings, context, file_of(unfinished, pass));
+    if (!image) return std::nullopt;
+    add_pass(rendered.sum, *image, pass);
+    rendered.image = mean_image(rendered.sum);
+    const auto mse = noise_mse_srgb8(rendered.image, rendered.image);
     if (!mse) throw InputError(fmt::format("{}: the tracer wrote no variance", context.tracer.string()));
     rendered.noise_db = psnr_srgb8_of(*mse);
     if (settings.spp == 0)

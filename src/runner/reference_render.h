@@ -24,8 +24,8 @@ struct WantedReference {
 
 struct RenderedReference {
   PassSum sum;
-  image::Image picture;  // its mean, with all layers
-  double noise_db = 0;   // PSNR that the noise of the picture alone lets expect
+  image::Image image;   // its mean, with all layers
+  double noise_db = 0;  // PSNR that the noise of the image alone lets expect
 };
 
 /// Renders passes with the seeds settings.seed, settings.seed + 1, ... until the noise is low enough or

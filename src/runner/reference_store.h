@@ -8,16 +8,16 @@
 
 namespace orbs::runner {
 
-/// Share of each light-path class in the mean radiance (R + G + B) of a picture with layers
+/// Share of each light-path class in the mean radiance (R + G + B) of an image with layers
 /// "path.<class>.R/G/B", by class.
-std::map<std::string, double> path_shares(const image::Image& picture);
+std::map<std::string, double> path_shares(const image::Image& image);
 
 /// R, G, B, their variances and Stokes parameters S1 to S3 alone, rounded so that they compress: 9
 /// significant bits of a colour or Stokes parameter, 2 of a variance. A colour without variance (black, a
 /// lamp that fills the pixel) is exact and stays as it is.
-image::Image shortened_picture(const image::Image& picture);
+image::Image shortened_image(const image::Image& image);
 
-/// Writes the picture with its passport to wanted.target; the passport of the one that it replaces goes to
+/// Writes the image with its passport to wanted.target; the passport of the one that it replaces goes to
 /// the history beside it. The passport names no machine but its processor: it is published.
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,

@@ -7,7 +7,7 @@
 #include "results/read_record.h"
 #include "results/record_json.h"
 #include "runner/host.h"
-#include "runner/judge_pictures.h"
+#include "runner/judge_targets.h"
 #include "runner/outdated.h"
 
 #include <mutex>
@@ -67,13 +67,13 @@ Execution execute_or_say_why(const Plan& plan,
 }
 
 // The render of an earlier run in an unfinished folder of its own, to be judged by what has changed. Nothing
-// when its picture is gone or cannot be read any more.
+// when its image is gone or cannot be read any more.
 std::optional<Execution> take_over(const JobRecord& found,
                                    const fs::path& folder,
                                    const WorkFolders& folders) {
   Execution execution{found, {}};
   try {
-    if (found.rendered) execution.picture = image::read_image(folders.run / found.image);
+    if (found.rendered) execution.image = image::read_image(folders.run / found.image);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -85,11 +85,11 @@ std::optional<Execution> take_over(const JobRecord& found,
   return execution;
 }
 
-// How many pictures the plan makes of this job alone.
-std::size_t pictures_of(const Plan& plan, std::size_t job) {
+// How many images the plan makes of this job alone.
+std::size_t images_of(const Plan& plan, std::size_t job) {
   return static_cast<std::size_t>(
-      std::count_if(plan.pictures.begin(), plan.pictures.end(),
-                    [&](const auto& picture) { return picture.jobs == std::vector<std::size_t>{job}; }));
+      std::count_if(plan.targets.begin(), plan.targets.end(),
+                    [&](const auto& target) { return target.jobs == std::vector<std::size_t>{job}; }));
 }
 
 class Renders {
@@ -103,7 +103,7 @@ class Renders {
         folders_(folders),
         context_(context),
         work_{std::vector<JobRecord>(plan.jobs.size()),
-              std::vector<std::vector<results::PictureRecord>>(plan.jobs.size())} {}
+              std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {}
 
   void one(std::size_t index) {
     const auto& job = plan_.jobs[index];
@@ -113,7 +113,7 @@ class Renders {
     auto found = found_job(folders_.run / job.folder);
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
     if (found && !reason && found->job.judged_hash == now.judged_hash &&
-        found->pictures.size() == pictures_of(plan_, index)) {
+        found->targets.size() == images_of(plan_, index)) {
       keep(index, std::move(*found));
       return;
     }
@@ -137,14 +137,14 @@ class Renders {
 
   void keep(std::size_t index, JobFile found) {
     work_.jobs[index] = std::move(found.job);
-    work_.pictures[index] = std::move(found.pictures);
+    work_.targets[index] = std::move(found.targets);
     const std::lock_guard lock(mutex_);
     ++done_;
   }
 
   // Leaves nothing on disk, so that a resumed run renders it.
   void skip(std::size_t index, const JobRecord& record) {
-    work_.pictures[index] = judge_scene(plan_, index, {record, {}}, folders_);
+    work_.targets[index] = judge_scene(plan_, index, {record, {}}, folders_);
     work_.jobs[index] = record;
     report(index);
   }
@@ -164,9 +164,9 @@ class Renders {
     execution.record.limits_hash = now.limits_hash;
     execution.record.judged_hash = now.judged_hash;
     make_folder(folders_.unfinished / folder);
-    work_.pictures[index] = judge_scene(plan_, index, execution, folders_);
+    work_.targets[index] = judge_scene(plan_, index, execution, folders_);
     write_file(folders_.unfinished / folder / "job.json",
-               results::job_json(execution.record, work_.pictures[index]));
+               results::job_json(execution.record, work_.targets[index]));
     put_in_place(folders_.unfinished / folder, folders_.run / folder);
     work_.jobs[index] = std::move(execution.record);
     report(index);
@@ -176,7 +176,7 @@ class Renders {
     const std::lock_guard lock(mutex_);
     ++done_;
     if (context_.progress)
-      context_.progress(done_, plan_.jobs.size(), work_.jobs[index], work_.pictures[index]);
+      context_.progress(done_, plan_.jobs.size(), work_.jobs[index], work_.targets[index]);
   }
 
   void say(const std::string& line) {

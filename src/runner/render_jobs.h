@@ -10,10 +10,10 @@
 
 namespace orbs::runner {
 
-/// All renders of a plan and the pictures judged from each, by job.
+/// All renders of a plan and the images judged from each, by job.
 struct Work {
   std::vector<results::JobRecord> jobs;
-  std::vector<std::vector<results::PictureRecord>> pictures;
+  std::vector<std::vector<results::TargetRecord>> targets;
 };
 
 /// Renders and judges what is not in the run's folder yet or is there but outdated; what only has another

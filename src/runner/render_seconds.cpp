@@ -27,7 +27,7 @@ std::optional<double> in_file(const registry::RenderSeconds& place, const std::f
   constexpr std::size_t kMost_bytes = std::size_t{16} << 20;
   const auto file = open_inside(folder, place.file);
   if (!file || file->size() > kMost_bytes) return std::nullopt;
-  // The renderer's file is its own affair: one that is broken costs its time, not the picture.
+  // The renderer's file is its own affair: one that is broken costs its time, not the image.
   try {
     const auto document = json::parse(place.file, file->read(0, static_cast<std::size_t>(file->size())));
     json::ObjectReader at(document);

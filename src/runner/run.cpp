@@ -9,7 +9,7 @@
 #include "runner/execute.h"
 #include "runner/host.h"
 #include "runner/judge.h"
-#include "runner/judge_pictures.h"
+#include "runner/judge_targets.h"
 #include "runner/qualified.h"
 #include "runner/render_jobs.h"
 #include "runner/renderer_version.h"
@@ -24,19 +24,19 @@ namespace orbs::runner {
 namespace {
 
 using results::JobRecord;
-using results::PictureRecord;
+using results::TargetRecord;
 using results::Verdict;
 
 // In the order of the plan, whatever order the renders ended in.
-std::vector<PictureRecord> all_pictures(const Plan& plan, Work& work, const WorkFolders& folders) {
-  std::vector<PictureRecord> records;
+std::vector<TargetRecord> all_targets(const Plan& plan, Work& work, const WorkFolders& folders) {
+  std::vector<TargetRecord> records;
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
-  for (const auto& planned : plan.pictures) {
+  for (const auto& planned : plan.targets) {
     if (planned.jobs.empty()) {
-      records.push_back(undeclared_picture(plan, planned, folders.run));
+      records.push_back(undeclared_target(plan, planned, folders.run));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
-      records.push_back(work.pictures[job][taken[job]++]);
+      records.push_back(work.targets[job][taken[job]++]);
     } else {
       records.push_back(judge_difference(plan, planned, work.jobs, folders));
     }
@@ -44,7 +44,7 @@ std::vector<PictureRecord> all_pictures(const Plan& plan, Work& work, const Work
   return records;
 }
 
-// The record before anything is rendered: every picture that can be rendered waits for its turn.
+// The record before anything is rendered: every image that can be rendered waits for its turn.
 results::RunRecord record_at_start(const Plan& plan,
                                    const std::vector<std::string>& versions,
                                    const std::filesystem::path& folder,
@@ -70,12 +70,12 @@ results::RunRecord record_at_start(const Plan& plan,
     record.scenes.back().prices = prices[scene.name];
   }
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
-  for (const auto& planned : plan.pictures) {
+  for (const auto& planned : plan.targets) {
     if (planned.jobs.empty()) {
-      record.pictures.push_back(undeclared_picture(plan, planned, folder));
+      record.targets.push_back(undeclared_target(plan, planned, folder));
     } else {
-      record.pictures.push_back(blank_picture(plan, planned, folder));
-      take_job_verdict(record.jobs[planned.jobs.front()], record.pictures.back());
+      record.targets.push_back(blank_target(plan, planned, folder));
+      take_job_verdict(record.jobs[planned.jobs.front()], record.targets.back());
     }
   }
   summarise(plan, versions, record);
@@ -96,7 +96,7 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
   auto work = render_jobs(plan, versions, folders, context);
-  record.pictures = all_pictures(plan, work, folders);
+  record.targets = all_targets(plan, work, folders);
   record.jobs = std::move(work.jobs);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(),

@@ -11,10 +11,10 @@
 
 namespace orbs::runner {
 
-/// Called after each render, one at a time: how many are done, of how many, the render, and the pictures
+/// Called after each render, one at a time: how many are done, of how many, the render, and the images
 /// judged from it.
 using Progress = std::function<void(
-    std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::PictureRecord>&)>;
+    std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::TargetRecord>&)>;
 
 struct RunContext {
   std::string orbs_version;

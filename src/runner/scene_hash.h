@@ -7,7 +7,7 @@
 
 namespace orbs::runner {
 
-/// Changes whenever the picture may: all of the scene's text, its meshes, and the files of its textures,
+/// Changes whenever the image may: all of the scene's text, its meshes, and the files of its textures,
 /// IES profiles and tables of spectra.
 std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesystem::path& file);
 

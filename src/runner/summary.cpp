@@ -10,16 +10,16 @@ namespace orbs::runner {
 namespace {
 
 using results::Cell;
-using results::PictureRecord;
+using results::TargetRecord;
 using results::Verdict;
 
-void add_to_cell(const PictureRecord& picture, bool is_first, Cell& cell) {
-  cell.declared = picture.declared;
-  if (is_first || results::worse(cell.verdict, picture.verdict) != cell.verdict) {
-    cell.verdict = picture.verdict;
-    cell.sentence = picture.sentence;
+void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
+  cell.declared = target.declared;
+  if (is_first || results::worse(cell.verdict, target.verdict) != cell.verdict) {
+    cell.verdict = target.verdict;
+    cell.sentence = target.sentence;
   }
-  for (const auto& measure : picture.measures)
+  for (const auto& measure : target.measures)
     if (measure.name == "psnr_srgb8")
       cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(measure.value), measure.value);
 }
@@ -31,10 +31,10 @@ void fill_requirements(const Plan& plan, results::RunRecord& record) {
     if (!known) record.requirements.push_back({one_case.requirement, one_case.title, {}});
   }
   for (auto& requirement : record.requirements)
-    for (const auto& picture : record.pictures) {
-      if (picture.requirement != requirement.code) continue;
-      const bool is_first = !requirement.cells.contains(picture.renderer);
-      add_to_cell(picture, is_first, requirement.cells[picture.renderer]);
+    for (const auto& target : record.targets) {
+      if (target.requirement != requirement.code) continue;
+      const bool is_first = !requirement.cells.contains(target.renderer);
+      add_to_cell(target, is_first, requirement.cells[target.renderer]);
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace orbs::runner {
 
-/// Fills requirements and renderers of the record anew from its pictures and jobs.
+/// Fills requirements and renderers of the record anew from its images and jobs.
 void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record);
 
 /// What a renderer fulfils by the table: the requirements whose cell is a pass, in ORB.S notation. Groups

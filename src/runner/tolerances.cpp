@@ -15,10 +15,10 @@ namespace orbs::runner {
 
 namespace {
 
-using results::PictureRecord;
+using results::TargetRecord;
 using results::Verdict;
 
-void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecord& record) {
+void check_means(double tolerance, const metrics::NoiseTest& noise, TargetRecord& record) {
   const std::array<std::pair<const char*, const char*>, 3> channels{
       {{"R", "mean_ratio_r"}, {"G", "mean_ratio_g"}, {"B", "mean_ratio_b"}}};
   for (std::size_t c = 0; c < 3; ++c) {
@@ -30,7 +30,7 @@ void check_means(double tolerance, const metrics::NoiseTest& noise, PictureRecor
   }
 }
 
-void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias, PictureRecord& record) {
+void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias, TargetRecord& record) {
   if (!bias) return;
   const auto where = rectangle_numbers(bias->where);
   const bool passed = bias->value <= tolerance;
@@ -43,7 +43,7 @@ void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias
        "1",
        "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five "
        "standard errors of the tile's own pixels, over the reference's means of tile and "
-       "picture together; of R, G and B the worst; linear Rec.709, no clamp",
+       "image together; of R, G and B the worst; linear Rec.709, no clamp",
        true,
        false,
        {},
@@ -53,7 +53,7 @@ void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias
   if (!passed) take(record, Verdict::Fail, sentence);
 }
 
-void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur, PictureRecord& record) {
+void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur, TargetRecord& record) {
   constexpr double kStandardErrors = 3;
   if (!blur) return;
   const double reach = kStandardErrors * blur->standard_error;
@@ -81,7 +81,7 @@ void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur,
   if (!passed) take(record, Verdict::Fail, sentence);
 }
 
-void check_stokes(double tolerance, const JudgedPair& pair, PictureRecord& record) {
+void check_stokes(double tolerance, const JudgedPair& pair, TargetRecord& record) {
   if (!metrics::has_stokes(pair.reference)) return;
   const auto error = metrics::stokes_error(pair.result, pair.reference, pair.mask);
   if (!error) {
@@ -112,7 +112,7 @@ void check_stokes(double tolerance, const JudgedPair& pair, PictureRecord& recor
 
 }  // namespace
 
-void take(results::PictureRecord& record, results::Verdict verdict, const std::string& sentence) {
+void take(results::TargetRecord& record, results::Verdict verdict, const std::string& sentence) {
   if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
     record.verdict = verdict;
     record.sentence = sentence;
@@ -125,7 +125,7 @@ std::vector<double> rectangle_numbers(const std::optional<metrics::Rectangle>& w
           static_cast<double>(where->y1)};
 }
 
-void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, PictureRecord& record) {
+void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, TargetRecord& record) {
   const auto& [result, reference, mask, noise] = pair;
   if (one_case.mean_ratio) check_means(*one_case.mean_ratio, noise, record);
   if (one_case.tile_ratio)

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-/// What a picture must keep beside the gate of ORB.S: the mean of each channel, that of each tile, how sharp
+/// What an image must keep beside the gate of ORB.S: the mean of each channel, that of each tile, how sharp
 /// its edges are, and how its light is polarised.
 namespace orbs::runner {
 
-/// Comparable pictures and what is known about their noise.
+/// Comparable images and what is known about their noise.
 struct JudgedPair {
   const image::Image& result;
   const image::Image& reference;
@@ -24,10 +24,10 @@ struct JudgedPair {
 
 /// Adds a check for each tolerance of the case, the measures that these rest on, and takes over the verdict
 /// of one that is not kept.
-void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, results::PictureRecord& record);
+void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, results::TargetRecord& record);
 
 /// A worse verdict takes over, with its sentence.
-void take(results::PictureRecord& record, results::Verdict verdict, const std::string& sentence);
+void take(results::TargetRecord& record, results::Verdict verdict, const std::string& sentence);
 
 /// x0, y0, x1, y1; empty for nothing.
 std::vector<double> rectangle_numbers(const std::optional<metrics::Rectangle>& where);

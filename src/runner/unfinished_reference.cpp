@@ -41,9 +41,9 @@ std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, con
   const auto file = file_of(unfinished, pass);
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    auto picture = image::read_image(file);
-    if (passport_of(picture)["spp"] != std::to_string(pass.spp)) return std::nullopt;
-    return picture;
+    auto image = image::read_image(file);
+    if (passport_of(image)["spp"] != std::to_string(pass.spp)) return std::nullopt;
+    return image;
   } catch (const InputError&) {
     return std::nullopt;  // torn
   }

@@ -77,9 +77,9 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
 }
 
 void add_outputs(const Scene& scene, SceneEffects& found) {
-  if (scene.outputs.stokes) note(found, {Effect::Polarisation, true, "holds Stokes vectors"}, "the picture");
+  if (scene.outputs.stokes) note(found, {Effect::Polarisation, true, "holds Stokes vectors"}, "the image");
   if (scene.outputs.path_classes)
-    note(found, {Effect::PathClasses, true, "is split by classes of light path"}, "the picture");
+    note(found, {Effect::PathClasses, true, "is split by classes of light path"}, "the image");
 }
 
 }  // namespace

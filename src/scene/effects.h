@@ -51,7 +51,7 @@ SceneEffects effects(const Scene& scene);
 
 bool calls_for(const SceneEffects& found, Effect effect);
 
-/// An index that varies by less refracts 1e-6 radians differently, a thousandth of a pixel of a picture of
+/// An index that varies by less refracts 1e-6 radians differently, a thousandth of a pixel of an image of
 /// 1000 pixels.
 constexpr double kLeastDispersion = 1e-6;
 

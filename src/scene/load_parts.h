@@ -19,7 +19,7 @@ namespace orbs::scene {
 constexpr double kFarthest_m = 1e12;
 constexpr json::Range kPlace{-kFarthest_m, kFarthest_m};
 constexpr json::Range kLength{1e-12, kFarthest_m};
-/// What a channel of a picture holds.
+/// What a channel of an image holds.
 constexpr json::Range kRadiance{0, std::numeric_limits<float>::max()};
 
 /// Names given to one kind of thing, in file order: name -> index, with complaints about doubles and dangling

@@ -10,7 +10,7 @@ namespace orbs::scene {
 
 namespace {
 
-// Directions are floats, rounded by up to 6e-8: with finer pixels the picture would move by a tenth of one.
+// Directions are floats, rounded by up to 6e-8: with finer pixels the image would move by a tenth of one.
 void check_pixels(json::ObjectReader& in, const Camera& camera) {
   constexpr double kFinest_rad = 1e-6;
   const double pixel_rad = 2 * camera_frame(camera).half_height / camera.height_px;
@@ -40,7 +40,7 @@ Camera load_camera(json::ObjectReader in) {
             fmt::format("'near' must be below 'far', they are {} and {}", camera.near_m, camera.far_m));
   const Vec3d view = camera.look_at_m - camera.position_m;
   if (length(view) == 0) in.fail("look_at", "must differ from position: the view has no direction");
-  // gluLookAt divides by |view x up|: below 1e-9 of their lengths the picture's up direction is rounding
+  // gluLookAt divides by |view x up|: below 1e-9 of their lengths the image's up direction is rounding
   // noise.
   if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
     in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");

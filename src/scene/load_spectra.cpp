@@ -175,7 +175,7 @@ Colour load_radiance(json::ObjectReader& in, const std::string& key, const Spect
                "holds its ends beyond its samples, as reflectances do; a light needs \"beyond\": \"zero\"");
   const Rgb rgb = spectra::rgb_of_xyz(spectra::xyz_of_light(spectrum)) * use.scale;
   if (!(std::max({std::fabs(rgb.x), std::fabs(rgb.y), std::fabs(rgb.z)}) <= kRadiance.max))
-    in.fail(key, fmt::format("reaches ({}, {}, {}); a picture holds at most {}", rgb.x, rgb.y, rgb.z,
+    in.fail(key, fmt::format("reaches ({}, {}, {}); an image holds at most {}", rgb.x, rgb.y, rgb.z,
                              kRadiance.max));
   return {rgb, use};
 }

@@ -41,7 +41,7 @@ struct Camera {
 enum class Wrap { Repeat, Clamp };
 
 /// LDR files (PNG, JPEG, BMP) hold sRGB values and are decoded to linear per texel, before bilinear
-/// filtering; float files are linear. The bottom row of the picture has v = 0; texel centres lie at +0.5.
+/// filtering; float files are linear. The bottom row of the image has v = 0; texel centres lie at +0.5.
 struct Texture {
   std::string name;
   std::filesystem::path file;  // absolute
@@ -255,7 +255,7 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-/// What the picture holds beside the colour.
+/// What the image holds beside the colour.
 struct Outputs {
   bool stokes = false;        // S0 to S3 in the camera's frame
   bool path_classes = false;  // one layer for each class of light path

@@ -10,7 +10,7 @@
 
 namespace orbs::server {
 
-/// Packed pictures that were asked for lately. Packing takes memory for the decoded picture, so only a few
+/// Packed images that were asked for lately. Packing takes memory for the decoded image, so only a few
 /// are packed at a time and the others wait, however many clients ask.
 class ImageCache {
  public:

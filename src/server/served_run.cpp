@@ -36,11 +36,11 @@ std::shared_ptr<const std::string> ServedRun::overview() {
   return overview_;
 }
 
-std::optional<std::string> ServedRun::picture(std::size_t index) {
+std::optional<std::string> ServedRun::target(std::size_t index) {
   const std::lock_guard lock(mutex_);
   look();
-  if (index >= view_.run.pictures.size()) return std::nullopt;
-  return report::picture_json(view_, index);
+  if (index >= view_.run.targets.size()) return std::nullopt;
+  return report::target_json(view_, index);
 }
 
 std::string ServedRun::progress() {

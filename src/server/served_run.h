@@ -23,7 +23,7 @@ class ServedRun {
 
   /// The texts of report::overview_json and its siblings.
   std::shared_ptr<const std::string> overview();
-  std::optional<std::string> picture(std::size_t index);
+  std::optional<std::string> target(std::size_t index);
   std::string progress();
 
   /// Grows whenever the run changes; looks at the folder at most every `kLookInterval`.

@@ -84,16 +84,16 @@ void send_image(Site& site,
                 const std::string& layer,
                 httplib::Response& response) {
   constexpr int kFast = 1;
-  if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR pictures are packed");
+  if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR images are packed");
   const auto file = open_inside(run.folder(), path);
-  if (!file) return refuse(response, 404, "there is no such picture in this run");
+  if (!file) return refuse(response, 404, "there is no such image in this run");
   constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
-  if (file->size() > kMostBytes) return refuse(response, 422, "the picture is larger than 2 GiB");
-  // The size stands in the key because the run may go on and write the picture anew.
+  if (file->size() > kMostBytes) return refuse(response, 422, "the image is larger than 2 GiB");
+  // The size stands in the key because the run may go on and write the image anew.
   const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->size());
   const auto bytes = site.images.get(key, [&] {
-    const auto picture = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
-    return report::packed_image(picture, layer, report::Rounding::Exact, kFast);
+    const auto image = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
+    return report::packed_image(image, layer, report::Rounding::Exact, kFast);
   });
   response.set_content_provider(bytes->size(), "application/octet-stream",
                                 [bytes](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
@@ -102,11 +102,11 @@ void send_image(Site& site,
                                 });
 }
 
-void send_picture(ServedRun& run, std::string_view name, httplib::Response& response) {
+void send_target(ServedRun& run, std::string_view name, httplib::Response& response) {
   const auto stem = name.ends_with(".json") ? name.substr(0, name.size() - 5) : std::string_view();
   const auto index = to_integer(stem);
-  const auto text = index && *index >= 0 ? run.picture(static_cast<std::size_t>(*index)) : std::nullopt;
-  if (!text) return refuse(response, 404, "this run has no such picture");
+  const auto text = index && *index >= 0 ? run.target(static_cast<std::size_t>(*index)) : std::nullopt;
+  if (!text) return refuse(response, 404, "this run has no such target");
   response.set_content(*text, kJson);
 }
 
@@ -123,7 +123,7 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
   if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
   if (rest == "events") return send_events(site, run, response);
-  if (rest.starts_with("picture/")) return send_picture(run, after("picture/"), response);
+  if (rest.starts_with("target/")) return send_target(run, after("target/"), response);
   if (rest.starts_with("image/")) return send_image(site, run, after("image/"), layer, response);
   if (rest.starts_with("file/")) return send_file(run, after("file/"), response);
   refuse(response, 404, "there is nothing here");

@@ -15,8 +15,8 @@
 ///   /, /page.js, /page.css ...              the bundle
 ///   /data/runs.json                          the runs that are served
 ///   /data/<run>/overview.json                report::overview_json
-///   /data/<run>/picture/<index>.json         report::picture_json
-///   /data/<run>/image/<path>.exr?layer=...   a picture of the run's folder, packed (report::packed_image)
+///   /data/<run>/target/<index>.json        report::target_json
+///   /data/<run>/image/<path>.exr?layer=...   an image of the run's folder, packed (report::packed_image)
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
 /// <run> counts from 0.

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-/// The tables of data/common/spectra that every spectral picture needs, compiled in by
+/// The tables of data/common/spectra that every spectral image needs, compiled in by
 /// cmake/embed_table.cmake. The first column is the wavelength in nm, the others are as the header of the
 /// file names them.
 namespace orbs::spectra {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// Between spectra and linear Rec.709 (the colour space of all pictures here). Its white is illuminant D65 as
+/// Between spectra and linear Rec.709 (the colour space of all images here). Its white is illuminant D65 as
 /// tabulated, integrated like everything else, so that D65 is exactly (1, 1, 1); the rounded chromaticity
 /// (0.3127, 0.3290) that the standard prints would make it (1.00016, 0.99998, 0.99976).
 namespace orbs::spectra {

@@ -52,7 +52,7 @@ runner::Plan plan_of(const registry::Configuration& configuration,
   return plan;
 }
 
-struct Pictures {
+struct Images {
   std::vector<std::vector<image::Image>> large;  // [renderer][round]
 };
 
@@ -61,7 +61,7 @@ bool render_round(int round,
                   const std::vector<BenchSubject>& subjects,
                   const BenchContext& context,
                   BenchRecord& record,
-                  Pictures& pictures) {
+                  Images& images) {
   const int small_spp = std::max(1, record.settings.spp / 8);
   for (std::size_t turn = 0; turn < subjects.size(); ++turn) {
     // Every other round backwards: none is always the one that comes after a rest.
@@ -71,7 +71,7 @@ bool render_round(int round,
     auto large = render(subjects[i], {record.settings.spp, round + 1, record.settings.threads}, context.stop);
     if (!large) return false;
     record.renderers[i].rounds.push_back({small->render, large->render});
-    pictures.large[i].push_back(std::move(large->picture));
+    images.large[i].push_back(std::move(large->image));
     context.say(fmt::format("[{}/{}] {:<8} {} and {} spp took {:.2f} and {:.2f} s of CPU", round + 1,
                             record.settings.rounds, record.renderers[i].name, small_spp, record.settings.spp,
                             small->render.cpu_seconds, large->render.cpu_seconds));
@@ -79,13 +79,13 @@ bool render_round(int round,
   return true;
 }
 
-void measure_noise(const Pictures& pictures, BenchRecord& record) {
+void measure_noise(const Images& images, BenchRecord& record) {
   if (record.settings.rounds < 2) return;
   std::vector<image::Image> means;
-  for (const auto& of_renderer : pictures.large) means.push_back(metrics::mean_of(of_renderer));
+  for (const auto& of_renderer : images.large) means.push_back(metrics::mean_of(of_renderer));
   const auto mean = metrics::mean_of(means);
   for (std::size_t i = 0; i < record.renderers.size(); ++i)
-    record.renderers[i].noise = noise_of_seeds(pictures.large[i], mean, record.settings.threads);
+    record.renderers[i].noise = noise_of_seeds(images.large[i], mean, record.settings.threads);
 }
 
 // std::clock: CPU time of all threads.
@@ -127,16 +127,16 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
     subjects.push_back(prepare_subject(chosen, plan, scene, scratch.path() / chosen.entry.name));
     record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, plan), {}, {}});
   }
-  Pictures pictures{std::vector<std::vector<image::Image>>(subjects.size())};
+  Images images{std::vector<std::vector<image::Image>>(subjects.size())};
   for (int round = 0; round < settings.rounds; ++round)
-    if (!render_round(round, subjects, context, record, pictures)) return std::nullopt;
-  measure_noise(pictures, record);
+    if (!render_round(round, subjects, context, record, images)) return std::nullopt;
+  measure_noise(images, record);
   constexpr int kOverheadRounds = 20;
-  record.overhead = measure_overhead(scene, pictures.large.front().front(), kOverheadRounds,
+  record.overhead = measure_overhead(scene, images.large.front().front(), kOverheadRounds,
                                      scratch.path() / "overhead", context.stop);
   if (!record.overhead) return std::nullopt;
-  record.metrics_cpu_ms = metrics_cpu_ms(pictures.large.front().front(),
-                                         metrics::mean_of(pictures.large.front()), settings.threads);
+  record.metrics_cpu_ms =
+      metrics_cpu_ms(images.large.front().front(), metrics::mean_of(images.large.front()), settings.threads);
   return record;
 }
 

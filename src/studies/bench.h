@@ -15,11 +15,11 @@
 /// Questions that need many runs of a renderer: what speed and accuracy cost.
 namespace orbs::studies {
 
-/// What the harness adds to each render. The "renderer" copies a finished picture, so that little but the
+/// What the harness adds to each render. The "renderer" copies a finished image, so that little but the
 /// harness's own work is left. The programs of orbs are loaded once a run, not once a render, and are not in
-/// it; neither is the judging of the picture.
+/// it; neither is the judging of the image.
 struct Overhead {
-  Spread harness_ms;  // scene written, command run by its warden, picture read and checked, folder in place
+  Spread harness_ms;  // scene written, command run by its warden, image read and checked, folder in place
   Spread bare_ms;     // posix_spawn of the same command, and waiting for it
 };
 
@@ -38,7 +38,7 @@ struct BenchContext {
   std::function<void(const std::string&)> say;
 };
 
-/// One render as a process: start, scene and picture file are in these times.
+/// One render as a process: start, scene and image file are in these times.
 struct BenchRender {
   int spp = 0;
   double cpu_seconds = 0;  // user and system
@@ -74,12 +74,12 @@ struct BenchRecord {
   std::vector<BenchRenderer> renderers;
   std::vector<results::LeftOut> left_out;
   std::optional<Overhead> overhead;
-  double metrics_cpu_ms = 0;  // one metrics::compare of two of the pictures, all maps included
+  double metrics_cpu_ms = 0;  // one metrics::compare of two of the images, all maps included
 };
 
 /// Renders the Cornell box with each renderer in turn, round by round, so that whatever else happens on the
 /// machine falls on all of them. Nothing when stopped. InputError when a renderer that is named is not there,
-/// or when one gives no picture.
+/// or when one gives no image.
 std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
                                      const BenchSettings& settings,
                                      const BenchContext& context);

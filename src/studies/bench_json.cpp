@@ -81,10 +81,9 @@ void put_definitions(json::Writer& out) {
               "noise of the large render, its power scaled as 1 / n to the samples that fit into "
               "equal_cpu_seconds")
       .member("equal_cpu_seconds", "what the first renderer's samples of a large render cost, median")
-      .member(
-          "overhead.harness_ms",
-          "a program that copies a picture of this size, as one render: scene written, run by its warden, "
-          "picture read and checked, folder flushed to disk and put into place")
+      .member("overhead.harness_ms",
+              "a program that copies an image of this size, as one render: scene written, run by its warden, "
+              "image read and checked, folder flushed to disk and put into place")
       .member("overhead.bare_ms", "the same program by posix_spawn")
       .member("overhead.added_ms", "difference of the two medians: what each render costs besides itself")
       .member("overhead.watching_share",

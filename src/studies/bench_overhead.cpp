@@ -25,13 +25,13 @@ double ms_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-// A plan of one render by a program that copies the picture.
-runner::Plan copying_plan(const scene::Scene& scene, const std::filesystem::path& picture) {
+// A plan of one render by a program that copies the image.
+runner::Plan copying_plan(const scene::Scene& scene, const std::filesystem::path& image) {
   runner::Plan plan;
   registry::Renderer entry;
   entry.name = "copy";
   entry.declares = registry::parse_features("G5/M8/L4/A4");
-  entry.command = {"{executable}", picture.string(), "{output}"};
+  entry.command = {"{executable}", image.string(), "{output}"};
   plan.renderers.push_back({entry, "/bin/cp"});
   plan.scenes.push_back({"scene", {}, 1, std::make_shared<const scene::Scene>(scene)});
   runner::PlannedJob job;
@@ -49,10 +49,10 @@ double harness_ms(const runner::Plan& plan,
   const auto& job = plan.jobs.front();
   const auto execution = runner::execute(plan, job, "", folders, stop);
   const bool stopped = stop != nullptr && stop->load();
-  if (!execution.picture && !stopped)
+  if (!execution.image && !stopped)
     throw InputError(
         fmt::format("{}: {}", plan.renderers.front().executable.string(), execution.record.sentence));
-  if (!execution.picture) return 0;
+  if (!execution.image) return 0;
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(execution.record, {}));
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
   argv = execution.record.argv;
@@ -75,13 +75,13 @@ double bare_ms(std::vector<std::string> words) {
 }  // namespace
 
 std::optional<Overhead> measure_overhead(const scene::Scene& scene,
-                                         const image::Image& picture,
+                                         const image::Image& image,
                                          int rounds,
                                          const std::filesystem::path& scratch,
                                          const std::atomic<bool>* stop) {
   make_folder(scratch);
-  image::write_exr(picture, scratch / "picture.exr");
-  const auto plan = copying_plan(scene, scratch / "picture.exr");
+  image::write_exr(image, scratch / "image.exr");
+  const auto plan = copying_plan(scene, scratch / "image.exr");
   const runner::WorkFolders folders{scratch / "run", scratch / "run/unfinished"};
   std::vector<double> harness;
   std::vector<double> bare;

@@ -10,10 +10,10 @@
 
 namespace orbs::studies {
 
-/// Both in turns, `rounds` times, with `picture` as the result. Nothing when stopped. InputError when the
+/// Both in turns, `rounds` times, with `image` as the result. Nothing when stopped. InputError when the
 /// command fails.
 std::optional<Overhead> measure_overhead(const scene::Scene& scene,
-                                         const image::Image& picture,
+                                         const image::Image& image,
                                          int rounds,
                                          const std::filesystem::path& scratch,
                                          const std::atomic<bool>* stop);

@@ -57,9 +57,9 @@ BenchSubject prepare_subject(const runner::ChosenRenderer& renderer,
   return subject;
 }
 
-std::optional<BenchPicture> render(const BenchSubject& subject,
-                                   const BenchRenderSettings& settings,
-                                   const std::atomic<bool>* stop) {
+std::optional<BenchImage> render(const BenchSubject& subject,
+                                 const BenchRenderSettings& settings,
+                                 const std::atomic<bool>* stop) {
   const auto& entry = subject.renderer.entry;
   auto job_settings = subject.settings;
   job_settings.spp = settings.spp;
@@ -80,15 +80,15 @@ std::optional<BenchPicture> render(const BenchSubject& subject,
   const auto process = adapters::run_process(request);
   if (process.cause == warden::Cause::Stopped) return std::nullopt;
   auto outcome = runner::classify(process, job, entry.limits);
-  if (!outcome.picture)
+  if (!outcome.image)
     throw InputError(fmt::format("renderer '{}' {}; {}", entry.name, outcome.sentence,
                                  process.output.empty() ? "it said nothing" : "it said:\n" + process.output));
-  BenchPicture made;
+  BenchImage made;
   const auto report = subject.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
   made.render = {settings.spp,           process.user_seconds + process.system_seconds,
                  process.wall_seconds,   process.warden_cpu_seconds,
                  report.traversal_share, report.samples_cpu_seconds};
-  made.picture = std::move(*outcome.picture);
+  made.image = std::move(*outcome.image);
   return made;
 }
 

@@ -31,9 +31,9 @@ struct BenchRenderSettings {
   bool may_be_negative = false;               // the pixels, as colours beyond Rec.709 are
 };
 
-struct BenchPicture {
+struct BenchImage {
   BenchRender render;
-  image::Image picture;
+  image::Image image;
 };
 
 /// Makes `folder` and writes the scene into it. InputError when the renderer cannot render the scene.
@@ -42,9 +42,9 @@ BenchSubject prepare_subject(const runner::ChosenRenderer& renderer,
                              const scene::Scene& scene,
                              const std::filesystem::path& folder);
 
-/// Nothing when stopped. InputError, with the renderer's last words, when there is no usable picture.
-std::optional<BenchPicture> render(const BenchSubject& subject,
-                                   const BenchRenderSettings& settings,
-                                   const std::atomic<bool>* stop);
+/// Nothing when stopped. InputError, with the renderer's last words, when there is no usable image.
+std::optional<BenchImage> render(const BenchSubject& subject,
+                                 const BenchRenderSettings& settings,
+                                 const std::atomic<bool>* stop);
 
 }  // namespace orbs::studies

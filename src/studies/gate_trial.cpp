@@ -1,6 +1,6 @@
 #include "studies/gate_trial.h"
 
-#include "runner/judge_pictures.h"
+#include "runner/judge_targets.h"
 #include "runner/outcome.h"
 #include "studies/twins.h"
 
@@ -18,36 +18,36 @@ namespace {
 
 using image::Image;
 using results::GateRecord;
-using results::PictureRecord;
 using results::SmallestFault;
+using results::TargetRecord;
 using results::TwinRecord;
 using results::Verdict;
 
 bool is_difference(const GateTrial& trial) {
   return std::any_of(trial.one_case.differences.begin(), trial.one_case.differences.end(),
-                     [&](const auto& difference) { return difference.name == trial.picture; });
+                     [&](const auto& difference) { return difference.name == trial.image; });
 }
 
-PictureRecord judged(const GateTrial& trial, const Image& picture) {
-  PictureRecord record;
-  record.picture = trial.picture;
+TargetRecord judged(const GateTrial& trial, const Image& image) {
+  TargetRecord record;
+  record.target = trial.image;
   adapters::Job expected;
-  expected.width_px = trial.reference.picture->width;
-  expected.height_px = trial.reference.picture->height;
+  expected.width_px = trial.reference.image->width;
+  expected.height_px = trial.reference.image->height;
   expected.may_be_negative = is_difference(trial) || !trial.one_case.negative_values.empty();
-  const auto usable = runner::check_pixels(expected, picture, "the picture");
+  const auto usable = runner::check_pixels(expected, image, "the image");
   if (usable.verdict != Verdict::Pass) {
     record.verdict = usable.verdict;
     record.sentence = usable.sentence;
     return record;
   }
-  runner::judge_values(trial.one_case, picture, trial.reference,
-                       {.measured = runner::Measured::ForTheVerdict}, record);
+  runner::judge_values(trial.one_case, image, trial.reference, {.measured = runner::Measured::ForTheVerdict},
+                       record);
   return record;
 }
 
 // "Too noisy to tell" is no rejection.
-bool is_rejected(const PictureRecord& record) {
+bool is_rejected(const TargetRecord& record) {
   return results::worse(record.verdict, Verdict::Fail) == record.verdict;
 }
 
@@ -57,10 +57,10 @@ TwinRecord tried(const GateTrial& trial, const std::string& fault, const Image& 
           fmt::format("{}: {}", results::verdict_name(record.verdict), record.sentence)};
 }
 
-// Of the pictures of the same size the one that is most like this, and yet another: who tells these two apart
+// Of the images of the same size the one that is most like this, and yet another: who tells these two apart
 // tells all apart.
 TwinRecord tried_with_another(const GateTrial& trial) {
-  const auto own = image::select_rgb(*trial.reference.picture, "").pixels;
+  const auto own = image::select_rgb(*trial.reference.image, "").pixels;
   const Image* nearest = nullptr;
   std::string name;
   double least = std::numeric_limits<double>::infinity();
@@ -70,30 +70,30 @@ TwinRecord tried_with_another(const GateTrial& trial) {
     double sum = 0;
     for (std::size_t i = 0; i < own.size(); ++i)
       sum += std::fabs(static_cast<double>(own[i]) - static_cast<double>(pixels[i]));
-    if (sum == 0 || sum >= least) continue;  // 0: the same picture, so no fault
+    if (sum == 0 || sum >= least) continue;  // 0: the same image, so no fault
     least = sum;
     name = other_name;
     nearest = &other;
   }
-  if (nearest == nullptr) return {"another picture", "no other reference has its size", false, ""};
-  return tried(trial, fmt::format("the picture of {}", name), *nearest);
+  if (nearest == nullptr) return {"another image", "no other reference has its size", false, ""};
+  return tried(trial, fmt::format("the image of {}", name), *nearest);
 }
 
 void try_twins(const GateTrial& trial, const metrics::Rectangle& leak, double mean, GateRecord& gate) {
   gate.twins.push_back(tried_with_another(trial));
-  auto faults = faults_of(*trial.reference.picture);
+  auto faults = faults_of(*trial.reference.image);
   faults.push_back({"a leak of the mean light into 16 x 16 px",
-                    [&](const Image& picture) { return with_leak(picture, leak, mean); }});
+                    [&](const Image& image) { return with_leak(image, leak, mean); }});
   for (const auto& fault : faults) {
-    // What leaves the right picture as it is cannot be a fault, by whatever name it goes.
-    if (image::has_same_colours(fault.apply(*trial.reference.picture), *trial.reference.picture)) {
+    // What leaves the right image as it is cannot be a fault, by whatever name it goes.
+    if (image::has_same_colours(fault.apply(*trial.reference.image), *trial.reference.image)) {
       gate.twins.push_back({fault.name, "it leaves the reference as it is, to the bit", false, ""});
     } else {
       gate.twins.push_back(tried(trial, fault.name, fault.apply(trial.honest)));
     }
   }
   if (!trial.no_dark.empty()) gate.twins.push_back({"a missing light", trial.no_dark, false, ""});
-  for (const auto& dark : trial.dark) gate.twins.push_back(tried(trial, dark.name, dark.picture));
+  for (const auto& dark : trial.dark) gate.twins.push_back(tried(trial, dark.name, dark.image));
 }
 
 // Within 10 %, between `least` and `most`, by halving the ratio; takes for granted that larger faults are
@@ -127,13 +127,13 @@ SmallestFault smallest_fault(const GateTrial& trial, double least, double most, 
 GateRecord try_gate(const GateTrial& trial) {
   GateRecord gate;
   gate.case_name = trial.one_case.name;
-  gate.picture = trial.picture;
+  gate.target = trial.image;
   const auto honest = judged(trial, trial.honest);
   gate.accepts_honest = honest.verdict == Verdict::Pass;
   gate.honest_sentence = fmt::format("{}: {}{}{}", results::verdict_name(honest.verdict), honest.sentence,
                                      honest.remarks.empty() ? "" : "; ", fmt::join(honest.remarks, "; "));
-  const auto where = place_of_leak(*trial.reference.picture, runner::mask_of(trial.one_case, trial.picture));
-  const double mean = mean_radiance(*trial.reference.picture);
+  const auto where = place_of_leak(*trial.reference.image, runner::mask_of(trial.one_case, trial.image));
+  const double mean = mean_radiance(*trial.reference.image);
   try_twins(trial, where, mean, gate);
   gate.global =
       smallest_fault(trial, 1e-4, 0.5, [&](double share) { return with_more_light(trial.honest, share); });

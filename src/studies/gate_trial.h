@@ -11,10 +11,10 @@
 
 namespace orbs::studies {
 
-/// All that the gate of one picture is tried with.
+/// All that the gate of one image is tried with.
 struct GateTrial {
   const registry::Case& one_case;
-  std::string picture;
+  std::string image;
   runner::Reference reference;  // there
   image::Image honest;
   const std::map<std::string, image::Image>& others;  // references of the suite, by name
@@ -22,8 +22,8 @@ struct GateTrial {
   std::string no_dark;  // why `dark` is empty
 };
 
-/// Judges the honest picture, all twins, and looks for the smallest faults; the rest of the record is the
-/// caller's. By what judges the pictures of a run, and nothing else.
+/// Judges the honest image, all twins, and looks for the smallest faults; the rest of the record is the
+/// caller's. By what judges the images of a run, and nothing else.
 results::GateRecord try_gate(const GateTrial& trial);
 
 }  // namespace orbs::studies

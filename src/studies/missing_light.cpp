@@ -25,7 +25,7 @@ bool glows(const scene::Scene& scene) {
 std::string why_no_light_can_miss(const scene::Scene& scene) {
   if (scene.lights.empty()) return "it has no light that could be missing";
   const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::Rgb{};
-  return has_more ? "" : "its only light: without it the picture is black";
+  return has_more ? "" : "its only light: without it the image is black";
 }
 
 std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& plan,
@@ -34,7 +34,7 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
                                                             const std::filesystem::path& scratch,
                                                             const std::atomic<bool>* stop) {
   constexpr int kSeed = 2;  // any that no reference has
-  std::vector<MissingLight> pictures;
+  std::vector<MissingLight> images;
   for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
     auto dark = *scene.scene;
     const auto name = "without " + scene::called("light", dark.lights[i].name, i);
@@ -43,10 +43,10 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
     const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);
     auto made = render(subject, {spp, kSeed, plan.threads}, stop);
     if (!made) return std::nullopt;
-    pictures.push_back({name, std::move(made->picture)});
+    images.push_back({name, std::move(made->image)});
     std::filesystem::remove_all(folder);
   }
-  return pictures;
+  return images;
 }
 
 }  // namespace orbs::studies

@@ -14,7 +14,7 @@ namespace orbs::studies {
 /// A scene rendered with one of its lights left out.
 struct MissingLight {
   std::string name;  // "without light 'turned'"
-  image::Image picture;
+  image::Image image;
 };
 
 /// Whether the scene has a light that can be missing while another still lights it: another light, a thing

@@ -9,7 +9,7 @@
 #include "scene/load_scene.h"
 #include "scene/without_effect.h"
 #include "studies/bench_render.h"
-#include "studies/picture_change.h"
+#include "studies/image_change.h"
 
 #include <algorithm>
 #include <set>
@@ -27,7 +27,7 @@ struct Way {
   std::vector<std::string> arguments;
   bool is_enough = false;
   std::vector<double> cpu_seconds{};  // of each round
-  std::vector<image::Image> pictures{};
+  std::vector<image::Image> images{};
 };
 
 scene::Scene scaled_scene(const std::filesystem::path& file, int size_px) {
@@ -80,27 +80,27 @@ bool render_rounds(std::vector<Way>& ways, const PriceSettings& settings, const 
       auto made = render(way.subject, {settings.spp, round + 1, 1, way.arguments, true}, context.stop);
       if (!made) return false;
       way.cpu_seconds.push_back(made->render.samples_cpu_seconds.value_or(made->render.cpu_seconds));
-      way.pictures.push_back(std::move(made->picture));
+      way.images.push_back(std::move(made->image));
     }
   return true;
 }
 
 Alternative compare_ways(const Way& usual, const Way& other) {
-  Alternative out{other.name, other.is_enough, {}, 0, change_between(usual.pictures, other.pictures)};
+  Alternative out{other.name, other.is_enough, {}, 0, change_between(usual.images, other.images)};
   std::vector<double> ratios;
   for (std::size_t i = 0; i < usual.cpu_seconds.size(); ++i)
     ratios.push_back(other.cpu_seconds[i] / usual.cpu_seconds[i]);
   out.time_ratio = *spread_of(ratios);
-  const double variance = mean_variance(usual.pictures);
+  const double variance = mean_variance(usual.images);
   if (variance > 0 && out.change.is_comparable)
-    out.error_ratio = out.time_ratio.median * mean_variance(other.pictures) / variance;
+    out.error_ratio = out.time_ratio.median * mean_variance(other.images) / variance;
   return out;
 }
 
 ScenePrices prices_of(const std::string& name, const std::vector<Way>& ways, const PriceSettings& settings) {
   const Way& usual = ways.front();
   ScenePrices prices{name, usual.name, {}, 0, {}};
-  const auto paths = static_cast<double>(usual.pictures.front().pixel_count()) * settings.spp;
+  const auto paths = static_cast<double>(usual.images.front().pixel_count()) * settings.spp;
   prices.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
   for (const auto& finding : scene::effects(usual.subject.scene).called_for) {
     const std::string effect(effect_name(finding.effect));

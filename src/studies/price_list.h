@@ -34,9 +34,9 @@ struct MeanOfRounds {
   double standard_error = 0;
 };
 
-/// How a picture differs from that of what the scene calls for, in Rec.709 luminance over the mean of that
-/// picture.
-struct PictureChange {
+/// How an image differs from that of what the scene calls for, in Rec.709 luminance over the mean of that
+/// image.
+struct ImageChange {
   bool is_equal = false;  // to the bit, in all rounds
   MeanOfRounds mean;
   MeanOfRounds largest;  // of the blocks of 8 x 8 px
@@ -54,7 +54,7 @@ struct Alternative {
   Spread time_ratio;       // CPU time per sample over that of what the scene calls for, round by round
   /// CPU time to the same noise, likewise: that times the ratio of variances. 0 where nobody knows.
   double error_ratio = 0;
-  PictureChange change;
+  ImageChange change;
 };
 
 struct ScenePrices {
@@ -82,7 +82,7 @@ std::optional<PriceList> make_price_list(const registry::Configuration& configur
                                          const PriceSettings& settings,
                                          const PriceContext& context);
 
-/// Whether every richer transport gave the same picture.
+/// Whether every richer transport gave the same image.
 bool all_agree(const PriceList& list);
 
 /// For people: a line for each alternative.

@@ -19,8 +19,8 @@ std::string percent(const MeanOfRounds& m) {
   return fmt::format("{:+.{}f} ± {:.{}f} %", 100 * m.value, decimals, error, decimals);
 }
 
-// What a reader wants to know of the picture: that it is the same, or what is lost.
-std::string picture_text(const Alternative& way) {
+// What a reader wants to know of the image: that it is the same, or what is lost.
+std::string image_text(const Alternative& way) {
   const auto& change = way.change;
   if (change.is_equal) return "same to the bit";
   if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
@@ -47,7 +47,7 @@ void put(json::Writer& out, const Alternative& way) {
   write_spread(out, "time_ratio", way.time_ratio);
   out.member("error_ratio", way.error_ratio)
       .member("is_equal", change.is_equal)
-      .member("picture", picture_text(way));
+      .member("image", image_text(way));
   put(out, "mean_change", change.mean);
   put(out, "largest_change", change.largest);
   out.member("largest_x", change.x)
@@ -68,7 +68,7 @@ void put_definitions(json::Writer& out) {
           "median time ratio times the ratio of the mean variances in linear Rec.709: what the same noise "
           "costs; 0 where nobody knows: no noise, or no light paths for the caustic")
       .member("mean_change",
-              "difference of the mean Rec.709 luminances over the mean of the picture that the scene calls "
+              "difference of the mean Rec.709 luminances over the mean of the image that the scene calls "
               "for; same random numbers, standard error over the rounds")
       .member("largest_change", "the same of the block of 8 x 8 px where it is largest")
       .member("bias", "what differs by more than noise: means, blocks and squares as orbs compare tests them")
@@ -86,19 +86,19 @@ std::string price_table(const PriceList& list) {
     for (const auto& way : scene.alternatives)
       text += fmt::format("  {:<24} time x {:<5} to equal noise x {:<7} {}\n", way.name,
                           what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
-                          picture_text(way));
+                          image_text(way));
   }
   return text;
 }
 
 std::string price_markdown(const PriceList& list) {
   std::string text =
-      "| scene | calls for | instead | time | to equal noise | picture |\n|---|---|---|---|---|---|\n";
+      "| scene | calls for | instead | time | to equal noise | image |\n|---|---|---|---|---|---|\n";
   for (const auto& scene : list.scenes)
     for (const auto& way : scene.alternatives)
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, way.name,
                           what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
-                          picture_text(way));
+                          image_text(way));
   return text;
 }
 

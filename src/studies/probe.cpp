@@ -23,11 +23,11 @@ struct Stand {
 bool is_stopped(const ProbeContext& context) { return context.stop != nullptr && context.stop->load(); }
 
 template <typename Compare>
-ProbePicture take_picture(const Stand& stand,
-                          const runner::ChosenRenderer& renderer,
-                          const scene::Scene& scene,
-                          Compare compare) {
-  ProbePicture taken;
+ProbeImage take_image(const Stand& stand,
+                      const runner::ChosenRenderer& renderer,
+                      const scene::Scene& scene,
+                      Compare compare) {
+  ProbeImage taken;
   const auto prepared = adapters::prepare_scene(renderer.entry, scene);
   if (const auto* reason = std::get_if<std::string>(&prepared)) {
     taken.unsupported = *reason;
@@ -39,12 +39,12 @@ ProbePicture take_picture(const Stand& stand,
     const auto subject = prepare_subject(renderer, stand.plan, scene, folder);
     const auto made = render(subject, {stand.settings.spp, 1, stand.settings.threads}, stand.context.stop);
     if (!made) {
-      taken.no_picture = "was stopped";
+      taken.no_image = "was stopped";
       return taken;
     }
-    taken.findings = compare(made->picture);
+    taken.findings = compare(made->image);
   } catch (const InputError& e) {
-    taken.no_picture = split(e.what(), '\n').front();
+    taken.no_image = split(e.what(), '\n').front();
   }
   return taken;
 }
@@ -67,12 +67,12 @@ void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::v
       records.push_back(std::move(record));
       continue;
     }
-    record.things = take_picture(stand, renderer, probe.scene, [&](const image::Image& picture) {
-      return compare_things(probe, sights, picture);
+    record.things = take_image(stand, renderer, probe.scene, [&](const image::Image& image) {
+      return compare_things(probe, sights, image);
     });
     if (record.things.unsupported.empty())
-      record.coordinates = take_picture(stand, renderer, coordinates, [&](const image::Image& picture) {
-        return compare_coordinates(probe, sights, picture);
+      record.coordinates = take_image(stand, renderer, coordinates, [&](const image::Image& image) {
+        return compare_coordinates(probe, sights, image);
       });
     if (is_stopped(stand.context)) return;
     say_record(stand, record);

@@ -15,7 +15,7 @@
 namespace orbs::studies {
 
 struct ProbeSettings {
-  int most_px = 128;  // longer side of a picture
+  int most_px = 128;  // longer side of an image
   int spp = 16;
   int threads = 2;
 };
@@ -25,18 +25,18 @@ struct ProbeContext {
   std::function<void(const std::string&)> say;
 };
 
-/// One of the two pictures of a scene by a renderer.
-struct ProbePicture {
+/// One of the two images of a scene by a renderer.
+struct ProbeImage {
   std::string unsupported;  // why there is none; "" when there is one
-  std::string no_picture;   // how the renderer failed
+  std::string no_image;     // how the renderer failed
   ProbeFindings findings;
 };
 
 struct ProbeRecord {
   std::string scene;
   std::string renderer;
-  ProbePicture things;
-  ProbePicture coordinates;
+  ProbeImage things;
+  ProbeImage coordinates;
   std::vector<std::string> thing_names;
 };
 

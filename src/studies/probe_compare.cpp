@@ -18,10 +18,10 @@ constexpr double kColourTolerance = 1e-3;
 
 using Rgb = std::array<double, 3>;
 
-Rgb rgb_at(const image::Image& picture, const std::array<int, 3>& channels, int x, int y) {
+Rgb rgb_at(const image::Image& image, const std::array<int, 3>& channels, int x, int y) {
   Rgb rgb{};
   for (std::size_t c = 0; c < 3; ++c)
-    rgb[c] = static_cast<double>(picture.at(x, y, static_cast<std::size_t>(channels[c])));
+    rgb[c] = static_cast<double>(image.at(x, y, static_cast<std::size_t>(channels[c])));
   return rgb;
 }
 
@@ -110,15 +110,15 @@ std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect
 }
 
 template <typename Look>
-void for_each_pixel(const image::Image& picture, const std::vector<Sight>& sights, Look look) {
-  const std::array<int, 3> channels{image::channel_index(picture, "R"), image::channel_index(picture, "G"),
-                                    image::channel_index(picture, "B")};
-  const std::size_t each = sights.size() / picture.pixel_count();
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+void for_each_pixel(const image::Image& image, const std::vector<Sight>& sights, Look look) {
+  const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
+                                    image::channel_index(image, "B")};
+  const std::size_t each = sights.size() / image.pixel_count();
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
       const auto pixel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
-      look(x, y, std::span(sights).subspan(pixel * each, each), rgb_at(picture, channels, x, y));
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+      look(x, y, std::span(sights).subspan(pixel * each, each), rgb_at(image, channels, x, y));
     }
 }
 
@@ -154,10 +154,10 @@ bool is_within(double value, const Interval& range) {
 
 ProbeFindings compare_things(const ProbeScene& probe,
                              const std::vector<Sight>& sights,
-                             const image::Image& picture) {
+                             const image::Image& image) {
   ProbeFindings findings;
   std::vector<Suspect> suspects;
-  for_each_pixel(picture, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+  for_each_pixel(image, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
     const auto thing = only_thing(here);
     if (!thing) return;
     ++findings.compared;
@@ -170,11 +170,11 @@ ProbeFindings compare_things(const ProbeScene& probe,
 
 ProbeFindings compare_coordinates(const ProbeScene& probe,
                                   const std::vector<Sight>& sights,
-                                  const image::Image& picture) {
+                                  const image::Image& image) {
   const int materials = static_cast<int>(probe.scene.materials.size());
   ProbeFindings findings;
   std::vector<Suspect> suspects;
-  for_each_pixel(picture, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+  for_each_pixel(image, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
     const auto thing = only_thing(here);
     if (!thing || *thing == kNoThing || *thing >= materials) return;
     const auto u = fraction(here, &Sight::u);

@@ -29,21 +29,18 @@ std::string differs(const char* what, const ProbeRecord& record, const ProbeFind
                      rest == 0 ? "" : fmt::format("; and {} more", rest));
 }
 
-// Empty when the picture says nothing against the renderer.
-std::string fault(const char* what, const ProbeRecord& record, const ProbePicture& picture) {
-  if (!picture.no_picture.empty()) return picture.no_picture;
-  return picture.findings.mismatches.empty() ? "" : differs(what, record, picture.findings);
+// Empty when the image says nothing against the renderer.
+std::string fault(const char* what, const ProbeRecord& record, const ProbeImage& image) {
+  if (!image.no_image.empty()) return image.no_image;
+  return image.findings.mismatches.empty() ? "" : differs(what, record, image.findings);
 }
 
-void put_picture(json::Writer& out,
-                 const char* name,
-                 const ProbeRecord& record,
-                 const ProbePicture& picture) {
+void put_image(json::Writer& out, const char* name, const ProbeRecord& record, const ProbeImage& image) {
   out.key(name).begin_object();
-  if (!picture.unsupported.empty()) out.member("unsupported", picture.unsupported);
-  if (!picture.no_picture.empty()) out.member("no_picture", picture.no_picture);
-  out.member("compared_pixels", picture.findings.compared).key("mismatches").begin_array();
-  for (const auto& mismatch : picture.findings.mismatches)
+  if (!image.unsupported.empty()) out.member("unsupported", image.unsupported);
+  if (!image.no_image.empty()) out.member("no_image", image.no_image);
+  out.member("compared_pixels", image.findings.compared).key("mismatches").begin_array();
+  for (const auto& mismatch : image.findings.mismatches)
     out.begin_object()
         .member("thing", thing_name(record, mismatch.thing))
         .member("pixels", mismatch.pixels)
@@ -81,8 +78,8 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
         .member("renderer", record.renderer)
         .member("ok", is_mapped_right(record))
         .member("sentence", probe_sentence(record));
-    put_picture(out, "things", record, record.things);
-    put_picture(out, "coordinates", record, record.coordinates);
+    put_image(out, "things", record, record.things);
+    put_image(out, "coordinates", record, record.coordinates);
     out.end_object();
   }
   out.end_array();

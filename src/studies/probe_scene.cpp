@@ -64,7 +64,7 @@ class Colouring {
     }
   }
 
-  /// A mesh that is never instanced: its colour in a picture would be a fault.
+  /// A mesh that is never instanced: its colour in an image would be a fault.
   void unseen_mesh(std::size_t index) {
     auto& mesh = to_.scene.meshes[index];
     if (of_mesh_.contains(static_cast<int>(index))) return;
@@ -120,14 +120,14 @@ ProbeScene coloured_by_thing(const scene::Scene& original, int most_px) {
 }
 
 void write_ramp(const std::filesystem::path& file) {
-  auto picture = image::make_image(kRampSize, kRampSize, {"R", "G", "B"});
+  auto image = image::make_image(kRampSize, kRampSize, {"R", "G", "B"});
   for (int y = 0; y < kRampSize; ++y)
     for (int x = 0; x < kRampSize; ++x) {
-      picture.at(x, y, 0) = (static_cast<float>(x) + 0.5F) / kRampSize;
-      picture.at(x, y, 1) = 1 - (static_cast<float>(y) + 0.5F) / kRampSize;
-      picture.at(x, y, 2) = 1;
+      image.at(x, y, 0) = (static_cast<float>(x) + 0.5F) / kRampSize;
+      image.at(x, y, 1) = 1 - (static_cast<float>(y) + 0.5F) / kRampSize;
+      image.at(x, y, 2) = 1;
     }
-  image::write_exr(picture, file);
+  image::write_exr(image, file);
 }
 
 scene::Scene coloured_by_coordinates(const ProbeScene& probe, const std::filesystem::path& ramp) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Scenes turned into pictures of where things are. Nothing in them needs light, so what a renderer makes of
+/// Scenes turned into images of where things are. Nothing in them needs light, so what a renderer makes of
 /// them shows how it understood camera, geometry, matrices and material lists, and nothing else.
 namespace orbs::studies {
 
@@ -26,10 +26,10 @@ struct ProbeScene {
 /// colour of its own. A mesh with several instances gets its materials by remap lists.
 ProbeScene coloured_by_thing(const scene::Scene& original, int most_px);
 
-/// Side of the picture that coordinates are read from, in texels.
+/// Side of the image that coordinates are read from, in texels.
 inline constexpr int kRampSize = 256;
 
-/// Writes a picture of kRampSize^2 texels whose colour is the coordinate of the texel's centre: R = u, G = v,
+/// Writes an image of kRampSize^2 texels whose colour is the coordinate of the texel's centre: R = u, G = v,
 /// B = 1.
 void write_ramp(const std::filesystem::path& file);
 

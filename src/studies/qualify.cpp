@@ -37,7 +37,7 @@ struct Work {
 
 struct Subject {
   const registry::Case* one_case;
-  std::string picture;
+  std::string target;
 };
 
 bool is_stopped(const QualifyContext& context) { return context.stop != nullptr && context.stop->load(); }
@@ -64,46 +64,46 @@ void render_without_lights(Work& work) {
   for (const auto& scene : work.plan.scenes) {
     if (!is_wanted(work, scene.name) || !why_no_light_can_miss(*scene.scene).empty()) continue;
     const int spp = adapters::scaled_spp(scene.spp, 1, work.settings.missing_light_spp_scale);
-    auto pictures = without_each_light(work.plan, scene, spp, scratch.path(), work.context.stop);
-    if (!pictures) return;
-    work.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, pictures->size()));
-    work.dark[scene.name] = std::move(*pictures);
+    auto targets = without_each_light(work.plan, scene, spp, scratch.path(), work.context.stop);
+    if (!targets) return;
+    work.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
+    work.dark[scene.name] = std::move(*targets);
   }
 }
 
 // Throws InputError where there is none that could be judged.
-Image honest_picture(const Work& work, const Subject& subject) {
-  for (const auto& picture : work.run.pictures) {
-    if (picture.renderer != work.settings.renderer || picture.case_name != subject.one_case->name ||
-        picture.picture != subject.picture)
+Image honest_target(const Work& work, const Subject& subject) {
+  for (const auto& target : work.run.targets) {
+    if (target.renderer != work.settings.renderer || target.case_name != subject.one_case->name ||
+        target.target != subject.target)
       continue;
-    if (picture.image.empty())
+    if (target.image.empty())
       throw InputError(
-          fmt::format("{} has no picture in {}: {}", picture.renderer, work.run.folder, picture.sentence));
-    return image::read_image(std::filesystem::path(work.run.folder) / picture.image);
+          fmt::format("{} has no image in {}: {}", target.renderer, work.run.folder, target.sentence));
+    return image::read_image(std::filesystem::path(work.run.folder) / target.image);
   }
-  throw InputError(fmt::format("{} holds no picture of it by {}", work.run.folder, work.settings.renderer));
+  throw InputError(fmt::format("{} holds no image of it by {}", work.run.folder, work.settings.renderer));
 }
 
-std::string why_not_dark(const Work& work, const std::string& picture) {
+std::string why_not_dark(const Work& work, const std::string& target) {
   const auto scene = std::find_if(work.plan.scenes.begin(), work.plan.scenes.end(),
-                                  [&](const auto& one) { return one.name == picture; });
+                                  [&](const auto& one) { return one.name == target; });
   if (scene == work.plan.scenes.end()) return "a difference of two scenes, which are tried themselves";
   return why_no_light_can_miss(*scene->scene);
 }
 
 GateRecord tried_gate(const Work& work, const Subject& subject) {
   static const std::vector<MissingLight> kNone;
-  const auto honest = honest_picture(work, subject);
-  auto reference = runner::load_reference(*subject.one_case, subject.picture, work.plan.suite.references,
+  const auto honest = honest_target(work, subject);
+  auto reference = runner::load_reference(*subject.one_case, subject.target, work.plan.suite.references,
                                           work.plan.reference_hashes);
-  if (!reference.picture) throw InputError(reference.problem);
+  if (!reference.image) throw InputError(reference.problem);
   const auto seed = runner::passport_of(honest)["seed"];
-  if (!seed.empty() && runner::passport_of(*reference.picture)["seed"] == seed)
-    throw InputError("its picture has the seed of the reference: it shares its noise, and proves nothing");
-  const auto dark = work.dark.find(subject.picture);
-  auto gate = try_gate({*subject.one_case, subject.picture, reference, honest, work.references,
-                        dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.picture)});
+  if (!seed.empty() && runner::passport_of(*reference.image)["seed"] == seed)
+    throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
+  const auto dark = work.dark.find(subject.target);
+  auto gate = try_gate({*subject.one_case, subject.target, reference, honest, work.references,
+                        dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.target)});
   for (const char* key : {"program", "version", "spp", "seed"})
     gate.honest[key] = runner::passport_of(honest)[key];
   return gate;
@@ -115,10 +115,10 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
     gate = tried_gate(work, subject);
   } catch (const InputError& e) {
     gate.case_name = subject.one_case->name;
-    gate.picture = subject.picture;
+    gate.target = subject.target;
     gate.honest_sentence = fmt::format("not tried: {}", e.what());
   }
-  gate.judged_by = runner::gate_hash(*subject.one_case, subject.picture, work.plan.suite.references);
+  gate.judged_by = runner::gate_hash(*subject.one_case, subject.target, work.plan.suite.references);
   gate.passport = {{"program", "orbs"},
                    {"version", work.context.orbs_version},
                    {"date", runner::local_time_now()},
@@ -136,7 +136,7 @@ std::vector<GateRecord> qualify(const runner::Plan& plan,
   render_without_lights(work);
   std::vector<Subject> subjects;
   for (const auto& one_case : plan.cases)
-    for (const auto& picture : registry::picture_names(one_case)) subjects.push_back({&one_case, picture});
+    for (const auto& target : registry::target_names(one_case)) subjects.push_back({&one_case, target});
   std::vector<GateRecord> gates(subjects.size());
   std::mutex saying;
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
@@ -144,17 +144,17 @@ std::vector<GateRecord> qualify(const runner::Plan& plan,
     auto& gate = gates[static_cast<std::size_t>(index)];
     gate = gate_record(work, subjects[static_cast<std::size_t>(index)]);
     const std::scoped_lock lock(saying);
-    context.say(fmt::format("{} {}: {}", gate.case_name, gate.picture,
+    context.say(fmt::format("{} {}: {}", gate.case_name, gate.target,
                             results::is_qualified(gate) ? "qualified" : "not qualified"));
   });
-  std::erase_if(gates, [](const auto& gate) { return gate.picture.empty(); });
+  std::erase_if(gates, [](const auto& gate) { return gate.target.empty(); });
   return gates;
 }
 
 std::vector<GateRecord> merged(std::vector<GateRecord> known, const std::vector<GateRecord>& found) {
   for (const auto& gate : found) {
     const auto same = std::find_if(known.begin(), known.end(), [&](const auto& one) {
-      return one.case_name == gate.case_name && one.picture == gate.picture;
+      return one.case_name == gate.case_name && one.target == gate.target;
     });
     if (same == known.end()) {
       known.push_back(gate);
@@ -163,7 +163,7 @@ std::vector<GateRecord> merged(std::vector<GateRecord> known, const std::vector<
     }
   }
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.case_name, a.picture) < std::pair(b.case_name, b.picture);
+    return std::pair(a.case_name, a.target) < std::pair(b.case_name, b.target);
   });
   return known;
 }

@@ -9,16 +9,16 @@ namespace orbs::studies {
 
 namespace {
 
-double relative_mse(const std::vector<image::Image>& pictures, const image::Image& mean) {
+double relative_mse(const std::vector<image::Image>& images, const image::Image& mean) {
   constexpr double kFloor = 0.01;  // keeps black pixels from outweighing all others
-  const auto count = static_cast<double>(pictures.size());
+  const auto count = static_cast<double>(images.size());
   double total = 0;
   for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
     double own_mean = 0;
-    for (const auto& picture : pictures) own_mean += static_cast<double>(picture.pixels[i]) / count;
+    for (const auto& image : images) own_mean += static_cast<double>(image.pixels[i]) / count;
     double squares = 0;
-    for (const auto& picture : pictures) {
-      const double difference = static_cast<double>(picture.pixels[i]) - own_mean;
+    for (const auto& image : images) {
+      const double difference = static_cast<double>(image.pixels[i]) - own_mean;
       squares += difference * difference;
     }
     const double level = static_cast<double>(mean.pixels[i]);
@@ -29,17 +29,17 @@ double relative_mse(const std::vector<image::Image>& pictures, const image::Imag
 
 }  // namespace
 
-SeedNoise noise_of_seeds(const std::vector<image::Image>& pictures, const image::Image& mean, int threads) {
+SeedNoise noise_of_seeds(const std::vector<image::Image>& images, const image::Image& mean, int threads) {
   SeedNoise noise;
-  noise.relative_mse = relative_mse(image::colours_of(pictures), mean);
+  noise.relative_mse = relative_mse(image::colours_of(images), mean);
   double mse = 0;
-  for (std::size_t i = 1; i < pictures.size(); ++i) {
+  for (std::size_t i = 1; i < images.size(); ++i) {
     const auto comparison =
-        metrics::compare(pictures[i - 1], pictures[i], {}, {metrics::NegativePixels::Allowed, threads});
+        metrics::compare(images[i - 1], images[i], {}, {metrics::NegativePixels::Allowed, threads});
     const double psnr = metrics::value_of(comparison, "psnr_srgb8").value();
     mse += std::pow(10, -psnr / 10) * 255 * 255;
   }
-  noise.psnr_srgb8_db = metrics::psnr_db(255, mse / static_cast<double>(pictures.size() - 1) / 2);
+  noise.psnr_srgb8_db = metrics::psnr_db(255, mse / static_cast<double>(images.size() - 1) / 2);
   return noise;
 }
 

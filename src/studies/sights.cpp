@@ -37,7 +37,7 @@ struct View {
     return {dot(world_direction, frame.right), dot(world_direction, frame.up),
             dot(world_direction, frame.forward)};
   }
-  // Through a point of the picture in pixels from its upper left corner; z is 1.
+  // Through a point of the image in pixels from its upper left corner; z is 1.
   Vec3d camera_direction(double x, double y) const {
     return {(2 * x / width - 1) * frame.half_width, (1 - 2 * y / height) * frame.half_height, 1};
   }

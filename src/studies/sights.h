@@ -5,13 +5,13 @@
 #include <vector>
 
 /// What a camera sees, without any light: the harness' own answer, by double-precision algebra over all
-/// triangles, that shares no code with any renderer. Slow beside one, and meant for small pictures.
+/// triangles, that shares no code with any renderer. Slow beside one, and meant for small images.
 namespace orbs::studies {
 
 /// Nothing, or the black back of a light.
 inline constexpr int kNoThing = -1;
 
-/// What lies behind one point of the picture.
+/// What lies behind one point of the image.
 struct Sight {
   int thing = kNoThing;  // a material of the scene, or behind these, a light: materials.size() + its index
   float u = 0;           // texture coordinates of a mesh

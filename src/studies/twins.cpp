@@ -18,77 +18,77 @@ using image::Image;
 
 constexpr std::array<const char*, 3> kColours{"R", "G", "B"};
 
-std::size_t colour_index(const Image& picture, std::size_t colour) {
-  return static_cast<std::size_t>(image::channel_index(picture, kColours.at(colour)));
+std::size_t colour_index(const Image& image, std::size_t colour) {
+  return static_cast<std::size_t>(image::channel_index(image, kColours.at(colour)));
 }
 
-// -1 when the picture does not know its noise.
-int variance_index(const Image& picture, std::size_t colour) {
-  return image::channel_index(picture, std::string("variance.") + kColours.at(colour));
+// -1 when the image does not know its noise.
+int variance_index(const Image& image, std::size_t colour) {
+  return image::channel_index(image, std::string("variance.") + kColours.at(colour));
 }
 
 // Calls change(value, variance) for each pixel and colour; the variance is 0 and comes to nothing where there
 // is none.
 template <typename Work>
-Image changed(Image picture, Work change) {
+Image changed(Image image, Work change) {
   for (std::size_t colour = 0; colour < 3; ++colour) {
-    const auto value = colour_index(picture, colour);
-    const int variance = variance_index(picture, colour);
-    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count()) {
+    const auto value = colour_index(image, colour);
+    const int variance = variance_index(image, colour);
+    for (std::size_t i = 0; i < image.pixels.size(); i += image.channel_count()) {
       float nothing = 0;
-      change(picture.pixels[i + value],
-             variance < 0 ? nothing : picture.pixels[i + static_cast<std::size_t>(variance)]);
+      change(image.pixels[i + value],
+             variance < 0 ? nothing : image.pixels[i + static_cast<std::size_t>(variance)]);
     }
   }
-  return picture;
+  return image;
 }
 
-Image black(const Image& picture) {
-  return changed(picture, [](float& value, float& variance) { value = variance = 0; });
+Image black(const Image& image) {
+  return changed(image, [](float& value, float& variance) { value = variance = 0; });
 }
 
-Image constant(const Image& picture) {
-  const auto mean = static_cast<float>(mean_radiance(picture));
-  return changed(picture, [&](float& value, float& variance) {
+Image constant(const Image& image) {
+  const auto mean = static_cast<float>(mean_radiance(image));
+  return changed(image, [&](float& value, float& variance) {
     value = mean;
     variance = 0;
   });
 }
 
-Image with_nan(Image picture) {
-  picture.at(picture.width / 2, picture.height / 2, colour_index(picture, 1)) =
+Image with_nan(Image image) {
+  image.at(image.width / 2, image.height / 2, colour_index(image, 1)) =
       std::numeric_limits<float>::quiet_NaN();
-  return picture;
+  return image;
 }
 
-Image shifted(const Image& picture) {
-  Image out = picture;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 1; x < picture.width; ++x)
-      for (std::size_t c = 0; c < picture.channel_count(); ++c) out.at(x, y, c) = picture.at(x - 1, y, c);
+Image shifted(const Image& image) {
+  Image out = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 1; x < image.width; ++x)
+      for (std::size_t c = 0; c < image.channel_count(); ++c) out.at(x, y, c) = image.at(x - 1, y, c);
   return out;
 }
 
-Image with_swapped(Image picture, std::size_t a, std::size_t b) {
+Image with_swapped(Image image, std::size_t a, std::size_t b) {
   const auto swap_channels = [&](std::size_t one, std::size_t other) {
-    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count())
-      std::swap(picture.pixels[i + one], picture.pixels[i + other]);
+    for (std::size_t i = 0; i < image.pixels.size(); i += image.channel_count())
+      std::swap(image.pixels[i + one], image.pixels[i + other]);
   };
-  swap_channels(colour_index(picture, a), colour_index(picture, b));
-  if (variance_index(picture, a) >= 0 && variance_index(picture, b) >= 0)
-    swap_channels(static_cast<std::size_t>(variance_index(picture, a)),
-                  static_cast<std::size_t>(variance_index(picture, b)));
-  return picture;
+  swap_channels(colour_index(image, a), colour_index(image, b));
+  if (variance_index(image, a) >= 0 && variance_index(image, b) >= 0)
+    swap_channels(static_cast<std::size_t>(variance_index(image, a)),
+                  static_cast<std::size_t>(variance_index(image, b)));
+  return image;
 }
 
-std::pair<std::size_t, std::size_t> most_different_colours(const Image& picture) {
+std::pair<std::size_t, std::size_t> most_different_colours(const Image& image) {
   std::pair<std::size_t, std::size_t> most{0, 1};
   double largest = -1;
   for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
     double sum = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); i += picture.channel_count()) {
-      const double d = static_cast<double>(picture.pixels[i + colour_index(picture, a)]) -
-                       static_cast<double>(picture.pixels[i + colour_index(picture, b)]);
+    for (std::size_t i = 0; i < image.pixels.size(); i += image.channel_count()) {
+      const double d = static_cast<double>(image.pixels[i + colour_index(image, a)]) -
+                       static_cast<double>(image.pixels[i + colour_index(image, b)]);
       sum += d * d;
     }
     if (sum <= largest) continue;
@@ -98,8 +98,8 @@ std::pair<std::size_t, std::size_t> most_different_colours(const Image& picture)
   return most;
 }
 
-Image encoded_once_more(const Image& picture) {
-  return changed(picture, [](float& value, float& variance) {
+Image encoded_once_more(const Image& image) {
+  return changed(image, [](float& value, float& variance) {
     constexpr float kStep =
         1e-3F;  // the slope as a quotient: the curve has a kink, and no variance needs more
     const float slope = (image::srgb_encode(value + kStep) - image::srgb_encode(value - kStep)) / (2 * kStep);
@@ -109,26 +109,26 @@ Image encoded_once_more(const Image& picture) {
 }
 
 // Mean of the 2 x 2 pixels, those that there are at an odd edge; the variance of a mean of n is sum / n^2.
-Image at_half_resolution(const Image& picture) {
-  Image out = picture;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      for (std::size_t c = 0; c < picture.channel_count(); ++c) {
+Image at_half_resolution(const Image& image) {
+  Image out = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < image.channel_count(); ++c) {
         const int x0 = x - x % 2;
         const int y0 = y - y % 2;
-        const int x1 = std::min(x0 + 2, picture.width);
-        const int y1 = std::min(y0 + 2, picture.height);
+        const int x1 = std::min(x0 + 2, image.width);
+        const int y1 = std::min(y0 + 2, image.height);
         float sum = 0;
         for (int v = y0; v < y1; ++v)
-          for (int u = x0; u < x1; ++u) sum += picture.at(u, v, c);
+          for (int u = x0; u < x1; ++u) sum += image.at(u, v, c);
         const auto count = static_cast<float>((x1 - x0) * (y1 - y0));
-        out.at(x, y, c) = sum / (image::is_variance(picture.channels[c]) ? count * count : count);
+        out.at(x, y, c) = sum / (image::is_variance(image.channels[c]) ? count * count : count);
       }
   return out;
 }
 
-Image clamped(const Image& picture) {
-  return changed(picture, [](float& value, float& variance) {
+Image clamped(const Image& image) {
+  return changed(image, [](float& value, float& variance) {
     if (value <= 1) return;
     value = 1;
     variance = 0;
@@ -143,25 +143,25 @@ std::vector<Fault> faults_of(const Image& reference) {
           {"constant", constant},
           {"one NaN", with_nan},
           {"shifted by 1 px", shifted},
-          {"+2 % light", [](const Image& picture) { return with_more_light(picture, 0.02); }},
-          {"-2 % light", [](const Image& picture) { return with_more_light(picture, -0.02); }},
+          {"+2 % light", [](const Image& image) { return with_more_light(image, 0.02); }},
+          {"-2 % light", [](const Image& image) { return with_more_light(image, -0.02); }},
           {fmt::format("{} and {} swapped", kColours.at(a), kColours.at(b)),
-           [a = a, b = b](const Image& picture) { return with_swapped(picture, a, b); }},
+           [a = a, b = b](const Image& image) { return with_swapped(image, a, b); }},
           {"sRGB twice", encoded_once_more},
           {"half resolution", at_half_resolution},
           {"clamped at 1", clamped}};
 }
 
-Image with_more_light(const Image& picture, double share) {
+Image with_more_light(const Image& image, double share) {
   const auto factor = static_cast<float>(1 + share);
-  return changed(picture, [&](float& value, float& variance) {
+  return changed(image, [&](float& value, float& variance) {
     value *= factor;
     variance *= factor * factor;
   });
 }
 
-Image with_leak(const Image& picture, const metrics::Rectangle& where, double radiance) {
-  Image out = picture;
+Image with_leak(const Image& image, const metrics::Rectangle& where, double radiance) {
+  Image out = image;
   for (int y = where.y0; y < where.y1; ++y)
     for (int x = where.x0; x < where.x1; ++x)
       for (std::size_t colour = 0; colour < 3; ++colour)
@@ -197,10 +197,10 @@ metrics::Rectangle place_of_leak(const Image& reference, const metrics::Mask& ma
   return middle->second;
 }
 
-double mean_radiance(const Image& picture) {
+double mean_radiance(const Image& image) {
   double sum = 0;
-  for (const float value : image::select_rgb(picture, "").pixels) sum += static_cast<double>(value);
-  return sum / (3 * static_cast<double>(picture.pixel_count()));
+  for (const float value : image::select_rgb(image, "").pixels) sum += static_cast<double>(value);
+  return sum / (3 * static_cast<double>(image.pixel_count()));
 }
 
 }  // namespace orbs::studies

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-/// Faulty twins: what an honest picture would have been had its renderer made one of the usual mistakes. Each
-/// has the noise of the honest picture and says so in its variance, as the mistaken renderer would.
+/// Faulty twins: what an honest image would have been had its renderer made one of the usual mistakes. Each
+/// has the noise of the honest image and says so in its variance, as the mistaken renderer would.
 namespace orbs::studies {
 
-/// A mistake as a change of a linear picture with R, G, B and, where it has them, their variances.
+/// A mistake as a change of a linear image with R, G, B and, where it has them, their variances.
 using Change = std::function<image::Image(const image::Image&)>;
 
 struct Fault {
@@ -19,24 +19,24 @@ struct Fault {
   Change apply;
 };
 
-/// The faults that a picture alone can be given, each with its name:
-/// black; constant (the mean of the picture all over); one NaN pixel in the middle; all shifted to the right
+/// The faults that an image alone can be given, each with its name:
+/// black; constant (the mean of the image all over); one NaN pixel in the middle; all shifted to the right
 /// by 1 px (the left column stays); 2 % more and 2 % less light; two channels swapped, those two that differ
 /// most in `reference`; the sRGB curve applied once too often; half the resolution, scaled up again; values
 /// clamped to 1.
 std::vector<Fault> faults_of(const image::Image& reference);
 
 /// `share` of the light too much, everywhere.
-image::Image with_more_light(const image::Image& picture, double share);
+image::Image with_more_light(const image::Image& image, double share);
 
 /// `radiance` added to R, G, B of these pixels.
-image::Image with_leak(const image::Image& picture, const metrics::Rectangle& where, double radiance);
+image::Image with_leak(const image::Image& image, const metrics::Rectangle& where, double radiance);
 
 /// Where a leak is put: 16 x 16 px, the place whose mean luminance is the median of all places without masked
-/// pixels, 4 px off any grid of 8 or 16 px. All of the picture when it is smaller than that.
+/// pixels, 4 px off any grid of 8 or 16 px. All of the image when it is smaller than that.
 metrics::Rectangle place_of_leak(const image::Image& reference, const metrics::Mask& mask);
 
 /// Mean of R, G and B over all pixels.
-double mean_radiance(const image::Image& picture);
+double mean_radiance(const image::Image& image);
 
 }  // namespace orbs::studies

@@ -12,7 +12,7 @@ namespace orbs::tracer {
 
 namespace {
 
-constexpr int kSide = 64;     // pixels of the trial picture's longer side
+constexpr int kSide = 64;     // pixels of the trial image's longer side
 constexpr int kSamples = 16;  // per pixel
 // Light paths take a fifth to a half of a render's time (measured on mirrors and glass of the ORB.S scenes),
 // so the noise has to fall by more.
@@ -32,25 +32,25 @@ constexpr double kMostOfLightMissed = 0.5;
 float on_display(float radiance) { return image::srgb_encode(std::clamp(radiance, 0.0F, 1.0F)); }
 
 struct Trial {
-  std::array<image::Image, 2> pictures;  // with different random numbers
+  std::array<image::Image, 2> images;  // with different random numbers
   bool is_believable = false;
 };
 
-double sum_over(const image::Image& picture, int x0, int y0, int side, std::size_t channel) {
+double sum_over(const image::Image& image, int x0, int y0, int side, std::size_t channel) {
   double sum = 0;
   for (int y = y0; y < y0 + side; ++y)
-    for (int x = x0; x < x0 + side; ++x) sum += static_cast<double>(picture.at(x, y, channel));
+    for (int x = x0; x < x0 + side; ++x) sum += static_cast<double>(image.at(x, y, channel));
   return sum;
 }
 
 // The means over squares of pixels, as a display shows them.
-std::vector<double> shown(const image::Image& picture, int side) {
+std::vector<double> shown(const image::Image& image, int side) {
   std::vector<double> values;
   const double area = side * side;
-  for (int y = 0; y + side <= picture.height; y += side)
-    for (int x = 0; x + side <= picture.width; x += side)
+  for (int y = 0; y + side <= image.height; y += side)
+    for (int x = 0; x + side <= image.width; x += side)
       for (std::size_t c = 0; c < 3; ++c)
-        values.push_back(on_display(static_cast<float>(sum_over(picture, x, y, side, c) / area)));
+        values.push_back(on_display(static_cast<float>(sum_over(image, x, y, side, c) / area)));
   return values;
 }
 
@@ -64,26 +64,26 @@ double product_of_differences(const std::vector<double>& a,
   return sum;
 }
 
-// Variance of one picture: mean square times number of values.
+// Variance of one image: mean square times number of values.
 double noise_of(const Trial& trial, int side) {
-  const auto first = shown(trial.pictures[0], side);
-  const auto second = shown(trial.pictures[1], side);
+  const auto first = shown(trial.images[0], side);
+  const auto second = shown(trial.images[1], side);
   return product_of_differences(first, second, first, second) / 2;
 }
 
 // Likewise of what differs between the means of both: the noise of different random numbers averages out of
 // the product.
 double squared_bias(const Trial& a, const Trial& b, int side) {
-  return product_of_differences(shown(a.pictures[0], side), shown(b.pictures[0], side),
-                                shown(a.pictures[1], side), shown(b.pictures[1], side));
+  return product_of_differences(shown(a.images[0], side), shown(b.images[0], side), shown(a.images[1], side),
+                                shown(b.images[1], side));
 }
 
 double light_of(const Trial& trial) {
-  const image::Image& picture = trial.pictures[0];
+  const image::Image& image = trial.images[0];
   double sum = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(picture.at(x, y, c));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(image.at(x, y, c));
   return sum;
 }
 
@@ -96,8 +96,8 @@ Trial trial_of(const World& world, int threads) {
   auto a = rendered(1);
   auto b = rendered(2);
   const bool is_believable = static_cast<double>(a.arrived_light_paths) >=
-                             kFewestArrivals * static_cast<double>(a.picture.pixel_count());
-  return {{std::move(a.picture), std::move(b.picture)}, is_believable};
+                             kFewestArrivals * static_cast<double>(a.image.pixel_count());
+  return {{std::move(a.image), std::move(b.image)}, is_believable};
 }
 
 // Of a caustic that camera paths hardly ever find, nearly all pixels show nothing and so no noise; that it is

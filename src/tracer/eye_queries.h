@@ -66,7 +66,7 @@ struct LightWave {
 /// Where the camera sees a point: pixel, and the factor from the area of the surface to the pixel's mean.
 struct EyeView {
   std::uint32_t pixel = 0;
-  float importance = 0;  // per m^2 of surface that faces the camera; 0 outside the picture
+  float importance = 0;  // per m^2 of surface that faces the camera; 0 outside the image
 };
 
 EyeView view_of(const PinholeCamera& camera, Vec3f point);

@@ -57,8 +57,8 @@ Film make_film(int width, int height) {
 
 namespace {
 
-void store(image::Image& picture, std::size_t pixel, std::size_t channel, Vec3d value) {
-  float* at = &picture.pixels[pixel * picture.channel_count() + channel];
+void store(image::Image& image, std::size_t pixel, std::size_t channel, Vec3d value) {
+  float* at = &image.pixels[pixel * image.channel_count() + channel];
   at[0] = static_cast<float>(value.x);
   at[1] = static_cast<float>(value.y);
   at[2] = static_cast<float>(value.z);
@@ -85,17 +85,17 @@ image::Image develop(const Film& film) {
     add_layer(fmt::format("S{}.", k + 1));
   }
   if (!film.stokes.empty()) add_layer("S0.");
-  auto picture = image::make_image(film.width, film.height, channels);
+  auto image = image::make_image(film.width, film.height, channels);
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
     const PixelSums& pixel = film.pixels[i];
     const double count = pixel.finished_count + pixel.current_count;
-    store(picture, i, 0, mean_of(pixel));
-    store(picture, i, 3, variance_of_mean(pixel));
+    store(image, i, 0, mean_of(pixel));
+    store(image, i, 3, variance_of_mean(pixel));
     for (std::size_t k = 0; k < layers.size(); ++k)
-      store(picture, i, 6 + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
-    if (!film.stokes.empty()) store(picture, i, 6 + 3 * layers.size(), mean_of(pixel));
+      store(image, i, 6 + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
+    if (!film.stokes.empty()) store(image, i, 6 + 3 * layers.size(), mean_of(pixel));
   }
-  return picture;
+  return image;
 }
 
 }  // namespace orbs::tracer

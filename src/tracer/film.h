@@ -29,7 +29,7 @@ Vec3d mean_of(const PixelSums& pixel);
 /// replicates.
 Vec3d variance_of_mean(const PixelSums& pixel);
 
-/// Samples that were not finite: they are left out of the picture, counted, and reported with the uppermost,
+/// Samples that were not finite: they are left out of the image, counted, and reported with the uppermost,
 /// leftmost place.
 struct BadSamples {
   std::uint64_t count = 0;

@@ -10,7 +10,7 @@
 
 namespace orbs::tracer {
 
-/// A pass's worth of light paths: as many as the picture has pixels, times `samples_per_pixel`.
+/// A pass's worth of light paths: as many as the image has pixels, times `samples_per_pixel`.
 struct LightPass {
   std::uint64_t seed = 0;
   std::uint32_t number = 0;  // tells the passes of a render apart

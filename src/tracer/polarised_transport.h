@@ -29,7 +29,7 @@ struct PolarisedTransport : S {
   using Light = std::array<Float4, kRows>;
   static constexpr bool kHasStokes = kRows == 4;
 
-  /// In the frame of the picture: x to the right, for who looks at the oncoming light.
+  /// In the frame of the image: x to the right, for who looks at the oncoming light.
   static Weight start(const PinholeCamera& camera, const Ray& ray) {
     Weight out;
     for (std::size_t k = 0; k < kRows; ++k) out.row[k][k] = Float4{1, 1, 1, 1};

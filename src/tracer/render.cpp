@@ -13,7 +13,7 @@ namespace {
 
 double cpu_seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Class sums exist for all classes while rendering; those that stayed black are no layers of the picture.
+// Class sums exist for all classes while rendering; those that stayed black are no layers of the image.
 void drop_unused_classes(Film& film) {
   for (auto& sums : film.class_sums)
     if (std::all_of(sums.begin(), sums.end(), [](Vec3d v) { return v == Vec3d{}; })) sums.clear();
@@ -52,7 +52,7 @@ Rendering render(const World& world,
   }
   for (PixelSums& pixel : film.pixels) end_replicate(pixel);
   drop_unused_classes(film);
-  out.picture = develop(film);
+  out.image = develop(film);
   out.seconds = seconds();
   out.cpu_seconds = cpu_seconds_now() - cpu_start;
   return out;

@@ -13,7 +13,7 @@ namespace orbs::tracer {
 struct RenderSettings {
   int samples_per_pixel = 64;
   std::uint64_t seed = 1;
-  int threads = 0;           // 0: all cores; the picture does not depend on it
+  int threads = 0;           // 0: all cores; the image does not depend on it
   bool split_paths = false;  // one layer per class of light path
 };
 
@@ -24,7 +24,7 @@ struct Progress {
 };
 
 struct Rendering {
-  image::Image picture;
+  image::Image image;
   int samples_per_pixel = 0;  // fewer than asked for after a stop
   double seconds = 0;         // wall clock of the rendering alone
   double cpu_seconds = 0;
@@ -34,7 +34,7 @@ struct Rendering {
   BadSamples bad_samples;
 };
 
-/// Renders in passes of a few samples over the whole picture. `stop` ends it after the passes that are
+/// Renders in passes of a few samples over the whole image. `stop` ends it after the passes that are
 /// complete (the first pass is always completed); `report` is called from one thread at a time.
 Rendering render(const World& world,
                  const RenderSettings& settings,

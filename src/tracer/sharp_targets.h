@@ -22,7 +22,7 @@ bool is_sharp(const SurfaceMaterial& material);
 /// In its tail a lobe scatters with less than this density per solid angle (of its own sampling, seen from
 /// the camera). Camera paths rarely go there, and bring much light when they do; to a light path it is a
 /// surface about as dull as a diffuse one, whose density is at most 1 / pi. Any number gives the same
-/// picture; its noise is the least between 1 and 5 (scene 248, where 1 takes 1.5 dB off that of indirect
+/// image; its noise is the least between 1 and 5 (scene 248, where 1 takes 1.5 dB off that of indirect
 /// light).
 constexpr float kTailPdf = 1;
 

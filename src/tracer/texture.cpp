@@ -12,18 +12,18 @@
 namespace orbs::tracer {
 
 TexelGrid load_texels(const scene::Texture& texture) {
-  const auto picture = with_note(fmt::format("loading texture '{}'", texture.name),
-                                 [&] { return image::read_linear_rgb(texture.file); });
-  TexelGrid grid{picture.width, picture.height, {}, texture.wrap_u, texture.wrap_v, {}};
-  grid.texels.reserve(picture.pixel_count());
+  const auto image = with_note(fmt::format("loading texture '{}'", texture.name),
+                               [&] { return image::read_linear_rgb(texture.file); });
+  TexelGrid grid{image.width, image.height, {}, texture.wrap_u, texture.wrap_v, {}};
+  grid.texels.reserve(image.pixel_count());
   Vec3d sum;
-  for (int y = picture.height - 1; y >= 0; --y)
-    for (int x = 0; x < picture.width; ++x) {
-      const Vec3f texel{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x) {
+      const Vec3f texel{image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
       grid.texels.push_back(texel);
       sum += cast<double>(texel);
     }
-  grid.average = cast<float>(sum / static_cast<double>(picture.pixel_count()));
+  grid.average = cast<float>(sum / static_cast<double>(image.pixel_count()));
   return grid;
 }
 

@@ -8,7 +8,7 @@
 
 namespace orbs::tracer {
 
-/// A picture ready for lookups: linear RGB texels, row 0 at the bottom (v = 0).
+/// An image ready for lookups: linear RGB texels, row 0 at the bottom (v = 0).
 struct TexelGrid {
   int width = 0;
   int height = 0;

@@ -156,9 +156,9 @@ struct WorldSettings {
   /// Whether that may be less than the scene calls for. Indices are then those of 550 nm, spectra are
   /// colours, light is not polarised or keeps its wavelength.
   bool may_lose_effects = false;
-  /// Off: camera paths find all light by themselves. The picture is the same but for its noise.
+  /// Off: camera paths find all light by themselves. The image is the same but for its noise.
   bool light_paths = true;
-  /// Off: no light is asked for by way of flat mirrors. The picture is the same but for its noise.
+  /// Off: no light is asked for by way of flat mirrors. The image is the same but for its noise.
   bool mirrored_light = true;
 };
 

@@ -118,7 +118,7 @@ TEST(BadFiles, AnUnknownMetricOfAGateIsFoundAtOnce) {
   expect_refusal(sandbox, sandbox.orbs({"run", "-r", "good"}), "psnr");
 }
 
-TEST(BadFiles, ARectangleBeyondThePictureIsFoundAtOnce) {
+TEST(BadFiles, ARectangleBeyondTheImageIsFoundAtOnce) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
   text.insert(text.rfind('}'),
@@ -128,7 +128,7 @@ TEST(BadFiles, ARectangleBeyondThePictureIsFoundAtOnce) {
                  "the rectangle [0,0,13,8] of 'grey' reaches beyond its 12 x 8 pixels");
 }
 
-TEST(BadFiles, AMaskOverTheWholePictureIsFoundAtOnce) {
+TEST(BadFiles, AMaskOverTheWholeImageIsFoundAtOnce) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
   text.insert(text.rfind('}'),

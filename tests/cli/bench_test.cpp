@@ -38,7 +38,7 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
   EXPECT_EQ(renderers[0].objects("rounds").size(), 2U);
 }
 
-TEST(Bench, ARendererThatGivesNoPictureIsNamedWithItsLastWords) {
+TEST(Bench, ARendererThatGivesNoImageIsNamedWithItsLastWords) {
   const Sandbox sandbox;
   sandbox.write("data/bench/cornell-box.json", sandbox.read("cases/m1_grey/grey.json"));
   const auto answer = sandbox.orbs({"bench", "--only", "exit3", "--size", "16", "--spp", "2"});

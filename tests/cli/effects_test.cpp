@@ -1,4 +1,4 @@
-// What richer transports cost is for people on a quiet machine; that the pictures agree, and what is lost
+// What richer transports cost is for people on a quiet machine; that the images agree, and what is lost
 // without an effect, holds on any.
 #include "cli/sandbox.h"
 #include "image/image_io.h"
@@ -41,7 +41,7 @@ std::map<std::string, Found> alternatives_in(const std::string& text) {
 
 }  // namespace
 
-TEST(EffectsCommand, RicherTransportsGiveTheSamePictureAndAFilmIsWorthSomething) {
+TEST(EffectsCommand, RicherTransportsGiveTheSameImageAndAFilmIsWorthSomething) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs(effects_of("iridescent_spheres_film"));
   ASSERT_EQ(answer.status, 0) << answer.text;
@@ -65,7 +65,7 @@ TEST(EffectsCommand, ScenesThatMatchNothingAreAnError) {
 
 namespace {
 
-// A tiny picture of a scene of group E3, out.exr.
+// A tiny image of a scene of group E3, out.exr.
 cli_tests::Answer render_tiny(const Sandbox& sandbox, const std::string& scene, const std::string& more) {
   return sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR
                                        "/data/cases/appearance/e3_polarisation/" +
@@ -89,18 +89,18 @@ TEST(TracerTransport, LossyAllowsIt) {
   const Sandbox sandbox;
   const auto answer = render_tiny(sandbox, "polarizing_plane_0", "--transport rgb --lossy");
   ASSERT_EQ(answer.status, 0) << answer.text;
-  const auto picture = image::read_image(sandbox.folder() / "out.exr");
-  EXPECT_EQ(picture.attributes.at("orbs.transport"), "rgb");
+  const auto image = image::read_image(sandbox.folder() / "out.exr");
+  EXPECT_EQ(image.attributes.at("orbs.transport"), "rgb");
 }
 
 TEST(TracerTransport, StokesVectorsComeWithTheirConvention) {
   const Sandbox sandbox;
   const auto answer = render_tiny(sandbox, "polarizing_spheres", "");
   ASSERT_EQ(answer.status, 0) << answer.text;
-  const auto picture = image::read_image(sandbox.folder() / "out.exr");
-  EXPECT_EQ(picture.attributes.at("orbs.transport"), "polarised");
-  EXPECT_TRUE(picture.attributes.contains("orbs.stokes"));
+  const auto image = image::read_image(sandbox.folder() / "out.exr");
+  EXPECT_EQ(image.attributes.at("orbs.transport"), "polarised");
+  EXPECT_TRUE(image.attributes.contains("orbs.stokes"));
   for (const char* channel : {"S0.R", "S1.G", "S2.B", "S3.R"})
-    EXPECT_NE(std::find(picture.channels.begin(), picture.channels.end(), channel), picture.channels.end())
+    EXPECT_NE(std::find(image.channels.begin(), image.channels.end(), channel), image.channels.end())
         << channel;
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """A tiny renderer in another language: paints the emission that the camera sees, and nothing that is lit by it.
 
-    emitter_renderer.py <scene.json> --output <picture.exr> [--spp n --seed n --threads n]
+    emitter_renderer.py <scene.json> --output <image.exr> [--spp n --seed n --threads n]
 
 Reads orbs-scene/1 as the harness writes it for renderers: JSON, and a binary PLY for each mesh. One ray through the
-centre of each pixel; the picture is exact where no edge crosses a pixel. Python's standard library alone.
+centre of each pixel; the image is exact where no edge crosses a pixel. Python's standard library alone.
 """
 
 import json

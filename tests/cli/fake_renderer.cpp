@@ -1,4 +1,4 @@
-// A renderer that fails on demand: what the harness is tested against. It reads no scene; its picture is grey
+// A renderer that fails on demand: what the harness is tested against. It reads no scene; its image is grey
 // all over, or what --mode makes of it.
 #include "base/error.h"
 #include "image/image_io.h"
@@ -34,18 +34,18 @@ Arguments parse(int argc, char** argv) {
   return arguments;
 }
 
-Image grey_picture(const Arguments& arguments) {
-  auto picture = orbs::image::make_image(std::stoi(arguments.at("--width")),
-                                         std::stoi(arguments.at("--height")), {"R", "G", "B"});
-  for (auto& value : picture.pixels) value = std::stof(arguments.at("--grey"));
-  return picture;
+Image grey_image(const Arguments& arguments) {
+  auto image = orbs::image::make_image(std::stoi(arguments.at("--width")),
+                                       std::stoi(arguments.at("--height")), {"R", "G", "B"});
+  for (auto& value : image.pixels) value = std::stof(arguments.at("--grey"));
+  return image;
 }
 
 // As many samples as --spp says, each of them off by 0.2 up or down.
-void add_noise(const Arguments& arguments, Image& picture) {
+void add_noise(const Arguments& arguments, Image& image) {
   std::mt19937 random(static_cast<unsigned>(std::stoi(arguments.at("--seed"))));
   const int samples = std::stoi(arguments.at("--spp"));
-  for (auto& value : picture.pixels) {
+  for (auto& value : image.pixels) {
     const auto up = std::binomial_distribution<int>(samples, 0.5)(random);
     value += 0.2F * static_cast<float>(2 * up - samples) / static_cast<float>(samples);
   }
@@ -110,19 +110,19 @@ void interrupt_harness() {
   ::kill(std::stoi(text.substr(text.rfind(')') + 4)), SIGINT);
 }
 
-void write_half(const Image& picture, const std::string& output) {
-  orbs::image::write_exr(picture, output);
+void write_half(const Image& image, const std::string& output) {
+  orbs::image::write_exr(image, output);
   std::filesystem::resize_file(output, std::filesystem::file_size(output) / 2);
 }
 
-void write_elsewhere(const Image& picture, const std::string& output) {
+void write_elsewhere(const Image& image, const std::string& output) {
   const auto outside = std::filesystem::path(output).parent_path() / ".." / "outside.exr";
-  orbs::image::write_exr(picture, outside);
+  orbs::image::write_exr(image, outside);
   std::filesystem::create_symlink(outside, output);
 }
 
-void write_old(const Image& picture, const std::string& output) {
-  orbs::image::write_exr(picture, output);
+void write_old(const Image& image, const std::string& output) {
+  orbs::image::write_exr(image, output);
   std::filesystem::last_write_time(output, std::filesystem::last_write_time(output) - std::chrono::hours(1));
 }
 
@@ -142,7 +142,7 @@ void replace_own_folder(const std::string& output) {
   std::ofstream(folder) << "no folder";
 }
 
-// Ends the process, or returns when the mode is about the picture.
+// Ends the process, or returns when the mode is about the image.
 void misbehave(const std::string& mode) {
   if (mode == "segfault") {
     std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would make it an exit code
@@ -181,36 +181,35 @@ void misbehave(const std::string& mode) {
     for (char** entry = environ; *entry != nullptr; ++entry) fmt::print("{}\n", *entry);
 }
 
-// True when it has left what the mode wants in place of a picture.
-bool write_no_picture(const std::string& mode, const Image& picture, const std::string& output) {
+// True when it has left what the mode wants in place of an image.
+bool write_no_image(const std::string& mode, const Image& image, const std::string& output) {
   if (mode == "nothing") return true;
-  if (mode == "garbage") return std::ofstream(output) << "this is no picture", true;
+  if (mode == "garbage") return std::ofstream(output) << "this is no image", true;
   if (mode == "empty") return std::ofstream(output) << "", true;
-  if (mode == "half") return write_half(picture, output), true;
-  if (mode == "elsewhere") return write_elsewhere(picture, output), true;
-  if (mode == "old") return write_old(picture, output), true;
+  if (mode == "half") return write_half(image, output), true;
+  if (mode == "elsewhere") return write_elsewhere(image, output), true;
+  if (mode == "old") return write_old(image, output), true;
   if (mode == "replace-own-folder") return replace_own_folder(output), true;
   return false;
 }
 
 int behave(const std::string& mode, const Arguments& arguments) {
   const std::string output = arguments.at("--output");
-  auto picture = grey_picture(arguments);
+  auto image = grey_image(arguments);
   misbehave(mode);
   if (mode.ends_with("litter")) litter(output);
-  if (write_no_picture(mode, picture, output)) return 0;
-  if (mode == "wrong-size")
-    picture = orbs::image::make_image(picture.width / 2, picture.height, {"R", "G", "B"});
-  if (mode == "wrong-channels") picture = orbs::image::make_image(picture.width, picture.height, {"Y"});
-  if (mode.starts_with("noisy")) add_noise(arguments, picture);
+  if (write_no_image(mode, image, output)) return 0;
+  if (mode == "wrong-size") image = orbs::image::make_image(image.width / 2, image.height, {"R", "G", "B"});
+  if (mode == "wrong-channels") image = orbs::image::make_image(image.width, image.height, {"Y"});
+  if (mode.starts_with("noisy")) add_noise(arguments, image);
   if (mode == "nan" || (mode == "noisy-nan" && arguments.at("--seed") == "2"))
-    picture.at(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
-  if (mode == "infinite") picture.at(5, 1, 0) = std::numeric_limits<float>::infinity();
-  if (mode == "negative") picture.at(4, 3, 2) = picture.at(6, 5, 0) = -0.001F;
-  if (mode == "other-scene") picture.attributes["orbs.scene_hash"] = "0123456789abcdef";
-  if (mode == "other-job") picture.attributes["orbs.job"] = "0123456789abcdef";
-  if (mode == "exit3-after-picture") return orbs::image::write_exr(picture, output), 3;
-  orbs::image::write_exr(picture, output);
+    image.at(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
+  if (mode == "infinite") image.at(5, 1, 0) = std::numeric_limits<float>::infinity();
+  if (mode == "negative") image.at(4, 3, 2) = image.at(6, 5, 0) = -0.001F;
+  if (mode == "other-scene") image.attributes["orbs.scene_hash"] = "0123456789abcdef";
+  if (mode == "other-job") image.attributes["orbs.job"] = "0123456789abcdef";
+  if (mode == "exit3-after-image") return orbs::image::write_exr(image, output), 3;
+  orbs::image::write_exr(image, output);
   fmt::print("fake: render_seconds 0.25\n");
   return 0;
 }

@@ -24,7 +24,7 @@ constexpr Fault kFaults[]{
     {"segfault", "crash", "was killed by SIGSEGV"},
     {"abort", "crash", "was killed by SIGABRT"},
     {"exit3", "crash", "ended with exit code 3; its last words: fake: cannot find the sun"},
-    {"exit3-after-picture", "crash", "ended with exit code 3"},
+    {"exit3-after-image", "crash", "ended with exit code 3"},
     {"hang", "timeout", "was ended after its time limit of 0.3 s"},
     {"ignore-term", "timeout", "was ended after its time limit of 0.3 s"},
     {"hang-with-child", "timeout", "was ended after its time limit of 4 s"},
@@ -41,7 +41,7 @@ constexpr Fault kFaults[]{
     {"replace-own-folder", "no output", "wrote no result.exr"},
     {"coloured", "crash",
      "ended with exit code 3; its last words: \uFFFD[31mfake: \uFFFD cannot read sun.txt"},
-    {"other-scene", "stale", "result.exr is a picture of another scene"},
+    {"other-scene", "stale", "result.exr is an image of another scene"},
     {"other-job", "stale", "result.exr is of another render"},
     {"wrong-size", "wrong size", "result.exr is 6 x 8 pixels, expected 12 x 8"},
     {"wrong-channels", "wrong channels", "result.exr has the channels Y, expected R, G, B"},
@@ -54,16 +54,16 @@ constexpr Fault kFaults[]{
      "0 pixels are NaN, 0 infinite, 2 negative; the first is (4, 3), channel B, value -0.001; all lie in "
      "[4,3,7,6]"},
     {"dark", "fail", "psnr_srgb8 is 12.01 dB, at least 35 is needed"},
-    // No fault of the picture, and no harm to the run.
+    // No fault of the image, and no harm to the run.
     {"leave-child", "pass", ""},
     {"litter", "pass", ""},
     {"noisy-litter", "inconclusive", "noise"},
     {"much", "pass", ""},
     {"read-input", "pass", ""}};
 
-results::PictureRecord picture_of(const Sandbox& sandbox, const std::string& renderer) {
+results::TargetRecord image_of(const Sandbox& sandbox, const std::string& renderer) {
   const auto file = results::read_job_file(sandbox.folder() / "out" / renderer / "grey/job.json");
-  return file.pictures.at(0);
+  return file.targets.at(0);
 }
 
 std::vector<std::string> run_of(const std::string& renderers) {
@@ -71,9 +71,9 @@ std::vector<std::string> run_of(const std::string& renderers) {
 }
 
 image::Image gradient() {
-  auto picture = image::make_image(12, 8, {"R", "G", "B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = 0.5F + 1e-4F * float(i % 7);
-  return picture;
+  auto image = image::make_image(12, 8, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = 0.5F + 1e-4F * float(i % 7);
+  return image;
 }
 
 }  // namespace
@@ -87,12 +87,11 @@ TEST(Faults, EachGetsItsVerdictAndTheOthersGoOn) {
   const auto answer = sandbox.orbs(words);
   EXPECT_EQ(answer.status, 1) << answer.text;
   for (const auto& fault : kFaults) {
-    const auto picture = picture_of(sandbox, fault.mode);
-    EXPECT_EQ(verdict_name(picture.verdict), fault.verdict) << fault.mode << ": " << picture.sentence;
-    EXPECT_NE(picture.sentence.find(fault.sentence), std::string::npos)
-        << fault.mode << ": " << picture.sentence;
+    const auto image = image_of(sandbox, fault.mode);
+    EXPECT_EQ(verdict_name(image.verdict), fault.verdict) << fault.mode << ": " << image.sentence;
+    EXPECT_NE(image.sentence.find(fault.sentence), std::string::npos) << fault.mode << ": " << image.sentence;
   }
-  EXPECT_EQ(picture_of(sandbox, "good").verdict, results::Verdict::Pass);
+  EXPECT_EQ(image_of(sandbox, "good").verdict, results::Verdict::Pass);
   EXPECT_FALSE(sandbox.has("out/.unfinished"));
   EXPECT_EQ(sandbox.read("out/results.csv").find('\033'), std::string::npos);
   EXPECT_EQ(sandbox.read("out/results.csv").find("/.unfinished/"), std::string::npos);
@@ -113,9 +112,9 @@ TEST(Faults, OneColourAllOverIsAFaultUnlessTheReferenceHasOneToo) {
   const Sandbox sandbox;
   image::write_exr(gradient(), sandbox.folder() / "references/grey.exr");
   EXPECT_EQ(sandbox.orbs(run_of("good")).status, 1);
-  const auto picture = picture_of(sandbox, "good");
-  EXPECT_EQ(picture.verdict, results::Verdict::ConstantImage);
-  EXPECT_GT(picture.measures.size(), 0U) << "it passes its gate all the same";
+  const auto image = image_of(sandbox, "good");
+  EXPECT_EQ(image.verdict, results::Verdict::ConstantImage);
+  EXPECT_GT(image.measures.size(), 0U) << "it passes its gate all the same";
 }
 
 TEST(Faults, NegativeValuesAreCountedWhereTheCaseAllowsThem) {
@@ -124,11 +123,11 @@ TEST(Faults, NegativeValuesAreCountedWhereTheCaseAllowsThem) {
   sandbox.write("cases/m1_grey/case.json",
                 text.insert(text.rfind('}'), R"(, "negative_values": "colours outside the gamut")"));
   EXPECT_EQ(sandbox.orbs(run_of("negative")).status, 1);
-  const auto picture = picture_of(sandbox, "negative");
-  EXPECT_EQ(picture.verdict, results::Verdict::Fail);  // two of 96 pixels are black
-  ASSERT_FALSE(picture.measures.empty());
-  EXPECT_EQ(picture.measures.front().name, "negative_pixels");
-  EXPECT_EQ(picture.measures.front().value, 2);
+  const auto image = image_of(sandbox, "negative");
+  EXPECT_EQ(image.verdict, results::Verdict::Fail);  // two of 96 pixels are black
+  ASSERT_FALSE(image.measures.empty());
+  EXPECT_EQ(image.measures.front().name, "negative_pixels");
+  EXPECT_EQ(image.measures.front().value, 2);
 }
 
 // Another case that looks at the same render does not become lenient by that.
@@ -139,9 +138,9 @@ TEST(Faults, WhatOneCaseAllowsIsNotAllowedInAnother) {
                 text.insert(text.rfind('}'), R"(, "negative_values": "colours outside the gamut")"));
   sandbox.orbs({"run", "-r", "negative", "-s", "grey", "-o", "out"});
   const auto file = results::read_job_file(sandbox.folder() / "out/negative/grey/job.json");
-  ASSERT_EQ(file.pictures.size(), 2U);
-  EXPECT_EQ(file.pictures[0].verdict, results::Verdict::Fail);
-  EXPECT_EQ(file.pictures[1].verdict, results::Verdict::InvalidPixels);
+  ASSERT_EQ(file.targets.size(), 2U);
+  EXPECT_EQ(file.targets[0].verdict, results::Verdict::Fail);
+  EXPECT_EQ(file.targets[1].verdict, results::Verdict::InvalidPixels);
 }
 
 TEST(Faults, TheRecordedCommandRepeatsTheRender) {

@@ -16,9 +16,9 @@ bool contains(const std::string& text, const std::string& part) {
 
 void write_grey(
     const Sandbox& sandbox, const std::string& file, float value, int width = 16, int height = 12) {
-  auto picture = image::make_image(width, height, {"R", "G", "B"});
-  for (auto& sample : picture.pixels) sample = value;
-  image::write_exr(picture, sandbox.folder() / file);
+  auto image = image::make_image(width, height, {"R", "G", "B"});
+  for (auto& sample : image.pixels) sample = value;
+  image::write_exr(image, sandbox.folder() / file);
 }
 
 }  // namespace
@@ -111,14 +111,14 @@ TEST(Compare, HasStatusTwoForWhatCannotBeCompared) {
 // "noise_share" and the bias would be numbers that mean nothing.
 TEST(Compare, RefusesVariancesThatCannotBe) {
   const Sandbox sandbox;
-  auto picture = image::make_image(16, 12, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  for (auto& sample : picture.pixels) sample = 0.5F;
-  image::write_exr(picture, sandbox.folder() / "good.exr");
+  auto image = image::make_image(16, 12, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (auto& sample : image.pixels) sample = 0.5F;
+  image::write_exr(image, sandbox.folder() / "good.exr");
   EXPECT_EQ(sandbox.orbs({"compare", "good.exr", "good.exr"}).status, 0);
   for (const float value :
        {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    picture.at(3, 2, 4) = value;
-    image::write_exr(picture, sandbox.folder() / "bad.exr");
+    image.at(3, 2, 4) = value;
+    image::write_exr(image, sandbox.folder() / "bad.exr");
     for (const auto& files : {std::vector<std::string>{"good.exr", "bad.exr"}, {"bad.exr", "good.exr"}}) {
       const auto answer = sandbox.orbs({"compare", files[0], files[1]});
       EXPECT_EQ(answer.status, 2) << answer.text;
@@ -137,13 +137,13 @@ TEST(Compare, WritesTheErrorMaps) {
 }
 
 // The file holds sRGB values; half of the range is 0.2140 in linear light, and that is compared.
-TEST(Compare, ReadsPicturesForTheScreenAsSrgb) {
+TEST(Compare, ReadsImagesForTheScreenAsSrgb) {
   const Sandbox sandbox;
-  auto picture = image::make_image(16, 12, {"R", "G", "B"});
-  for (auto& sample : picture.pixels) sample = 1;
-  image::write_png(picture, sandbox.folder() / "white.png");
-  for (auto& sample : picture.pixels) sample = 0.5F;
-  image::write_png(picture, sandbox.folder() / "half.png");
+  auto image = image::make_image(16, 12, {"R", "G", "B"});
+  for (auto& sample : image.pixels) sample = 1;
+  image::write_png(image, sandbox.folder() / "white.png");
+  for (auto& sample : image.pixels) sample = 0.5F;
+  image::write_png(image, sandbox.folder() / "half.png");
   write_grey(sandbox, "half.exr", 0.2140F);
   // 8 bits: 0.5 is stored as 128/255, which is 0.2159 in linear light.
   EXPECT_EQ(sandbox.orbs({"compare", "half.png", "half.exr", "--metric", "l1", "--max", "0.003"}).status, 0);

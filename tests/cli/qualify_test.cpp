@@ -35,27 +35,26 @@ TEST(QualifyCommand, FailsForAGateThatCannot) {
       << answer.text;
 }
 
-TEST(QualifyCommand, NeedsAnHonestPicture) {
+TEST(QualifyCommand, NeedsAnHonestImage) {
   const Sandbox sandbox;
   sandbox.orbs({"run", "-r", "exit3", "-c", "m1_grey", "-o", "broken"});
   const auto answer = sandbox.orbs({"qualify", "broken", "-r", "exit3", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 1) << answer.text;
-  EXPECT_NE(answer.text.find("an honest picture is not accepted: not tried"), std::string::npos)
-      << answer.text;
+  EXPECT_NE(answer.text.find("an honest image is not accepted: not tried"), std::string::npos) << answer.text;
 }
 
-// Noise that both share cancels in the comparison: every gate would accept such a picture.
-TEST(QualifyCommand, TakesNoPictureWithTheSeedOfTheReference) {
+// Noise that both share cancels in the comparison: every gate would accept such an image.
+TEST(QualifyCommand, TakesNoImageWithTheSeedOfTheReference) {
   const Sandbox sandbox;
   sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
   for (const auto& file : {"references/grey.exr", "honest/good/grey/result.exr"}) {
-    auto picture = image::read_image(sandbox.folder() / file);
-    picture.attributes["orbs.seed"] = "7";
-    image::write_exr(picture, sandbox.folder() / file);
+    auto image = image::read_image(sandbox.folder() / file);
+    image.attributes["orbs.seed"] = "7";
+    image::write_exr(image, sandbox.folder() / file);
   }
   const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey", "-s", "grey"});
   EXPECT_EQ(answer.status, 1) << answer.text;
-  EXPECT_NE(answer.text.find("its picture has the seed of the reference"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("its image has the seed of the reference"), std::string::npos) << answer.text;
 }
 
 TEST(QualifyCommand, AChangedCaseIsNotShownWithOldNumbers) {

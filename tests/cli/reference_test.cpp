@@ -53,11 +53,11 @@ TEST(Reference, CarriesItsPassport) {
   std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
   const auto answer = sandbox.orbs({"reference", "-s", "grey", "--spp", "16", "--seed", "77"});
   EXPECT_NE(answer.status, 2) << answer.text;
-  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
-  EXPECT_EQ(picture.width, 12);
-  EXPECT_EQ(picture.channel_count(), 6U);
-  EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
-  const auto& passport = picture.attributes;
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_EQ(image.width, 12);
+  EXPECT_EQ(image.channel_count(), 6U);
+  EXPECT_GE(image::channel_index(image, "variance.G"), 0);
+  const auto& passport = image.attributes;
   for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "cpu",
                           "date", "noise_psnr_srgb8_db", "reason", "image_hash"})
     EXPECT_TRUE(passport.contains(std::string("orbs.") + key)) << key;
@@ -65,7 +65,7 @@ TEST(Reference, CarriesItsPassport) {
   EXPECT_EQ(passport.at("orbs.seed"), "77");
   EXPECT_EQ(passport.at("orbs.settings"), "--spp 16 --seed 77");
   EXPECT_FALSE(passport.contains("orbs.host"));  // references are published
-  EXPECT_EQ(passport.at("orbs.image_hash"), runner::image_hash(picture));
+  EXPECT_EQ(passport.at("orbs.image_hash"), runner::image_hash(image));
   EXPECT_FALSE(sandbox.has("references/grey.history.json"));  // it is the first
 }
 
@@ -112,8 +112,8 @@ TEST(Reference, WithAReasonIsReplacedAndKeepsIt) {
   const Sandbox sandbox;
   EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "the lamp was moved"}).status,
             2);
-  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
-  EXPECT_EQ(picture.attributes.at("orbs.reason"), "the lamp was moved");
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_EQ(image.attributes.at("orbs.reason"), "the lamp was moved");
 }
 
 // A diffuse plane in a white environment: 0.5 everywhere that it is seen, so all light is "ED..." or the
@@ -124,17 +124,17 @@ TEST(Reference, HoldsTheSharesOfPathClassesThatACaseAsksFor) {
   text.insert(text.rfind('}'), R"(, "path_shares": [{"scene": "grey", "class": "EDL", "min_share": 0.01}])");
   sandbox.write("cases/m1_grey/case.json", text);
   EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "for the shares"}).status, 2);
-  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
-  ASSERT_TRUE(picture.attributes.contains("orbs.path.EDL"));
-  EXPECT_EQ(picture.channel_count(), 6U);  // the layers themselves are not kept
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  ASSERT_TRUE(image.attributes.contains("orbs.path.EDL"));
+  EXPECT_EQ(image.channel_count(), 6U);  // the layers themselves are not kept
 }
 
 TEST(Reference, IsRenderedUntilItsNoiseIsTenDecibelsBelowTheGate) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"reference", "-s", "grey", "--accept", "test"});
   EXPECT_EQ(answer.status, 0) << answer.text;
-  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
-  EXPECT_GE(std::stod(picture.attributes.at("orbs.noise_psnr_srgb8_db")), 45);
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_GE(std::stod(image.attributes.at("orbs.noise_psnr_srgb8_db")), 45);
 }
 
 // The first pass is kept, and those that follow have the samples that it lacks.
@@ -288,7 +288,7 @@ TEST(Reference, HasTheSamePixelsForTheSameSeed) {
   EXPECT_EQ(pixels(), first);
 }
 
-// "mirror" is said to be the same picture as "grey".
+// "mirror" is said to be the same image as "grey".
 TEST(Reference, IsNotRenderedForASceneThatIsAnotherOneByDefinition) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m3_mirror/case.json");
@@ -325,8 +325,8 @@ TEST(Reference, IsMadeForAllCasesThatLookAtIt) {
   sandbox.write("cases/m3_mirror/case.json", text);
   EXPECT_NE(
       sandbox.orbs({"reference", "-c", "m1_grey", "-s", "grey", "--spp", "4", "--accept", "test"}).status, 2);
-  const auto picture = image::read_image(sandbox.folder() / "references" / "grey.exr");
-  EXPECT_TRUE(picture.attributes.contains("orbs.path.EDL"));
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_TRUE(image.attributes.contains("orbs.path.EDL"));
 }
 
 TEST(Reference, ChangesItsSceneHashWithTheSceneAlone) {

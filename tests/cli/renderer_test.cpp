@@ -15,7 +15,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 // Two emitting triangles halves of the view: what is left of the middle is orange, what is right of it blue.
-// They lie 1 m ahead of a camera with tan(fov_y / 2) = 1/2, so that the picture is 1 m high and 1.5 m wide
+// They lie 1 m ahead of a camera with tan(fov_y / 2) = 1/2, so that the image is 1 m high and 1.5 m wide
 // there.
 constexpr const char* kFlags = R"({"format": "orbs-scene/1", "name": "flags",
  "camera": {"position": [0,0,1], "look_at": [0,0,0], "fov_y": 53.13010235415598, "width": 12, "height": 8},
@@ -55,7 +55,7 @@ TEST(AddedRenderer, InAnotherLanguagePassesWithoutFurtherEdits) {
   const auto answer = sandbox.orbs({"run", "-r", "emitter", "-c", "m2_flags", "-o", "out"});
   EXPECT_EQ(answer.status, 0) << answer.text << sandbox.read("out/emitter/flags/log.txt");
   const auto job = results::read_job_file(sandbox.folder() / "out/emitter/flags/job.json");
-  EXPECT_EQ(job.pictures.at(0).verdict, results::Verdict::Pass);
+  EXPECT_EQ(job.targets.at(0).verdict, results::Verdict::Pass);
   EXPECT_EQ(job.job.renderer_version, "emitter renderer 1.0");
   EXPECT_EQ(job.job.native_scene, "");
   // The built-in tracer sees the same.
@@ -103,7 +103,7 @@ TEST(AddedRenderer, WhoseCommandOrNameCannotWorkIsRefused) {
   EXPECT_EQ(sandbox.read("configuration.json"), before);
 }
 
-// A shell script that takes its "scene" to be the name of a finished picture.
+// A shell script that takes its "scene" to be the name of a finished image.
 TEST(HandWrittenScene, IsUsedInPlaceOfTheExportedOneAndKeptApart) {
   const Sandbox sandbox;
   write_case(sandbox);

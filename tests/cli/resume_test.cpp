@@ -72,17 +72,17 @@ TEST(Resume, JudgesAgainWhatHasLostItsVerdicts) {
   first_run(sandbox);
   const auto job = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
   const auto text = sandbox.read("out/good/grey/job.json");
-  const auto from = text.find("\"pictures\": [");
+  const auto from = text.find("\"images\": [");
   ASSERT_NE(from, std::string::npos);
-  sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"pictures\": []\n}\n");
+  sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"images\": []\n}\n");
   const auto answer = resume(sandbox);
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
-  EXPECT_EQ(now.pictures.size(), job.pictures.size());
+  EXPECT_EQ(now.targets.size(), job.targets.size());
   EXPECT_EQ(now.job.wall_seconds, job.job.wall_seconds);
 }
 
-TEST(Resume, RendersAgainWhatCannotBeJudgedForWantOfItsPicture) {
+TEST(Resume, RendersAgainWhatCannotBeJudgedForWantOfItsImage) {
   const Sandbox sandbox;
   first_run(sandbox);
   std::filesystem::remove(sandbox.folder() / "out/good/grey/result.exr");
@@ -122,7 +122,7 @@ TEST(Resume, RendersAgainWhatAnotherVersionOrSeedHasMade) {
   EXPECT_FALSE(contains(answer.text, "good grey:")) << answer.text;
 }
 
-TEST(Resume, RendersAgainUnderNewLimitsOnlyWhatHasNoPicture) {
+TEST(Resume, RendersAgainUnderNewLimitsOnlyWhatHasNoImage) {
   const Sandbox sandbox;
   first_run(sandbox, "good,fill-file");
   const auto kept = rendered_at(sandbox, "good/grey");
@@ -142,7 +142,7 @@ TEST(Resume, JudgesAgainWithoutRenderingWhenTheReferenceHasChanged) {
   std::filesystem::remove(sandbox.folder() / "references/grey.exr");
   EXPECT_EQ(resume(sandbox).status, 1);
   const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
-  EXPECT_EQ(now.pictures.at(0).verdict, results::Verdict::MissingReference);
+  EXPECT_EQ(now.targets.at(0).verdict, results::Verdict::MissingReference);
   EXPECT_EQ(now.job.wall_seconds, job.wall_seconds);
   EXPECT_EQ(sandbox.read("out/good/grey/log.txt"), log);
 }

@@ -19,7 +19,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// Text of the member of results.json's first picture, or of any other object that has it first.
+// Text of the member of results.json's first image, or of any other object that has it first.
 std::string member(const std::string& text, const std::string& name) {
   const auto at = text.find("\"" + name + "\": ");
   if (at == std::string::npos) return "absent";
@@ -41,7 +41,7 @@ TEST(Run, AGoodRendererPassesWithStatusZeroAndATable) {
     EXPECT_TRUE(sandbox.has(std::string("out/") + file)) << file;
 }
 
-TEST(Run, AWrongPictureFailsWithStatusOne) {
+TEST(Run, AWrongImageFailsWithStatusOne) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "dark", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 1);
@@ -80,7 +80,7 @@ TEST(Run, ErrorsOfTheRendererStandInItsLog) {
   EXPECT_TRUE(contains(sandbox.read("out/complain/grey/log.txt"), "something is odd"));
 }
 
-TEST(Run, RecordsWhatMadeAPictureAndWhatItCost) {
+TEST(Run, RecordsWhatMadeAnImageAndWhatItCost) {
   const Sandbox sandbox;
   sandbox.orbs({"run", "-r", "good", "-s", "grey", "-o", "out", "--threads", "3", "--seed", "9",
                 "--spp-scale", "0.5"});
@@ -123,7 +123,7 @@ TEST(Run, AResultDoesNotDependOnTheNumberOfJobs) {
   EXPECT_EQ(sandbox.orbs({"run", "-r", "good,dark,nan", "-o", "a", "-j", "1", "--threads", "1"}).status, 1);
   EXPECT_EQ(sandbox.orbs({"run", "-r", "good,dark,nan", "-o", "b", "-j", "4", "--threads", "1"}).status, 1);
   const auto csv = [&](const std::string& folder) {
-    // All but the last columns: what it cost, the name of the picture, and the command in its folder.
+    // All but the last columns: what it cost, the name of the image, and the command in its folder.
     std::string out;
     for (auto line : orbs::split(sandbox.read(folder + "/results.csv"), '\n')) {
       for (int column = 0; column < 6; ++column) line.erase(std::min(line.rfind(','), line.size()));
@@ -202,7 +202,7 @@ TEST(Run, WhereNothingIsJudgedItIsNoSuccess) {
                 text.replace(text.find(declares), declares.size(), R"("declares": "G5")"));
   const auto answer = sandbox.orbs({"run", "-r", "good"});
   EXPECT_EQ(answer.status, 2) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "orbs: nothing was judged: every picture is unsupported")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs: nothing was judged: every image is unsupported")) << answer.text;
 }
 
 // The page needs nothing but the run's folder: not the suite, not the references of this machine.

@@ -32,7 +32,7 @@ const std::vector<std::pair<std::string, std::string>> kModes{
     {"segfault", ""},
     {"abort", ""},
     {"exit3", ""},
-    {"exit3-after-picture", ""},
+    {"exit3-after-image", ""},
     {"hang", R"("wall_seconds": 0.3)"},
     {"ignore-term", R"("wall_seconds": 0.3, "grace_seconds": 0.1)"},
     {"hang-with-child", R"("wall_seconds": 4, "grace_seconds": 0.1)"},

@@ -16,7 +16,7 @@ struct Answer {
 
 /// A folder with a small suite, renderers that fail in every way, and references: what the program is run in.
 /// Cases: m1_grey (M1; scenes "grey" and "v1.5"), m3_mirror (M3; scenes "mirror", "grey", and "rest" = mirror
-/// - grey). The pictures are 12 x 8 pixels, and the references grey of 0.5 all over.
+/// - grey). The images are 12 x 8 pixels, and the references grey of 0.5 all over.
 class Sandbox {
  public:
   Sandbox();

@@ -23,16 +23,16 @@ results::JobRecord job_of(const Sandbox& sandbox, const std::string& renderer) {
 }  // namespace
 
 // 8 samples of +-0.2 have a standard error of 0.07 around the grey of the reference: 20 dB.
-TEST(Seeds, ANoisyPictureIsInconclusiveAndSaysWhatItNeeds) {
+TEST(Seeds, ANoisyImageIsInconclusiveAndSaysWhatItNeeds) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "-o", "out"});
   EXPECT_TRUE(contains(answer.text, "but noise alone gives")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "times the samples")) << answer.text;
-  const auto picture = image::read_image(sandbox.folder() / "out/noisy/grey/result.exr");
-  EXPECT_GE(image::channel_index(picture, "variance.G"), 0);
+  const auto image = image::read_image(sandbox.folder() / "out/noisy/grey/result.exr");
+  EXPECT_GE(image::channel_index(image, "variance.G"), 0);
 }
 
-TEST(Seeds, AWrongPictureFailsHoweverNoisyItIs) {
+TEST(Seeds, AWrongImageFailsHoweverNoisyItIs) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "noisy-dark", "-s", "grey", "-o", "out"});
   EXPECT_EQ(answer.status, 1);
@@ -61,7 +61,7 @@ TEST(Seeds, ShareTheSamplesAndAddUpTheirTimes) {
   EXPECT_EQ(said, 4U) << log;
 }
 
-TEST(Seeds, ABadPictureOfOneOfThemIsTheVerdict) {
+TEST(Seeds, ABadImageOfOneOfThemIsTheVerdict) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "noisy-nan", "-s", "grey", "-o", "out"});
   EXPECT_EQ(answer.status, 1);
@@ -73,7 +73,7 @@ TEST(Seeds, ABadPictureOfOneOfThemIsTheVerdict) {
 }
 
 // A renderer that ignores its seed, or a scene without noise: nothing is known, and nothing is made up.
-TEST(Seeds, EqualPicturesHaveNoVariance) {
+TEST(Seeds, EqualImagesHaveNoVariance) {
   const auto grey = image::make_image(3, 2, {"R", "G", "B"});
   auto other = grey;
   EXPECT_TRUE(metrics::are_equal({grey, grey}));

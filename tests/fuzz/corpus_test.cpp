@@ -14,7 +14,7 @@ const std::map<std::string, Feed> kFeeds{
     {"scene", orbs::fuzz::feed_scene}, {"configuration", orbs::fuzz::feed_configuration},
     {"case", orbs::fuzz::feed_case},   {"obj", orbs::fuzz::feed_obj},
     {"ply", orbs::fuzz::feed_ply},     {"ies", orbs::fuzz::feed_ies},
-    {"exr", orbs::fuzz::feed_exr},     {"picture", orbs::fuzz::feed_picture}};
+    {"exr", orbs::fuzz::feed_exr},     {"image", orbs::fuzz::feed_image}};
 
 const std::filesystem::path kCorpus = ORBS_SOURCE_DIR "/tests/corpus";
 
@@ -59,7 +59,7 @@ const std::vector<Refused> kRefused{
     {"ply", "material_nan.ply", "material nan is no place in a list"},
     {"ply", "no_properties.ply", "element 'a' has no property"},
     {"ies", "peak_infinite.ies", "beyond what a number can hold"},
-    {"exr", "text.exr", "is no readable .exr picture: it does not start as one"},
+    {"exr", "text.exr", "is no readable .exr image: it does not start as one"},
     {"exr", "other_version.exr", "is an EXR file of an unknown version, 0x63"},
     {"exr", "torn_in_header.exr", "the file ends inside its EXR header"},
     {"exr", "attribute_too_long.exr", "the file ends inside its EXR header"},

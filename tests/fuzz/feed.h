@@ -18,7 +18,7 @@ std::string feed_obj(std::string_view bytes);
 std::string feed_ply(std::string_view bytes);
 std::string feed_ies(std::string_view bytes);
 std::string feed_exr(std::string_view bytes);
-std::string feed_picture(std::string_view bytes);  // PNG, JPEG, HDR, BMP, TGA, PFM, PPM, PGM
+std::string feed_image(std::string_view bytes);  // PNG, JPEG, HDR, BMP, TGA, PFM, PPM, PGM
 
 /// For promises that a reader's own checks are to keep.
 inline void require(bool holds, const std::string& promise) {

@@ -10,7 +10,7 @@ std::string feed_case(std::string_view bytes) {
     const auto one_case = registry::parse_case(file, std::string(bytes));
     require(!one_case.scenes.empty(), "a case has a scene");
     require(one_case.gate.min || one_case.gate.max, "a gate has a bound");
-    for (const auto& name : registry::picture_names(one_case))
+    for (const auto& name : registry::target_names(one_case))
       require(!name.empty() && name.find_first_of(std::string_view("/\0", 2)) == std::string::npos,
               "a name is one of a folder");
     for (const auto& mask : one_case.masks)

@@ -107,7 +107,7 @@ TEST_P(Spectral, ALampGivesTheSpectrumThatItsColourMeans) {
   }
 }
 
-TEST_P(Spectral, PicturesAreRefusedWhereWavelengthsCount) {
+TEST_P(Spectral, ImagesAreRefusedWhereWavelengthsCount) {
   scene::Scene scene = appearance_scene("e2_spectral_accuracy/macbeth_chart_D50");
   scene.textures = {{"bricks", fs::path(ORBS_SOURCE_DIR) / "data/common/textures/chess_red.png"}};
   std::get<scene::Lambert>(scene.materials[0].model).texture = scene::TextureUse{};

@@ -167,7 +167,7 @@ TEST_P(Exported, WhatTheRendererLacksIsRefusedWithAReason) {
   }
 }
 
-TEST_P(Exported, UprightPictureAndMirroredThingsReadBack) {
+TEST_P(Exported, UprightImageAndMirroredThingsReadBack) {
   scene::Scene scene;
   scene.camera.position_m = {1, 2, 9};
   scene.camera.fov_y_deg = 50;
@@ -200,16 +200,16 @@ TEST_P(Exported, SameSceneGivesTheSameText) {
   EXPECT_EQ(first, read_file(folder_ / "scene.txt"));
 }
 
-TEST_P(Exported, TexturesAreLinearPicturesWithTheColourMultipliedIn) {
+TEST_P(Exported, TexturesAreLinearImagesWithTheColourMultipliedIn) {
   scene::Scene scene = suite_scene("m4_lambert_texture/103");
   read_back(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const auto* lambert = std::get_if<scene::Lambert>(&scene.materials[i].model);
     if (lambert == nullptr || lambert->reflectance.x != 0.95) continue;  // red times a checker with white
-    const auto picture = image::read_image(folder_ / fmt::format("scene-material{}.exr", i));
-    EXPECT_EQ(picture.at(0, picture.height - 1, 0), 0.95F);
-    EXPECT_EQ(picture.at(0, picture.height - 1, 1), 0.05F);
-    EXPECT_EQ(picture.at(0, 0, 0), 0.0F);  // the upper left field is black
+    const auto image = image::read_image(folder_ / fmt::format("scene-material{}.exr", i));
+    EXPECT_EQ(image.at(0, image.height - 1, 0), 0.95F);
+    EXPECT_EQ(image.at(0, image.height - 1, 1), 0.05F);
+    EXPECT_EQ(image.at(0, 0, 0), 0.0F);  // the upper left field is black
     return;
   }
   FAIL() << "no red material";

@@ -1,5 +1,5 @@
 // A hundred times kill -9 at a random moment of a run, then --resume: every result is there, none twice, none
-// torn. Its renderer is a shell script that copies a picture, so that the harness's own work is what is hit.
+// torn. Its renderer is a shell script that copies an image, so that the harness's own work is what is hit.
 #include "base/files.h"
 #include "cli/sandbox.h"
 #include "results/read_record.h"
@@ -76,7 +76,7 @@ bool run_and_kill(const Sandbox& sandbox, int after_ms) {
 }
 
 // How many renders are in their places; each that is must be whole.
-int whole_renders(const Sandbox& sandbox, const std::string& picture) {
+int whole_renders(const Sandbox& sandbox, const std::string& image) {
   int count = 0;
   for (int i = 0; i < kScenes; ++i) {
     const auto folder = "out/copy/" + scene_name(i);
@@ -84,26 +84,26 @@ int whole_renders(const Sandbox& sandbox, const std::string& picture) {
     ++count;
     const auto file = results::read_job_file(sandbox.folder() / folder / "job.json");
     EXPECT_EQ(file.job.scene, scene_name(i));
-    EXPECT_EQ(file.pictures.size(), 1U);
-    EXPECT_EQ(sandbox.read(folder + "/result.exr"), picture);
+    EXPECT_EQ(file.targets.size(), 1U);
+    EXPECT_EQ(sandbox.read(folder + "/result.exr"), image);
     EXPECT_TRUE(sandbox.has(folder + "/error-l1.exr"));
   }
   return count;
 }
 
-void expect_complete(const Sandbox& sandbox, const std::string& picture) {
-  EXPECT_EQ(whole_renders(sandbox, picture), kScenes);
+void expect_complete(const Sandbox& sandbox, const std::string& image) {
+  EXPECT_EQ(whole_renders(sandbox, image), kScenes);
   const auto run = results::read_results_file(sandbox.folder() / "out/results.json");
   EXPECT_TRUE(run.finished);
   std::set<std::string> jobs;
-  std::set<std::string> pictures;
+  std::set<std::string> images;
   for (const auto& job : run.jobs) EXPECT_TRUE(jobs.insert(job.id).second) << "twice: " << job.scene;
-  for (const auto& one : run.pictures) {
-    EXPECT_TRUE(pictures.insert(one.picture).second) << "twice: " << one.picture;
+  for (const auto& one : run.targets) {
+    EXPECT_TRUE(images.insert(one.target).second) << "twice: " << one.target;
     EXPECT_EQ(one.verdict, results::Verdict::Pass) << one.sentence;
   }
   EXPECT_EQ(jobs.size(), kScenes);
-  EXPECT_EQ(pictures.size(), kScenes);
+  EXPECT_EQ(images.size(), kScenes);
   EXPECT_FALSE(sandbox.has("out/.unfinished"));
   EXPECT_FALSE(sandbox.has("out/run.lock"));
 }
@@ -113,12 +113,12 @@ void expect_complete(const Sandbox& sandbox, const std::string& picture) {
 TEST(Kill, AHundredTimesAtRandomMomentsLosesNothing) {
   const Sandbox sandbox;
   write_suite(sandbox);
-  const auto picture = sandbox.read("references/grey.exr");
+  const auto image = sandbox.read("references/grey.exr");
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_FALSE(run_and_kill(sandbox, 60000));
   const auto whole_ms =
       std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin).count();
-  expect_complete(sandbox, picture);
+  expect_complete(sandbox, image);
   std::filesystem::remove_all(sandbox.folder() / "out");
   std::mt19937 random(1);
   std::uniform_int_distribution<int> moment(0, static_cast<int>(whole_ms));
@@ -128,15 +128,15 @@ TEST(Kill, AHundredTimesAtRandomMomentsLosesNothing) {
   while (kills < kKills && !HasFailure()) {
     if (run_and_kill(sandbox, moment(random))) {
       ++kills;
-      kept += whole_renders(sandbox, picture);
+      kept += whole_renders(sandbox, image);
     } else {
       ++complete;
-      expect_complete(sandbox, picture);
+      expect_complete(sandbox, image);
       std::filesystem::remove_all(sandbox.folder() / "out");
     }
   }
   run_and_kill(sandbox, 60000);
-  expect_complete(sandbox, picture);
+  expect_complete(sandbox, image);
   std::cout << fmt::format(
       "{} kills; {} whole renders were found after them, none torn; {} runs of {} renders were completed, "
       "none with one missing or twice\n",

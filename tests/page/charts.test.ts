@@ -19,7 +19,7 @@ after(async () => {
   scratch.remove();
 });
 
-/** The charts of a run whose `metric` has these numbers, by the index of the picture, and no others. */
+/** The charts of a run whose `metric` has these numbers, by the index of the image, and no others. */
 async function charts(query: string, metric: string, values: Record<number, number>, change: (overview: SomeOverview) => void = () => undefined): Promise<{ page: Page; errors: string[] }> {
   const { page, errors } = await open(browser, "about:blank");
   await changeOverview(page, (overview) => {
@@ -36,8 +36,8 @@ async function charts(query: string, metric: string, values: Record<number, numb
 
 const first = (page: Page) => page.locator(".chart").first();
 
-test("a click on a point opens the picture that made it", async () => {
-  // Pictures 0, 2 and 3 are of "one"; the middle of -1, 0 and 1 is in the middle of the chart.
+test("a click on a point opens the image that made it", async () => {
+  // Images 0, 2 and 3 are of "one"; the middle of -1, 0 and 1 is in the middle of the chart.
   const { page, errors } = await charts("of=lean", "lean", { 0: -1, 2: 0, 3: 1 });
   const over = first(page).locator(".u-over");
   await over.waitFor();

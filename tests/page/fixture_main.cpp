@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     if (what == "small") write_small_run(folder);
     if (what == "before") write_earlier_run(folder);
     if (what == "many") write_run_of_many_cells(folder);
-    if (what == "huge") write_run_of_huge_pictures(folder);
+    if (what == "huge") write_run_of_huge_images(folder);
     if (what == "live") play_live_run(folder);
   } catch (const orbs::InputError& e) {
     std::fputs(e.what(), stderr);

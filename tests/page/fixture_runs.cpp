@@ -20,22 +20,22 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::JobRecord;
-using results::PictureRecord;
 using results::RunRecord;
+using results::TargetRecord;
 using results::Verdict;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 image::Image ramp(int width, int height) {
-  auto picture = image::make_image(width, height, {"R", "G", "B"});
+  auto target = image::make_image(width, height, {"R", "G", "B"});
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      picture.at(x, y, 0) = static_cast<float>(x) / static_cast<float>(width);
-      picture.at(x, y, 1) = static_cast<float>(y) / static_cast<float>(height);
-      picture.at(x, y, 2) = 0.25F;
+      target.at(x, y, 0) = static_cast<float>(x) / static_cast<float>(width);
+      target.at(x, y, 1) = static_cast<float>(y) / static_cast<float>(height);
+      target.at(x, y, 2) = 0.25F;
     }
-  return picture;
+  return target;
 }
 
 image::Image map_of(const image::Image& a, const image::Image& b, bool is_signed) {
@@ -79,23 +79,23 @@ JobRecord job_of(const std::string& scene, const std::string& renderer, double s
   return job;
 }
 
-PictureRecord picture_of(const std::string& case_name, const JobRecord& job, Verdict verdict) {
-  PictureRecord picture;
-  picture.requirement = {static_cast<char>(std::toupper(case_name[0])), case_name[1]};
-  picture.case_name = case_name;
-  picture.picture = job.scene;
-  picture.renderer = job.renderer;
-  picture.jobs = {job.id};
-  picture.declared = true;
-  picture.verdict = verdict;
-  picture.sentence = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
+TargetRecord target_of(const std::string& case_name, const JobRecord& job, Verdict verdict) {
+  TargetRecord target;
+  target.requirement = {static_cast<char>(std::toupper(case_name[0])), case_name[1]};
+  target.case_name = case_name;
+  target.target = job.scene;
+  target.renderer = job.renderer;
+  target.jobs = {job.id};
+  target.declared = true;
+  target.verdict = verdict;
+  target.sentence = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
   const double psnr = verdict == Verdict::Pass ? 41.5 : 20.25;
-  picture.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
-                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false},
-                      {"lean", -0.0125, "1", "how far it leans", true, true, -0.02, -0.005, {8, 16, 24, 32}}};
-  picture.remarks = {"it leans to the left"};
-  picture.checks = {{"psnr_srgb8", verdict == Verdict::Pass, picture.sentence, 35.0, {}}};
-  return picture;
+  target.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
+                     {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false},
+                     {"lean", -0.0125, "1", "how far it leans", true, true, -0.02, -0.005, {8, 16, 24, 32}}};
+  target.remarks = {"it leans to the left"};
+  target.checks = {{"psnr_srgb8", verdict == Verdict::Pass, target.sentence, 35.0, {}}};
+  return target;
 }
 
 results::CaseRecord case_of(const std::string& suite, const std::string& name, const std::string& title) {
@@ -123,13 +123,13 @@ RunRecord blank_run(const std::vector<std::string>& renderers) {
   return run;
 }
 
-void write_exr(const fs::path& folder, const std::string& file, const image::Image& picture) {
+void write_exr(const fs::path& folder, const std::string& file, const image::Image& target) {
   fs::create_directories((folder / file).parent_path());
-  image::write_exr(picture, folder / file);
+  image::write_exr(target, folder / file);
 }
 
-// The pictures of m1_values by "one".
-void add_values(const fs::path& folder, PictureRecord& picture) {
+// The images of m1_values by "one".
+void add_values(const fs::path& folder, TargetRecord& target) {
   auto result = ramp(64, 48);
   const auto plain = result;
   auto reference = plain;
@@ -142,21 +142,21 @@ void add_values(const fs::path& folder, PictureRecord& picture) {
   result.attributes["orbs.program"] = "one <b>1.0</b>";
   auto wobble = image::make_image(64, 48, {"Y"});
   wobble.at(3, 4, 0) = 0.75F;
-  picture.image = "one/values/result.exr";
-  picture.reference_image = "references/values.exr";
-  write_exr(folder, picture.image, result);
-  image::write_png(image::display_picture(result), folder / "one/values/result.png");
-  write_exr(folder, picture.reference_image, reference);
+  target.image = "one/values/result.exr";
+  target.reference_image = "references/values.exr";
+  write_exr(folder, target.image, result);
+  image::write_png(image::display_image(result), folder / "one/values/result.png");
+  write_exr(folder, target.reference_image, reference);
   write_exr(folder, "one/values/error-l1.exr", map_of(plain, reference, false));
   write_exr(folder, "one/values/error-signed.exr", map_of(plain, reference, true));
   write_exr(folder, "one/values/error-wobble.exr", wobble);
-  picture.maps = {{"l1", "one/values/error-l1.exr", "|result - reference|", false, 0.2},
-                  {"signed", "one/values/error-signed.exr", "result - reference", true, 0.2},
-                  {"wobble", "one/values/error-wobble.exr", "a map that nobody knows", false, 1}};
-  picture.reference_passport = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
+  target.maps = {{"l1", "one/values/error-l1.exr", "|result - reference|", false, 0.2},
+                 {"signed", "one/values/error-signed.exr", "result - reference", true, 0.2},
+                 {"wobble", "one/values/error-wobble.exr", "a map that nobody knows", false, 1}};
+  target.reference_passport = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
 }
 
-void add_stokes(const fs::path& folder, PictureRecord& picture) {
+void add_stokes(const fs::path& folder, TargetRecord& target) {
   std::vector<std::string> channels{"R", "G", "B"};
   for (const char* layer : {"S0", "S1", "S2", "S3"})
     for (const char* c : {"R", "G", "B"}) channels.push_back(fmt::format("{}.{}", layer, c));
@@ -165,10 +165,10 @@ void add_stokes(const fs::path& folder, PictureRecord& picture) {
     for (int x = 0; x < 32; ++x)
       for (std::size_t c = 0; c < channels.size(); ++c)
         result.at(x, y, c) = c < 6 ? 0.5F : static_cast<float>(x - 16) / 16.0F;
-  picture.image = "one/stokes/result.exr";
-  picture.reference_image = "references/stokes.exr";
-  write_exr(folder, picture.image, result);
-  write_exr(folder, picture.reference_image, result);
+  target.image = "one/stokes/result.exr";
+  target.reference_image = "references/stokes.exr";
+  write_exr(folder, target.image, result);
+  write_exr(folder, target.reference_image, result);
 }
 
 // Text that would be markup if anybody took it for that.
@@ -182,15 +182,15 @@ void add_markup(const fs::path& folder, RunRecord& run) {
   job.sentence = attack;
   fs::create_directories(folder / "one/markup");
   write_file(folder / job.log, "line one\n" + attack + "\n\x1b[31mred\x1b[0m \xff\n");
-  auto picture = picture_of("e1_markup", job, Verdict::Crash);
-  picture.sentence = attack;
-  picture.measures.clear();
-  picture.checks.clear();
+  auto target = target_of("e1_markup", job, Verdict::Crash);
+  target.sentence = attack;
+  target.measures.clear();
+  target.checks.clear();
   run.jobs.push_back(job);
-  run.pictures.push_back(picture);
+  run.targets.push_back(target);
 }
 
-// One picture for each verdict by "two" and "three".
+// One image for each verdict by "two" and "three".
 void add_all_verdicts(RunRecord& run) {
   for (std::size_t i = 0; i < results::kVerdicts.size(); ++i) {
     const auto verdict = results::kVerdicts.at(i);
@@ -198,7 +198,7 @@ void add_all_verdicts(RunRecord& run) {
     if (i < 9) run.cases.push_back(case_of("alpha", name, fmt::format("Verdict {}", i + 1)));
     for (const char* renderer : {"two", "three"}) {
       auto job = job_of(fmt::format("verdict-{}", i), renderer, 0.5 + static_cast<double>(i));
-      run.pictures.push_back(picture_of(name, job, renderer == std::string("two") ? verdict : Verdict::Pass));
+      run.targets.push_back(target_of(name, job, renderer == std::string("two") ? verdict : Verdict::Pass));
       run.jobs.push_back(std::move(job));
     }
   }
@@ -214,22 +214,22 @@ RunRecord small_run(const fs::path& folder) {
   run.cases.push_back(case_of("alpha", "m1_values", "Known values"));
   const auto values = job_of("values", "one", 2);
   run.jobs.push_back(values);
-  run.pictures.push_back(picture_of("m1_values", values, Verdict::Fail));
-  add_values(folder, run.pictures.back());
+  run.targets.push_back(target_of("m1_values", values, Verdict::Fail));
+  add_values(folder, run.targets.back());
   const auto by_two = job_of("values", "two", 4);
   run.jobs.push_back(by_two);
-  run.pictures.push_back(picture_of("m1_values", by_two, Verdict::Pass));
+  run.targets.push_back(target_of("m1_values", by_two, Verdict::Pass));
   run.cases.push_back(case_of("beta", "a1_stokes", "Polarised light"));
   run.scenes.push_back({"stokes",
                         "polarised",
                         {{"polarisation", "material 'filter'", "is a polariser"},
-                         {"polarisation", "the picture", "holds Stokes vectors"}},
+                         {"polarisation", "the image", "holds Stokes vectors"}},
                         {{"spectral", "material 'grey'", "is constant <b>"}},
                         {{"spectral", 0.8, 0.5, "mean -15 +- 0.1 %"}, {"rgb", 0.6, 0, "mean -15 +- 0.2 %"}}});
   const auto stokes = job_of("stokes", "one", 3);
   run.jobs.push_back(stokes);
-  run.pictures.push_back(picture_of("a1_stokes", stokes, Verdict::Pass));
-  add_stokes(folder, run.pictures.back());
+  run.targets.push_back(target_of("a1_stokes", stokes, Verdict::Pass));
+  add_stokes(folder, run.targets.back());
   add_markup(folder, run);
   add_all_verdicts(run);
   return run;
@@ -239,7 +239,7 @@ void add_case(RunRecord& run, const std::string& name) {
   run.cases.push_back(case_of("alpha", name, name));
   const auto job = job_of(name, "one", 1);
   run.jobs.push_back(job);
-  run.pictures.push_back(picture_of(name, job, Verdict::Pass));
+  run.targets.push_back(target_of(name, job, Verdict::Pass));
 }
 
 void write_run(RunRecord run, const fs::path& folder) {
@@ -259,9 +259,9 @@ void write_small_run(const fs::path& folder) {
 void write_earlier_run(const fs::path& folder) {
   auto run = small_run(folder);
   run.started = "2026-01-01T00:00:00";
-  for (auto& picture : run.pictures) {
-    if (picture.case_name == "m1_values" && picture.renderer == "two") picture.verdict = Verdict::Fail;
-    if (picture.case_name == "e1_markup") picture.verdict = Verdict::Pass;
+  for (auto& target : run.targets) {
+    if (target.case_name == "m1_values" && target.renderer == "two") target.verdict = Verdict::Fail;
+    if (target.case_name == "e1_markup") target.verdict = Verdict::Pass;
   }
   add_case(run, "g9_gone");
   // Rendered elsewhere, as after a resume on another machine.
@@ -273,41 +273,41 @@ void write_earlier_run(const fs::path& folder) {
 }
 
 void write_run_of_many_cells(const fs::path& folder) {
-  constexpr int kPictures = 1000;
+  constexpr int kImages = 1000;
   constexpr int kRenderers = 10;
   std::vector<std::string> names;
   for (int r = 0; r < kRenderers; ++r) names.push_back(fmt::format("renderer{}", r));
   auto run = blank_run(names);
-  for (int p = 0; p < kPictures; ++p) {
+  for (int p = 0; p < kImages; ++p) {
     run.cases.push_back(
         case_of("alpha", fmt::format("{}{}_case{}", "gmla"[p % 4], p % 9 + 1, p), fmt::format("Case {}", p)));
     for (const auto& renderer : names) {
       const auto job = job_of(fmt::format("scene-{}", p), renderer, 0.1 + p % 17);
       // Every seventh cell fails, each row at other renderers.
       const auto hash = content_hash(job.id);
-      run.pictures.push_back(
-          picture_of(run.cases.back().name, job, hash % 7 == 0 ? Verdict::Fail : Verdict::Pass));
+      run.targets.push_back(
+          target_of(run.cases.back().name, job, hash % 7 == 0 ? Verdict::Fail : Verdict::Pass));
       run.jobs.push_back(job);
     }
   }
   write_run(std::move(run), folder);
 }
 
-void write_run_of_huge_pictures(const fs::path& folder) {
+void write_run_of_huge_images(const fs::path& folder) {
   auto run = blank_run({"one"});
   run.cases.push_back(case_of("alpha", "m1_huge", "Huge"));
   const auto job = job_of("huge", "one", 9);
   run.jobs.push_back(job);
-  auto picture = picture_of("m1_huge", job, Verdict::Fail);
+  auto target = target_of("m1_huge", job, Verdict::Fail);
   const auto reference = ramp(4096, 4096);
   auto result = reference;
   for (int y = 4000; y < 4010; ++y)
     for (int x = 4000; x < 4010; ++x) result.at(x, y, 2) = 2.0F;
-  picture.image = "one/huge/result.exr";
-  picture.reference_image = "references/huge.exr";
-  write_exr(folder, picture.image, result);
-  write_exr(folder, picture.reference_image, reference);
-  run.pictures.push_back(picture);
+  target.image = "one/huge/result.exr";
+  target.reference_image = "references/huge.exr";
+  write_exr(folder, target.image, result);
+  write_exr(folder, target.reference_image, reference);
+  run.targets.push_back(target);
   write_run(std::move(run), folder);
 }
 
@@ -325,7 +325,7 @@ void play_live_run(const fs::path& folder) {
     waiting.rendered = false;
     waiting.verdict = Verdict::Skipped;
     run.jobs.push_back(waiting);
-    run.pictures.push_back(picture_of("m1_live", waiting, Verdict::Skipped));
+    run.targets.push_back(target_of("m1_live", waiting, Verdict::Skipped));
   }
   write_run(run, folder);
   std::cout << "ready" << std::endl;
@@ -334,10 +334,10 @@ void play_live_run(const fs::path& folder) {
     fs::create_directories(folder / done[i].folder);
     fs::remove_all(unfinished.path() / done[i].folder);
     if (i + 1 < done.size()) fs::create_directories(unfinished.path() / done[i + 1].folder);
-    const auto picture = picture_of("m1_live", done[i], i == 0 ? Verdict::Pass : Verdict::Fail);
-    write_file(folder / done[i].folder / "job.json", results::job_json(done[i], {picture}));
+    const auto target = target_of("m1_live", done[i], i == 0 ? Verdict::Pass : Verdict::Fail);
+    write_file(folder / done[i].folder / "job.json", results::job_json(done[i], {target}));
     run.jobs[i] = done[i];
-    run.pictures[i] = picture;
+    run.targets[i] = target;
   }
   while (std::getline(std::cin, line)) continue;
   run.finished = true;

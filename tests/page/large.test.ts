@@ -28,7 +28,7 @@ function requestsForData(page: Page): string[] {
 }
 
 test("the overview of 10 000 cells builds only what is in sight", async () => {
-  const { page, errors } = await open(browser, `${served.url}#/?by=picture`);
+  const { page, errors } = await open(browser, `${served.url}#/?by=target`);
   await page.waitForFunction(() => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "1001");
   const asked = requestsForData(page);
   const built = () => page.evaluate(() => document.querySelectorAll("*").length);
@@ -57,11 +57,11 @@ test("a pair of 4096 x 4096 pixels can be used", async () => {
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
   assert.equal((await colourAt(page, x, y))[2], 255);
-  // What makes a flip quick: both pictures are there, none is asked for again.
+  // What makes a flip quick: both images are there, none is asked for again.
   const asked = requestsForData(page);
-  for (const [key, picture] of [["1", "result"], ["2", "reference"], ["1", "result"], ["2", "reference"]] as const) {
+  for (const [key, target] of [["1", "result"], ["2", "reference"], ["1", "result"], ["2", "reference"]] as const) {
     await page.keyboard.press(key);
-    await drawn(page, picture);
+    await drawn(page, target);
   }
   assert.deepEqual(asked, []);
   assert.ok(((await colourAt(page, x, y))[2] ?? 0) < 200);

@@ -90,7 +90,7 @@ test("a run that cannot be compared says why", async () => {
   await page.close();
 });
 
-test("pictures that were not rendered are neither better nor worse", async () => {
+test("images that were not rendered are neither better nor worse", async () => {
   const { page } = await open(browser, "about:blank");
   await changeOverview(page, ({ cells, states }) => {
     ["waiting", "running", "skipped"].forEach((name, i) => (cells["state"]![i] = states.findIndex((state) => state.name === name)));

@@ -35,7 +35,7 @@ async function live(name: string): Promise<{ run: ChildProcess; served: Served; 
   return { run, served, page, errors, end };
 }
 
-const overview = "#/?by=picture&order=given";
+const overview = "#/?by=target&order=given";
 const passed = (page: Page, count: number) =>
   page.waitForFunction((wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted, count);
 

@@ -1,5 +1,5 @@
 // Many clients at once, by hand:  node load.mjs <build folder> [seconds = 30] [clients = 200]
-// Each client asks for the page, the overview, a picture and its pixels again and again. Ends with status 1 when an
+// Each client asks for the page, the overview, an image and its pixels again and again. Ends with status 1 when an
 // answer is wrong or late, or when the server holds more memory at the end than after its first seconds.
 import { spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -16,7 +16,7 @@ const server = spawn(join(build, "orbs"), ["serve", join(folder, "run")]);
 const url = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])));
 const memory_MB = () => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]) / 1024;
 
-const paths = ["", "data/runs.json", "data/0/overview.json", "data/0/picture/0.json", "data/0/image/one/values/result.exr",
+const paths = ["", "data/runs.json", "data/0/overview.json", "data/0/target/0.json", "data/0/image/one/values/result.exr",
   "data/0/file/one/values/result.png"];
 const agent = new Agent({ keepAlive: false });
 const ask = (path) => new Promise((resolve) => {

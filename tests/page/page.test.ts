@@ -24,25 +24,25 @@ after(async () => {
 const values = "#/case/m1_values/values/one";
 
 test("the overview shows each state by symbol and word, failures first", async () => {
-  const { page, errors } = await open(browser, `${url}#/?by=picture`);
-  await page.waitForSelector(".grid .row.picture");
+  const { page, errors } = await open(browser, `${url}#/?by=target`);
+  await page.waitForSelector(".grid .row.target");
   const words = await page.locator(".cell a").allInnerTexts();
   for (const word of ["pass", "fail", "crash", "timeout", "missing reference", "unsupported", "invalid pixels"])
     assert.ok(words.some((text) => text.includes(word)), word);
-  const first = await page.locator(".row.picture").first().innerText();
+  const first = await page.locator(".row.target").first().innerText();
   assert.match(first, /crash/);
   assert.match(await page.locator(".renderers").innerText(), /G5\/M8\/L4\/A4\s+G0\/M1\/L0\/A0/);
   assert.deepEqual(errors, []);
   await page.close();
 });
 
-test("of pictures in the same state the one with the worst number speaks for the requirement", async () => {
+test("of images in the same state the one with the worst number speaks for the requirement", async () => {
   const page = await browser.newPage();
   await changeOverview(page, (overview) => {
     const { cells, measures } = overview;
     for (const column of ["case", "renderer", "state", "declared"]) cells[column]!.fill(cells[column]![0]!, 0, 3);
-    overview.pictures = ["good", "worst", "better", ...overview.pictures];
-    cells["picture"] = cells["picture"]!.map((picture, i) => (i < 3 ? i : picture! + 3));
+    overview.targets = ["good", "worst", "better", ...overview.targets];
+    cells["target"] = cells["target"]!.map((target, i) => (i < 3 ? i : target! + 3));
     measures["psnr_srgb8"]!.splice(0, 3, 50, 36, 42);
   });
   await page.goto(url);
@@ -68,7 +68,7 @@ test("filter box, chips and the address say the same", async () => {
   await page.close();
 });
 
-test("a cell shows a small picture, opens its case, and the back button returns", async () => {
+test("a cell shows a small image, opens its case, and the back button returns", async () => {
   const { page, errors } = await open(browser, `${url}#/?q=known`);
   const cell = page.locator(".cell a").first();
   await cell.hover();
@@ -87,7 +87,7 @@ test("a cell shows a small picture, opens its case, and the back button returns"
   await page.close();
 });
 
-test("digits flip between the pictures, also one that nobody has heard of", async () => {
+test("digits flip between the images, also one that nobody has heard of", async () => {
   const { page, errors } = await open(browser, url + values);
   await drawn(page, "result");
   for (const [key, name] of [["2", "reference"], ["5", "wobble"], ["1", "result"]] as const) {
@@ -271,7 +271,7 @@ test("two runs: better, worse, new and gone", async () => {
   // "two" took twice as long before; "three" was rendered elsewhere.
   assert.match(await rows("better").innerText(), /× 0\.5$/);
   const line = await page.locator(".compare-time").innerText();
-  assert.match(line, /^Wall clock × 0\.\d+, the geometric mean of \d+ pictures; load at the start 0\.25 before, 0\.25 after\./);
+  assert.match(line, /^Wall clock × 0\.\d+, the geometric mean of \d+ targets; load at the start 0\.25 before, 0\.25 after\./);
   assert.match(line, /times are of different machines \(another processor, 2 cores before, a processor, 2 cores after\)/);
   await page.locator("section[data-kind=same] summary").click();
   assert.match(await rows("same").filter({ hasText: "three" }).first().innerText(), /times are of different machines$/);

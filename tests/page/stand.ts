@@ -74,7 +74,7 @@ export function report(run: string, output: string): void {
 export async function launch(): Promise<Browser> {
   const executablePath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
   if (!executablePath) throw new Error("there is no Chromium; './bootstrap test' installs it");
-  // Drawn in software: the same picture on every machine. Chromium's sandbox does not run as root in a container.
+  // Drawn in software: the same image on every machine. Chromium's sandbox does not run as root in a container.
   const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])];
   return chromium.launch({ executablePath, args });
 }
@@ -96,7 +96,7 @@ export async function open(browser: Browser, url: string, options: Parameters<Br
   return { page, errors };
 }
 
-/** Waits until the stage shows exactly these pictures. */
+/** Waits until the stage shows exactly these images. */
 export async function drawn(page: Page, names: string): Promise<void> {
   await page.waitForFunction((wanted) => document.querySelector<HTMLCanvasElement>(".stage canvas")?.dataset["drawn"] === wanted, names);
   await settled(page);
@@ -123,7 +123,7 @@ export interface SomeOverview {
   cells: Record<string, (number | null)[]>;
   measures: Record<string, (number | null)[]>;
   infinite: Record<string, number[]>;
-  pictures: string[];
+  images: string[];
   charts?: unknown[];
 }
 
@@ -142,8 +142,8 @@ export async function settled(page: Page): Promise<void> {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-/** A picture as the server packs it (src/report/packed_image.h), each channel with its number at (x, y). */
-export function packedPicture(width: number, height: number, channels: Record<string, (x: number, y: number) => number>): Buffer {
+/** An image as the server packs it (src/report/packed_image.h), each channel with its number at (x, y). */
+export function packedImage(width: number, height: number, channels: Record<string, (x: number, y: number) => number>): Buffer {
   const names = Object.keys(channels);
   const header = JSON.stringify({
     format: "orbs-image/1", width, height, layer: "", layers: [""], attributes: {},
@@ -160,7 +160,7 @@ export function packedPicture(width: number, height: number, channels: Record<st
   return gzipSync(Buffer.concat([length, text, ...planes]));
 }
 
-/** Shows these pictures, by the names of their files, in place of the run's own. */
-export async function replacePictures(page: Page, pictures: Record<string, Buffer>): Promise<void> {
-  for (const [file, body] of Object.entries(pictures)) await page.route(`**/image/**/${file}*`, (route) => route.fulfill({ body }));
+/** Shows these images, by the names of their files, in place of the run's own. */
+export async function replaceImages(page: Page, images: Record<string, Buffer>): Promise<void> {
+  for (const [file, body] of Object.entries(images)) await page.route(`**/image/**/${file}*`, (route) => route.fulfill({ body }));
 }

@@ -1,8 +1,8 @@
-// The viewer on pictures that the renders of the other tests do not have.
+// The viewer on images that the renders of the other tests do not have.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open, packedPicture, replacePictures, Scratch, serve, type Served } from "./stand";
+import { colourAt, drawn, launch, open, packedImage, replaceImages, Scratch, serve, type Served } from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -21,10 +21,10 @@ after(async () => {
   scratch.remove();
 });
 
-/** The viewer with these pictures in place of result and reference. */
-async function viewer(query: string, pictures: Record<string, Buffer>): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
+/** The viewer with these images in place of result and reference. */
+async function viewer(query: string, images: Record<string, Buffer>): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
   const { page, errors } = await open(browser, "about:blank");
-  await replacePictures(page, pictures);
+  await replaceImages(page, images);
   await page.goto(`${values}?${query}`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
@@ -34,7 +34,7 @@ async function viewer(query: string, pictures: Record<string, Buffer>): Promise<
 const channelSelect = (page: Page) => page.getByRole("combobox", { name: "Channel" });
 
 test("a fourth and a fifth channel show their own numbers", async () => {
-  const five = packedPicture(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: () => 0.25, Z: () => 0.5 });
+  const five = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: () => 0.25, Z: () => 0.5 });
   const { page, errors, middle } = await viewer("curve=linear&ch=A&zoom=40&x=4.5&y=4.5", { "result.exr": five });
   const grey = async (): Promise<number> => (await colourAt(page, middle.x, middle.y + 12))[0] ?? -1;
   assert.ok(Math.abs((await grey()) - 63.75) < 1.5, String(await grey()));
@@ -49,8 +49,8 @@ test("a fourth and a fifth channel show their own numbers", async () => {
   await page.close();
 });
 
-test("a picture of two channels offers these two, and shows the one that is chosen", async () => {
-  const two = packedPicture(8, 8, { Y: () => 0.25, A: () => 0.75 });
+test("an image of two channels offers these two, and shows the one that is chosen", async () => {
+  const two = packedImage(8, 8, { Y: () => 0.25, A: () => 0.75 });
   const { page, errors, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", { "result.exr": two });
   await page.locator(".statistics").first().waitFor();
   assert.deepEqual(await channelSelect(page).locator("option").allInnerTexts(), ["Y", "A"]);
@@ -71,8 +71,8 @@ test("a picture of two channels offers these two, and shows the one that is chos
   await page.close();
 });
 
-test("a scale that ends where the picture's numbers do follows the channel that is chosen", async () => {
-  const four = packedPicture(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: (x) => (x === 0 ? 8 : 4) });
+test("a scale that ends where the image's numbers do follows the channel that is chosen", async () => {
+  const four = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: (x) => (x === 0 ? 8 : 4) });
   const { page } = await viewer("curve=false&ch=A", { "result.exr": four });
   await page.locator(".statistics").first().waitFor();
   await page.keyboard.press("n");
@@ -101,7 +101,7 @@ test("the read-out follows whatever is newer: the pointer or the worst pixel", a
 for (const region of ["-1000000000,0,5,5", "10,10,2,2", "0,0,1000000000,1000000000"])
   test(`the region ${region} of a link is refused with a reason`, async () => {
     const { page, errors } = await viewer(`region=${encodeURIComponent(region)}`, {});
-    await page.locator(".region").getByText("The region does not lie within the picture, which has 64 × 48 pixels.").waitFor();
+    await page.locator(".region").getByText("The region does not lie within the image, which has 64 × 48 pixels.").waitFor();
     await page.getByRole("button", { name: "Clear" }).click();
     await page.waitForFunction(() => !document.querySelector(".region"));
     assert.deepEqual(errors, []);
@@ -119,7 +119,7 @@ test("a region has the numbers of its pixels alone", async () => {
 });
 
 test("of many wrong pixels it says how many, and how many of these can be visited", async () => {
-  const [black, white] = [packedPicture(64, 48, { R: () => 0, G: () => 0, B: () => 0 }), packedPicture(64, 48, { R: () => 1, G: () => 0, B: () => 0 })];
+  const [black, white] = [packedImage(64, 48, { R: () => 0, G: () => 0, B: () => 0 }), packedImage(64, 48, { R: () => 1, G: () => 0, B: () => 0 })];
   const { page } = await viewer("", { "result.exr": white, "values.exr": black });
   await page.getByText("3072 pixels differ").waitFor();
   await page.keyboard.press("u");
@@ -127,16 +127,16 @@ test("of many wrong pixels it says how many, and how many of these can be visite
   await page.close();
 });
 
-test("a layer that only other pictures have can be left", async () => {
+test("a layer that only other images have can be left", async () => {
   const { page } = await open(browser, `${values}?layer=S3`);
-  await page.getByText("result: the picture has no layer 'S3'").waitFor();
+  await page.getByText("result: the image has no layer 'S3'").waitFor();
   await page.getByRole("combobox", { name: "Layer" }).selectOption({ label: "colour" });
   await drawn(page, "result");
   await page.close();
 });
 
-test("one NaN among many pixels is seen however small the picture is shown", async () => {
-  const large = packedPicture(512, 512, { Y: (x, y) => (x === 301 && y === 203 ? NaN : 0.5) });
+test("one NaN among many pixels is seen however small the image is shown", async () => {
+  const large = packedImage(512, 512, { Y: (x, y) => (x === 301 && y === 203 ? NaN : 0.5) });
   const { page, middle } = await viewer("zoom=0.07&x=301&y=203", { "result.exr": large });
   const colours = [];
   for (const dy of [-1, 0, 1]) for (const dx of [-1, 0, 1]) colours.push(String(await colourAt(page, middle.x + dx, middle.y + dy)));
@@ -144,7 +144,7 @@ test("one NaN among many pixels is seen however small the picture is shown", asy
   await page.close();
 });
 
-test("textures of pictures that are no longer there are freed", async () => {
+test("textures of images that are no longer there are freed", async () => {
   const { page } = await open(browser, "about:blank");
   await page.addInitScript(() => {
     const { createTexture, deleteTexture } = WebGL2RenderingContext.prototype;
@@ -171,8 +171,8 @@ test("textures of pictures that are no longer there are freed", async () => {
   await page.close();
 });
 
-test("when the graphics driver starts anew the pictures are drawn anew", async () => {
-  const { page, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", { "result.exr": packedPicture(8, 8, { Y: () => 0.25 }) });
+test("when the graphics driver starts anew the images are drawn anew", async () => {
+  const { page, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", { "result.exr": packedImage(8, 8, { Y: () => 0.25 }) });
   const lose = (what: "loseContext" | "restoreContext") => page.evaluate((name) => {
     const own = globalThis as unknown as { lost?: WEBGL_lose_context | null };
     own.lost ??= document.querySelector<HTMLCanvasElement>(".stage canvas")?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;

@@ -10,13 +10,13 @@
 
 #include <gtest/gtest.h>
 
-/// The adapter on the real Cycles: pictures whose values are known in closed form.
+/// The adapter on the real Cycles: images whose values are known in closed form.
 namespace {
 
 using namespace orbs;
 using namespace orbs::peers;
 
-// Ratio of picture and expectation over the pixels of a rectangle: its mean, and the standard error of that
+// Ratio of image and expectation over the pixels of a rectangle: its mean, and the standard error of that
 // from the scatter of the pixels, which have independent samples.
 struct Ratio {
   double mean = 0;
@@ -39,7 +39,7 @@ Ratio ratio_in(const image::Image& image, const Expected& expected, int x0, int 
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / count)};
 }
 
-// In each quarter of the picture, so that a gradient or a turn shows: four standard errors, a false alarm in
+// In each quarter of the image, so that a gradient or a turn shows: four standard errors, a false alarm in
 // one of 16 000 seeds, and the seed is fixed; and `bias`, what float arithmetic and tessellation may cost.
 void expect_in_quarters(const image::Image& image, const Expected& expected, double bias) {
   const int half_w = image.width / 2;
@@ -52,7 +52,7 @@ void expect_in_quarters(const image::Image& image, const Expected& expected, dou
     }
 }
 
-TEST(Cycles, CameraMapsEveryPixelOfANonSquarePicture) {
+TEST(Cycles, CameraMapsEveryPixelOfANonSquareImage) {
   const auto scene = tilted_camera_before_quad({5, 0.25, 1000});
   const auto image = render_with_cycles(scene, "camera", 16);
   for (int y = 0; y < 24; ++y)

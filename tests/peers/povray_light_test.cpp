@@ -29,7 +29,7 @@ double worst_difference(const scene::Scene& scene, const Factor& factor, const O
   return worst;
 }
 
-// What the picture shows of its only light, as a form factor.
+// What the image shows of its only light, as a form factor.
 auto shown_in(const image::Image& image, const scene::Scene& scene) {
   return [&image, &scene](Vec3d, int x, int y) {
     return static_cast<double>(image.at(x, y, 0)) / (kFloorAlbedo * scene.lights[0].radiance.x);
@@ -96,7 +96,7 @@ LampGrid disk_grid(const Mat4& matrix, double radius_m, int n) {
 
 const int kGrid = adapters::PovraySettings{}.area_grid;
 
-// Two questions, so that each tolerance has a reason: the picture is that of the grid but for its half
+// Two questions, so that each tolerance has a reason: the image is that of the grid but for its half
 // floats, and the grid is off by its quadrature alone. Over a cell of side h the mean of f and its value in
 // the middle differ by h^2 / 24 of its second derivatives: 7.4e-4 of the form factor at most on this floor
 // for 16 x 16 cells, and four times that for 8 x 8.

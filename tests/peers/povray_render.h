@@ -11,7 +11,7 @@ namespace orbs::peers {
 /// POV-Ray writes half floats, which round by up to 2^-11 of the value.
 inline constexpr double kHalf = 4.9e-4;
 
-/// Writes the scene, starts POV-Ray in a folder of its own, reads the picture. One ray through each pixel's
+/// Writes the scene, starts POV-Ray in a folder of its own, reads the image. One ray through each pixel's
 /// centre. std::runtime_error with a clear sentence when POV-Ray is not installed or fails.
 image::Image render_with_povray(const scene::Scene& scene,
                                 const std::string& name,

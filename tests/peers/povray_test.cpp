@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-/// The exporter on the real POV-Ray: pictures whose values are known in closed form.
+/// The exporter on the real POV-Ray: images whose values are known in closed form.
 namespace {
 
 using namespace orbs;
@@ -26,7 +26,7 @@ TEST(Povray, EmissionIsShownAsGivenAndNotClamped) {
   EXPECT_EQ(value(image, 4, 4, 2), 1000);
 }
 
-TEST(Povray, CameraMapsEveryPixelOfANonSquarePicture) {
+TEST(Povray, CameraMapsEveryPixelOfANonSquareImage) {
   const auto scene = tilted_camera_before_quad({1, 1, 1});
   const auto image = render_with_povray(scene, "camera");
   for (int y = 0; y < 24; ++y)

@@ -44,7 +44,7 @@ TEST(PovrayTexture, AppliesTheTextureMatrix) {
   expect_texture({.name = "matrix-clamp", .wrap_u = Wrap::Clamp, .wrap_v = Wrap::Clamp, .matrix = matrix});
 }
 
-TEST(PovrayTexture, TintsThePictureWithAnyColour) {
+TEST(PovrayTexture, TintsTheImageWithAnyColour) {
   expect_texture({.name = "grey", .tint = {0.5, 0.5, 0.5}});
   expect_texture({.name = "tint", .tint = {3, 0.5, 0}});
 }

@@ -72,7 +72,7 @@ Vec3d floor_point(const scene::Scene& scene, int x_px, int y_px);
 /// floor shows albedo * radiance * factor. The quad lies above the horizon.
 double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners);
 
-/// A lamp of radiance 2 behind the camera, to the right, and a mirror before it that fills the picture of 9 x
+/// A lamp of radiance 2 behind the camera, to the right, and a mirror before it that fills the image of 9 x
 /// 9 pixels: L = R L_e exactly, left and right exchanged.
 scene::Scene lamp_in_mirror(scene::Rgb reflectance);
 
@@ -86,7 +86,7 @@ scene::Scene glass_slab(int size_px, int trace_depth);
 inline constexpr double kSlabTransmission = 0.96 / 1.04;
 
 /// A sphere from within, where each point sees every other by the same factor: the northern half emits 1, the
-/// southern half, which fills the picture, reflects 0.5.
+/// southern half, which fills the image, reflects 0.5.
 scene::Scene integrating_sphere(int size_px, int segments);
 
 }  // namespace orbs::peers

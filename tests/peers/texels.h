@@ -9,9 +9,9 @@
 /// bilinear between texel centres at +0.5, v = 0 at the bottom row, each axis repeated or clamped.
 namespace orbs::peers {
 
-inline constexpr int kTexturePixels = 48;  // width and height of the pictures
+inline constexpr int kTexturePixels = 48;  // width and height of the images
 
-/// How a texture of 5 x 3 texels, no two of them alike, is put onto a quad that fills the picture;
+/// How a texture of 5 x 3 texels, no two of them alike, is put onto a quad that fills the image;
 /// coordinates run from -0.75 to 1.75 along both sides.
 struct Look {
   std::string name;
@@ -20,13 +20,13 @@ struct Look {
   Mat4 matrix{};
   bool as_float = false;
   scene::Rgb tint{1, 1, 1};
-  Mat4 place{};  // of the instance, which must not move the picture on the surface
+  Mat4 place{};  // of the instance, which must not move the image on the surface
 };
 
 /// The emitting quad before its camera; the texture file goes into `folder`.
 scene::Scene texture_scene(const Look& look, const std::filesystem::path& folder);
 
-/// What the texture gives at a point of the picture: pixels from the top left corner.
+/// What the texture gives at a point of the image: pixels from the top left corner.
 double texture_value(const Look& look, double x_px, double y_px);
 
 }  // namespace orbs::peers

@@ -1,6 +1,6 @@
 // Where light of each wavelength goes, against Snell's law in double, and what dispersion costs where there
 // is none.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 #include "property/light_quadrature.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ double deviation_deg(double nm) {
 const Vec3d kEntry = direction_at(kEntry_deg) * kHalfFace;
 const Vec3d kExit = direction_at(kExit_deg) * kHalfFace;
 
-// The picture: a strip of a screen 4 m behind the prism, 160 by 16 pixels of 0.8 mm. Those of the suite's
+// The image: a strip of a screen 4 m behind the prism, 160 by 16 pixels of 0.8 mm. Those of the suite's
 // prism, 512 pixels high, are four times as wide: half of one is 1.6 mm.
 constexpr double kPixel = 0.0008;
 constexpr double kHalfPixelOfSuite = 0.0016;
@@ -82,7 +82,7 @@ std::vector<std::string> wall() {
 }
 
 // A lamp that shines in 4 nm around `nm`.
-image::Image prism_picture(double nm) {
+image::Image prism_image(double nm) {
   const Vec3d eye = kScreen * 0.75 + Vec3d{0, 0, 0.2};
   const View view{.position = text_of(eye),
                   .look_at = text_of(kScreen),
@@ -105,20 +105,20 @@ image::Image prism_picture(double nm) {
           R"("lights": [{{"type": "sphere", "radius": 0.0005, "radiance": {{"spectrum": "line"}}, )"
           R"("matrix": [{{"translate": {}}}]}}])",
           nm - 2, nm, nm + 2, meshes(squares), text_of(kEntry - kTowardsPrism * 2)));
-  return picture_of(text, 128);
+  return image_of(text, 128);
 }
 
 // On the screen, as spot(). By luminance: of one wavelength alone some channel is negative.
-double centre_of_light(const image::Image& picture) {
+double centre_of_light(const image::Image& image) {
   double sum = 0;
   double moment = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const double light = luminance_by_sum({picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)});
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double light = luminance_by_sum({image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)});
       sum += light;
       moment += light * (x + 0.5);
     }
-  return (moment / sum - 0.5 * picture.width) * kPixel;
+  return (moment / sum - 0.5 * image.width) * kPixel;
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ TEST(Dispersion, SnellsLawHasTheKnownDeviations) {
 
 TEST(Dispersion, APrismSendsEachWavelengthWhereSnellsLawDoes) {
   for (const double nm : {435.8, 486.1, 546.1, 587.6, 656.3}) {
-    const double found = centre_of_light(prism_picture(nm));
+    const double found = centre_of_light(prism_image(nm));
     EXPECT_NEAR(found, spot(nm), kHalfPixelOfSuite) << nm;
     RecordProperty(fmt::format("off_by_pixels_{}", std::lround(nm)),
                    fmt::format("{:.3f}", (found - spot(nm)) / (2 * kHalfPixelOfSuite)));
@@ -172,7 +172,7 @@ double fold(double nm) {
 
 // A strip of the floor about the fold of 546 nm, from the axis outwards. The ball has one index, BK7's at
 // `nm`: of the wavelengths of a path, few would be those of a narrow lamp.
-image::Image caustic_picture(double nm) {
+image::Image caustic_image(double nm) {
   const Vec3d middle{fold(546), 0, 0};
   const Vec3d eye = middle + Vec3d{0, 3, 4.5};  // sees the floor under the ball
   constexpr int kRows = 6;
@@ -181,7 +181,7 @@ image::Image caustic_picture(double nm) {
                   .fov_deg = 2 * std::atan(kRows / 2.0 * kCausticPixel / length(middle - eye)) / kRadians,
                   .width = 64,
                   .height = kRows};
-  return picture_of(
+  return image_of(
       scene_of(
           view,
           fmt::format(
@@ -197,16 +197,16 @@ image::Image caustic_picture(double nm) {
 
 // The middle of the outermost column that is at least half as bright as the brightest, from the axis. The
 // density at a fold is 1 / sqrt(distance) inside of it and nothing outside: Berry and Upstill 1980, sec. 2.
-double rim_of(const image::Image& picture) {
-  std::vector<double> columns(static_cast<std::size_t>(picture.width));
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      columns[static_cast<std::size_t>(x)] += static_cast<double>(picture.at(x, y, 0));
+double rim_of(const image::Image& image) {
+  std::vector<double> columns(static_cast<std::size_t>(image.width));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      columns[static_cast<std::size_t>(x)] += static_cast<double>(image.at(x, y, 0));
   const double half = *std::max_element(columns.begin(), columns.end()) / 2;
   const auto from_right =
       std::find_if(columns.rbegin(), columns.rend(), [&](double c) { return c >= half; }) - columns.rbegin();
   return fold(546) +
-         (static_cast<double>(picture.width) / 2 - static_cast<double>(from_right) - 0.5) * kCausticPixel;
+         (static_cast<double>(image.width) / 2 - static_cast<double>(from_right) - 0.5) * kCausticPixel;
 }
 
 }  // namespace
@@ -214,14 +214,14 @@ double rim_of(const image::Image& picture) {
 TEST(Dispersion, TheCausticOfABallEndsWhereSnellsLawFoldsIt) {
   EXPECT_NEAR(fold(656.3) - fold(435.8), 0.0086, 5e-5);
   for (const double nm : {435.8, 486.1, 546.1, 587.6, 656.3})
-    EXPECT_NEAR(rim_of(caustic_picture(nm)), fold(nm), kCausticPixel) << nm;
+    EXPECT_NEAR(rim_of(caustic_image(nm)), fold(nm), kCausticPixel) << nm;
 }
 
 namespace {
 
 // A ball in light from all around and a lamp beside it, in spectral light whatever the ball is.
 image::Image ball_of(const std::string& material) {
-  return picture_of(
+  return image_of(
       scene_of(
           {.position = "[0, 1, 5]", .fov_deg = 30, .width = 24, .height = 24},
           R"("environment": [1, 1, 1], "materials": [{"name": "ball", )" + material +
@@ -232,9 +232,8 @@ image::Image ball_of(const std::string& material) {
       32, {.transport = scene::LightTransport::Spectral});
 }
 
-double mean_variance(const image::Image& picture) {
-  return (mean_of(picture, "variance.R") + mean_of(picture, "variance.G") + mean_of(picture, "variance.B")) /
-         3;
+double mean_variance(const image::Image& image) {
+  return (mean_of(image, "variance.R") + mean_of(image, "variance.G") + mean_of(image, "variance.B")) / 3;
 }
 
 }  // namespace

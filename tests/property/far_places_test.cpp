@@ -49,25 +49,25 @@ scene::Scene moved(scene::Scene scene, Vec3d by) {
   return scene;
 }
 
-image::Image picture_of(const scene::Scene& scene) {
+image::Image image_of(const scene::Scene& scene) {
   const std::atomic<bool> never{false};
   // Meshes with several instances stay instances.
   const auto world = tracer::make_world(scene, {.most_copied_triangles = 0});
-  return tracer::render(world, {.samples_per_pixel = 16}, never, [](const tracer::Progress&) {}).picture;
+  return tracer::render(world, {.samples_per_pixel = 16}, never, [](const tracer::Progress&) {}).image;
 }
 
 // To the bit, for places that are whole steps of the tracer's own zero apart.
-TEST(FarPlaces, ShowTheSamePicture) {
-  const auto at_zero = picture_of(furnished());
+TEST(FarPlaces, ShowTheSameImage) {
+  const auto at_zero = image_of(furnished());
   EXPECT_GT(tests::mean_of_channel(at_zero, 0), 0.05);
   for (const Vec3d by : {Vec3d{1048576, -256, 512}, Vec3d{-268435456, 4096, 67108864}})
-    EXPECT_EQ(picture_of(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
+    EXPECT_EQ(image_of(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
 }
 
 // Within the step the camera stands up to 128 m from the zero, where floats are 8e-6 m apart.
-TEST(FarPlaces, ShowNearlyTheSamePictureInBetween) {
-  const auto at_zero = picture_of(furnished());
-  const auto between = picture_of(moved(furnished(), {1048576 + 100, -100, 612}));
+TEST(FarPlaces, ShowNearlyTheSameImageInBetween) {
+  const auto at_zero = image_of(furnished());
+  const auto between = image_of(moved(furnished(), {1048576 + 100, -100, 612}));
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(tests::mean_of_channel(between, c), tests::mean_of_channel(at_zero, c),
                 0.01 * tests::mean_of_channel(at_zero, c));

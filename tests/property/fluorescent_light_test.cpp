@@ -1,5 +1,5 @@
 // Fluorescence against the linear equations of an integrating sphere and against integrals of its kernel.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 #include "property/light_quadrature.h"
 
 #include <numbers>
@@ -11,11 +11,11 @@ namespace {
 using namespace orbs;
 using namespace orbs::tests;
 
-void expect_colour(const image::Image& picture, Vec3d expected) {
+void expect_colour(const image::Image& image, Vec3d expected) {
   const std::array<double, 3> channels{expected.x, expected.y, expected.z};
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double error = error_of_mean(picture, channel);
-    EXPECT_NEAR(mean_of_channel(picture, channel), channels[channel], 4 * error + 1e-5)
+    const double error = error_of_mean(image, channel);
+    EXPECT_NEAR(mean_of_channel(image, channel), channels[channel], 4 * error + 1e-5)
         << "channel " << channel;
     EXPECT_LT(error, 0.01 * channels[1]) << "channel " << channel;
   }
@@ -75,7 +75,7 @@ TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
   });
   const auto text = scene_of({.position = "[0, 0, 0.6]", .look_at = "[0, 0.1, 1]", .fov_deg = 60}, content);
   for (const auto transport : {scene::LightTransport::Bispectral, scene::LightTransport::PolarisedBispectral})
-    expect_colour(picture_of(text, 512, {.transport = transport}), expected);
+    expect_colour(image_of(text, 512, {.transport = transport}), expected);
 }
 
 // A convex ball in light of 1 at all wavelengths sends out its reflectance and what its kernel makes of all
@@ -97,7 +97,7 @@ TEST(FluorescentLight, ABallWithATentKernelHasTheColourOfItsIntegral) {
                             "reradiation": {"peak_per_nm": 0.0055, "absorbed_nm": 360, "absorbed_reach_nm": 90,
                                             "emitted_nm": 520, "emitted_reach_nm": 120}}],
              "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])");
-  expect_colour(picture_of(text, 256), expected);
+  expect_colour(image_of(text, 256), expected);
   EXPECT_GT(expected.y, 0.4);  // much of it fluorescence
 }
 
@@ -114,8 +114,8 @@ TEST(FluorescentLight, LightOfLongWavelengthsExcitesNothing) {
                             "reradiation": {"first_nm": 400, "width_nm": 100, "bins": 3,
                                             "shares": [[0, 0, 0], [0.7, 0, 0], [0, 0.7, 0]]}}],
              "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])");
-  const auto picture = picture_of(text, 256);
-  const double error = error_of_mean(picture, 0);
-  EXPECT_NEAR(mean_of_channel(picture, 0), expected.x, 4 * error);
+  const auto image = image_of(text, 256);
+  const double error = error_of_mean(image, 0);
+  EXPECT_NEAR(mean_of_channel(image, 0), expected.x, 4 * error);
   EXPECT_LT(error, 0.02 * expected.x);
 }

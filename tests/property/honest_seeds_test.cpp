@@ -1,5 +1,5 @@
 // The promise of metrics/noise_test.h on real renders: scenes of the suite at 48 px with few samples, one of
-// each kind of noise: evenly lit, a lamp in the picture whose edge carries all variance, a lamp seen through
+// each kind of noise: evenly lit, a lamp in the image whose edge carries all variance, a lamp seen through
 // glass, a profile.
 #include "metrics/noise_numbers.h"
 #include "metrics/noise_test.h"
@@ -28,19 +28,19 @@ constexpr int kReferenceFactor = 8;
 
 image::Image rendered(const tracer::World& world, int spp, std::uint64_t seed) {
   const std::atomic<bool> never{false};
-  auto picture =
+  auto image =
       tracer::render(world, {.samples_per_pixel = spp, .seed = seed}, never, [](const tracer::Progress&) {
-      }).picture;
-  picture.attributes = {{"orbs.program", "orbs-tracer"}, {"orbs.spp", std::to_string(spp)}};
-  return picture;
+      }).image;
+  image.attributes = {{"orbs.program", "orbs-tracer"}, {"orbs.spp", std::to_string(spp)}};
+  return image;
 }
 
-image::Image one_percent_brighter(image::Image picture) {
+image::Image one_percent_brighter(image::Image image) {
   for (const char* name : {"R", "G", "B"})
-    for (std::size_t i = static_cast<std::size_t>(image::channel_index(picture, name));
-         i < picture.pixels.size(); i += picture.channel_count())
-      picture.pixels[i] *= 1.01F;
-  return picture;
+    for (std::size_t i = static_cast<std::size_t>(image::channel_index(image, name)); i < image.pixels.size();
+         i += image.channel_count())
+      image.pixels[i] *= 1.01F;
+  return image;
 }
 
 class HonestSeeds : public testing::TestWithParam<SuiteScene> {};
@@ -73,8 +73,8 @@ TEST(HonestSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   const auto world = tracer::make_world(scene);
   registry::Case one_case;
   one_case.gate.min = 35;
-  results::PictureRecord record;
-  record.picture = "078";
+  results::TargetRecord record;
+  record.target = "078";
   runner::judge(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, {}, record);
   EXPECT_EQ(record.verdict, results::Verdict::Inconclusive) << record.sentence;
 }

@@ -1,6 +1,6 @@
 // Lamps where rounding could decide: those that reflect light themselves, small ones, and what nearly touches
 // them.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@ std::string white(const std::string& mesh, const std::string& lamp) {
 image::Image floor_lit_by(const std::string& lamp, double depth_m) {
   const View view{.position = text_of({0.3, 0.5 - depth_m, 0.2}), .look_at = text_of({0, -depth_m, 0})};
   const Vec3d middle{0, -depth_m, 0};
-  return picture_of(scene_of(view, white(square(middle, {0, 1, 0}, 1, "white"), lamp), "1"), 64);
+  return image_of(scene_of(view, white(square(middle, {0, 1, 0}, 1, "white"), lamp), "1"), 64);
 }
 
-void expect_red(const image::Image& picture, double expected, double relative) {
-  EXPECT_NEAR(mean_of_channel(picture, 0) / expected, 1, relative + 4 * error_of_mean(picture, 0) / expected);
+void expect_red(const image::Image& image, double expected, double relative) {
+  EXPECT_NEAR(mean_of_channel(image, 0) / expected, 1, relative + 4 * error_of_mean(image, 0) / expected);
 }
 
 }  // namespace
@@ -38,9 +38,9 @@ TEST(LampLight, ALampThatReflectsIsAsBrightAsItSaysAndNoMore) {
                              R"("matrix": [{{"rotate_x": 20}}, {{"rotate_z": 13}}]}}])",
                              shape),
                  "3");
-    const auto picture = picture_of(text, 32);
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x) EXPECT_EQ(picture.at(x, y, 0), 2) << shape;
+    const auto image = image_of(text, 32);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) EXPECT_EQ(image.at(x, y, 0), 2) << shape;
   }
 }
 
@@ -72,5 +72,5 @@ TEST(LampLight, AFloorThatNearlyTouchesABallIsLitByAllOfIt) {
   const View view{.position = "[0.02, -1.00005, 0]", .look_at = text_of({0, -kDepth_m, 0})};
   const auto lamp = R"({"type": "sphere", "radius": 1, "radiance": [1, 1, 1]})";
   const auto text = scene_of(view, white(square({0, -kDepth_m, 0}, {0, 1, 0}, 0.01, "white"), lamp), "1");
-  expect_red(picture_of(text, 256), 1 / (kDepth_m * kDepth_m), 1e-3);
+  expect_red(image_of(text, 256), 1 / (kDepth_m * kDepth_m), 1e-3);
 }

@@ -1,6 +1,6 @@
 // Lossless things in light that is the same from everywhere: they must not be seen. Where a model loses light
 // by design, as microfacets that scatter once do, what is left against its integral.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 #include "property/light_quadrature.h"
 
 #include <complex>
@@ -13,7 +13,7 @@ namespace {
 using namespace orbs;
 using namespace orbs::tests;
 
-const View kBall{.fov_deg = 24, .width = 16, .height = 16};  // a ball of radius 1 fills the picture
+const View kBall{.fov_deg = 24, .width = 16, .height = 16};  // a ball of radius 1 fills the image
 
 // An analytic ball of the material in a surrounding of D65.
 std::string ball(const std::string& material, const std::string& more = "") {
@@ -28,30 +28,30 @@ const std::string kFlint = R"({"file": "data/common/spectra/glasses_sellmeier.cs
 
 tracer::WorldSettings with(scene::LightTransport transport) { return {.transport = transport}; }
 
-void expect_white(const image::Image& picture, const std::string& what) {
+void expect_white(const image::Image& image, const std::string& what) {
   for (std::size_t channel = 0; channel < 3; ++channel)
-    EXPECT_NEAR(mean_of_channel(picture, channel), 1, 4 * error_of_mean(picture, channel) + 1e-5)
+    EXPECT_NEAR(mean_of_channel(image, channel), 1, 4 * error_of_mean(image, channel) + 1e-5)
         << what << " channel " << channel;
 }
 
 // Light within and without is in equilibrium: as much is polarised one way as the other.
-void expect_unpolarised(const image::Image& picture, const std::string& what) {
+void expect_unpolarised(const image::Image& image, const std::string& what) {
   for (const char* channel : {"S1.R", "S1.G", "S1.B", "S2.R", "S2.G", "S2.B", "S3.R", "S3.G", "S3.B"}) {
-    const auto s = estimate_of(picture, channel);
+    const auto s = estimate_of(image, channel);
     EXPECT_NEAR(s.mean, 0, 4 * s.error + 1e-6) << what << " " << channel;
   }
 }
 
 // Of the luminance, because the matching functions of Y are nowhere negative: those of R are, and light that
 // is polarised differently at different wavelengths may have any degree there.
-double largest_degree_of_polarisation(const image::Image& picture) {
+double largest_degree_of_polarisation(const image::Image& image) {
   double largest = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
       std::array<double, 4> s{};
       for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t at = channel_of(picture, fmt::format("S{}.R", k));
-        s[k] = luminance_by_sum({picture.at(x, y, at), picture.at(x, y, at + 1), picture.at(x, y, at + 2)});
+        const std::size_t at = channel_of(image, fmt::format("S{}.R", k));
+        s[k] = luminance_by_sum({image.at(x, y, at), image.at(x, y, at + 1), image.at(x, y, at + 2)});
       }
       largest = std::max(largest, std::hypot(s[1], s[2], s[3]) / s[0]);
     }
@@ -65,8 +65,8 @@ TEST(LightFurnace, ASmoothGlassBallOfOneIndexIsNotThereAtAll) {
   const auto empty = scene_of(kBall, R"("environment": [1, 1, 1], "materials": [])");
   for (const auto transport :
        {scene::LightTransport::Colour, scene::LightTransport::Spectral, scene::LightTransport::Bispectral}) {
-    const auto bare = picture_of(empty, 4, with(transport));
-    const auto glass = picture_of(ball(R"("type": "dielectric", "index": 1.5)"), 4, with(transport));
+    const auto bare = image_of(empty, 4, with(transport));
+    const auto glass = image_of(ball(R"("type": "dielectric", "index": 1.5)"), 4, with(transport));
     for (int y = 0; y < bare.height; ++y)
       for (int x = 0; x < bare.width; ++x)
         for (std::size_t channel = 0; channel < 3; ++channel)
@@ -76,13 +76,13 @@ TEST(LightFurnace, ASmoothGlassBallOfOneIndexIsNotThereAtAll) {
 }
 
 TEST(LightFurnace, ASmoothBallThatDispersesIsInvisible) {
-  expect_white(picture_of(ball(R"("type": "dielectric", "index": )" + kFlint), 256), "SF10");
+  expect_white(image_of(ball(R"("type": "dielectric", "index": )" + kFlint), 256), "SF10");
 }
 
 TEST(LightFurnace, AFilmedBallIsInvisible) {
   const std::string film = R"("type": "dielectric", "index": 1.5, "film": {"index": 1.33, "height_nm": 400})";
-  expect_white(picture_of(ball(film), 256), "spectral");
-  const auto polarised = picture_of(ball(film, kStokes), 256);
+  expect_white(image_of(ball(film), 256), "spectral");
+  const auto polarised = image_of(ball(film, kStokes), 256);
   expect_white(polarised, "polarised");
   expect_unpolarised(polarised, "film");
   EXPECT_LE(largest_degree_of_polarisation(polarised), 1 + 1e-5);
@@ -90,10 +90,10 @@ TEST(LightFurnace, AFilmedBallIsInvisible) {
 
 TEST(LightFurnace, SmoothBallsStayInvisibleWithPolarisation) {
   for (const std::string& index : {std::string("1.5"), kFlint}) {
-    const auto picture = picture_of(ball(R"("type": "dielectric", "index": )" + index, kStokes), 256);
-    expect_white(picture, index);
-    expect_unpolarised(picture, index);
-    EXPECT_LE(largest_degree_of_polarisation(picture), 1 + 1e-5) << index;
+    const auto image = image_of(ball(R"("type": "dielectric", "index": )" + index, kStokes), 256);
+    expect_white(image, index);
+    expect_unpolarised(image, index);
+    EXPECT_LE(largest_degree_of_polarisation(image), 1 + 1e-5) << index;
   }
 }
 
@@ -113,7 +113,7 @@ TEST(LightFurnace, NoPixelIsMorePolarisedThanLightCanBe) {
           lamp + R"("environment": [0.01, 0.01, 0.01], "materials": [{"name": "m", )" + material +
               R"(}], "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])" +
               kStokes);
-      EXPECT_LE(largest_degree_of_polarisation(picture_of(text, samples)), 1 + 1e-4) << material;
+      EXPECT_LE(largest_degree_of_polarisation(image_of(text, samples)), 1 + 1e-4) << material;
     }
 }
 
@@ -208,9 +208,9 @@ TEST(LightFurnace, RoughGlassShowsWhatItsFacetsSee) {
       const double expected = radiance_by_quadrature(glass, 0.5, is_outside ? 1.5 : 1 / 1.5);
       for (const auto transport : {scene::LightTransport::Colour, scene::LightTransport::Spectral,
                                    scene::LightTransport::Polarised}) {
-        const auto picture = picture_of(text, 1024, with(transport));
-        const double error = error_of_mean(picture, 1);
-        EXPECT_NEAR(mean_of_channel(picture, 1), expected, 4 * error + 1e-4 * expected)
+        const auto image = image_of(text, 1024, with(transport));
+        const double error = error_of_mean(image, 1);
+        EXPECT_NEAR(mean_of_channel(image, 1), expected, 4 * error + 1e-4 * expected)
             << scene::transport_name(transport) << " alpha " << glass.alpha
             << (is_outside ? " outside" : " inside");
         EXPECT_LT(error, 0.005);
@@ -232,9 +232,9 @@ TEST(LightFurnace, RoughMetalShowsWhatItsFacetsSee) {
     const double expected = radiance_by_quadrature(metal, 0.5, {2.9, 3.0});
     for (const auto transport :
          {scene::LightTransport::Colour, scene::LightTransport::Spectral, scene::LightTransport::Polarised}) {
-      const auto picture = picture_of(text, 256, with(transport));
-      const double error = error_of_mean(picture, 1);
-      EXPECT_NEAR(mean_of_channel(picture, 1), expected, 4 * error + 1e-4 * expected)
+      const auto image = image_of(text, 256, with(transport));
+      const double error = error_of_mean(image, 1);
+      EXPECT_NEAR(mean_of_channel(image, 1), expected, 4 * error + 1e-4 * expected)
           << scene::transport_name(transport) << " alpha " << metal.alpha;
       EXPECT_LT(error, 0.002);
     }

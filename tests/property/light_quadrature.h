@@ -6,7 +6,7 @@
 #include <string>
 
 /// Colours by plain sums over the wavelengths in double, from the tables as the files have them and apart
-/// from src/spectra: what the tests of spectral pictures expect.
+/// from src/spectra: what the tests of spectral images expect.
 namespace orbs::tests {
 
 using OfWavelength = std::function<double(double nm)>;

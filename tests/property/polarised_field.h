@@ -7,7 +7,7 @@
 
 /// Polarised light by what it is: the electric field as a vector in space, followed through surfaces by
 /// Fresnel's formulas, in double. No Mueller matrix and no reference frame before the eye: what the tests of
-/// polarised pictures expect.
+/// polarised images expect.
 namespace orbs::tests {
 
 using Complex = std::complex<double>;

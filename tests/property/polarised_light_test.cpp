@@ -1,7 +1,7 @@
-// Polarised pictures against the electric field itself (polarised_field.h) and closed forms. A picture and
+// Polarised images against the electric field itself (polarised_field.h) and closed forms. An image and
 // that of the bare light share their wavelengths, hence most of their noise; where all paths meet the same,
 // the quotient of the two is exact.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 #include "property/polarised_field.h"
 
 #include <numbers>
@@ -19,15 +19,15 @@ constexpr std::array kNames{"S0.R", "S1.R", "S2.R", "S3.R"};
 
 using StokesVector = std::array<double, 4>;
 
-// Of the picture of `content`, over what the camera would see of an unpolarised surrounding of 1.
+// Of the image of `content`, over what the camera would see of an unpolarised surrounding of 1.
 std::array<Estimate, 4> stokes(const View& view, const std::string& content, int samples_per_pixel = 512) {
   const auto bare =
-      picture_of(scene_of(view, R"("environment": [1, 1, 1], "materials": [])" + kStokes), samples_per_pixel);
-  const auto picture = picture_of(scene_of(view, content + kStokes), samples_per_pixel);
+      image_of(scene_of(view, R"("environment": [1, 1, 1], "materials": [])" + kStokes), samples_per_pixel);
+  const auto image = image_of(scene_of(view, content + kStokes), samples_per_pixel);
   const double unpolarised_light = mean_of(bare, "S0.R");
   std::array<Estimate, 4> s;
   for (std::size_t k = 0; k < s.size(); ++k) {
-    s[k] = estimate_of(picture, kNames[k]);
+    s[k] = estimate_of(image, kNames[k]);
     s[k].mean /= unpolarised_light;
     s[k].error /= unpolarised_light;
   }
@@ -99,7 +99,7 @@ TEST(PolarisedLight, FivePolarisersFannedOverARightAngleLetLightThrough) {
 
 // The signs that the header of data/snippets/fresnel_mueller.h states: S1 > 0 along x, to the right; S2 > 0
 // at +45 degrees, right and up.
-TEST(PolarisedLight, StokesVectorsAreInTheFrameOfThePicture) {
+TEST(PolarisedLight, StokesVectorsAreInTheFrameOfTheImage) {
   const auto through = [](Vec3d axis, const std::string& up) {
     return stokes({.up = up}, sheets_before_light({polariser("p", axis)}, {"p"}), 4);
   };
@@ -156,8 +156,8 @@ std::string brewster_scene(const std::vector<std::string>& filters, const std::v
 
 const Vec3d kBrewsterEye = normalised(Vec3d{-kIndex, 1, 0}) * 5;
 
-image::Image brewster_picture(const std::string& content, int samples_per_pixel) {
-  return picture_of(scene_of({.position = text_of(kBrewsterEye)}, content + kStokes), samples_per_pixel);
+image::Image brewster_image(const std::string& content, int samples_per_pixel) {
+  return image_of(scene_of({.position = text_of(kBrewsterEye)}, content + kStokes), samples_per_pixel);
 }
 
 }  // namespace
@@ -165,13 +165,13 @@ image::Image brewster_picture(const std::string& content, int samples_per_pixel)
 // tan of the angle = index: r_p = 0, and of unpolarised light ((n^2 - 1) / (n^2 + 1))^2 / 2 is reflected.
 TEST(PolarisedLight, AtBrewstersAngleTheReflectionIsExtinctThroughTheCrossedPolariser) {
   const double kept = std::pow((kIndex * kIndex - 1) / (kIndex * kIndex + 1), 2) / 2;
-  const auto open = brewster_picture(brewster_scene({}, {}), 64);
+  const auto open = brewster_image(brewster_scene({}, {}), 64);
   const auto open_s0 = estimate_of(open, "S0.R");
   EXPECT_NEAR(open_s0.mean, kept, 4 * open_s0.error);
   // Right is z here, across the plane of incidence: all that is reflected is polarised along it.
   EXPECT_NEAR(mean_of(open, "S1.R") / open_s0.mean, 1, 1e-6);
   const auto through = [](Vec3d axis, int samples_per_pixel) {
-    return brewster_picture(
+    return brewster_image(
         brewster_scene({polariser("filter", axis)}, {square(kBrewsterEye * 0.5, kBrewsterEye, 1, "filter")}),
         samples_per_pixel);
   };
@@ -262,7 +262,7 @@ TEST(PolarisedLight, TotalReflectionInAPrismShiftsPhases) {
       meshes({square({0, 0, 1}, {0, 0, 1}, 1, "glass"), square({0, 0, 0}, {0, 1, -1}, std::sqrt(2), "glass"),
               square({0, -1, 0}, {0, -1, 0}, 1, "glass"), square({0, -2, 0}, {0, 1, 0}, 1, "filter"),
               square({0, -3, 0}, {0, 1, 0}, 1, "light")}));
-  const auto picture = picture_of(scene_of({.width = 16, .height = 16}, content + kStokes), 128);
+  const auto image = image_of(scene_of({.width = 16, .height = 16}, content + kStokes), 128);
   const Vec3d hypotenuse = normalised(Vec3d{0, 1, -1});
   Beam beam = dimmed(polarised_along(unpolarised({0, 1, 0}), axis), 0.96);  // amplitude: T of both faces
   StokesVector expected{};
@@ -278,7 +278,7 @@ TEST(PolarisedLight, TotalReflectionInAPrismShiftsPhases) {
   }
   EXPECT_GT(std::abs(expected[3]), 0.1);
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto found = estimate_of(picture, kNames[k]);
+    const auto found = estimate_of(image, kNames[k]);
     EXPECT_NEAR(found.mean, expected[k], 4 * found.error + 1e-6) << kNames[k];
     EXPECT_LT(found.error, 0.002);
   }
@@ -299,19 +299,19 @@ TEST(PolarisedLight, AGlassSlabTransmitsEachPolarisationByItself) {
         meshes({square({0, 0, 0}, {0, 0, 1}, 10, "glass"), square({0, 0, -0.1}, {0, 0, -1}, 10, "glass"),
                 square({0, 0, -1}, {0, 0, 1}, 20, "light")}) +
         kStokes;
-    auto picture = picture_of(scene_of({.position = text_of(eye), .width = 16, .height = 16}, content), 128);
+    auto image = image_of(scene_of({.position = text_of(eye), .width = 16, .height = 16}, content), 128);
     // Up is across the plane of incidence. In place of S0 and S1 put s and p.
-    const auto s0 = channel_of(picture, "S0.R");
-    const auto s1 = channel_of(picture, "S1.R");
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x) {
-        const float sum = picture.at(x, y, s0);
-        const float difference = picture.at(x, y, s1);
-        picture.at(x, y, s0) = sum - difference;
-        picture.at(x, y, s1) = sum + difference;
+    const auto s0 = channel_of(image, "S0.R");
+    const auto s1 = channel_of(image, "S1.R");
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const float sum = image.at(x, y, s0);
+        const float difference = image.at(x, y, s1);
+        image.at(x, y, s0) = sum - difference;
+        image.at(x, y, s1) = sum + difference;
       }
-    const auto s = estimate_of(picture, "S0.R");
-    const auto p = estimate_of(picture, "S1.R");
+    const auto s = estimate_of(image, "S0.R");
+    const auto p = estimate_of(image, "S1.R");
     EXPECT_NEAR(s.mean, (1 - r_s) / (1 + r_s), 4 * s.error) << degrees;
     EXPECT_NEAR(p.mean, (1 - r_p) / (1 + r_p), 4 * p.error) << degrees;
     EXPECT_LT(s.error + p.error, 0.01);
@@ -330,7 +330,7 @@ image::Image lit_floor(const std::string& material) {
       R"(, "lights": [{"type": "rect", "half_width": 3, "half_length": 3, "radiance": [1, 1, 1],
                        "matrix": [{"translate": [2.7, 1.26, 0]}, {"rotate_z": -65}]}])" +
       kStokes;
-  return picture_of(
+  return image_of(
       scene_of({.position = "[-9.063, 4.226, 0]", .up = "[0.3, 1, 0.8]", .width = 16, .height = 16}, content),
       64);
 }
@@ -370,8 +370,8 @@ TEST(PolarisedLight, LightByAFlatMirrorIsAsPolarisedAsLightThatFindsIt) {
           R"(, "lights": [{"type": "rect", "half_width": 0.7, "half_length": 0.7, "radiance": [20, 20, 20],
                            "matrix": [{"translate": [2.5, 2, -1]}, {"rotate_z": -90}]}])" +
           kStokes);
-  const auto asked = picture_of(text, 256);
-  const auto found = picture_of(text, 1024, {.mirrored_light = false}, 2);
+  const auto asked = image_of(text, 256);
+  const auto found = image_of(text, 1024, {.mirrored_light = false}, 2);
   for (const char* channel : kNames) {
     const auto a = estimate_of(asked, channel);
     const auto b = estimate_of(found, channel);

@@ -82,7 +82,7 @@ double distance(const WorldTriangle& a, const WorldTriangle& b, std::size_t turn
 
 // Each triangle of one has its own partner in the other, up to the rounding of coordinates of size 10 to
 // float.
-void expect_same_picture(const Scene& before, const Scene& after) {
+void expect_same_image(const Scene& before, const Scene& after) {
   constexpr double kRounding = 4e-6;
   const auto expected = world_triangles(before);
   auto found = world_triangles(after);
@@ -176,7 +176,7 @@ TEST_P(LoweredGeometry, BelowG3IsOneMeshInWorldSpace) {
     ASSERT_EQ(after.instances.size(), 1U);
     EXPECT_EQ(after.instances[0].matrix, Mat4{});
     EXPECT_TRUE(after.instances[0].remap.empty());
-    expect_same_picture(scene, after);
+    expect_same_image(scene, after);
   }
 }
 
@@ -187,7 +187,7 @@ TEST_P(LoweredGeometry, AtG3HasInstancesWithoutRemapLists) {
   for (const auto& instance : after.instances) EXPECT_TRUE(instance.remap.empty());
   EXPECT_EQ(after.meshes[0].triangle_materials,
             scene.meshes[0].triangle_materials);  // the original is still there
-  expect_same_picture(scene, after);
+  expect_same_image(scene, after);
 }
 
 TEST_P(LoweredGeometry, AtG4HasOneMaterialInEachMesh) {
@@ -200,7 +200,7 @@ TEST_P(LoweredGeometry, AtG4HasOneMaterialInEachMesh) {
     EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name << " is the name of two meshes";
   }
   for (const auto& instance : after.instances) EXPECT_TRUE(instance.remap.empty());
-  expect_same_picture(scene, after);
+  expect_same_image(scene, after);
 }
 
 TEST_P(LoweredGeometry, AtG5IsLeftAlone) {
@@ -209,7 +209,7 @@ TEST_P(LoweredGeometry, AtG5IsLeftAlone) {
   EXPECT_EQ(after.meshes.size(), scene.meshes.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     EXPECT_EQ(after.instances[i].remap, scene.instances[i].remap);
-  expect_same_picture(scene, after);
+  expect_same_image(scene, after);
 }
 
 TEST_P(LoweredGeometry, WithoutM5HasNoTextureMatrixAtAnyLevel) {
@@ -220,7 +220,7 @@ TEST_P(LoweredGeometry, WithoutM5HasNoTextureMatrixAtAnyLevel) {
     capabilities.erase("M5");
     const auto after = lowered(scene, capabilities);
     for (const auto& material : after.materials) EXPECT_EQ(texture_of(material.model)->matrix, Mat4{});
-    expect_same_picture(scene, after);
+    expect_same_image(scene, after);
   }
 }
 

@@ -1,5 +1,5 @@
-// Spectral pictures against integrals over the wavelengths in double (light_quadrature.h).
-#include "property/light_pictures.h"
+// Spectral images against integrals over the wavelengths in double (light_quadrature.h).
+#include "property/light_images.h"
 #include "property/light_quadrature.h"
 #include "spectra/colour_difference.h"
 #include "spectra/rgb.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace orbs;
 using namespace orbs::tests;
 
-// Patches of the chart lie in a grid; of the picture at a tenth of its size, the inner six pixels each way.
+// Patches of the chart lie in a grid; of the image at a tenth of its size, the inner six pixels each way.
 constexpr int kColumns = 6;
 constexpr int kRows = 4;
 constexpr int kSide = 6;
@@ -24,19 +24,19 @@ struct Patch {
   Vec3d noise;  // root mean square over the patch's pixels
 };
 
-Patch look_at_patch(const image::Image& picture,
+Patch look_at_patch(const image::Image& image,
                     int index,
                     const std::string& column,
                     const OfWavelength& light) {
   const auto reflectance = table_column("colorchecker.csv", column, true);
   Patch patch{column, rgb_by_sum([&](double nm) { return reflectance(nm) * light(nm); }), {}, {}};
-  // Middle of the patch in the full picture: 94 + 86.5 column, 80 + 86.5 row.
+  // Middle of the patch in the full image: 94 + 86.5 column, 80 + 86.5 row.
   const int x0 = static_cast<int>(std::lround(9.4 + 8.65 * (index % kColumns))) - kSide / 2;
   const int y0 = static_cast<int>(std::lround(8.0 + 8.65 * (index / kColumns))) - kSide / 2;
   constexpr double kShare = 1.0 / (kSide * kSide);
   for (int y = y0; y < y0 + kSide; ++y)
     for (int x = x0; x < x0 + kSide; ++x) {
-      const Vec3d pixel{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+      const Vec3d pixel{image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
       patch.mean += pixel * kShare;
       patch.noise += (pixel - patch.expected) * (pixel - patch.expected) * kShare;
     }
@@ -55,7 +55,7 @@ image::Image chart(const std::string& light, int samples_per_pixel) {
   const std::atomic<bool> never{false};
   return tracer::render(tracer::make_world(scene), {.samples_per_pixel = samples_per_pixel}, never,
                         [](const tracer::Progress&) {})
-      .picture;
+      .image;
 }
 
 // For each of the 24 patches, with its expected colour.
@@ -64,9 +64,9 @@ void for_each_patch(const std::string& light,
                     const std::function<void(const Patch&)>& visit) {
   const auto columns = spectra::product_table("colorchecker.csv").columns;
   const auto illuminant = illuminant_by_table(light);
-  const auto picture = chart(light, samples_per_pixel);
+  const auto image = chart(light, samples_per_pixel);
   for (int i = 0; i < kColumns * kRows; ++i)
-    visit(look_at_patch(picture, i, columns.at(static_cast<std::size_t>(i) + 1), illuminant));
+    visit(look_at_patch(image, i, columns.at(static_cast<std::size_t>(i) + 1), illuminant));
 }
 
 }  // namespace

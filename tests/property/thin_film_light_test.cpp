@@ -1,5 +1,5 @@
 // Reflectances of films as the paths see them, in float, against characteristic matrices in double.
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 #include "property/light_quadrature.h"
 #include "tracer/place_interface.h"
 
@@ -127,13 +127,13 @@ void expect_colour_at_60_degrees(const std::string& material, const tests::OfWav
       tests::scene_of({.position = "[8.660254037844386, 0, 5]"},
                       R"("environment": [1, 1, 1], "materials": [{"name": "m", )" + material + "}], " +
                           tests::meshes({tests::square({0, 0, 0}, {0, 0, 1}, 1, "m")}));
-  const auto picture = tests::picture_of(text, 256);
+  const auto image = tests::image_of(text, 256);
   const auto d65 = tests::illuminant_by_table("D65");
   const Vec3d expected = tests::rgb_by_sum([&](double nm) { return d65(nm) * reflectance(nm); });
   const std::array<double, 3> channels{expected.x, expected.y, expected.z};
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double error = tests::error_of_mean(picture, channel);
-    EXPECT_NEAR(tests::mean_of_channel(picture, channel), channels[channel], 4 * error + 1e-5)
+    const double error = tests::error_of_mean(image, channel);
+    EXPECT_NEAR(tests::mean_of_channel(image, channel), channels[channel], 4 * error + 1e-5)
         << material << " channel " << channel;
     EXPECT_LT(error, 0.003);
   }
@@ -141,7 +141,7 @@ void expect_colour_at_60_degrees(const std::string& material, const tests::OfWav
 
 }  // namespace
 
-// Interference and metals in the picture: every wavelength by its own reflectance, integrated.
+// Interference and metals in the image: every wavelength by its own reflectance, integrated.
 TEST(ThinFilmLight, FilmsAndMetalsHaveTheirColours) {
   expect_colour_at_60_degrees(
       R"("type": "conductor", "index": {"n": 1.1, "k": 6.9}, "film": {"index": 1.5, "height_nm": 400})",

@@ -18,9 +18,9 @@ tracer::World world_of(const std::string& text, bool light_paths) {
                             {.light_paths = light_paths, .mirrored_light = light_paths});
 }
 
-image::Image picture_of(const tracer::World& world, const tracer::RenderSettings& settings) {
+image::Image image_of(const tracer::World& world, const tracer::RenderSettings& settings) {
   const std::atomic<bool> never{false};
-  return tracer::render(world, settings, never, [](const tracer::Progress&) {}).picture;
+  return tracer::render(world, settings, never, [](const tracer::Progress&) {}).image;
 }
 
 const char* const kRectLight =
@@ -97,12 +97,12 @@ class TracerCaustics : public testing::TestWithParam<Scene> {};
 
 }  // namespace
 
-// Four standard errors of the whole picture, and of each of its quarters.
+// Four standard errors of the whole image, and of each of its quarters.
 TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
   const auto with_world = world_of(GetParam().text, true);
   ASSERT_FALSE(with_world.light_path_targets.empty());
-  const auto with = picture_of(with_world, {.samples_per_pixel = 256, .seed = 1});
-  const auto without = picture_of(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
+  const auto with = image_of(with_world, {.samples_per_pixel = 256, .seed = 1});
+  const auto without = image_of(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
   const auto channels = with.channel_count();
   for (int quarter = 0; quarter < 4; ++quarter) {
     double difference = 0;
@@ -138,10 +138,10 @@ TEST(TracerLightPaths, BringTheTailsOfGlossyLobesOnce) {
   };
   const auto light_of = [](const tracer::World& world, std::uint64_t seed) {
     const std::atomic<bool> never{false};
-    const auto picture = tracer::render(world, {.samples_per_pixel = 1024, .seed = seed, .split_paths = true},
-                                        never, [](const tracer::Progress&) {})
-                             .picture;
-    return mean_of_channel(picture, static_cast<std::size_t>(image::channel_index(picture, "path.EGGL.R")));
+    const auto image = tracer::render(world, {.samples_per_pixel = 1024, .seed = seed, .split_paths = true},
+                                      never, [](const tracer::Progress&) {})
+                           .image;
+    return mean_of_channel(image, static_cast<std::size_t>(image::channel_index(image, "path.EGGL.R")));
   };
   const auto with_light_paths = world_from(true);
   const auto without = world_from(false);
@@ -183,11 +183,11 @@ TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
   const std::atomic<bool> never{false};
   const auto seen = tracer::render(world, {.samples_per_pixel = 1024, .split_paths = true}, never,
                                    [](const tracer::Progress&) {})
-                        .picture;
+                        .image;
   const auto channel =
       std::find(seen.channels.begin(), seen.channels.end(), "path.EDSL.R") - seen.channels.begin();
   ASSERT_LT(channel, static_cast<std::ptrdiff_t>(seen.channel_count()));
-  const auto image_of_lamp = picture_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
+  const auto image_of_lamp = image_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
   const double expected = mean_of_channel(image_of_lamp, 0);
   EXPECT_GT(expected, 0.01);
   EXPECT_NEAR(mean_of_channel(seen, static_cast<std::size_t>(channel)), expected,
@@ -196,8 +196,8 @@ TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
 
 TEST(TracerLightPaths, DoNotDependOnTheThreads) {
   const auto world = world_of(caustic_scenes()[1].text, true);
-  const auto one = picture_of(world, {.samples_per_pixel = 8, .threads = 1});
-  EXPECT_EQ(one.pixels, picture_of(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
+  const auto one = image_of(world, {.samples_per_pixel = 8, .threads = 1});
+  EXPECT_EQ(one.pixels, image_of(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
 }
 
 TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {

@@ -1,6 +1,6 @@
-// A transport that carries more than the scene calls for shows the same picture.
+// A transport that carries more than the scene calls for shows the same image.
 #include "base/error.h"
-#include "property/light_pictures.h"
+#include "property/light_images.h"
 
 #include <gtest/gtest.h>
 
@@ -56,11 +56,11 @@ class RicherTransport : public testing::TestWithParam<MaterialCase> {};
 
 }  // namespace
 
-TEST_P(RicherTransport, ShowsTheSamePicture) {
+TEST_P(RicherTransport, ShowsTheSameImage) {
   const auto text = sheet_over_floor(GetParam().model);
-  const auto plain = picture_of(text, 64);
+  const auto plain = image_of(text, 64);
   for (const auto transport : kRicher)
-    expect_same_means(picture_of(text, 64, {.transport = transport}, 2), plain,
+    expect_same_means(image_of(text, 64, {.transport = transport}, 2), plain,
                       std::string(scene::transport_name(transport)));
 }
 
@@ -75,12 +75,12 @@ TEST(RicherTransports, KeepTheColoursOfWhatWhiteLightShows) {
          "materials": [{"name": "m", "type": "lambert", "reflectance": [0.9, 0.3, 0.05]}],
          "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])",
                              "1");
-  const auto plain = picture_of(text, 64);
+  const auto plain = image_of(text, 64);
   for (const auto transport : kRicher) {
-    const auto picture = picture_of(text, 256, {.transport = transport});
+    const auto image = image_of(text, 256, {.transport = transport});
     for (std::size_t channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(mean_of_channel(picture, channel), mean_of_channel(plain, channel),
-                  4 * error_of_mean(picture, channel) + 1e-5)
+      EXPECT_NEAR(mean_of_channel(image, channel), mean_of_channel(plain, channel),
+                  4 * error_of_mean(image, channel) + 1e-5)
           << scene::transport_name(transport) << " channel " << channel;
   }
 }
@@ -129,12 +129,12 @@ image::Image rendered(const std::string& text, int threads, std::uint64_t seed, 
   return tracer::render(tracer::make_world(scene),
                         {.samples_per_pixel = 12, .seed = seed, .threads = threads}, never,
                         [](const tracer::Progress&) {})
-      .picture;
+      .image;
 }
 
 }  // namespace
 
-TEST(RicherTransports, PicturesDoNotDependOnTheNumberOfThreads) {
+TEST(RicherTransports, ImagesDoNotDependOnTheNumberOfThreads) {
   for (const auto transport : scene::kTransports)
     for (const bool stokes : {false, true}) {
       const auto text = busy_scene(transport);
@@ -150,7 +150,7 @@ TEST(RicherTransports, PicturesDoNotDependOnTheNumberOfThreads) {
 }
 
 // The four Stokes parameters say more of the same light.
-TEST(RicherTransports, StokesLayersDoNotChangeThePicture) {
+TEST(RicherTransports, StokesLayersDoNotChangeTheImage) {
   const auto text = busy_scene(LightTransport::Polarised);
   const auto plain = rendered(text, 1, 7, false);
   const auto stokes = rendered(text, 1, 8, true);
@@ -161,13 +161,13 @@ TEST(RicherTransports, StokesLayersDoNotChangeThePicture) {
 }
 
 // What a path does not meet it does not pay for with other rounding either.
-TEST(RicherTransports, WithoutFluorescenceBispectralPicturesAreTheSpectralOnesToTheBit) {
+TEST(RicherTransports, WithoutFluorescenceBispectralImagesAreTheSpectralOnesToTheBit) {
   const auto text = busy_scene(LightTransport::Spectral);
-  const auto picture = [&](LightTransport transport) {
-    return picture_of(text, 8, {.transport = transport, .light_paths = false}).pixels;
+  const auto image = [&](LightTransport transport) {
+    return image_of(text, 8, {.transport = transport, .light_paths = false}).pixels;
   };
-  EXPECT_EQ(picture(LightTransport::Bispectral), picture(LightTransport::Spectral));
-  EXPECT_EQ(picture(LightTransport::PolarisedBispectral), picture(LightTransport::Polarised));
+  EXPECT_EQ(image(LightTransport::Bispectral), image(LightTransport::Spectral));
+  EXPECT_EQ(image(LightTransport::PolarisedBispectral), image(LightTransport::Polarised));
 }
 
 // Light paths bring the caustic of a ball, with dispersion or without, as camera paths find it.
@@ -182,8 +182,8 @@ TEST(RicherTransports, LightPathsShowTheSameDispersedCaustic) {
             R"(, "lights": [{"type": "rect", "half_width": 2, "half_length": 2, "radiance": [2, 2, 2], "matrix": [{"translate": [1, 4, 0]}]}])",
         "6");
     const auto spectral = LightTransport::Spectral;
-    const auto with = picture_of(text, 64, {.transport = spectral});
-    const auto without = picture_of(text, 512, {.transport = spectral, .light_paths = false});
+    const auto with = image_of(text, 64, {.transport = spectral});
+    const auto without = image_of(text, 512, {.transport = spectral, .light_paths = false});
     expect_same_means(with, without, index);
   }
 }

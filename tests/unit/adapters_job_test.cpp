@@ -102,7 +102,7 @@ TEST(Transports, ASceneThatTheRendererHasNoWordForIsRefusedWithTheReason) {
   const auto prepared = orbs::adapters::prepare_scene(renderer, polarised_scene());
   ASSERT_TRUE(std::holds_alternative<std::string>(prepared));
   EXPECT_EQ(std::get<std::string>(prepared),
-            "it calls for polarised light paths because the picture holds Stokes vectors, for which the "
+            "it calls for polarised light paths because the image holds Stokes vectors, for which the "
             "renderer's 'transports' has no word");
 }
 

@@ -56,7 +56,7 @@ TEST(NativeScene, IsCopiedWithItsFolder) {
   EXPECT_EQ(read_file(scratch.path() / "job/parts/b.ply"), "mesh");
 }
 
-TEST(NativeScene, BringsNoLinksAndNoPictureOfItsOwn) {
+TEST(NativeScene, BringsNoLinksAndNoImageOfItsOwn) {
   const TestFolder scratch("native-refused");
   scratch.write("art/a.arm", "scene");
   std::filesystem::create_symlink("/etc/passwd", scratch.path() / "art/mesh");
@@ -67,6 +67,6 @@ TEST(NativeScene, BringsNoLinksAndNoPictureOfItsOwn) {
   EXPECT_THROW(adapters::native_scene_hash(scratch.path() / "art/a.arm"), InputError);
   std::filesystem::remove(scratch.path() / "art/mesh");
   EXPECT_NO_THROW(copy());
-  scratch.write("art/result.exr", "an old picture");
+  scratch.write("art/result.exr", "an old image");
   EXPECT_THROW(copy(), InputError);
 }

@@ -89,7 +89,7 @@ TEST(PovrayLimits, NamesLightsThatPovrayLacks) {
   EXPECT_TRUE(one_reason_with(scene, "IES"));
 }
 
-TEST(PovrayLimits, NamesPicturesThatPovrayCannotReadOrClamp) {
+TEST(PovrayLimits, NamesImagesThatPovrayCannotReadOrClamp) {
   auto scene = scene_with(scene::Lambert{{1, 1, 1}, scene::TextureUse{0, {}}});
   scene.textures.push_back({"t", "/a/b.webp", scene::Wrap::Repeat, scene::Wrap::Repeat});
   EXPECT_TRUE(one_reason_with(scene, ".webp"));

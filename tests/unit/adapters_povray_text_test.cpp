@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-/// What the exporter writes, in fragments; that POV-Ray makes the right picture of it is tested in
+/// What the exporter writes, in fragments; that POV-Ray makes the right image of it is tested in
 /// tests/peers.
 namespace {
 
@@ -63,7 +63,7 @@ TEST_F(PovrayText, CameraIsAWindowOfHeightOneAtTheDistanceOfItsAngle) {
   scene_.camera.width_px = 300;
   scene_.camera.height_px = 100;
   const std::string text = written();
-  // Looking along -Z with y up, +X is on the right: a right-handed picture. 0.5 / tan 45 = 0.5.
+  // Looking along -Z with y up, +X is on the right: a right-handed image. 0.5 / tan 45 = 0.5.
   EXPECT_TRUE(holds(text, "right <3,")) << text;
   EXPECT_TRUE(holds(text, "up <0,1,0>")) << text;
   EXPECT_TRUE(holds(text, "location <0,0,5>")) << text;
@@ -211,9 +211,9 @@ TEST_F(PovrayText, SameSceneGivesTheSameText) {
 }
 
 TEST_F(PovrayText, TextureIsCopiedBesideTheSceneAndItsMatrixGoesIntoTheCoordinates) {
-  const fs::path picture = folder_ / "My Picture.PNG";
-  write_file(picture, "bytes");
-  scene_.textures.push_back({"t", picture, scene::Wrap::Repeat, scene::Wrap::Repeat});
+  const fs::path image = folder_ / "My Image.PNG";
+  write_file(image, "bytes");
+  scene_.textures.push_back({"t", image, scene::Wrap::Repeat, scene::Wrap::Repeat});
   Mat4 matrix;
   matrix.m = {4, 0, 0, -0.5, 0, 2, 0, 0.25, 0, 0, 1, 0, 0, 0, 0, 1};
   instance(scene::make_plane({1}), material(scene::Lambert{{0.5, 0.5, 0.5}, scene::TextureUse{0, matrix}}));

@@ -11,7 +11,7 @@ using namespace orbs;
 
 // A half float is linear light too, and POV-Ray writes nothing else. Subnormal values are far below any
 // tolerance.
-TEST(PixelChecks, AdmitPicturesOfHalfFloats) {
+TEST(PixelChecks, AdmitImagesOfHalfFloats) {
   constexpr unsigned kSignificantBits = 11;
   for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
     for (const auto& one_case : registry::load_cases(suite))

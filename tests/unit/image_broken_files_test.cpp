@@ -42,10 +42,10 @@ bool is_quiet_error(const std::string& outcome) {
 }
 
 std::string exr_bytes(const TestFolder& folder, int width, int height) {
-  Image picture = make_image(width, height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = static_cast<float>(i * i % 101) * 0.37F;
-  write_exr(picture, folder.path() / "whole.exr");
+  Image image = make_image(width, height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(i * i % 101) * 0.37F;
+  write_exr(image, folder.path() / "whole.exr");
   return orbs::read_file(folder.path() / "whole.exr");
 }
 
@@ -79,14 +79,14 @@ std::string exr_of(const TestFolder& folder, const std::vector<std::string>& cha
 
 }  // namespace
 
-TEST(ImageBrokenFiles, AnEmptyFileIsNoPicture) {
+TEST(ImageBrokenFiles, AnEmptyFileIsNoImage) {
   const TestFolder folder("broken-empty");
   for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"})
     EXPECT_EQ(outcome_of(folder, name, ""),
-              (folder.path() / name).string() + ": is empty, expected a picture");
+              (folder.path() / name).string() + ": is empty, expected an image");
 }
 
-TEST(ImageBrokenFiles, TextIsNoPictureUnderAnyName) {
+TEST(ImageBrokenFiles, TextIsNoImageUnderAnyName) {
   const TestFolder folder("broken-text");
   const std::string text = "Rendering failed: out of memory\n" + std::string(2000, 'x');
   for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.bmp", "a.tga", "a.pfm", "a.ppm"}) {
@@ -95,12 +95,12 @@ TEST(ImageBrokenFiles, TextIsNoPictureUnderAnyName) {
   }
 }
 
-TEST(ImageBrokenFiles, APictureUnderAnotherFormatsNameIsRefused) {
+TEST(ImageBrokenFiles, AnImageUnderAnotherFormatsNameIsRefused) {
   const TestFolder folder("broken-name");
   const std::string png = png_bytes(1, 1, 8, 0, std::string("\0\x40", 2));
   const auto outcome = outcome_of(folder, "a.exr", png);
   EXPECT_TRUE(is_quiet_error(outcome)) << outcome;
-  EXPECT_NE(outcome.find("is no readable .exr picture"), std::string::npos) << outcome;
+  EXPECT_NE(outcome.find("is no readable .exr image"), std::string::npos) << outcome;
 }
 
 TEST(ImageBrokenFiles, AnExrTornAnywhereIsRefused) {
@@ -142,17 +142,16 @@ TEST(ImageBrokenFiles, ACroppedExrIsRefusedBecauseItsPixelsWouldBeShifted) {
   const TestFolder folder("broken-cropped");
   const auto outcome =
       outcome_of(folder, "a.exr", with_box(exr_bytes(folder, 4, 4), "displayWindow", {-1, 0, 6, 3}));
-  EXPECT_NE(outcome.find("the stored pixels (4 x 4 at 0, 0) are not the whole picture (8 x 4 at -1, 0)"),
+  EXPECT_NE(outcome.find("the stored pixels (4 x 4 at 0, 0) are not the whole image (8 x 4 at -1, 0)"),
             std::string::npos)
       << outcome;
 }
 
 TEST(ImageBrokenFiles, APngTornAnywhereOrWithAFlippedByteIsRefusedQuietly) {
   const TestFolder folder("broken-png");
-  Image picture = make_image(9, 7, {"R", "G", "B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = static_cast<float>(i % 17) / 17.0F;
-  write_png(picture, folder.path() / "whole.png");
+  Image image = make_image(9, 7, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i % 17) / 17.0F;
+  write_png(image, folder.path() / "whole.png");
   const std::string whole = orbs::read_file(folder.path() / "whole.png");
   for (std::size_t at = 0; at < whole.size(); at += 3) {
     const auto torn = outcome_of(folder, "a.png", whole.substr(0, at));
@@ -225,13 +224,13 @@ TEST(ImageBrokenFiles, AnExrWhoseColoursAreIntegersIsRefused) {
 
 TEST(ImageBrokenFiles, IntegersBesideTheColoursOfAnExrAreHarmless) {
   const TestFolder folder("broken-labels");
-  const auto picture = exr_of(folder, {"R", "G", "B", "id"});
-  EXPECT_EQ(outcome_of(folder, "a.exr", with_integers(picture, "id")), "read");
+  const auto image = exr_of(folder, {"R", "G", "B", "id"});
+  EXPECT_EQ(outcome_of(folder, "a.exr", with_integers(image, "id")), "read");
 }
 
 // Without a byte on the disk: the file is one hole. Readers that take a file as a whole would ask for as
 // much memory.
-TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyPictureIsNotRead) {
+TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyImageIsNotRead) {
   const TestFolder folder("broken-hole");
   constexpr std::uintmax_t kBytes = 10'000'000'000;
   for (const char* name : {"a.pfm", "a.ppm", "a.exr", "a.png"}) {
@@ -242,7 +241,7 @@ TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyPictureIsNotRead) {
       read_image(file);
       FAIL() << "was read";
     } catch (const InputError& e) {
-      EXPECT_NE(std::string(e.what()).find("has 10000000000 bytes; no picture that is read has more than"),
+      EXPECT_NE(std::string(e.what()).find("has 10000000000 bytes; no image that is read has more than"),
                 std::string::npos)
           << e.what();
     }

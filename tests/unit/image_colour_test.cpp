@@ -46,10 +46,10 @@ TEST(ImageColour, LuminanceOfWhiteIsOneAndGreenWeighsMost) {
   EXPECT_DOUBLE_EQ(luminance(0, 0, 1), 0.0722);
 }
 
-TEST(ImageColour, ADisplayPictureIsClampedEncodedAndMarksNan) {
-  Image picture = make_image(2, 1, {"B", "G", "R"});
-  picture.pixels = {0.5F, -1.0F, 7.0F, 0.0F, std::nanf(""), 0.0F};
-  const Image shown = display_picture(picture);
+TEST(ImageColour, ADisplayImageIsClampedEncodedAndMarksNan) {
+  Image image = make_image(2, 1, {"B", "G", "R"});
+  image.pixels = {0.5F, -1.0F, 7.0F, 0.0F, std::nanf(""), 0.0F};
+  const Image shown = display_image(image);
   EXPECT_NEAR(shown.at(0, 0, 0), 1.0F, 1e-6F);
   EXPECT_EQ(shown.at(0, 0, 1), 0.0F);
   EXPECT_EQ(shown.at(0, 0, 2), srgb_encode(0.5F));

@@ -23,15 +23,15 @@ double cie_lightness(const std::array<float, 3>& encoded) {
   return y > 216.0 / 24389.0 ? 116.0 * std::cbrt(y) - 16.0 : y * 24389.0 / 27.0;
 }
 
-std::array<float, 3> pixel(const Image& picture, int x, int y) {
-  return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+std::array<float, 3> pixel(const Image& image, int x, int y) {
+  return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
 void expect_near(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1.0F / 255.0F);
 }
 
-// The dots of a one-channel picture as text, a row per line.
+// The dots of a one-channel image as text, a row per line.
 std::string dots(const Image& image) {
   std::string text;
   for (int y = 0; y < image.height; ++y) {
@@ -41,19 +41,19 @@ std::string dots(const Image& image) {
   return text;
 }
 
-// True when `word`, drawn at some place right of `from_x` and below `from_y`, is in the picture exactly, dot
+// True when `word`, drawn at some place right of `from_x` and below `from_y`, is in the image exactly, dot
 // by dot.
-bool shows_text(const Image& picture, int from_x, const std::string& word, int zoom, int from_y = 0) {
+bool shows_text(const Image& image, int from_x, const std::string& word, int zoom, int from_y = 0) {
   Image drawn = make_image(text_width_px(word, zoom), kGlyphHeightPx * zoom, {"Y"});
   draw_text(drawn, 0, 0, word, zoom, 1.0F);
   const auto matches = [&](int left, int top) {
     for (int y = 0; y < drawn.height; ++y)
       for (int x = 0; x < drawn.width; ++x)
-        if ((drawn.at(x, y, 0) > 0.5F) != (picture.at(left + x, top + y, 0) > 0.5F)) return false;
+        if ((drawn.at(x, y, 0) > 0.5F) != (image.at(left + x, top + y, 0) > 0.5F)) return false;
     return true;
   };
-  for (int top = from_y; top + drawn.height <= picture.height; ++top)
-    for (int left = from_x; left + drawn.width <= picture.width; ++left)
+  for (int top = from_y; top + drawn.height <= image.height; ++top)
+    for (int left = from_x; left + drawn.width <= image.width; ++left)
       if (matches(left, top)) return true;
   return false;
 }
@@ -105,55 +105,55 @@ TEST(ImageFalseColour, TheDivergingScaleIsDarkAtZeroBlueBelowAndOrangeAbove) {
 TEST(ImageFalseColour, EachPixelHasTheColourOfItsShareOfTheMaximum) {
   Image map = make_image(5, 1, {"Y"});
   map.pixels = {0.0F, 0.1F, 0.2F, 5.0F, std::nanf("")};
-  const Image picture = false_colour(map, ColourScale::Sequential, 0.2F);
-  expect_near(pixel(picture, 0, 0), colour_at(ColourScale::Sequential, 0.0F));
-  expect_near(pixel(picture, 1, 0), colour_at(ColourScale::Sequential, 0.5F));
-  expect_near(pixel(picture, 2, 0), colour_at(ColourScale::Sequential, 1.0F));
-  expect_near(pixel(picture, 3, 0), colour_at(ColourScale::Sequential, 1.0F));
-  expect_near(pixel(picture, 4, 0), {0.5F, 0.5F, 0.5F});
+  const Image image = false_colour(map, ColourScale::Sequential, 0.2F);
+  expect_near(pixel(image, 0, 0), colour_at(ColourScale::Sequential, 0.0F));
+  expect_near(pixel(image, 1, 0), colour_at(ColourScale::Sequential, 0.5F));
+  expect_near(pixel(image, 2, 0), colour_at(ColourScale::Sequential, 1.0F));
+  expect_near(pixel(image, 3, 0), colour_at(ColourScale::Sequential, 1.0F));
+  expect_near(pixel(image, 4, 0), {0.5F, 0.5F, 0.5F});
 }
 
 TEST(ImageFalseColour, ThreeChannelsShowTheOneOfLargestMagnitudeWithItsSign) {
   Image map = make_image(2, 1, {"R", "G", "B"});
   map.pixels = {0.05F, -0.1F, 0.05F, 0.0F, 0.0F, 0.1F};
-  const Image picture = false_colour(map, ColourScale::Diverging, 0.1F);
-  expect_near(pixel(picture, 0, 0), colour_at(ColourScale::Diverging, -1.0F));
-  expect_near(pixel(picture, 1, 0), colour_at(ColourScale::Diverging, 1.0F));
+  const Image image = false_colour(map, ColourScale::Diverging, 0.1F);
+  expect_near(pixel(image, 0, 0), colour_at(ColourScale::Diverging, -1.0F));
+  expect_near(pixel(image, 1, 0), colour_at(ColourScale::Diverging, 1.0F));
 }
 
 TEST(ImageFalseColour, TheBarIsLabelledWithBothEndsAndRunsLinearlyBetweenThem) {
   const Image map = make_image(40, 101, {"Y"});
-  const Image picture = false_colour(map, ColourScale::Sequential, 0.25F);
-  EXPECT_EQ(picture.height, 101);
+  const Image image = false_colour(map, ColourScale::Sequential, 0.25F);
+  EXPECT_EQ(image.height, 101);
   const int bar_x = 40 + 6 + 2;
-  expect_near(pixel(picture, bar_x, 0), colour_at(ColourScale::Sequential, 1.0F));
-  expect_near(pixel(picture, bar_x, 50), colour_at(ColourScale::Sequential, 0.5F));
-  expect_near(pixel(picture, bar_x, 100), colour_at(ColourScale::Sequential, 0.0F));
-  EXPECT_TRUE(shows_text(picture, bar_x + 10, "0.25", 1));
-  EXPECT_TRUE(shows_text(picture, bar_x + 10, "0", 1, 90));
-  EXPECT_FALSE(shows_text(picture, bar_x + 10, "0.26", 1));
+  expect_near(pixel(image, bar_x, 0), colour_at(ColourScale::Sequential, 1.0F));
+  expect_near(pixel(image, bar_x, 50), colour_at(ColourScale::Sequential, 0.5F));
+  expect_near(pixel(image, bar_x, 100), colour_at(ColourScale::Sequential, 0.0F));
+  EXPECT_TRUE(shows_text(image, bar_x + 10, "0.25", 1));
+  EXPECT_TRUE(shows_text(image, bar_x + 10, "0", 1, 90));
+  EXPECT_FALSE(shows_text(image, bar_x + 10, "0.26", 1));
 }
 
 TEST(ImageFalseColour, TheDivergingBarIsLabelledWithBothSigns) {
-  const Image picture = false_colour(make_image(40, 64, {"R", "G", "B"}), ColourScale::Diverging, 3e-5F);
-  EXPECT_TRUE(shows_text(picture, 40 + 6 + 12, "+3e-05", 1));
-  EXPECT_TRUE(shows_text(picture, 40 + 6 + 12, "-3e-05", 1));
+  const Image image = false_colour(make_image(40, 64, {"R", "G", "B"}), ColourScale::Diverging, 3e-5F);
+  EXPECT_TRUE(shows_text(image, 40 + 6 + 12, "+3e-05", 1));
+  EXPECT_TRUE(shows_text(image, 40 + 6 + 12, "-3e-05", 1));
 }
 
-TEST(ImageFalseColour, TinyPicturesGetACanvasHighEnoughForTheDigits) {
-  const Image picture = false_colour(make_image(1, 1, {"Y"}), ColourScale::Sequential, 1.0F);
-  EXPECT_GE(picture.height, 3 * kGlyphHeightPx);
-  EXPECT_TRUE(shows_text(picture, 1 + 6 + 12, "1", 1));
+TEST(ImageFalseColour, TinyImagesGetACanvasHighEnoughForTheDigits) {
+  const Image image = false_colour(make_image(1, 1, {"Y"}), ColourScale::Sequential, 1.0F);
+  EXPECT_GE(image.height, 3 * kGlyphHeightPx);
+  EXPECT_TRUE(shows_text(image, 1 + 6 + 12, "1", 1));
 }
 
-TEST(ImageFalseColour, LargePicturesGetLargerDigits) {
-  const Image picture = false_colour(make_image(8, 512, {"Y"}), ColourScale::Sequential, 7.0F);
-  EXPECT_TRUE(shows_text(picture, 8 + 12 + 24, "7", 2));
+TEST(ImageFalseColour, LargeImagesGetLargerDigits) {
+  const Image image = false_colour(make_image(8, 512, {"Y"}), ColourScale::Sequential, 7.0F);
+  EXPECT_TRUE(shows_text(image, 8 + 12 + 24, "7", 2));
 }
 
-TEST(ImageFalseColour, AMaximumOfZeroColoursEqualPictures) {
-  const Image picture = false_colour(make_image(4, 4, {"Y"}), ColourScale::Sequential, 0.0F);
-  expect_near(pixel(picture, 2, 2), colour_at(ColourScale::Sequential, 0.0F));
+TEST(ImageFalseColour, AMaximumOfZeroColoursEqualImages) {
+  const Image image = false_colour(make_image(4, 4, {"Y"}), ColourScale::Sequential, 0.0F);
+  expect_near(pixel(image, 2, 2), colour_at(ColourScale::Sequential, 0.0F));
 }
 
 TEST(ImageFalseColour, TwoChannelsAndImpossibleMaximaAreRefused) {
@@ -186,7 +186,7 @@ TEST(ImageFalseColour, DigitsAreDrawnFiveBySevenDots) {
             ".###...#...\n");
 }
 
-TEST(ImageFalseColour, TextBeyondThePictureIsCutOff) {
+TEST(ImageFalseColour, TextBeyondTheImageIsCutOff) {
   Image image = make_image(6, 6, {"Y"});
   draw_text(image, -2, -3, "8", 2, 1.0F);
   draw_text(image, 5, 5, "8", 2, 1.0F);

@@ -1,6 +1,6 @@
 #include "metrics/alignment.h"
 #include "metrics/compare.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <cmath>
 #include <limits>
@@ -18,14 +18,14 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-TEST(MetricsAlignment, PicturesOfDifferentSizeAreNotComparable) {
+TEST(MetricsAlignment, ImagesOfDifferentSizeAreNotComparable) {
   const auto report =
       check_alignment(make_image(256, 512, {"R", "G", "B"}), make_image(512, 512, {"R", "G", "B"}));
   EXPECT_EQ(report.alignment, Alignment::WrongSize);
   EXPECT_EQ(report.sentence, "the result is 256 x 512 px, the reference 512 x 512 px");
 }
 
-TEST(MetricsAlignment, PicturesWithoutPixelsAreNotComparable) {
+TEST(MetricsAlignment, ImagesWithoutPixelsAreNotComparable) {
   EXPECT_EQ(check_alignment(Image{}, Image{}).alignment, Alignment::WrongSize);
 }
 
@@ -40,7 +40,7 @@ TEST(MetricsAlignment, AMissingChannelIsNamedTogetherWithTheOnesThatAreThere) {
 }
 
 TEST(MetricsAlignment, BadPixelsAreCountedByKindAndTheFirstIsShown) {
-  const Image reference = constant_picture(6, 5, 0.5F);
+  const Image reference = constant_image(6, 5, 0.5F);
   Image result = reference;
   result.at(4, 2, 1) = std::nanf("");
   result.at(4, 2, 2) = -1.0F;  // the same pixel, a second kind
@@ -59,7 +59,7 @@ TEST(MetricsAlignment, BadPixelsAreCountedByKindAndTheFirstIsShown) {
 }
 
 TEST(MetricsAlignment, ABadReferenceIsNoBetterThanABadResult) {
-  const Image result = constant_picture(4, 4, 0.5F);
+  const Image result = constant_image(4, 4, 0.5F);
   Image reference = result;
   reference.at(3, 3, 2) = kInfinity;
   const auto report = check_alignment(result, reference);
@@ -71,7 +71,7 @@ TEST(MetricsAlignment, ABadReferenceIsNoBetterThanABadResult) {
 }
 
 TEST(MetricsAlignment, NegativePixelsAreAFaultUnlessAllowedAndCountedInBothCases) {
-  const Image reference = constant_picture(4, 4, 0.5F);
+  const Image reference = constant_image(4, 4, 0.5F);
   Image result = reference;
   result.at(1, 0, 0) = -1e-6F;
   EXPECT_EQ(check_alignment(result, reference).alignment, Alignment::InvalidPixels);
@@ -85,13 +85,13 @@ TEST(MetricsAlignment, NegativePixelsAreAFaultUnlessAllowedAndCountedInBothCases
 }
 
 TEST(MetricsAlignment, MinusZeroAndTheLargestFloatAreValid) {
-  Image picture = constant_picture(2, 2, std::numeric_limits<float>::max());
-  picture.at(0, 0, 0) = -0.0F;
-  EXPECT_EQ(check_alignment(picture, picture).alignment, Alignment::Comparable);
+  Image image = constant_image(2, 2, std::numeric_limits<float>::max());
+  image.at(0, 0, 0) = -0.0F;
+  EXPECT_EQ(check_alignment(image, image).alignment, Alignment::Comparable);
 }
 
-TEST(MetricsAlignment, NothingIsComputedOnPicturesThatAreNotComparable) {
-  const Image reference = constant_picture(16, 16, 0.5F);
+TEST(MetricsAlignment, NothingIsComputedOnImagesThatAreNotComparable) {
+  const Image reference = constant_image(16, 16, 0.5F);
   Image result = reference;
   result.at(15, 15, 2) = std::nanf("");
   // A mask hides errors, not faults.

@@ -13,41 +13,41 @@ namespace {
 constexpr int kSide_px = 66;
 
 image::Image stripes() {
-  auto picture = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  auto image = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x)
-      for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = (x / 5) % 2 == 0 ? 0.2F : 0.6F;
-  return picture;
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = (x / 5) % 2 == 0 ? 0.2F : 0.6F;
+  return image;
 }
 
 // [1 2 1] / 4 in x; y has no edges.
-image::Image filtered(const image::Image& picture) {
-  auto out = picture;
+image::Image filtered(const image::Image& image) {
+  auto out = image;
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 1; x + 1 < kSide_px; ++x)
       for (std::size_t c = 0; c < 3; ++c)
-        out.at(x, y, c) = (picture.at(x - 1, y, c) + 2 * picture.at(x, y, c) + picture.at(x + 1, y, c)) / 4;
+        out.at(x, y, c) = (image.at(x - 1, y, c) + 2 * image.at(x, y, c) + image.at(x + 1, y, c)) / 4;
   return out;
 }
 
 // Means of 2 px in x.
-image::Image halved(const image::Image& picture) {
-  auto out = picture;
+image::Image halved(const image::Image& image) {
+  auto out = image;
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x)
       for (std::size_t c = 0; c < 3; ++c)
-        out.at(x, y, c) = (picture.at(x - x % 2, y, c) + picture.at(x - x % 2 + 1, y, c)) / 2;
+        out.at(x, y, c) = (image.at(x - x % 2, y, c) + image.at(x - x % 2 + 1, y, c)) / 2;
   return out;
 }
 
-image::Image noisy(const image::Image& picture, float deviation, std::mt19937& random) {
+image::Image noisy(const image::Image& image, float deviation, std::mt19937& random) {
   std::normal_distribution<float> noise(0, deviation);
-  auto out = picture;
+  auto out = image;
   for (auto& value : out.pixels) value += noise(random);
   return out;
 }
 
-// Noise of 4 %, and in every tenth pixel as large as the picture; the picture knows both.
+// Noise of 4 %, and in every tenth pixel as large as the image; the image knows both.
 image::Image noisy_reference(std::mt19937& random) {
   const auto right = stripes();
   auto out = image::make_image(kSide_px, kSide_px, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
@@ -77,8 +77,8 @@ TEST(EdgeBlur, OfHalfTheResolutionIsOneOnAverage) {
   EXPECT_NEAR(metrics::edge_blur(halved(stripes()), stripes())->value, 1, 0.1);
 }
 
-// Twice the picture less its filtered self: what the filter takes from an edge is added to it.
-TEST(EdgeBlur, OfAPictureThatIsSharperIsBelowZero) {
+// Twice the image less its filtered self: what the filter takes from an edge is added to it.
+TEST(EdgeBlur, OfAnImageThatIsSharperIsBelowZero) {
   auto sharp = stripes();
   const auto soft = filtered(sharp);
   for (std::size_t i = 0; i < sharp.pixels.size(); ++i)
@@ -125,7 +125,7 @@ TEST(EdgeBlur, MaskedEdgesDoNotCount) {
   EXPECT_EQ(metrics::edge_blur(result, stripes(), {{{0, 0, kSide_px, 30}}, {}})->value, 0);
 }
 
-TEST(EdgeBlur, OfAPictureWithoutEdgesThereIsNone) {
+TEST(EdgeBlur, OfAnImageWithoutEdgesThereIsNone) {
   auto grey = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
   grey.pixels.assign(grey.pixels.size(), 0.5F);
   EXPECT_FALSE(metrics::edge_blur(grey, grey));

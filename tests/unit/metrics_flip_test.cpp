@@ -1,6 +1,6 @@
 #include "metrics/compare.h"
 #include "metrics/flip_map.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ double flip_of(const Image& a, const Image& b, std::string_view metric = "flip")
   return value_of(compare(a, b, {}, {.all = true}), metric).value();
 }
 
-// The definition taken literally for pictures without colour, in double: filters of two dimensions, no
+// The definition taken literally for images without colour, in double: filters of two dimensions, no
 // matrices (grey has X = Y = Z in units of white).
 class GreyFlip {
  public:
@@ -33,19 +33,19 @@ class GreyFlip {
   }
 
  private:
-  static double value(const Image& picture, int x, int y) {
+  static double value(const Image& image, int x, int y) {
     return static_cast<double>(
-        picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1), 1));
+        image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1), 1));
   }
 
   // Achromatic sensitivity a = 1, b = 0.0047; radius 10 at 67.02 pixels per degree.
-  static double lightness(const Image& picture, int x, int y) {
+  static double lightness(const Image& image, int x, int y) {
     double sum = 0;
     double weights = 0;
     for (int j = -10; j <= 10; ++j)
       for (int i = -10; i <= 10; ++i) {
         const double weight = std::exp(-kPi * kPi * (i * i + j * j) / (kPpd * kPpd) / 0.0047);
-        sum += weight * value(picture, x + i, y + j);
+        sum += weight * value(image, x + i, y + j);
         weights += weight;
       }
     const double t = sum / weights;
@@ -63,7 +63,7 @@ class GreyFlip {
 
   // Length of the first or second derivative of a Gaussian of sigma 0.5 * 0.082 degrees, positive and
   // negative weights of sum 1.
-  static double gradient(const Image& picture, int x, int y, int order) {
+  static double gradient(const Image& image, int x, int y, int order) {
     const double sigma = 0.5 * 0.082 * kPpd;
     std::array<double, 2> sums{};
     std::array<double, 2> positive{};
@@ -79,7 +79,7 @@ class GreyFlip {
             if (is_weight_sum) {
               total += std::fabs(weight);
             } else {
-              sums.at(axis) += weight / total * value(picture, x + i, y + j);
+              sums.at(axis) += weight / total * value(image, x + i, y + j);
             }
           }
     return std::hypot(sums[0], sums[1]);
@@ -93,30 +93,30 @@ class GreyFlip {
 
 }  // namespace
 
-TEST(Flip, OfTheSamePictureIsNothing) {
-  const Image picture = grey_picture(24, 20, detail);
-  EXPECT_EQ(flip_of(picture, picture), 0.0);
-  EXPECT_EQ(flip_of(picture, picture, "flip_hdr_fixed"), 0.0);
+TEST(Flip, OfTheSameImageIsNothing) {
+  const Image image = grey_image(24, 20, detail);
+  EXPECT_EQ(flip_of(image, image), 0.0);
+  EXPECT_EQ(flip_of(image, image, "flip_hdr_fixed"), 0.0);
 }
 
 // Lightness 100 against 0, no features: 100^0.7 = 25.119 on a scale that ends at 203.29^0.7 = 41.276 and
 // bends at 0.4 of it, 16.510: 0.95 + 0.05 (25.119 - 16.510) / 24.766.
 TEST(Flip, OfWhiteAndBlackIsTheOneOfTheirLightness) {
-  EXPECT_NEAR(flip_of(constant_picture(16, 16, 1.0F), constant_picture(16, 16, 0.0F)), 0.96738, 2e-5);
+  EXPECT_NEAR(flip_of(constant_image(16, 16, 1.0F), constant_image(16, 16, 0.0F)), 0.96738, 2e-5);
 }
 
 // The two colours that are the farthest apart on a screen are 1 by definition.
 TEST(Flip, OfGreenAndBlueIsOne) {
-  Image green = constant_picture(16, 16, 0.0F);
+  Image green = constant_image(16, 16, 0.0F);
   Image blue = green;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) green.at(x, y, 1) = blue.at(x, y, 2) = 1.0F;
   EXPECT_NEAR(flip_of(green, blue), 1.0, 1e-5);
 }
 
-TEST(Flip, IsTheLiteralDefinitionOnPicturesWithoutColour) {
-  const Image a = grey_picture(30, 26, detail);
-  const Image b = grey_picture(30, 26, [](int x, int y) { return detail(x, y + (x > 12 ? 1 : 0)) * 0.9F; });
+TEST(Flip, IsTheLiteralDefinitionOnImagesWithoutColour) {
+  const Image a = grey_image(30, 26, detail);
+  const Image b = grey_image(30, 26, [](int x, int y) { return detail(x, y + (x > 12 ? 1 : 0)) * 0.9F; });
   const Comparison c = compare(a, b, {}, {.also = {"flip"}});
   const GreyFlip literal(a, b);
   double sum = 0;
@@ -133,15 +133,15 @@ TEST(Flip, IsTheLiteralDefinitionOnPicturesWithoutColour) {
 
 // Both are white on a screen; the lowest exposure of HDR-FLIP takes 2 to 0.85 and 20 to white.
 TEST(Flip, OnlyHdrFlipSeesAWrongHighlight) {
-  const Image reference = constant_picture(16, 16, 20.0F);
-  const Image result = constant_picture(16, 16, 2.0F);
+  const Image reference = constant_image(16, 16, 20.0F);
+  const Image result = constant_image(16, 16, 2.0F);
   EXPECT_EQ(flip_of(result, reference), 0.0);
   EXPECT_GT(flip_of(result, reference, "flip_hdr_fixed"), 0.1);
 }
 
 // The highest exposure takes 0.18 to 0.85.
 TEST(Flip, HdrFlipSeesALeakIntoTheDark) {
-  const Image reference = constant_picture(16, 16, 0.0F);
-  const Image result = constant_picture(16, 16, 0.002F);
+  const Image reference = constant_image(16, 16, 0.0F);
+  const Image result = constant_image(16, 16, 0.002F);
   EXPECT_GT(flip_of(result, reference, "flip_hdr_fixed"), 1.5 * flip_of(result, reference));
 }

@@ -1,4 +1,4 @@
-// Tiles of a grey picture with a part that is off, with and without noise.
+// Tiles of a grey image with a part that is off, with and without noise.
 #include "metrics/local_bias.h"
 
 #include <random>
@@ -10,15 +10,15 @@ using namespace orbs;
 namespace {
 
 image::Image grey(int side, float value) {
-  auto picture = image::make_image(side, side, {"R", "G", "B"});
-  picture.pixels.assign(picture.pixels.size(), value);
-  return picture;
+  auto image = image::make_image(side, side, {"R", "G", "B"});
+  image.pixels.assign(image.pixels.size(), value);
+  return image;
 }
 
 }  // namespace
 
-// 0.1 more in one whole tile, over 0.25 of the tile and 0.25 of the picture.
-TEST(LocalBias, IsMeasuredByTileAndPicture) {
+// 0.1 more in one whole tile, over 0.25 of the tile and 0.25 of the image.
+TEST(LocalBias, IsMeasuredByTileAndImage) {
   auto result = grey(64, 0.25F);
   for (int y = 16; y < 32; ++y)
     for (int x = 32; x < 48; ++x) result.at(x, y, 2) += 0.1F;

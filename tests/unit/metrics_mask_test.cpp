@@ -2,7 +2,7 @@
 #include "metrics/compare.h"
 #include "metrics/mask.h"
 #include "metrics/table.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ using namespace orbs::metrics_test;
 using orbs::InputError;
 using orbs::image::Image;
 
-Image with_wrong_pixel(Image picture, int x, int y) {
-  for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) += 0.5F;
-  return picture;
+Image with_wrong_pixel(Image image, int x, int y) {
+  for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) += 0.5F;
+  return image;
 }
 
 std::string error_of(const Mask& mask) {
@@ -52,21 +52,20 @@ TEST(MetricsMask, BytesAndRectanglesAddUp) {
   EXPECT_EQ(included[47], 0);
 }
 
-TEST(MetricsMask, WhatDoesNotFitThePictureIsRefused) {
+TEST(MetricsMask, WhatDoesNotFitTheImageIsRefused) {
   EXPECT_EQ(
       error_of({{{2, 1, 9, 4}}, {}}),
-      "the masked rectangle [2, 1, 9, 4] is not inside the 8 x 6 px picture; expected [x0, y0, x1, y1] with "
+      "the masked rectangle [2, 1, 9, 4] is not inside the 8 x 6 px image; expected [x0, y0, x1, y1] with "
       "0 <= x0 < x1 <= 8 and 0 <= y0 < y1 <= 6");
   for (const Rectangle& r :
        {Rectangle{-1, 0, 2, 2}, Rectangle{3, 3, 3, 4}, Rectangle{0, 5, 1, 4}, Rectangle{0, 0, 1, 7}})
     EXPECT_NE(error_of({{r}, {}}), "no error");
-  EXPECT_EQ(error_of({{}, std::vector<std::uint8_t>(47, 0)}),
-            "the mask has 47 pixels, the picture 48 (8 x 6)");
+  EXPECT_EQ(error_of({{}, std::vector<std::uint8_t>(47, 0)}), "the mask has 47 pixels, the image 48 (8 x 6)");
   EXPECT_EQ(error_of({{{0, 0, 8, 6}}, {}}), "the mask leaves no pixel to compare");
 }
 
 TEST(MetricsMask, AnErrorUnderTheMaskCountsInNoMeanOfPixels) {
-  const Image reference = grey_picture(24, 20, detail);
+  const Image reference = grey_image(24, 20, detail);
   const Comparison c = compare(with_wrong_pixel(reference, 4, 9), reference, {{{4, 9, 5, 10}}, {}});
   EXPECT_EQ(value_of(c, "l1"), 0.0);
   EXPECT_EQ(value_of(c, "mse"), 0.0);
@@ -77,14 +76,14 @@ TEST(MetricsMask, AnErrorUnderTheMaskCountsInNoMeanOfPixels) {
 
 // Error 0.5 in one of the four pixels left of sixteen: 0.125, not 0.5 / 16.
 TEST(MetricsMask, TheMeanIsOverThePixelsThatAreLeft) {
-  const Image reference = constant_picture(4, 4, 0.25F);
+  const Image reference = constant_image(4, 4, 0.25F);
   const Comparison c =
       compare(with_wrong_pixel(reference, 1, 1), reference, {{{2, 0, 4, 4}, {0, 2, 4, 4}}, {}});
   EXPECT_DOUBLE_EQ(value_of(c, "l1").value(), 0.125);
 }
 
 TEST(MetricsMask, TheCentreDecidesWhetherAnSsimWindowCounts) {
-  const Image reference = grey_picture(40, 40, detail);
+  const Image reference = grey_image(40, 40, detail);
   const Image result = with_wrong_pixel(reference, 20, 20);
   const double unmasked = value_of(compare(result, reference), "ssim").value();
   // The pixel alone: its own window goes, those beside it still see it.
@@ -97,14 +96,14 @@ TEST(MetricsMask, TheCentreDecidesWhetherAnSsimWindowCounts) {
 }
 
 TEST(MetricsMask, WithoutAnyCentreLeftSsimHasNoValueWhileOthersHave) {
-  const Image picture = grey_picture(20, 20, detail);
-  const Comparison c = compare(picture, picture, {{{5, 5, 15, 15}}, {}});
+  const Image image = grey_image(20, 20, detail);
+  const Comparison c = compare(image, image, {{{5, 5, 15, 15}}, {}});
   EXPECT_FALSE(value_of(c, "ssim").has_value());
   EXPECT_EQ(value_of(c, "l1"), 0.0);
 }
 
 TEST(MetricsMask, MapsShowMaskedPixelsAsAnyOther) {
-  const Image reference = constant_picture(12, 12, 0.25F);
+  const Image reference = constant_image(12, 12, 0.25F);
   const Comparison c = compare(with_wrong_pixel(reference, 6, 6), reference, {{{6, 6, 7, 7}}, {}});
   EXPECT_EQ(c.maps.front().info.name, "l1");
   EXPECT_FLOAT_EQ(c.maps.front().image.at(6, 6, 0), 0.5F);

@@ -36,13 +36,13 @@ struct Render {
   std::uint64_t seed = 1;
 };
 
-// A grey picture as the tracer makes it: mean and variance of the mean from four replicates, which is as
-// rough as suite pictures get.
+// A grey image as the tracer makes it: mean and variance of the mean from four replicates, which is as
+// rough as suite images get.
 Image rendered(const Light& light, const Render& render) {
   constexpr int kReplicates = 4;
-  Image picture = orbs::image::make_image(render.size_px, render.size_px,
-                                          {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  picture.attributes = {{"orbs.program", "test"}, {"orbs.spp", std::to_string(render.spp)}};
+  Image image = orbs::image::make_image(render.size_px, render.size_px,
+                                        {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  image.attributes = {{"orbs.program", "test"}, {"orbs.spp", std::to_string(render.spp)}};
   const int length = render.spp / kReplicates;
   for (int pixel = 0; pixel < render.size_px * render.size_px; ++pixel) {
     double sum = 0;
@@ -61,30 +61,30 @@ Image rendered(const Light& light, const Render& render) {
     // Rounding only: the exact scatter is not negative.
     const double scatter = std::max(0.0, squares / kReplicates - mean * mean);
     for (int c = 0; c < 3; ++c) {
-      float* const at = &picture.pixels[static_cast<std::size_t>(6 * pixel + c)];
+      float* const at = &image.pixels[static_cast<std::size_t>(6 * pixel + c)];
       at[0] = static_cast<float>(mean);
       at[3] = static_cast<float>(scatter / (kReplicates - 1));
     }
   }
-  return picture;
+  return image;
 }
 
-Image brighter(Image picture, float factor) {
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] *= i % 6 < 3 ? factor : factor * factor;
-  return picture;
+Image brighter(Image image, float factor) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] *= i % 6 < 3 ? factor : factor * factor;
+  return image;
 }
 
-Image without_variance(const Image& picture) { return orbs::image::select_rgb(picture, ""); }
+Image without_variance(const Image& image) { return orbs::image::select_rgb(image, ""); }
 
-int false_alarms(const Light& light, int pictures, bool exact_reference = false) {
+int false_alarms(const Light& light, int images, bool exact_reference = false) {
   Image reference = rendered(light, {.size_px = 24, .spp = 256, .seed = kReferenceSeed});
   if (exact_reference) {
     reference = without_variance(reference);
     for (float& value : reference.pixels) value = 1.0F;
   }
   int alarms = 0;
-  for (int i = 1; i <= pictures; ++i) {
+  for (int i = 1; i <= images; ++i) {
     const Image result = rendered(light, {.size_px = 24, .seed = static_cast<std::uint64_t>(i)});
     alarms += is_biased(test_noise(result, reference)) ? 1 : 0;
   }
@@ -93,7 +93,7 @@ int false_alarms(const Light& light, int pictures, bool exact_reference = false)
 
 }  // namespace
 
-// 1 in 1000 is promised. 300 pictures then have more than 3 with probability 3e-4; the seeds are fixed.
+// 1 in 1000 is promised. 300 images then have more than 3 with probability 3e-4; the seeds are fixed.
 TEST(NoiseTest, HonestSeedsAreNotCalledBiased) {
   EXPECT_LE(false_alarms(from_half_to_three_halves, 300), 3);
   EXPECT_LE(false_alarms(penumbra, 300), 3);
@@ -105,7 +105,7 @@ TEST(NoiseTest, HonestSeedsWithFirefliesAreNotCalledBiased) { EXPECT_LE(false_al
 
 // Standard deviation of one pixel: 1/sqrt(12) / sqrt(16) = 7 % of the mean. The mean of 64^2 of them has 0.11
 // %, so 1 % is nine of its standard deviations, and t for 1 in 9000 is four.
-TEST(NoiseTest, OnePercentMoreEnergyIsSeenInAPictureWithSevenPercentNoise) {
+TEST(NoiseTest, OnePercentMoreEnergyIsSeenInAnImageWithSevenPercentNoise) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64, .seed = kReferenceSeed});
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -163,7 +163,7 @@ TEST(NoiseTest, BiasAndNoiseAreTwoNumbers) {
   EXPECT_TRUE(is_square_biased(test));
 }
 
-// A block of 8 x 8 that is 15 % too bright is 1/64 of the picture: the mean moves by 0.2 %, the block by 17
+// A block of 8 x 8 that is 15 % too bright is 1/64 of the image: the mean moves by 0.2 %, the block by 17
 // of its standard deviations.
 TEST(NoiseTest, ALocalErrorIsSeenByItsBlock) {
   const Image reference =
@@ -218,7 +218,7 @@ TEST(NoiseTest, ABlackChannelHasNoRatio) {
 
 // An error with structure in it scatters as noise does, and a mean that is right cannot be told then. Of a
 // renderer without noise the mean is what it is.
-TEST(NoiseTest, TheMeanOfAPictureWithoutNoiseIsExact) {
+TEST(NoiseTest, TheMeanOfAnImageWithoutNoiseIsExact) {
   const Image reference = without_variance(
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed}));
   Image result = reference;
@@ -234,7 +234,7 @@ TEST(NoiseTest, TheMeanOfAPictureWithoutNoiseIsExact) {
   EXPECT_GT(test_noise(result, reference).mean_ratio[0]->high, 0.007);
 }
 
-// The picture of a renderer that writes no variance: its noise is read off the picture.
+// The image of a renderer that writes no variance: its noise is read off the image.
 TEST(NoiseTest, WithoutVarianceTheScatterOfBlocksBoundsTheMean) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
@@ -263,7 +263,7 @@ TEST(Seeds, GiveTheMeanAndTheVarianceOfTheMean) {
   EXPECT_FLOAT_EQ(mean.at(1, 0, 3), 14.0F / 6);
 }
 
-TEST(Seeds, TwoAreEnoughToJudgeAPictureBy) {
+TEST(Seeds, TwoAreEnoughToJudgeAnImageBy) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -1,6 +1,6 @@
 #include "metrics/compare.h"
 #include "metrics/table.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <cmath>
 #include <limits>
@@ -22,9 +22,9 @@ double number(const Comparison& comparison, std::string_view metric) {
 
 }  // namespace
 
-TEST(MetricsNumbers, IdenticalPicturesHaveNoErrorInfinitePsnrAndSsimOne) {
-  const Image picture = grey_picture(32, 24, detail);
-  const Comparison c = compare(picture, picture);
+TEST(MetricsNumbers, IdenticalImagesHaveNoErrorInfinitePsnrAndSsimOne) {
+  const Image image = grey_image(32, 24, detail);
+  const Comparison c = compare(image, image);
   EXPECT_EQ(number(c, "l1"), 0.0);
   EXPECT_EQ(number(c, "mse"), 0.0);
   EXPECT_EQ(number(c, "psnr_srgb8"), kInfinity);
@@ -41,7 +41,7 @@ TEST(MetricsNumbers, AConstantDifferenceOfATenthOnTheDisplayIsTwentyDecibels) {
 // Linear 0.6 against 0.5: L1 0.1, MSE 0.01, 20 dB; on the display by ORB.S's formula 0.7977377 and 0.7353570,
 // so 20 log10(1 / 0.0623807) = 24.0991 dB: the two PSNRs are in different spaces.
 TEST(MetricsNumbers, AConstantLinearDifferenceOfATenthIsTwentyLinearDecibels) {
-  const Comparison c = compare(constant_picture(16, 16, 0.6F), constant_picture(16, 16, 0.5F));
+  const Comparison c = compare(constant_image(16, 16, 0.6F), constant_image(16, 16, 0.5F));
   EXPECT_NEAR(number(c, "l1"), 0.1, 1e-7);
   EXPECT_NEAR(number(c, "mse"), 0.01, 1e-8);
   EXPECT_NEAR(number(c, "psnr_linear"), 20.0, 1e-5);
@@ -67,7 +67,7 @@ TEST(MetricsNumbers, ValuesAreNotRoundedToWholeSteps) {
 // 8 x 8 pixels, one of them 20 instead of 2: MSE = 18^2 / 64 = 5.0625, L1 = 18 / 64 = 0.28125. Both are white
 // on a display.
 TEST(MetricsNumbers, AWrongHighlightIsSeenByLinearMetricsOnly) {
-  Image reference = constant_picture(8, 8, 0.25F);
+  Image reference = constant_image(8, 8, 0.25F);
   Image result = reference;
   for (std::size_t ch = 0; ch < 3; ++ch) {
     reference.at(3, 4, ch) = 2.0F;
@@ -81,16 +81,16 @@ TEST(MetricsNumbers, AWrongHighlightIsSeenByLinearMetricsOnly) {
 }
 
 TEST(MetricsNumbers, NegativeValuesAreBlackOnTheDisplayButCountLinearly) {
-  const Comparison c = compare(constant_picture(12, 12, -0.5F), constant_picture(12, 12, 0.0F), {},
-                               {NegativePixels::Allowed, 1});
+  const Comparison c =
+      compare(constant_image(12, 12, -0.5F), constant_image(12, 12, 0.0F), {}, {NegativePixels::Allowed, 1});
   EXPECT_EQ(number(c, "psnr_srgb8"), kInfinity);
   EXPECT_DOUBLE_EQ(number(c, "l1"), 0.5);
 }
 
 // relMSE divides by the reference alone.
 TEST(MetricsNumbers, EveryMetricButRelMseIsSymmetricToTheBit) {
-  const Image a = grey_picture(40, 30, detail);
-  const Image b = grey_picture(40, 30, [](int x, int y) { return detail(y + 3, x); });
+  const Image a = grey_image(40, 30, detail);
+  const Image b = grey_image(40, 30, [](int x, int y) { return detail(y + 3, x); });
   const Comparison ab = compare(a, b, {}, {.all = true});
   const Comparison ba = compare(b, a, {}, {.all = true});
   for (const MetricInfo& metric : kMetrics) {
@@ -100,9 +100,9 @@ TEST(MetricsNumbers, EveryMetricButRelMseIsSymmetricToTheBit) {
 }
 
 TEST(MetricsNumbers, MoreErrorIsWorseInEveryMetric) {
-  const Image reference = grey_picture(40, 30, detail);
+  const Image reference = grey_image(40, 30, detail);
   const auto noisy = [](float amplitude) {
-    return grey_picture(40, 30, [amplitude](int x, int y) {
+    return grey_image(40, 30, [amplitude](int x, int y) {
       return detail(x, y) + amplitude * (0.5F - detail(3 * x + 1, 5 * y + 2));
     });
   };
@@ -118,8 +118,8 @@ TEST(MetricsNumbers, MoreErrorIsWorseInEveryMetric) {
 // SSIM removes means before it compares structure: 2 % more light everywhere is invisible to it and clear to
 // the others.
 TEST(MetricsNumbers, TwoPercentMoreLightIsSeenByPsnrButHardlyBySsim) {
-  const Image reference = grey_picture(64, 64, [](int x, int y) { return 0.9F * detail(x, y); });
-  const Image result = grey_picture(64, 64, [](int x, int y) { return 1.02F * 0.9F * detail(x, y); });
+  const Image reference = grey_image(64, 64, [](int x, int y) { return 0.9F * detail(x, y); });
+  const Image result = grey_image(64, 64, [](int x, int y) { return 1.02F * 0.9F * detail(x, y); });
   const Comparison c = compare(result, reference);
   EXPECT_GT(number(c, "ssim"), 0.999);
   EXPECT_LT(number(c, "psnr_srgb8"), 47.0);
@@ -127,14 +127,14 @@ TEST(MetricsNumbers, TwoPercentMoreLightIsSeenByPsnrButHardlyBySsim) {
 }
 
 TEST(MetricsNumbers, AShiftByOnePixelIsSeenByEveryMetric) {
-  const Comparison c = compare(grey_picture(64, 64, [](int x, int y) { return detail(x + 1, y); }),
-                               grey_picture(64, 64, detail));
+  const Comparison c =
+      compare(grey_image(64, 64, [](int x, int y) { return detail(x + 1, y); }), grey_image(64, 64, detail));
   EXPECT_LT(number(c, "ssim"), 0.5);
   EXPECT_LT(number(c, "psnr_srgb8"), 20.0);
 }
 
 TEST(MetricsNumbers, ChannelsAreFoundByNameInAnyOrderAndOthersAreIgnored) {
-  const Image reference = grey_picture(12, 12, detail);
+  const Image reference = grey_image(12, 12, detail);
   Image result = orbs::image::make_image(12, 12, {"variance.R", "B", "G", "R", "A"});
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 12; ++x) {
@@ -149,8 +149,8 @@ TEST(MetricsNumbers, ChannelsAreFoundByNameInAnyOrderAndOthersAreIgnored) {
 }
 
 TEST(MetricsNumbers, NoNumberDependsOnTheThreads) {
-  const Image a = grey_picture(70, 90, detail);
-  const Image b = grey_picture(70, 90, [](int x, int y) { return detail(x, y + 2); });
+  const Image a = grey_image(70, 90, detail);
+  const Image b = grey_image(70, 90, [](int x, int y) { return detail(x, y + 2); });
   const Comparison one = compare(a, b, {}, {.threads = 1, .all = true});
   for (const int threads : {2, 3, 7}) {
     const Comparison other = compare(a, b, {}, {.threads = threads, .all = true});

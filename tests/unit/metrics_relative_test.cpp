@@ -1,6 +1,6 @@
 #include "metrics/compare.h"
 #include "metrics/psnr_pu21.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <cmath>
 
@@ -20,8 +20,8 @@ double number(const Comparison& comparison, std::string_view metric) {
   return value_of(comparison, metric).value();
 }
 
-void set_pixel(Image& picture, int x, int y, float value) {
-  for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = value;
+void set_pixel(Image& image, int x, int y, float value) {
+  for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = value;
 }
 
 const Measurement& measurement(const Comparison& comparison, std::string_view metric) {
@@ -32,23 +32,23 @@ const Measurement& measurement(const Comparison& comparison, std::string_view me
 
 }  // namespace
 
-// 0.1^2 / (0.2^2 + 0.01) = 0.2, and with the pictures exchanged 0.1^2 / (0.3^2 + 0.01) = 0.1.
+// 0.1^2 / (0.2^2 + 0.01) = 0.2, and with the images exchanged 0.1^2 / (0.3^2 + 0.01) = 0.1.
 TEST(MetricsRelative, RelMseDividesByTheReferenceSquaredAndAHundredth) {
-  const Image dark = constant_picture(4, 4, 0.2F);
-  const Image bright = constant_picture(4, 4, 0.3F);
+  const Image dark = constant_image(4, 4, 0.2F);
+  const Image bright = constant_image(4, 4, 0.3F);
   EXPECT_NEAR(number(compare(bright, dark), "relmse_eps01"), 0.2, 1e-6);
   EXPECT_NEAR(number(compare(dark, bright), "relmse_eps01"), 0.1, 1e-6);
 }
 
 // Light of 0.02 on black: 0.0004 / 0.01, epsilon alone decides.
 TEST(MetricsRelative, OnBlackEpsilonDecidesRelMse) {
-  EXPECT_NEAR(number(compare(constant_picture(4, 4, 0.02F), constant_picture(4, 4, 0.0F)), "relmse_eps01"),
-              0.04, 1e-7);
+  EXPECT_NEAR(number(compare(constant_image(4, 4, 0.02F), constant_image(4, 4, 0.0F)), "relmse_eps01"), 0.04,
+              1e-7);
 }
 
 // 50 x 40 = 2000 pixels: the two brightest errors are dropped, the third stays. 0.5^2 / (0.3^2 + 0.01) = 2.5.
 TEST(MetricsRelative, TrimmingDropsTheWorstThousandthOfThePixelsAndNoMore) {
-  const Image reference = constant_picture(50, 40, 0.3F);
+  const Image reference = constant_image(50, 40, 0.3F);
   Image result = reference;
   set_pixel(result, 3, 3, 1000.0F);
   set_pixel(result, 40, 20, 2000.0F);
@@ -59,21 +59,21 @@ TEST(MetricsRelative, TrimmingDropsTheWorstThousandthOfThePixelsAndNoMore) {
 }
 
 TEST(MetricsRelative, TrimmingOfEqualErrorsIsTheirMean) {
-  const Comparison c = compare(constant_picture(50, 40, 0.3F), constant_picture(50, 40, 0.2F));
+  const Comparison c = compare(constant_image(50, 40, 0.3F), constant_image(50, 40, 0.2F));
   EXPECT_NEAR(number(c, "relmse_eps01_trimmed"), number(c, "relmse_eps01"), 1e-12);
 }
 
 // 2 * 0.1 / (0.3 + 0.2 + 0.02) = 0.384615; all or nothing: 2 * 1 / 1.02.
 TEST(MetricsRelative, SmapeGoesUpToTwo) {
-  EXPECT_NEAR(number(compare(constant_picture(4, 4, 0.3F), constant_picture(4, 4, 0.2F)), "smape"),
-              0.2 / 0.52, 1e-6);
-  EXPECT_NEAR(number(compare(constant_picture(4, 4, 1.0F), constant_picture(4, 4, 0.0F)), "smape"), 2 / 1.02,
+  EXPECT_NEAR(number(compare(constant_image(4, 4, 0.3F), constant_image(4, 4, 0.2F)), "smape"), 0.2 / 0.52,
+              1e-6);
+  EXPECT_NEAR(number(compare(constant_image(4, 4, 1.0F), constant_image(4, 4, 0.0F)), "smape"), 2 / 1.02,
               1e-6);
 }
 
-// Errors 1/128 ... 100/128 in a picture of 10 x 10: the 95th and the 99th of them, and the last.
+// Errors 1/128 ... 100/128 in an image of 10 x 10: the 95th and the 99th of them, and the last.
 TEST(MetricsRelative, QuantilesAreErrorsThatOccurAndTheLargestSaysWhere) {
-  const Image reference = constant_picture(10, 10, 0.0F);
+  const Image reference = constant_image(10, 10, 0.0F);
   Image result = reference;
   for (int i = 0; i < 100; ++i)  // 37 and 100 have no common divisor: every error once
     result.at(i % 10, i / 10, static_cast<std::size_t>(i % 3)) =
@@ -94,7 +94,7 @@ TEST(MetricsRelative, QuantilesAreErrorsThatOccurAndTheLargestSaysWhere) {
 // A 16 x 16 leak of 0.25 fills one tile; the tiles at the lower right corner are 4 x 4 pixels and do not
 // count.
 TEST(MetricsRelative, TheWorstTileIsFoundAndScrapsAtTheBorderAreNoTiles) {
-  const Image reference = constant_picture(52, 36, 0.5F);
+  const Image reference = constant_image(52, 36, 0.5F);
   Image result = reference;
   for (int y = 16; y < 32; ++y)
     for (int x = 32; x < 48; ++x) set_pixel(result, x, y, 0.75F);
@@ -107,7 +107,7 @@ TEST(MetricsRelative, TheWorstTileIsFoundAndScrapsAtTheBorderAreNoTiles) {
   EXPECT_EQ(where.y0, 16);
   EXPECT_EQ(where.x1, 48);
   EXPECT_EQ(where.y1, 32);
-  EXPECT_FALSE(value_of(compare(constant_picture(7, 9, 1), constant_picture(7, 9, 1)), "l1_worst_tile"));
+  EXPECT_FALSE(value_of(compare(constant_image(7, 9, 1), constant_image(7, 9, 1)), "l1_worst_tile"));
 }
 
 // The paper fits 256 to 100 cd/m^2 and 0 to 0.005 cd/m^2.
@@ -121,7 +121,7 @@ TEST(MetricsRelative, Pu21GivesTheValuesOfItsPaper) {
 
 // A highlight of 20 that came out as 2 is white on any display, which PU21 does not assume.
 TEST(MetricsRelative, Pu21SeesAWrongHighlight) {
-  Image reference = constant_picture(8, 8, 0.25F);
+  Image reference = constant_image(8, 8, 0.25F);
   Image result = reference;
   set_pixel(reference, 3, 4, 20.0F);
   set_pixel(result, 3, 4, 2.0F);
@@ -130,20 +130,20 @@ TEST(MetricsRelative, Pu21SeesAWrongHighlight) {
   EXPECT_TRUE(std::isinf(number(compare_all(reference, reference), "psnr_pu21")));
 }
 
-// Constant pictures have no variance: what is left is (2 a b + c1) / (a^2 + b^2 + c1) of the values on the
+// Constant images have no variance: what is left is (2 a b + c1) / (a^2 + b^2 + c1) of the values on the
 // display.
-TEST(MetricsRelative, JerisSsimOfConstantPicturesIsItsFirstFactor) {
+TEST(MetricsRelative, JerisSsimOfConstantImagesIsItsFirstFactor) {
   const double a = std::pow(0.5, 1 / 2.2);
   const double b = std::pow(0.25, 1 / 2.2);
-  EXPECT_NEAR(number(compare_all(constant_picture(8, 8, 0.5F), constant_picture(8, 8, 0.25F)), "ssim_jeri"),
+  EXPECT_NEAR(number(compare_all(constant_image(8, 8, 0.5F), constant_image(8, 8, 0.25F)), "ssim_jeri"),
               (2 * a * b + 1e-4) / (a * a + b * b + 1e-4), 1e-6);
 }
 
 // One white pixel in black against black: a window that holds it has the sum 1 and the square 1 in one
-// picture, so the mean is 1/25 and the variance (1 - 25/625) / 26. 25 windows of the 15 x 15 hold it, and
+// image, so the mean is 1/25 and the variance (1 - 25/625) / 26. 25 windows of the 15 x 15 hold it, and
 // repeated border pixels are black.
 TEST(MetricsRelative, JerisSsimDividesBy26) {
-  const Image black = constant_picture(15, 15, 0.0F);
+  const Image black = constant_image(15, 15, 0.0F);
   Image result = black;
   set_pixel(result, 7, 7, 1.0F);
   const double variance = (1 - 1.0 / 25) / 26;

@@ -1,7 +1,7 @@
 #include "image/colour.h"
 #include "metrics/compare.h"
 #include "metrics/ssim.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <array>
 #include <cmath>
@@ -23,9 +23,9 @@ double ssim_of(const Image& a, const Image& b) { return value_of(compare(a, b), 
 
 // The definition taken literally: a 2-D window of 121 weights, means first, then centred second moments.
 double literal_ssim(const Image& a, const Image& b) {
-  const auto luma = [](const Image& picture, int x, int y) {
-    return orbs::image::luminance(srgb_encode(picture.at(x, y, 0)), srgb_encode(picture.at(x, y, 1)),
-                                  srgb_encode(picture.at(x, y, 2)));
+  const auto luma = [](const Image& image, int x, int y) {
+    return orbs::image::luminance(srgb_encode(image.at(x, y, 0)), srgb_encode(image.at(x, y, 1)),
+                                  srgb_encode(image.at(x, y, 2)));
   };
   std::array<std::array<double, 11>, 11> window{};
   double weight_sum = 0.0;
@@ -71,7 +71,7 @@ TEST(MetricsSsim, TheWindowHasSumOneAndFallsOffAsAGaussian) {
 }
 
 // No variance anywhere: only the luminance term is left, (2xy + C1) / (x^2 + y^2 + C1).
-TEST(MetricsSsim, ConstantPicturesHaveTheLuminanceTermAlone) {
+TEST(MetricsSsim, ConstantImagesHaveTheLuminanceTermAlone) {
   for (const auto& [x, y] : {std::pair{0.6, 0.5}, std::pair{0.02, 0.9}, std::pair{0.0, 1.0}}) {
     const double expected = (2 * x * y + kC1) / (x * x + y * y + kC1);
     const double found =
@@ -80,21 +80,21 @@ TEST(MetricsSsim, ConstantPicturesHaveTheLuminanceTermAlone) {
   }
 }
 
-// One white pixel on black in the only window of an 11 x 11 picture, against black. With the window's centre
+// One white pixel on black in the only window of an 11 x 11 image, against black. With the window's centre
 // weight w: mean w, variance w - w^2, covariance 0: SSIM = C1 C2 / ((w^2 + C1) (w - w^2 + C2)).
 TEST(MetricsSsim, AnImpulseInTheOnlyWindowHasItsClosedForm) {
-  const Image black = constant_picture(11, 11, 0.0F);
-  const Image impulse = grey_picture(11, 11, [](int x, int y) { return x == 5 && y == 5 ? 1.0F : 0.0F; });
+  const Image black = constant_image(11, 11, 0.0F);
+  const Image impulse = grey_image(11, 11, [](int x, int y) { return x == 5 && y == 5 ? 1.0F : 0.0F; });
   const double w = centre_weight() * centre_weight();
   const double expected = kC1 * kC2 / ((w * w + kC1) * (w - w * w + kC2));
   EXPECT_NEAR(ssim_of(impulse, black) / expected, 1.0, 1e-5);
 }
 
-// White weighs w there, so the covariance of both pictures is w^2 below theirs when the impulses are at
+// White weighs w there, so the covariance of both images is w^2 below theirs when the impulses are at
 // different places: means w and v, covariance -w v, variances w - w^2 and v - v^2.
 TEST(MetricsSsim, TwoImpulsesAtDifferentPlacesHaveNegativeCovariance) {
   const auto impulse = [](int column) {
-    return grey_picture(11, 11, [column](int x, int y) { return x == column && y == 5 ? 1.0F : 0.0F; });
+    return grey_image(11, 11, [column](int x, int y) { return x == column && y == 5 ? 1.0F : 0.0F; });
   };
   const double w = centre_weight() * centre_weight();
   const double v = w * std::exp(-4 / 4.5);  // two pixels beside the centre
@@ -104,27 +104,27 @@ TEST(MetricsSsim, TwoImpulsesAtDifferentPlacesHaveNegativeCovariance) {
 }
 
 TEST(MetricsSsim, TheSeparableFilterAgreesWithTheLiteralDefinition) {
-  const Image a = grey_picture(19, 14, detail);
-  Image b = grey_picture(19, 14, [](int x, int y) { return 0.8F * detail(x, y) + 0.1F * detail(y, x); });
+  const Image a = grey_image(19, 14, detail);
+  Image b = grey_image(19, 14, [](int x, int y) { return 0.8F * detail(x, y) + 0.1F * detail(y, x); });
   b.at(7, 7, 0) = 0.9F;  // colours differ too: the luma weights matter
   b.at(9, 6, 2) = 0.1F;
   EXPECT_NEAR(ssim_of(a, b), literal_ssim(a, b), 1e-10);
 }
 
 TEST(MetricsSsim, TheClampComesBeforeTheEncoding) {
-  const Image a = grey_picture(16, 16, [](int x, int y) { return (x + y) % 3 == 0 ? 1.0F : 0.2F; });
-  const Image b = grey_picture(16, 16, [](int x, int y) { return (x + y) % 3 == 0 ? 50.0F : 0.2F; });
+  const Image a = grey_image(16, 16, [](int x, int y) { return (x + y) % 3 == 0 ? 1.0F : 0.2F; });
+  const Image b = grey_image(16, 16, [](int x, int y) { return (x + y) % 3 == 0 ? 50.0F : 0.2F; });
   EXPECT_EQ(ssim_of(a, b), 1.0);
 }
 
-TEST(MetricsSsim, APictureSmallerThanTheWindowHasNoValue) {
+TEST(MetricsSsim, AnImageSmallerThanTheWindowHasNoValue) {
   for (const auto& [width, height] : {std::pair{10, 30}, std::pair{30, 10}, std::pair{1, 1}}) {
-    const Image picture = grey_picture(width, height, detail);
-    const Comparison c = compare(picture, picture);
+    const Image image = grey_image(width, height, detail);
+    const Comparison c = compare(image, image);
     EXPECT_EQ(c.alignment.alignment, Alignment::Comparable);
     EXPECT_FALSE(value_of(c, "ssim").has_value()) << width << " x " << height;
     EXPECT_TRUE(value_of(c, "l1").has_value());
   }
-  const Image smallest = grey_picture(11, 11, detail);
+  const Image smallest = grey_image(11, 11, detail);
   EXPECT_EQ(value_of(compare(smallest, smallest), "ssim"), 1.0);
 }

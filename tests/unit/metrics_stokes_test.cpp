@@ -12,16 +12,16 @@ image::Image polarised(float s1, float s2, float s3, float ripple = 0) {
   std::vector<std::string> channels;
   for (const char* layer : {"", "S1.", "S2.", "S3."})
     for (const char* colour : {"R", "G", "B"}) channels.push_back(std::string(layer) + colour);
-  auto picture = image::make_image(kSide, kSide, channels);
+  auto image = image::make_image(kSide, kSide, channels);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
       for (std::size_t c = 0; c < 3; ++c) {
-        picture.at(x, y, c) = 0.5F;
-        picture.at(x, y, 3 + c) = s1 + ((x + y) % 2 == 0 ? ripple : -ripple);
-        picture.at(x, y, 6 + c) = s2;
-        picture.at(x, y, 9 + c) = s3;
+        image.at(x, y, c) = 0.5F;
+        image.at(x, y, 3 + c) = s1 + ((x + y) % 2 == 0 ? ripple : -ripple);
+        image.at(x, y, 6 + c) = s2;
+        image.at(x, y, 9 + c) = s3;
       }
-  return picture;
+  return image;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ TEST(Stokes, MaskedPixelsDoNotCount) {
   EXPECT_EQ(*metrics::stokes_error(wrong, polarised(0, 0, 0), {{{3, 3, 4, 4}}, {}}), 0);
 }
 
-TEST(Stokes, PicturesWithoutTheLayersHaveNone) {
+TEST(Stokes, ImagesWithoutTheLayersHaveNone) {
   const auto plain = image::make_image(2, 2, {"R", "G", "B"});
   EXPECT_FALSE(metrics::has_stokes(plain));
   EXPECT_FALSE(metrics::stokes_error(plain, plain));

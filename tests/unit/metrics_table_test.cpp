@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "metrics/compare.h"
 #include "metrics/table.h"
-#include "unit/metrics_pictures.h"
+#include "unit/metrics_images.h"
 
 #include <cmath>
 #include <set>
@@ -65,8 +65,8 @@ TEST(MetricsTable, AMetricIsFoundByNameAndAMisspeltOneIsAnswered) {
 }
 
 TEST(MetricsTable, AComparisonHasEveryMetricAndEachMapOnce) {
-  const Image picture = grey_picture(16, 16, detail);
-  const Comparison c = compare(picture, picture, {}, {.all = true});
+  const Image image = grey_image(16, 16, detail);
+  const Comparison c = compare(image, image, {}, {.all = true});
   ASSERT_EQ(c.measurements.size(), kMetrics.size());
   for (std::size_t i = 0; i < kMetrics.size(); ++i)
     EXPECT_EQ(c.measurements[i].metric->name, kMetrics[i].name);
@@ -83,19 +83,19 @@ TEST(MetricsTable, AComparisonHasEveryMetricAndEachMapOnce) {
 }
 
 TEST(MetricsTable, WhatIsDearIsComputedOnlyWhereItIsAskedFor) {
-  const Image picture = grey_picture(16, 16, detail);
-  EXPECT_FALSE(value_of(compare(picture, picture), "flip"));
-  EXPECT_TRUE(value_of(compare(picture, picture), "l1"));
-  const Comparison asked = compare(picture, picture, {}, {.also = {"flip"}});
+  const Image image = grey_image(16, 16, detail);
+  EXPECT_FALSE(value_of(compare(image, image), "flip"));
+  EXPECT_TRUE(value_of(compare(image, image), "l1"));
+  const Comparison asked = compare(image, image, {}, {.also = {"flip"}});
   EXPECT_TRUE(value_of(asked, "flip"));
   EXPECT_FALSE(value_of(asked, "psnr_pu21"));
-  EXPECT_THROW(compare(picture, picture, {}, {.also = {"flop"}}), orbs::InputError);
+  EXPECT_THROW(compare(image, image, {}, {.also = {"flop"}}), orbs::InputError);
 }
 
 // A map is the number before the mean: without a mask the mean of the map gives the number back.
 TEST(MetricsTable, MapsAveragedGiveTheNumbers) {
-  const Image a = grey_picture(30, 20, detail);
-  const Image b = grey_picture(30, 20, [](int x, int y) { return detail(x, y + 1); });
+  const Image a = grey_image(30, 20, detail);
+  const Image b = grey_image(30, 20, [](int x, int y) { return detail(x, y + 1); });
   const Comparison c = compare(a, b);
   EXPECT_NEAR(mean_of(map_named(c, "l1").image), value_of(c, "l1").value(), 1e-7);
   EXPECT_NEAR(mean_of(map_named(c, "squared").image), value_of(c, "mse").value(), 1e-7);
@@ -104,8 +104,8 @@ TEST(MetricsTable, MapsAveragedGiveTheNumbers) {
   EXPECT_NEAR(10.0 * std::log10(255.0 * 255.0 / mse), value_of(c, "psnr_srgb8").value(), 1e-6);
 }
 
-TEST(MetricsTable, TheSignedMapSaysWhichPictureIsBrighter) {
-  const Image reference = constant_picture(4, 4, 0.5F);
+TEST(MetricsTable, TheSignedMapSaysWhichImageIsBrighter) {
+  const Image reference = constant_image(4, 4, 0.5F);
   Image result = reference;
   result.at(1, 2, 0) = 0.75F;
   result.at(3, 0, 2) = 0.0F;
@@ -118,8 +118,8 @@ TEST(MetricsTable, TheSignedMapSaysWhichPictureIsBrighter) {
 }
 
 TEST(MetricsTable, TheSsimMapHasNoValueWhereNoWindowFits) {
-  const Image picture = grey_picture(12, 13, detail);
-  const Comparison c = compare(picture, picture);
+  const Image image = grey_image(12, 13, detail);
+  const Comparison c = compare(image, image);
   const ErrorMap& map = map_named(c, "ssim");
   for (int y = 0; y < 13; ++y)
     for (int x = 0; x < 12; ++x) {

@@ -22,30 +22,29 @@ std::vector<results::GateRecord> stored_gates() {
 
 }  // namespace
 
-TEST(StoredQualification, EveryGateAcceptsAnHonestPictureAndRejectsEveryFault) {
+TEST(StoredQualification, EveryGateAcceptsAnHonestImageAndRejectsEveryFault) {
   const auto gates = stored_gates();
   EXPECT_GT(gates.size(), 40U);
   for (const auto& gate : gates) {
-    EXPECT_TRUE(gate.accepts_honest) << gate.picture << ": " << gate.honest_sentence;
-    EXPECT_TRUE(results::is_qualified(gate)) << gate.case_name << " " << gate.picture;
+    EXPECT_TRUE(gate.accepts_honest) << gate.target << ": " << gate.honest_sentence;
+    EXPECT_TRUE(results::is_qualified(gate)) << gate.case_name << " " << gate.target;
   }
 }
 
 TEST(StoredQualification, EveryGateNoticesABiasOfOnePercent) {
   for (const auto& gate : stored_gates()) {
-    ASSERT_TRUE(gate.global.seen) << gate.case_name << " " << gate.picture;
-    EXPECT_LE(*gate.global.seen, 0.01) << gate.case_name << " " << gate.picture;
+    ASSERT_TRUE(gate.global.seen) << gate.case_name << " " << gate.target;
+    EXPECT_LE(*gate.global.seen, 0.01) << gate.case_name << " " << gate.target;
   }
 }
 
 // The numbers are those of the gates as they are: a gate that is no longer in a case is none.
 TEST(StoredQualification, IsAboutCasesThatThereAre) {
-  std::set<std::string> pictures;
+  std::set<std::string> targets;
   for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
     for (const auto& one_case : registry::load_cases(suite))
-      for (const auto& picture : registry::picture_names(one_case))
-        pictures.insert(one_case.name + " " + picture);
+      for (const auto& target : registry::target_names(one_case))
+        targets.insert(one_case.name + " " + target);
   for (const auto& gate : stored_gates())
-    EXPECT_TRUE(pictures.contains(gate.case_name + " " + gate.picture))
-        << gate.case_name << " " << gate.picture;
+    EXPECT_TRUE(targets.contains(gate.case_name + " " + gate.target)) << gate.case_name << " " << gate.target;
 }

@@ -18,7 +18,7 @@ using namespace orbs;
 
 namespace {
 
-// Those that have references at all: the pictures of a new suite say "missing reference".
+// Those that have references at all: the images of a new suite say "missing reference".
 std::vector<registry::Suite> suites() {
   auto all = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites;
   std::erase_if(all, [](const registry::Suite& suite) { return !std::filesystem::exists(suite.references); });
@@ -34,15 +34,15 @@ const std::map<std::string, double> kNoisier_db = {{"248-full", 41.4}, {"102", 4
 // What is wrong with the reference of a scene, "" when nothing is.
 std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return "is missing";
-  const auto picture = image::read_image(file);
+  const auto image = image::read_image(file);
   const auto read = scene::load_scene(scene.file);
-  if (picture.width != read.camera.width_px || picture.height != read.camera.height_px)
+  if (image.width != read.camera.width_px || image.height != read.camera.height_px)
     return "has another size than the camera";
-  auto passport = runner::passport_of(picture);
+  auto passport = runner::passport_of(image);
   if (passport["scene_hash"] != hash_text(runner::scene_content_hash(read, scene.file)))
     return "is of another version of its scene";
-  if (passport.contains("image_hash") && passport["image_hash"] != runner::image_hash(picture))
-    return "is not the picture that was accepted";
+  if (passport.contains("image_hash") && passport["image_hash"] != runner::image_hash(image))
+    return "is not the image that was accepted";
   if (to_number(passport["noise_psnr_srgb8_db"]).value_or(0) < needed_db)
     return fmt::format("has a noise of {} dB, {} are needed", passport["noise_psnr_srgb8_db"], needed_db);
   return "";
@@ -67,7 +67,7 @@ TEST(References, AreThereForEveryScene) {
   EXPECT_TRUE(complaints.empty()) << structure::joined({complaints.begin(), complaints.end()});
 }
 
-// The clamp hides the noise of a lamp's highlight in either picture, but not in their difference, unless both
+// The clamp hides the noise of a lamp's highlight in either image, but not in their difference, unless both
 // hold the same noise: with 255 samples of direct light for 6600 of all light, a right difference had 28.5
 // dB.
 TEST(References, OfADifferenceHoldTheSameSamples) {

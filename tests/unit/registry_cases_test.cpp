@@ -90,13 +90,13 @@ TEST(Cases, MistakesAreNamedWithTheirPlace) {
                 .find("/scenes/0/file: there is no file"),
             std::string::npos);
   EXPECT_NE(message_of(case_text("", R"([{"name": "1", "file": "1.json"}, {"name": "1", "file": "2.json"}])"))
-                .find("/scenes/1/name: '1' is the name of an earlier picture"),
+                .find("/scenes/1/name: '1' is the name of an earlier image"),
             std::string::npos);
   EXPECT_NE(message_of(case_text("", "[]")).find("/scenes: must hold at least one scene"), std::string::npos);
   EXPECT_NE(message_of(case_text(R"(, "gate": {"metric": "l1"})")).find("/gate: a gate needs 'min' or 'max'"),
             std::string::npos);
   EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "3", "rectangles": [[0,0,1,1]], "reason": "r"}])"))
-                .find("/masks/0/scene: no picture of this case is called '3'"),
+                .find("/masks/0/scene: no image of this case is called '3'"),
             std::string::npos);
   EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "1", "rectangles": [[4,0,4,1]], "reason": "r"}])"))
                 .find("holds no pixel"),

@@ -14,17 +14,17 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
   run.renderers.push_back({});
   run.renderers[0].name = "r";
   run.requirements = {{"M1", "A & B", {{"r", {true, verdict, 41.25, sentence}}}}};
-  PictureRecord picture;
-  picture.requirement = "M1";
-  picture.case_name = "m1";
-  picture.picture = "101";
-  picture.renderer = "r";
-  picture.declared = true;
-  picture.jobs = {"id"};
-  picture.verdict = verdict;
-  picture.sentence = sentence;
-  picture.measures = {{"psnr_srgb8", 41.25, "dB", ""}, {"l1", 0.5, "", ""}};
-  run.pictures = {picture};
+  TargetRecord target;
+  target.requirement = "M1";
+  target.case_name = "m1";
+  target.target = "101";
+  target.renderer = "r";
+  target.declared = true;
+  target.jobs = {"id"};
+  target.verdict = verdict;
+  target.sentence = sentence;
+  target.measures = {{"psnr_srgb8", 41.25, "dB", ""}, {"l1", 0.5, "", ""}};
+  run.targets = {target};
   JobRecord job;
   job.id = "id";
   job.started = "2026-01-01T00:00:00";
@@ -39,16 +39,16 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
 
 }  // namespace
 
-TEST(Csv, HasOneRowPerPictureAndRenderer) {
+TEST(Csv, HasOneRowPerImageAndRenderer) {
   EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-            "suite,requirement,case,picture,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,machine,"
+            "suite,requirement,case,target,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,machine,"
             "wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
             "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }
 
 TEST(Csv, HoldsTheRemarks) {
   auto run = run_of(Verdict::Pass, "fine");
-  run.pictures[0].remarks = {"bias: a, b", "c"};
+  run.targets[0].remarks = {"bias: a, b", "c"};
   EXPECT_NE(orbs::report::results_csv(run).find(",pass,fine,\"bias: a, b; c\",41.25"), std::string::npos);
 }
 
@@ -76,7 +76,7 @@ TEST(Junit, HasATestCasePerRequirementWithItsVerdict) {
 
 TEST(Junit, HoldsTheRemarks) {
   auto run = run_of(Verdict::Pass, "fine");
-  run.pictures[0].remarks = {"bias: darker"};
+  run.targets[0].remarks = {"bias: darker"};
   EXPECT_NE(orbs::report::junit_xml(run).find("101: bias: darker\n"), std::string::npos);
 }
 

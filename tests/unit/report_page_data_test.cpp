@@ -1,4 +1,4 @@
-// What the page reads: packed pictures, the overview, one picture, the one-file page.
+// What the page reads: packed images, the overview, one image, the one-file page.
 #include "base/files.h"
 #include "base/shell.h"
 #include "image/half.h"
@@ -36,10 +36,10 @@ std::string unzipped(const std::string& bytes) {
   return out;
 }
 
-image::Image picture_with(std::vector<std::string> channels, const std::vector<float>& pixels) {
-  auto picture = image::make_image(2, 1, std::move(channels));
-  picture.pixels = pixels;
-  return picture;
+image::Image target_with(std::vector<std::string> channels, const std::vector<float>& pixels) {
+  auto target = image::make_image(2, 1, std::move(channels));
+  target.pixels = pixels;
+  return target;
 }
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -49,8 +49,8 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   // R: halves, among them NaN and infinity; G: a third is no half; B: beyond the largest half.
-  const auto picture = picture_with({"R", "G", "B"}, {0.5F, 1.0F / 3, 70000.0F, nan, 0.25F, INFINITY});
-  const auto bytes = unzipped(report::packed_image(picture, "", report::Rounding::Exact, 1));
+  const auto target = target_with({"R", "G", "B"}, {0.5F, 1.0F / 3, 70000.0F, nan, 0.25F, INFINITY});
+  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Exact, 1));
   EXPECT_TRUE(holds(bytes, R"("name": "R",
       "type": "half")"));
   EXPECT_TRUE(holds(bytes, R"("name": "G",
@@ -69,8 +69,8 @@ TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
 }
 
 TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
-  const auto picture = picture_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
-  const auto bytes = unzipped(report::packed_image(picture, "", report::Rounding::Rounded, 1));
+  const auto target = target_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
+  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, 1));
   EXPECT_TRUE(holds(bytes, R"("type": "half",
       "exact": false)"));
   EXPECT_TRUE(holds(bytes, R"("type": "float",
@@ -78,18 +78,18 @@ TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
 }
 
 TEST(PackedImage, HasOneLayerAndNamesAll) {
-  const auto picture = picture_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
-  EXPECT_EQ(report::layers_of(picture), (std::vector<std::string>{"", "S1", "path.ESDL"}));
-  EXPECT_TRUE(holds(unzipped(report::packed_image(picture, "path.ESDL", report::Rounding::Exact, 1)),
+  const auto target = target_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
+  EXPECT_EQ(report::layers_of(target), (std::vector<std::string>{"", "S1", "path.ESDL"}));
+  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, 1)),
                     R"("layers": ["", "S1", "path.ESDL"])"));
-  EXPECT_THROW(report::packed_image(picture, "S2", report::Rounding::Exact, 1), InputError);
+  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, 1), InputError);
 }
 
 TEST(PackedImage, PixelsStartAtAMultipleOfEight) {
   for (const char* layer : {"", "a", "ab", "abc", "abcd", "abcde", "abcdef", "abcdefg"}) {
     const auto channel = *layer == '\0' ? "R" : std::string(layer) + ".R";
     const auto bytes =
-        unzipped(report::packed_image(picture_with({channel}, {1, 2}), layer, report::Rounding::Exact, 1));
+        unzipped(report::packed_image(target_with({channel}, {1, 2}), layer, report::Rounding::Exact, 1));
     EXPECT_EQ((bytes.size() - 4) % 8, 0U) << layer;
   }
 }
@@ -106,20 +106,20 @@ TEST(ShellText, IsReadBackByAShell) {
   EXPECT_EQ(shell_text({"orbs", "run", "a b", "it's", "", "$(x)"}), "orbs run 'a b' 'it'\\''s' '' '$(x)'");
 }
 
-// Every picture also has conditions on edge_blur and the means, whose names come before that of the gate.
+// Every image also has conditions on edge_blur and the means, whose names come before that of the gate.
 TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
-  results::PictureRecord picture;
+  results::TargetRecord target;
   for (const char* name : {"edge_blur", "psnr_srgb8"}) {
     results::Measure measure;
     measure.name = name;
     measure.value = 1;
-    picture.measures.push_back(measure);
+    target.measures.push_back(measure);
   }
-  picture.checks = {{"pixel [0,0,1,1]", true, "", {}, {}},
-                    {"psnr_srgb8", true, "", 35, {}},
-                    {"edge_blur", true, "", {}, 0.2}};
+  target.checks = {{"pixel [0,0,1,1]", true, "", {}, {}},
+                   {"psnr_srgb8", true, "", 35, {}},
+                   {"edge_blur", true, "", {}, 0.2}};
   results::RunView view;
-  view.run.pictures = {picture, picture};
+  view.run.targets = {target, target};
   EXPECT_TRUE(holds(report::overview_json(view), R"("main_metric": "psnr_srgb8")"));
 }
 
@@ -134,14 +134,14 @@ TEST(PageData, CountsEachRenderOnce) {
   auto other = job;
   other.id = "direct";
   other.peak_rss_bytes = 900;
-  results::PictureRecord picture;
-  picture.renderer = "r";
-  picture.jobs = {"full"};
-  auto difference = picture;
+  results::TargetRecord target;
+  target.renderer = "r";
+  target.jobs = {"full"};
+  auto difference = target;
   difference.jobs = {"full", "direct"};
   results::RunView view;
   view.run.jobs = {job, other};
-  view.run.pictures = {picture, difference};
+  view.run.targets = {target, difference};
   const auto text = report::overview_json(view);
   for (const char* cost : {R"("wall_seconds": 6)", R"("cpu_seconds": 10)", R"("peak_rss_bytes": 900)"})
     EXPECT_TRUE(holds(text, cost)) << text;
@@ -159,12 +159,12 @@ TEST(PageData, SaysWhatThePageShowsInColumns) {
   EXPECT_TRUE(holds(text, R"("machines": ["a processor, 2 cores"])"));
   EXPECT_TRUE(holds(text, "\"machine\": [0, 0,"));
   EXPECT_EQ(text.size(), report::overview_json(view).size());
-  const auto picture = report::picture_json(view, 0);
-  EXPECT_NO_THROW(json::parse("picture.json", picture));
-  EXPECT_TRUE(holds(picture, R"("name": "wobble")"));
-  EXPECT_TRUE(holds(picture, R"("min": 35)"));
-  EXPECT_TRUE(holds(picture, "--case m1_values --scene values --renderer one --seed 1 --spp-scale 0.5"))
-      << picture;
+  const auto target = report::target_json(view, 0);
+  EXPECT_NO_THROW(json::parse("image.json", target));
+  EXPECT_TRUE(holds(target, R"("name": "wobble")"));
+  EXPECT_TRUE(holds(target, R"("min": 35)"));
+  EXPECT_TRUE(holds(target, "--case m1_values --scene values --renderer one --seed 1 --spp-scale 0.5"))
+      << target;
 }
 
 // Somebody else's results.json may name any file of this machine.
@@ -178,12 +178,12 @@ TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
     view.run.folder = (scratch.path() / "run").string();
     view.run.jobs.resize(1);
     view.run.jobs[0].log = name;
-    view.run.pictures.resize(1);
-    view.run.pictures[0].jobs = {""};
-    view.run.pictures[0].image = name;
-    EXPECT_FALSE(holds(report::picture_json(view, 0), "\"log\": \"secret")) << name;
+    view.run.targets.resize(1);
+    view.run.targets[0].jobs = {""};
+    view.run.targets[0].image = name;
+    EXPECT_FALSE(holds(report::target_json(view, 0), "\"log\": \"secret")) << name;
     const auto page = report::page_file(view, {scratch.path() / "web", 1000, true});
-    EXPECT_EQ(page.pictures, 0U) << name;
+    EXPECT_EQ(page.images, 0U) << name;
     EXPECT_EQ(page.left_out.size(), 1U) << name;
   }
 }
@@ -197,9 +197,9 @@ TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
   EXPECT_EQ(all.text.substr(0, 6), "before");
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_FALSE(holds(all.text, "<img")) << "text of the run stands there as markup";
-  EXPECT_EQ(all.pictures, 7U);
+  EXPECT_EQ(all.images, 7U);
   const auto none = report::page_file(view, {scratch.path() / "web", 0, true});
-  EXPECT_EQ(none.pictures, 0U);
+  EXPECT_EQ(none.images, 0U);
   EXPECT_EQ(none.left_out.size(), 7U);
   // What failed comes first.
   EXPECT_EQ(none.left_out.front(), "one/values/result.exr");
@@ -210,7 +210,7 @@ TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
 TEST(PageData, ADifferenceOfRendersOnTwoMachinesHasNone) {
   results::RunView view;
   view.run.folder = "/nowhere";
-  results::PictureRecord difference;
+  results::TargetRecord difference;
   for (const char* cpu : {"a", "b"}) {
     results::JobRecord job;
     job.id = cpu;
@@ -220,7 +220,7 @@ TEST(PageData, ADifferenceOfRendersOnTwoMachinesHasNone) {
     view.states.push_back(results::JobState::Done);
     difference.jobs.emplace_back(cpu);
   }
-  view.run.pictures = {difference};
+  view.run.targets = {difference};
   EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [null]"));
   view.run.jobs[1].host.cpu = "a";
   EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [0]"));

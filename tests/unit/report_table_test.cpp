@@ -20,19 +20,19 @@ RunRecord small_run() {
         {"bb", {false, Verdict::Unsupported, std::nullopt, ""}}}}};
   run.renderers = {{"a", "a 1.0", "/a", "G1/M2", "M2", {{"pass", 2}}, 3, 4},
                    {"bb", "", "/bb", "M1", "M0", {{"fail", 1}, {"unsupported", 1}}, 1, 2}};
-  PictureRecord bad;
+  TargetRecord bad;
   bad.requirement = "M1";
-  bad.picture = "101";
+  bad.target = "101";
   bad.renderer = "bb";
   bad.verdict = Verdict::Fail;
   bad.sentence = "psnr_srgb8 is 9.5 dB, at least 35 is needed";
-  PictureRecord unsupported = bad;
+  TargetRecord unsupported = bad;
   unsupported.requirement = "M2";
   unsupported.verdict = Verdict::Unsupported;
   unsupported.sentence = "bb does not declare M2";
-  PictureRecord same = unsupported;
-  same.picture = "102";
-  run.pictures = {unsupported, same, bad};
+  TargetRecord same = unsupported;
+  same.target = "102";
+  run.targets = {unsupported, same, bad};
   return run;
 }
 
@@ -77,8 +77,8 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
 
 TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
   auto run = small_run();
-  run.pictures[2].verdict = Verdict::Skipped;
-  run.pictures[2].sentence = "the run ended before its turn";
+  run.targets[2].verdict = Verdict::Skipped;
+  run.targets[2].sentence = "the run ended before its turn";
   run.renderers[1].counts = {{"skipped", 1}, {"unsupported", 1}};
   const auto text = summary_text(run, {});
   EXPECT_NE(text.find("1 skipped"), std::string::npos);
@@ -87,7 +87,7 @@ TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
 
 TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   auto run = small_run();
-  auto& bad = run.pictures[2];
+  auto& bad = run.targets[2];
   bad.measures = {{"psnr_srgb8", 28.9, "dB", "", false}};
   bad.checks = {{"psnr_srgb8", false, "", 35, {}}};
   bad.reference_passport = {{"program", "orbs-tracer"}};
@@ -104,14 +104,14 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   EXPECT_TRUE(is_silent());
 }
 
-TEST(Table, ARemarkIsToldOnceForAllCasesOfThePicture) {
+TEST(Table, ARemarkIsToldOnceForAllCasesOfTheImage) {
   auto run = small_run();
-  run.pictures.resize(2);
-  for (auto& picture : run.pictures) {
-    picture.renderer = "orbs";
-    picture.picture = "101";
-    picture.verdict = Verdict::Pass;
-    picture.remarks = {"bias: darker"};
+  run.targets.resize(2);
+  for (auto& target : run.targets) {
+    target.renderer = "orbs";
+    target.target = "101";
+    target.verdict = Verdict::Pass;
+    target.remarks = {"bias: darker"};
   }
   const auto text = summary_text(run, {});
   const auto first = text.find("bias: darker");

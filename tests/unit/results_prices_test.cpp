@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kTwoScenes = R"({"format": "orbs-prices/1", "scenes": [
   {"scene": "a", "alternatives": [
-    {"name": "polarised", "time_ratio": {"median": 1.5}, "error_ratio": 1.25, "picture": "same to the bit"},
-    {"name": "rgb", "time_ratio": {"median": 0.5}, "error_ratio": 0, "picture": "mean -8 %"}]},
+    {"name": "polarised", "time_ratio": {"median": 1.5}, "error_ratio": 1.25, "target": "same to the bit"},
+    {"name": "rgb", "time_ratio": {"median": 0.5}, "error_ratio": 0, "target": "mean -8 %"}]},
   {"scene": "b", "alternatives": []}]})";
 
 }  // namespace
@@ -25,7 +25,7 @@ TEST(Prices, AreFoundByScene) {
   EXPECT_EQ(prices.at("a")[0].name, "polarised");
   EXPECT_EQ(prices.at("a")[0].time_ratio, 1.5);
   EXPECT_EQ(prices.at("a")[0].error_ratio, 1.25);
-  EXPECT_EQ(prices.at("a")[1].picture, "mean -8 %");
+  EXPECT_EQ(prices.at("a")[1].target, "mean -8 %");
 }
 
 TEST(Prices, NobodyNeedsToHaveAsked) { EXPECT_TRUE(results::read_prices("/no/such/prices.json").empty()); }

@@ -29,15 +29,15 @@ JobRecord job_called(const std::string& id, bool done) {
   return job;
 }
 
-PictureRecord picture_of(const JobRecord& job) {
-  PictureRecord picture;
-  picture.requirement = "M1";
-  picture.case_name = "c";
-  picture.picture = job.scene;
-  picture.renderer = job.renderer;
-  picture.jobs = {job.id};
-  picture.verdict = job.verdict;
-  return picture;
+TargetRecord target_of(const JobRecord& job) {
+  TargetRecord target;
+  target.requirement = "M1";
+  target.case_name = "c";
+  target.target = job.scene;
+  target.renderer = job.renderer;
+  target.jobs = {job.id};
+  target.verdict = job.verdict;
+  return target;
 }
 
 // A run of two renders, the first of which is done.
@@ -46,11 +46,11 @@ void write_unfinished(const structure::TestFolder& scratch) {
   run.finished = false;
   for (const char* id : {"a", "b"}) {
     run.jobs.push_back(job_called(id, false));
-    run.pictures.push_back(picture_of(run.jobs.back()));
+    run.targets.push_back(target_of(run.jobs.back()));
   }
   scratch.write("results.json", run_json(run));
   const auto done = job_called("a", true);
-  scratch.write("r/a/job.json", job_json(done, {picture_of(done)}));
+  scratch.write("r/a/job.json", job_json(done, {target_of(done)}));
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
   page_tests::write_small_run(scratch.path());
   auto run = read_results_file(scratch.path() / "results.json");
   EXPECT_EQ(run_json(run), read_file(scratch.path() / "results.json"));
-  run.pictures[0].measures[0].value = std::numeric_limits<double>::infinity();
+  run.targets[0].measures[0].value = std::numeric_limits<double>::infinity();
   run.requirements[0].cells["one"] = {true, Verdict::Pass, std::numeric_limits<double>::infinity(), "s"};
   run.scenes.push_back({"s", "spectral", {{"dispersion", "material 'm'", "has"}}, {{"spectral", "x", "y"}}});
   run.scenes.back().prices.push_back({"polarised", 1.4, 0, "same to the bit"});
@@ -72,7 +72,7 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
 TEST(ReadRecord, AnUnknownVerdictIsNamedWithItsPlace) {
   const structure::TestFolder scratch("read-verdict");
   scratch.write("results.json", R"({"format": "orbs-results/1",
- "pictures": [{"requirement": "M1", "case": "c", "picture": "p", "renderer": "r", "verdict": "perfect"}]})");
+ "targets": [{"requirement": "M1", "case": "c", "target": "p", "renderer": "r", "verdict": "perfect"}]})");
   try {
     read_results_file(scratch.path() / "results.json");
     FAIL() << "was read";
@@ -87,8 +87,8 @@ TEST(RunFolder, OfARunThatWasKilledKeepsWhatWasDone) {
   write_unfinished(scratch);
   const auto view = read_run_folder(scratch.path());
   EXPECT_FALSE(view.is_live);
-  EXPECT_EQ(view.run.pictures[0].verdict, Verdict::Pass);
-  EXPECT_EQ(view.run.pictures[1].verdict, Verdict::Skipped);
+  EXPECT_EQ(view.run.targets[0].verdict, Verdict::Pass);
+  EXPECT_EQ(view.run.targets[1].verdict, Verdict::Skipped);
 }
 
 TEST(RunFolder, OfARunThatGoesOnIsFollowed) {

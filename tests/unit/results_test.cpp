@@ -12,8 +12,8 @@ using namespace orbs::results;
 
 namespace {
 
-PictureRecord picture(Verdict verdict, bool declared) {
-  PictureRecord record;
+TargetRecord target(Verdict verdict, bool declared) {
+  TargetRecord record;
   record.verdict = verdict;
   record.declared = declared;
   return record;
@@ -40,19 +40,19 @@ TEST(Verdicts, HaveDifferentNames) {
 
 TEST(ExitStatus, IsOneForEveryFailureOnWhatARendererDeclares) {
   RunRecord run;
-  run.pictures = {picture(Verdict::Pass, true), picture(Verdict::Unsupported, true),
-                  picture(Verdict::Fail, false)};
+  run.targets = {target(Verdict::Pass, true), target(Verdict::Unsupported, true),
+                 target(Verdict::Fail, false)};
   EXPECT_EQ(exit_status(run), 0);
-  run.pictures.push_back(picture(Verdict::MissingReference, true));
+  run.targets.push_back(target(Verdict::MissingReference, true));
   EXPECT_EQ(exit_status(run), 1);
 }
 
 TEST(ExitStatus, IsTwoWhereNothingWasJudged) {
   RunRecord run;
   EXPECT_EQ(exit_status(run), 2);
-  run.pictures = {picture(Verdict::Unsupported, true), picture(Verdict::Unsupported, false)};
+  run.targets = {target(Verdict::Unsupported, true), target(Verdict::Unsupported, false)};
   EXPECT_EQ(exit_status(run), 2);
-  run.pictures.push_back(picture(Verdict::Crash, true));
+  run.targets.push_back(target(Verdict::Crash, true));
   EXPECT_EQ(exit_status(run), 1);
 }
 
@@ -83,8 +83,8 @@ TEST(ResultsJson, KeepsAllThatIsKnownOfTheMachines) {
 TEST(ResultsJson, IsJsonWhateverTheTextsHold) {
   RunRecord run;
   run.suite = "a \"quoted\" \x01 \xff suite\n";
-  run.pictures.push_back(picture(Verdict::Pass, true));
-  run.pictures[0].measures.push_back({"psnr_srgb8", std::numeric_limits<double>::infinity(), "dB", "d"});
+  run.targets.push_back(target(Verdict::Pass, true));
+  run.targets[0].measures.push_back({"psnr_srgb8", std::numeric_limits<double>::infinity(), "dB", "d"});
   run.jobs.emplace_back();
   run.requirements.push_back({"M1", "t", {{"r", Cell{}}}});
   const auto text = run_json(run);

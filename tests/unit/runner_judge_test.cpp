@@ -18,31 +18,31 @@ namespace {
 
 // Uniform grey with a variance of the mean; `variance` < 0 leaves the variance out.
 image::Image grey(float value, float variance = -1) {
-  auto picture = image::make_image(
+  auto image = image::make_image(
       16, 12,
       variance < 0 ? std::vector<std::string>{"R", "G", "B"}
                    : std::vector<std::string>{"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = i % picture.channel_count() < 3 ? value : variance;
-  return picture;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % image.channel_count() < 3 ? value : variance;
+  return image;
 }
 
 image::Image grey_32(float value) {
-  auto picture = image::make_image(32, 32, {"R", "G", "B"});
-  picture.pixels.assign(picture.pixels.size(), value);
-  return picture;
+  auto image = image::make_image(32, 32, {"R", "G", "B"});
+  image.pixels.assign(image.pixels.size(), value);
+  return image;
 }
 
 // 32 x 32 px of mean `value`, each off by `deviation` to one side or the other, half of them to each, and a
 // variance that says so.
 image::Image noisy_grey(float value, float deviation) {
-  auto picture = image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+  auto image = image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const std::size_t pixel = i / 6;
     const bool is_up = (pixel + pixel / 32) % 2 == 0;
-    picture.pixels[i] = i % 6 < 3 ? value + (is_up ? deviation : -deviation) : deviation * deviation;
+    image.pixels[i] = i % 6 < 3 ? value + (is_up ? deviation : -deviation) : deviation * deviation;
   }
-  return picture;
+  return image;
 }
 
 registry::Case one_case() {
@@ -53,12 +53,12 @@ registry::Case one_case() {
   return made;
 }
 
-results::PictureRecord judged(const registry::Case& by,
-                              const image::Image& result,
-                              const image::Image& reference,
-                              const std::string& picture = "a") {
-  results::PictureRecord record;
-  record.picture = picture;
+results::TargetRecord judged(const registry::Case& by,
+                             const image::Image& result,
+                             const image::Image& reference,
+                             const std::string& image = "a") {
+  results::TargetRecord record;
+  record.target = image;
   judge(by, result, {"a.exr", reference, ""}, {}, record);
   return record;
 }
@@ -78,11 +78,11 @@ namespace {
 
 // Grey with an even S1.
 image::Image polarised_grey(float s1) {
-  auto picture = image::make_image(
+  auto image = image::make_image(
       16, 16, {"R", "G", "B", "S1.R", "S1.G", "S1.B", "S2.R", "S2.G", "S2.B", "S3.R", "S3.G", "S3.B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = i % 12 < 3 ? 0.5F : (i % 12 < 6 ? s1 : 0);
-  return picture;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % 12 < 3 ? 0.5F : (i % 12 < 6 ? s1 : 0);
+  return image;
 }
 
 }  // namespace
@@ -126,8 +126,8 @@ TEST(Judge, VariancesThatCannotBeAreNotUsedAndSaidToBeSo) {
 
 // A missing reference must not look like a pass.
 TEST(Judge, AMissingReferenceIsNeverAPass) {
-  results::PictureRecord record;
-  record.picture = "a";
+  results::TargetRecord record;
+  record.target = "a";
   judge(one_case(), grey(0.5F), {"a.exr", std::nullopt, "there is no reference a.exr"}, {}, record);
   EXPECT_EQ(record.verdict, Verdict::MissingReference);
   EXPECT_EQ(record.sentence, "there is no reference a.exr");
@@ -247,7 +247,7 @@ TEST(Judge, AGateMayAskForAMetricThatIsNotAlwaysComputed) {
   EXPECT_EQ(judged(flip, grey(0.5F), grey(0.25F)).verdict, Verdict::Fail);
 }
 
-TEST(Judge, NoiseIsNoExcuseForAPictureThatIsFarOff) {
+TEST(Judge, NoiseIsNoExcuseForAnImageThatIsFarOff) {
   EXPECT_EQ(judged(one_case(), grey(0.6F, 0.03F * 0.03F), grey(0.25F)).verdict, Verdict::Fail);
 }
 
@@ -259,10 +259,10 @@ TEST(Judge, MaskedPixelsDoNotCount) {
   masked.masks = {{"a", {{3, 2, 4, 3}}, "a highlight"}};
   EXPECT_EQ(judged(masked, result, grey(0.25F)).verdict, Verdict::Pass);
   EXPECT_EQ(judged(masked, result, grey(0.25F), "b").verdict,
-            Verdict::Fail);  // the mask is of the other picture
+            Verdict::Fail);  // the mask is of the other image
 }
 
-TEST(Judge, APixelCheckFailsWhereTheWholePicturePasses) {
+TEST(Judge, APixelCheckFailsWhereTheWholeImagePasses) {
   auto checked = one_case();
   checked.pixel_checks = {{"a", {0, 0, 2, 2}, {0.25, 0.25, 0.25}, 1e-5, "what is emitted is seen"}};
   EXPECT_EQ(judged(checked, grey(0.25F), grey(0.25F)).verdict, Verdict::Pass);
@@ -302,11 +302,11 @@ TEST(Difference, SubtractsColoursAndAddsVariances) {
 
 TEST(Difference, OfTheSameSamplesScattersByWhatIsLeft) {
   const auto rendered = [](float value, float variance, const char* seed) {
-    auto picture = grey(value, variance);
-    picture.attributes["orbs.program"] = "orbs-tracer";
-    picture.attributes["orbs.spp"] = "64";
-    picture.attributes["orbs.seed"] = seed;
-    return picture;
+    auto image = grey(value, variance);
+    image.attributes["orbs.program"] = "orbs-tracer";
+    image.attributes["orbs.spp"] = "64";
+    image.attributes["orbs.seed"] = seed;
+    return image;
   };
   const auto full = rendered(0.75F, 0.5F, "1");
   EXPECT_EQ(runner::difference_of(full, rendered(0.25F, 0.375F, "1")).at(0, 0, 3), 0.125F);
@@ -317,7 +317,7 @@ TEST(Difference, OfTheSameSamplesScattersByWhatIsLeft) {
   EXPECT_EQ(runner::difference_of(full, in_parts).at(0, 0, 3), 0.875F);
 }
 
-// Noise makes pixels of a difference negative, which in a rendered picture would be a fault.
+// Noise makes pixels of a difference negative, which in a rendered image would be a fault.
 TEST(Judge, ADifferenceMayBeNegative) {
   auto subtracting = one_case();
   subtracting.differences = {{"d", "a", "b"}};
@@ -330,11 +330,11 @@ TEST(Reference, OfADifferenceIsTheDifferenceOfTheReferences) {
   auto subtracting = one_case();
   subtracting.differences = {{"d", "a", "b"}};
   image::write_exr(grey(0.75F), scratch.path() / "a.exr");
-  EXPECT_FALSE(runner::load_reference(subtracting, "d", scratch.path()).picture);
+  EXPECT_FALSE(runner::load_reference(subtracting, "d", scratch.path()).image);
   image::write_exr(grey(0.5F), scratch.path() / "b.exr");
   const auto reference = runner::load_reference(subtracting, "d", scratch.path());
-  ASSERT_TRUE(reference.picture) << reference.problem;
-  EXPECT_EQ(reference.picture->at(0, 0, 0), 0.25F);
+  ASSERT_TRUE(reference.image) << reference.problem;
+  EXPECT_EQ(reference.image->at(0, 0, 0), 0.25F);
 }
 
 TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
@@ -346,21 +346,21 @@ TEST(Reference, OfASceneThatIsAnotherOneByDefinitionIsThatOfTheOther) {
             std::string::npos);
   image::write_exr(grey(0.75F), scratch.path() / "elsewhere.exr");
   image::write_exr(grey(0.5F), scratch.path() / "b.exr");
-  EXPECT_EQ(runner::load_reference(sharing, "a", scratch.path()).picture->at(0, 0, 0), 0.75F);
+  EXPECT_EQ(runner::load_reference(sharing, "a", scratch.path()).image->at(0, 0, 0), 0.75F);
   sharing.differences = {{"d", "a", "b"}};
-  EXPECT_EQ(runner::load_reference(sharing, "d", scratch.path()).picture->at(0, 0, 0), 0.25F);
+  EXPECT_EQ(runner::load_reference(sharing, "d", scratch.path()).image->at(0, 0, 0), 0.25F);
 }
 
 TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
   const structure::TestFolder scratch("runner-version");
   scratch.write("keep", "");
-  auto picture = grey(0.75F);
-  image::write_exr(picture, scratch.path() / "b.exr");
-  picture.attributes["orbs.scene_hash"] = "1234";
-  image::write_exr(picture, scratch.path() / "a.exr");
-  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path(), {{"a", "1234"}}).picture);
+  auto image = grey(0.75F);
+  image::write_exr(image, scratch.path() / "b.exr");
+  image.attributes["orbs.scene_hash"] = "1234";
+  image::write_exr(image, scratch.path() / "a.exr");
+  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path(), {{"a", "1234"}}).image);
   const auto old = runner::load_reference(one_case(), "a", scratch.path(), {{"a", "5678"}});
-  EXPECT_FALSE(old.picture);
+  EXPECT_FALSE(old.image);
   EXPECT_EQ(
       old.problem,
       fmt::format("scene 'a' has changed since its reference was rendered: its hash is now 5678, the "
@@ -368,40 +368,39 @@ TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
                   "renders it again",
                   (scratch.path() / "a.exr").string()));
   // One without a passport is taken at its word.
-  EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).picture);
+  EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).image);
 }
 
 TEST(Reference, WhosePixelsAreNotThoseOfItsPassportIsNone) {
   const structure::TestFolder scratch("runner-pixels");
   scratch.write("keep", "");
-  auto picture = grey(0.75F);
-  picture.attributes["orbs.image_hash"] = runner::image_hash(picture);
-  image::write_exr(picture, scratch.path() / "a.exr");
-  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path()).picture);
-  picture.at(1, 1, 0) += 0.25F;
-  image::write_exr(picture, scratch.path() / "a.exr");
+  auto image = grey(0.75F);
+  image.attributes["orbs.image_hash"] = runner::image_hash(image);
+  image::write_exr(image, scratch.path() / "a.exr");
+  EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path()).image);
+  image.at(1, 1, 0) += 0.25F;
+  image::write_exr(image, scratch.path() / "a.exr");
   const auto changed = runner::load_reference(one_case(), "a", scratch.path());
-  EXPECT_FALSE(changed.picture);
-  EXPECT_NE(changed.problem.find("is not the picture that was accepted"), std::string::npos)
-      << changed.problem;
+  EXPECT_FALSE(changed.image);
+  EXPECT_NE(changed.problem.find("is not the image that was accepted"), std::string::npos) << changed.problem;
 }
 
 TEST(ImageHash, IsOfThePixelsAndTheirNamesWhateverTheirOrder) {
-  const auto picture = grey(0.75F, 0.5F);
-  auto other_order = image::make_image(picture.width, picture.height,
-                                       {"variance.R", "variance.G", "variance.B", "B", "G", "R"});
-  for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel)
+  const auto image = grey(0.75F, 0.5F);
+  auto other_order =
+      image::make_image(image.width, image.height, {"variance.R", "variance.G", "variance.B", "B", "G", "R"});
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
     for (std::size_t c = 0; c < 6; ++c) other_order.pixels[6 * pixel + c] = c < 3 ? 0.5F : 0.75F;
-  EXPECT_EQ(runner::image_hash(picture), runner::image_hash(other_order));
-  auto renamed = picture;
+  EXPECT_EQ(runner::image_hash(image), runner::image_hash(other_order));
+  auto renamed = image;
   renamed.channels[0] = "X";
-  EXPECT_NE(runner::image_hash(picture), runner::image_hash(renamed));
-  auto darker = picture;
+  EXPECT_NE(runner::image_hash(image), runner::image_hash(renamed));
+  auto darker = image;
   darker.pixels[0] -= 1e-6F;
-  EXPECT_NE(runner::image_hash(picture), runner::image_hash(darker));
+  EXPECT_NE(runner::image_hash(image), runner::image_hash(darker));
 }
 
-TEST(Maps, AreWrittenAsNumbersAndAsPictures) {
+TEST(Maps, AreWrittenAsNumbersAndAsImages) {
   const structure::TestFolder scratch("runner-maps");
   scratch.write("keep", "");
   const auto comparison = metrics::compare(grey(0.5F), grey(0.25F));

@@ -27,9 +27,9 @@ class OutcomeTest : public testing::Test {
     job_.height_px = 3;
   }
   void write(int width, int height, const std::vector<std::string>& channels, float value = 0.5F) const {
-    auto picture = orbs::image::make_image(width, height, channels);
-    picture.pixels.back() = value;
-    orbs::image::write_exr(picture, job_.image);
+    auto image = orbs::image::make_image(width, height, channels);
+    image.pixels.back() = value;
+    orbs::image::write_exr(image, job_.image);
   }
   orbs::runner::Outcome outcome(const ProcessResult& process = {}) const {
     orbs::warden::Limits limits;
@@ -46,12 +46,12 @@ class OutcomeTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(OutcomeTest, AGoodPictureIsAPassAndIsThere) {
+TEST_F(OutcomeTest, AGoodImageIsAPassAndIsThere) {
   write(4, 3, {"R", "G", "B"});
   const auto result = outcome();
   EXPECT_EQ(result.verdict, Verdict::Pass);
-  ASSERT_TRUE(result.picture);
-  EXPECT_EQ(result.picture->width, 4);
+  ASSERT_TRUE(result.image);
+  EXPECT_EQ(result.image->width, 4);
 }
 
 // Each later fault is there too, and each must be silent behind the earlier ones.
@@ -69,20 +69,20 @@ TEST_F(OutcomeTest, TheFirstFaultInTheFixedOrderIsTheAnswer) {
   EXPECT_EQ(outcome(process).sentence, "could not start: Permission denied");
 }
 
-TEST_F(OutcomeTest, AGoodPictureDoesNotExcuseABadEnd) {
+TEST_F(OutcomeTest, AGoodImageDoesNotExcuseABadEnd) {
   write(4, 3, {"R", "G", "B"});
   ProcessResult process;
   process.signal = SIGABRT;
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
 }
 
-TEST_F(OutcomeTest, NoPictureIsNoOutput) {
+TEST_F(OutcomeTest, NoImageIsNoOutput) {
   EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
   EXPECT_EQ(outcome().sentence, "wrote no result.exr");
 }
 
 TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
-  scratch_.write("result.exr", "this is no picture");
+  scratch_.write("result.exr", "this is no image");
   EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
   scratch_.write("result.exr", "");
   EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
@@ -91,7 +91,7 @@ TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
 
 // The folder is another one when the run has ended.
 TEST_F(OutcomeTest, FilesAreNamedWithinTheFolderOfTheRender) {
-  scratch_.write("result.exr", "this is no picture");
+  scratch_.write("result.exr", "this is no image");
   EXPECT_TRUE(outcome().sentence.starts_with("result.exr: ")) << outcome().sentence;
   ProcessResult process;
   process.exit_code = 1;
@@ -114,7 +114,7 @@ TEST_F(OutcomeTest, WordsThatNoTerminalShouldTakeAreMarked) {
             "ended with exit code 1; its last words: \uFFFD[2Jlamp \uFFFD of \u00b5m\uFFFD\uFFFD");
 }
 
-TEST_F(OutcomeTest, APictureFromElsewhereIsNone) {
+TEST_F(OutcomeTest, AnImageFromElsewhereIsNone) {
   write(4, 3, {"R", "G", "B"});
   std::filesystem::rename(job_.image, scratch_.path() / "other.exr");
   std::filesystem::create_symlink("other.exr", job_.image);
@@ -122,7 +122,7 @@ TEST_F(OutcomeTest, APictureFromElsewhereIsNone) {
   EXPECT_EQ(outcome().sentence, "result.exr is no file of its own but a symbolic link");
 }
 
-TEST_F(OutcomeTest, APictureOlderThanItsRenderIsStale) {
+TEST_F(OutcomeTest, AnImageOlderThanItsRenderIsStale) {
   write(4, 3, {"R", "G", "B"});
   job_.ready_since = std::filesystem::last_write_time(job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::Pass);
@@ -130,17 +130,17 @@ TEST_F(OutcomeTest, APictureOlderThanItsRenderIsStale) {
   EXPECT_EQ(outcome().verdict, Verdict::Stale);
 }
 
-TEST_F(OutcomeTest, APictureThatSaysItIsOfSomethingElseIsStale) {
+TEST_F(OutcomeTest, AnImageThatSaysItIsOfSomethingElseIsStale) {
   job_.id = "a";
   job_.scene_file_hash = "b";
-  auto picture = orbs::image::make_image(4, 3, {"R", "G", "B"});
-  orbs::image::write_exr(picture, job_.image);
+  auto image = orbs::image::make_image(4, 3, {"R", "G", "B"});
+  orbs::image::write_exr(image, job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::Pass);  // says nothing
-  picture.attributes = {{"orbs.job", "a"}, {"orbs.scene_hash", "b"}};
-  orbs::image::write_exr(picture, job_.image);
+  image.attributes = {{"orbs.job", "a"}, {"orbs.scene_hash", "b"}};
+  orbs::image::write_exr(image, job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::Pass);
-  picture.attributes["orbs.job"] = "c";
-  orbs::image::write_exr(picture, job_.image);
+  image.attributes["orbs.job"] = "c";
+  orbs::image::write_exr(image, job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::Stale);
 }
 

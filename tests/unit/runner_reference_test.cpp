@@ -9,7 +9,7 @@
 
 using namespace orbs;
 using runner::add_pass;
-using runner::mean_picture;
+using runner::mean_image;
 using runner::PassSum;
 
 namespace {
@@ -17,23 +17,23 @@ namespace {
 const std::vector<std::string> kChannels{"R", "G", "B", "variance.R", "variance.G", "variance.B"};
 
 image::Image flat(float value, float variance, int width = 4) {
-  auto picture = image::make_image(width, 4, kChannels);
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = i % kChannels.size() < 3 ? value : variance;
-  return picture;
+  auto image = image::make_image(width, 4, kChannels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % kChannels.size() < 3 ? value : variance;
+  return image;
 }
 
-// Grey with noise as a reference has it. The variances spread over eight octaves, as those of a picture do;
+// Grey with noise as a reference has it. The variances spread over eight octaves, as those of an image do;
 // the mean of 2^(8u - 4) over u in [0, 1) is 2.87.
 image::Image noisy_grey(double mean, double deviation) {
-  auto picture = image::make_image(64, 64, kChannels);
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+  auto image = image::make_image(64, 64, kChannels);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const double u = unit_random(mix(7, i));
-    picture.pixels[i] =
+    image.pixels[i] =
         static_cast<float>(i % kChannels.size() < 3 ? mean + deviation * std::sqrt(12.0) * (u - 0.5)
                                                     : deviation * deviation / 2.87 * std::exp2(8 * u - 4));
   }
-  return picture;
+  return image;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST(Passes, AreWeightedByTheirSamples) {
   PassSum sum;
   add_pass(sum, flat(1, 0.3F), {10, 1});
   add_pass(sum, flat(2, 0.1F), {30, 2});
-  const auto mean = mean_picture(sum);
+  const auto mean = mean_image(sum);
   EXPECT_EQ(sum.spp, 40);
   EXPECT_EQ(mean.channels, kChannels);
   EXPECT_FLOAT_EQ(mean.at(3, 2, 0), 1.75F);
@@ -55,14 +55,14 @@ TEST(Passes, AreWeightedByTheirSamples) {
 TEST(Passes, HaveTheVarianceOfOneRenderWithAllTheirSamples) {
   PassSum sum;
   for (const int spp : {8, 24, 96}) add_pass(sum, flat(1, 2.0F / static_cast<float>(spp)), {spp, 1});
-  EXPECT_FLOAT_EQ(mean_picture(sum).at(0, 0, 3), 2.0F / 128);
+  EXPECT_FLOAT_EQ(mean_image(sum).at(0, 0, 3), 2.0F / 128);
 }
 
-TEST(Passes, OneAloneIsThePictureItself) {
+TEST(Passes, OneAloneIsTheImageItself) {
   PassSum sum;
-  const auto picture = noisy_grey(0.3, 0.01);
-  add_pass(sum, picture, {7, 1});
-  EXPECT_EQ(mean_picture(sum).pixels, picture.pixels);
+  const auto image = noisy_grey(0.3, 0.01);
+  add_pass(sum, image, {7, 1});
+  EXPECT_EQ(mean_image(sum).pixels, image.pixels);
 }
 
 TEST(Passes, AClassOfPathsThatOnePassLacksIsBlackInIt) {
@@ -73,7 +73,7 @@ TEST(Passes, AClassOfPathsThatOnePassLacksIsBlackInIt) {
     add_pass(sum, layer_first ? with_layer : flat(1, 0, 2), {10, 1});
     if (layer_first) {
       add_pass(sum, image::make_image(2, 2, {"R", "G", "B"}), {30, 2});
-      const auto mean = mean_picture(sum);
+      const auto mean = mean_image(sum);
       EXPECT_EQ(mean.channels.back(), "path.ESDL.R");
       EXPECT_EQ(mean.at(1, 1, 3), 1.0F);
     } else {
@@ -84,27 +84,26 @@ TEST(Passes, AClassOfPathsThatOnePassLacksIsBlackInIt) {
 
 TEST(Passes, CountTheirBadSamplesTogether) {
   PassSum sum;
-  auto picture = flat(1, 0);
-  picture.attributes["orbs.bad_samples"] = "3";
-  add_pass(sum, picture, {10, 1});
-  add_pass(sum, picture, {10, 2});
+  auto image = flat(1, 0);
+  image.attributes["orbs.bad_samples"] = "3";
+  add_pass(sum, image, {10, 1});
+  add_pass(sum, image, {10, 2});
   EXPECT_EQ(sum.bad_samples, 6);
 }
 
 // The derivation beside the code: 68 dB and more, against 45 dB of noise.
-TEST(ShortenedPicture, IsFarBelowTheNoiseOfAReference) {
-  const auto picture = noisy_grey(0.4, 0.005);
-  const auto shortened = runner::shortened_picture(picture);
+TEST(ShortenedImage, IsFarBelowTheNoiseOfAReference) {
+  const auto image = noisy_grey(0.4, 0.005);
+  const auto shortened = runner::shortened_image(image);
   double squares = 0;
   double variances = 0;
   double shortened_variances = 0;
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    const double difference =
-        static_cast<double>(shortened.pixels[i]) - static_cast<double>(picture.pixels[i]);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double difference = static_cast<double>(shortened.pixels[i]) - static_cast<double>(image.pixels[i]);
     if (i % 6 < 3) {
       squares += difference * difference;
     } else {
-      variances += static_cast<double>(picture.pixels[i]);
+      variances += static_cast<double>(image.pixels[i]);
       shortened_variances += static_cast<double>(shortened.pixels[i]);
     }
   }
@@ -113,29 +112,29 @@ TEST(ShortenedPicture, IsFarBelowTheNoiseOfAReference) {
   EXPECT_NEAR(shortened_variances / variances, 1, 0.02);
 }
 
-TEST(ShortenedPicture, KeepsColoursWithoutNoiseAndWhatFits) {
-  const auto lamp = runner::shortened_picture(flat(0.8F, 0));
+TEST(ShortenedImage, KeepsColoursWithoutNoiseAndWhatFits) {
+  const auto lamp = runner::shortened_image(flat(0.8F, 0));
   EXPECT_EQ(lamp.at(0, 0, 1), 0.8F);
-  const auto half = runner::shortened_picture(flat(0.75F, 0.375F));
+  const auto half = runner::shortened_image(flat(0.75F, 0.375F));
   EXPECT_EQ(half.at(0, 0, 1), 0.75F);
   EXPECT_EQ(half.at(0, 0, 4), 0.375F);
-  EXPECT_NE(runner::shortened_picture(flat(0.8F, 1e-6F)).at(0, 0, 1), 0.8F);
+  EXPECT_NE(runner::shortened_image(flat(0.8F, 1e-6F)).at(0, 0, 1), 0.8F);
 }
 
-TEST(ShortenedPicture, HasNoLayersButItsPassport) {
-  auto picture =
+TEST(ShortenedImage, HasNoLayersButItsPassport) {
+  auto image =
       image::make_image(2, 2, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "path.EDL.R"});
-  picture.attributes["orbs.seed"] = "7";
-  const auto shortened = runner::shortened_picture(picture);
+  image.attributes["orbs.seed"] = "7";
+  const auto shortened = runner::shortened_image(image);
   EXPECT_EQ(shortened.channels, kChannels);
-  EXPECT_EQ(shortened.attributes, picture.attributes);
+  EXPECT_EQ(shortened.attributes, image.attributes);
 }
 
-TEST(ShortenedPicture, KeepsStokesParametersButNotTheColourTwice) {
-  auto picture = image::make_image(
+TEST(ShortenedImage, KeepsStokesParametersButNotTheColourTwice) {
+  auto image = image::make_image(
       1, 1, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "S1.R", "S0.R", "S3.B"});
-  picture.pixels = {0.5F, 0.5F, 0.5F, 0.1F, 0.1F, 0.1F, -0.25F, 0.5F, 0.125F};
-  const auto shortened = runner::shortened_picture(picture);
+  image.pixels = {0.5F, 0.5F, 0.5F, 0.1F, 0.1F, 0.1F, -0.25F, 0.5F, 0.125F};
+  const auto shortened = runner::shortened_image(image);
   EXPECT_EQ(image::channel_index(shortened, "S0.R"), -1);
   EXPECT_EQ(shortened.at(0, 0, static_cast<std::size_t>(image::channel_index(shortened, "S1.R"))), -0.25F);
   EXPECT_EQ(shortened.at(0, 0, static_cast<std::size_t>(image::channel_index(shortened, "S3.B"))), 0.125F);
@@ -143,12 +142,12 @@ TEST(ShortenedPicture, KeepsStokesParametersButNotTheColourTwice) {
 
 // Layers of 3/4 and 1/4 of the light.
 TEST(PathShares, AreSharesOfTheMeanRadiance) {
-  auto picture = image::make_image(2, 1,
-                                   {"R", "G", "B", "path.EDL.R", "path.EDL.G", "path.EDL.B", "path.other.R",
-                                    "path.other.G", "path.other.B"});
+  auto image = image::make_image(2, 1,
+                                 {"R", "G", "B", "path.EDL.R", "path.EDL.G", "path.EDL.B", "path.other.R",
+                                  "path.other.G", "path.other.B"});
   for (int x = 0; x < 2; ++x)
-    for (std::size_t c = 0; c < 9; ++c) picture.at(x, 0, c) = c < 3 ? 1.0F : c < 6 ? 0.75F : 0.25F;
-  const auto shares = runner::path_shares(picture);
+    for (std::size_t c = 0; c < 9; ++c) image.at(x, 0, c) = c < 3 ? 1.0F : c < 6 ? 0.75F : 0.25F;
+  const auto shares = runner::path_shares(image);
   EXPECT_EQ(shares.size(), 2U);
   EXPECT_DOUBLE_EQ(shares.at("EDL"), 0.75);
   EXPECT_DOUBLE_EQ(shares.at("other"), 0.25);

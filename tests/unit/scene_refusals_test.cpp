@@ -48,7 +48,7 @@ TEST(SceneRefusal, ColoursAreThreeNumbersOrASpectrum) {
               "/environment: must be three numbers or {\"spectrum\": name}, is number");
 }
 
-TEST(SceneRefusal, RadianceIsWhatAPictureCanHold) {
+TEST(SceneRefusal, RadianceIsWhatAnImageCanHold) {
   EXPECT_EQ(refusal("", kGrey, R"(, "environment": [1e38, 0, 0])"), "no error");
   expect_part(refusal("", kGrey, R"(, "environment": [0, 1e300, 0])"), "/environment/1: must lie in [0, 3.4");
   expect_part(

@@ -109,10 +109,10 @@ std::vector<std::string> attacks_by_path() {
                              "/data/0",
                              "/data/",
                              "/data",
-                             "/data/0/picture/-1.json",
-                             "/data/0/picture/999999.json",
-                             "/data/0/picture/1e3.json",
-                             "/data/0/picture/.json",
+                             "/data/0/target/-1.json",
+                             "/data/0/target/999999.json",
+                             "/data/0/target/1e3.json",
+                             "/data/0/target/.json",
                              "/data/0/image/passwd",
                              "/data/0/image/link.txt",
                              "/data/0/image/inner.exr",
@@ -242,7 +242,7 @@ TEST(Server, ServesTheRunAndTheBundle) {
   EXPECT_EQ(body_of(server().get("/page.js")), "page.js");
   EXPECT_NE(body_of(server().get("/data/0/overview.json")).find("\"format\": \"orbs-page/1\""),
             std::string::npos);
-  EXPECT_NE(body_of(server().get("/data/0/picture/0.json")).find("a map that nobody knows"),
+  EXPECT_NE(body_of(server().get("/data/0/target/0.json")).find("a map that nobody knows"),
             std::string::npos);
   EXPECT_EQ(body_of(server().get("/data/0/image/one/values/result.exr")).substr(0, 2), "\x1f\x8b");
   EXPECT_EQ(status_of(server().get("/data/0/image/one/stokes/result.exr?layer=S3")), 200);

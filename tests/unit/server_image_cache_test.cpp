@@ -1,4 +1,4 @@
-// Pictures packed for many clients at once.
+// Images packed for many clients at once.
 #include "server/image_cache.h"
 
 #include <atomic>
@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-// Everybody who waited for a place gets the picture, also when it is there before the place is: a client that
+// Everybody who waited for a place gets the image, also when it is there before the place is: a client that
 // was forgotten would wait for ever. The first packs only when the others have come, so that they wait.
-TEST(ImageCache, GivesEveryWaitingClientItsPicture) {
+TEST(ImageCache, GivesEveryWaitingClientItsImage) {
   constexpr int kClients = 16;
   for (int round = 0; round < 20; ++round) {
     orbs::server::ImageCache cache(1 << 20, 1);
@@ -18,7 +18,7 @@ TEST(ImageCache, GivesEveryWaitingClientItsPicture) {
     for (int i = 0; i < kClients; ++i)
       clients.emplace_back([&] {
         ++arrived;
-        const auto bytes = cache.get("picture", [&] {
+        const auto bytes = cache.get("image", [&] {
           while (arrived < kClients) std::this_thread::yield();
           return std::string("packed");
         });

@@ -31,11 +31,11 @@ BenchRecord two_renderers() {
 }
 
 // Independent uniform numbers of variance s^2 around 0.5.
-image::Image noisy_picture(std::uint64_t seed, double s) {
-  auto picture = image::make_image(64, 64, {"R", "G", "B"});
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    picture.pixels[i] = static_cast<float>(0.5 + s * std::sqrt(12.0) * (unit_random(mix(seed, i)) - 0.5));
-  return picture;
+image::Image noisy_image(std::uint64_t seed, double s) {
+  auto image = image::make_image(64, 64, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(0.5 + s * std::sqrt(12.0) * (unit_random(mix(seed, i)) - 0.5));
+  return image;
 }
 
 }  // namespace
@@ -100,15 +100,14 @@ TEST(Bench, TheTableNamesWhatIsMissing) {
 
 // s = 0.01 at a level of 0.5: s^2 / (0.25 + 0.01). In sRGB steps the slope at 0.5 is 1.055 / 2.4 *
 // 0.5^(1/2.4 - 1) * 255 = 167.9, so s is 1.679 steps, and 20 log10(255 / 1.679) = 43.63 dB.
-TEST(SeedNoise, IsThatOfOnePicture) {
-  const std::vector<image::Image> pictures{noisy_picture(1, 0.01), noisy_picture(2, 0.01),
-                                           noisy_picture(3, 0.01)};
-  const auto noise = noise_of_seeds(pictures, metrics::mean_of(pictures), 1);
+TEST(SeedNoise, IsThatOfOneImage) {
+  const std::vector<image::Image> images{noisy_image(1, 0.01), noisy_image(2, 0.01), noisy_image(3, 0.01)};
+  const auto noise = noise_of_seeds(images, metrics::mean_of(images), 1);
   EXPECT_NEAR(noise.relative_mse, 1e-4 / 0.26, 0.02 * 1e-4 / 0.26);
   EXPECT_NEAR(noise.psnr_srgb8_db, 43.63, 0.1);
 }
 
-TEST(SeedNoise, TheMeanIsTheMeanOfAllPictures) {
+TEST(SeedNoise, TheMeanIsTheMeanOfAllImages) {
   auto dark = image::make_image(2, 2, {"R", "G", "B"});
   auto bright = dark;
   std::fill(bright.pixels.begin(), bright.pixels.end(), 3.0F);

@@ -57,6 +57,6 @@ TEST(PriceReport, MarkdownAndJsonHoldTheSame) {
   json::ObjectReader prices(document);
   auto scenes = prices.objects("scenes");
   auto ways = scenes.at(0).objects("alternatives");
-  EXPECT_EQ(ways.at(0).text("picture"), "same but for noise");
+  EXPECT_EQ(ways.at(0).text("image"), "same but for noise");
   EXPECT_EQ(ways.at(0).object("time_ratio").number("most"), 1.6);
 }

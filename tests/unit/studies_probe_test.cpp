@@ -1,4 +1,4 @@
-// Painted pictures of a probe: the right one, and what comes of a wrong camera, a lost or exchanged object.
+// Painted images of a probe: the right one, and what comes of a wrong camera, a lost or exchanged object.
 #include "scene/generators.h"
 #include "scene/load_scene.h"
 #include "scene/lower.h"
@@ -31,21 +31,21 @@ scene::Scene two_boxes() {
 // What a renderer with a box filter would make of it.
 image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen) {
   constexpr studies::SightGrid kGrid{8, -1.0 / 16};
-  auto picture = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
+  auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
   const auto sights = studies::primary_sights(seen, kGrid, 1);
   for (std::size_t i = 0; i < sights.size(); ++i) {
     if (sights[i].thing == studies::kNoThing) continue;
     const Vec3d c = probe.things[static_cast<std::size_t>(sights[i].thing)].radiance / 64.0;
-    float* const pixel = &picture.pixels[i / 64 * 3];
+    float* const pixel = &image.pixels[i / 64 * 3];
     pixel[0] += static_cast<float>(c.x);
     pixel[1] += static_cast<float>(c.y);
     pixel[2] += static_cast<float>(c.z);
   }
-  return picture;
+  return image;
 }
 
-studies::ProbeFindings findings(const studies::ProbeScene& probe, const image::Image& picture) {
-  return studies::compare_things(probe, studies::primary_sights(probe.scene, {}, 1), picture);
+studies::ProbeFindings findings(const studies::ProbeScene& probe, const image::Image& image) {
+  return studies::compare_things(probe, studies::primary_sights(probe.scene, {}, 1), image);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ TEST(Probe, GivesEveryMaterialOfEveryInstanceAndEveryLightItsColour) {
   EXPECT_EQ(probe.scene.camera.height_px, 96);
 }
 
-TEST(Probe, TheRightPictureHasNoMismatch) {
+TEST(Probe, TheRightImageHasNoMismatch) {
   const auto probe = studies::coloured_by_thing(two_boxes(), 128);
   const auto found = findings(probe, painted(probe, probe.scene));
   EXPECT_TRUE(found.mismatches.empty());
@@ -110,14 +110,14 @@ namespace {
 
 image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
   constexpr studies::SightGrid kGrid{2, -0.25};
-  auto picture = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
+  auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
   const auto sights = studies::primary_sights(seen, kGrid, 1);
   for (std::size_t i = 0; i < sights.size(); ++i) {
-    float* const pixel = &picture.pixels[i / 4 * 3];
+    float* const pixel = &image.pixels[i / 4 * 3];
     pixel[0] += (swapped ? sights[i].v : sights[i].u) / 4;
     pixel[1] += (swapped ? sights[i].u : sights[i].v) / 4;
   }
-  return picture;
+  return image;
 }
 
 }  // namespace

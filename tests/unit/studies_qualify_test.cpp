@@ -1,4 +1,4 @@
-// Gates that can fail and gates that cannot, on painted pictures with known noise.
+// Gates that can fail and gates that cannot, on painted images with known noise.
 #include "studies/gate_trial.h"
 #include "studies/qualify.h"
 #include "studies/twins.h"
@@ -18,27 +18,27 @@ constexpr int kSide_px = 96;
 image::Image painted(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<float> noise(0, 0.02F);
-  auto picture =
+  auto image =
       image::make_image(kSide_px, kSide_px, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
-  picture.attributes = {{"orbs.seed", std::to_string(seed)}};
+  image.attributes = {{"orbs.seed", std::to_string(seed)}};
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x)
       for (std::size_t c = 0; c < 3; ++c) {
         const bool is_light = (x / 11 + y / 11) % 2 == 0;  // edges on odd columns, too
         float value = (is_light ? 0.5F : 0.1F) * (1 - 0.3F * static_cast<float>(c));
         if (x < 11 && y < 11) value = 3;
-        picture.at(x, y, c) = value * (1 + noise(random));
-        picture.at(x, y, c + 3) = 0.0004F * value * value;
+        image.at(x, y, c) = value * (1 + noise(random));
+        image.at(x, y, c + 3) = 0.0004F * value * value;
       }
-  return picture;
+  return image;
 }
 
 image::Image grey() {
-  auto picture = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  auto image = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x)
-      for (std::size_t c = 0; c < 3; ++c) picture.at(x, y, c) = x < kSide_px / 2 ? 0.25F : 0.5F;
-  return picture;
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = x < kSide_px / 2 ? 0.25F : 0.5F;
+  return image;
 }
 
 registry::Case strict_case() {
@@ -75,7 +75,7 @@ TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
     EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.sentence;
   EXPECT_TRUE(gate.accepts_honest) << gate.honest_sentence;
   EXPECT_TRUE(results::is_qualified(gate));
-  EXPECT_TRUE(twin(gate, "the picture of b").rejected);
+  EXPECT_TRUE(twin(gate, "the image of b").rejected);
   EXPECT_NE(twin(gate, "one NaN").sentence.find("invalid pixels"), std::string::npos);
   EXPECT_NE(twin(gate, "black").sentence.find("constant image"), std::string::npos);
 }
@@ -104,7 +104,7 @@ TEST(Qualify, AGateThatCannotFailIsNotQualified) {
 }
 
 // Its mean of four pixels has less noise, and more than makes up for the edges.
-TEST(Qualify, HalfTheResolutionOfANoisyPictureIsSeenByItsEdges) {
+TEST(Qualify, HalfTheResolutionOfANoisyImageIsSeenByItsEdges) {
   auto lax = strict_case();
   lax.gate.min = 15;
   EXPECT_TRUE(twin(tried(lax, painted(1), painted(2)), "half resolution").rejected);
@@ -113,7 +113,7 @@ TEST(Qualify, HalfTheResolutionOfANoisyPictureIsSeenByItsEdges) {
   EXPECT_FALSE(twin(tried(lax, painted(1), painted(2)), "half resolution").rejected);
 }
 
-TEST(Qualify, AGateThatRefusesAnHonestPictureIsNotQualified) {
+TEST(Qualify, AGateThatRefusesAnHonestImageIsNotQualified) {
   auto harsh = strict_case();
   harsh.gate.min = 60;
   const auto gate = tried(harsh, painted(1), painted(2));
@@ -121,33 +121,33 @@ TEST(Qualify, AGateThatRefusesAnHonestPictureIsNotQualified) {
   EXPECT_FALSE(results::is_qualified(gate));
 }
 
-TEST(Qualify, WhatLeavesThePictureAsItIsIsNoFault) {
+TEST(Qualify, WhatLeavesTheImageAsItIsIsNoFault) {
   const auto gate = tried(strict_case(), grey(), grey());
   EXPECT_FALSE(twin(gate, "R and G swapped").no_fault.empty());
   EXPECT_FALSE(twin(gate, "clamped at 1").no_fault.empty());
-  EXPECT_EQ(twin(gate, "another picture").no_fault, "no other reference has its size");
+  EXPECT_EQ(twin(gate, "another image").no_fault, "no other reference has its size");
   EXPECT_EQ(twin(gate, "a missing light").no_fault, "its only light");
   EXPECT_TRUE(twin(gate, "shifted by 1 px").no_fault.empty());
 }
 
 TEST(Twins, AreTheFaultThatTheyAreCalled) {
-  const auto picture = painted(1);
-  EXPECT_FLOAT_EQ(studies::with_more_light(picture, 0.02).at(50, 50, 1), 1.02F * picture.at(50, 50, 1));
-  EXPECT_FLOAT_EQ(studies::with_more_light(picture, 0.02).at(50, 50, 4), 1.0404F * picture.at(50, 50, 4));
-  const auto faults = studies::faults_of(picture);
+  const auto image = painted(1);
+  EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 1), 1.02F * image.at(50, 50, 1));
+  EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 4), 1.0404F * image.at(50, 50, 4));
+  const auto faults = studies::faults_of(image);
   const auto apply = [&](const std::string& name) {
     for (const auto& fault : faults)
-      if (fault.name == name) return fault.apply(picture);
+      if (fault.name == name) return fault.apply(image);
     throw std::out_of_range(name);
   };
-  EXPECT_EQ(apply("shifted by 1 px").at(50, 50, 0), picture.at(49, 50, 0));
-  EXPECT_EQ(apply("R and B swapped").at(50, 50, 0), picture.at(50, 50, 2));
-  EXPECT_EQ(apply("R and B swapped").at(50, 50, 3), picture.at(50, 50, 5));
+  EXPECT_EQ(apply("shifted by 1 px").at(50, 50, 0), image.at(49, 50, 0));
+  EXPECT_EQ(apply("R and B swapped").at(50, 50, 0), image.at(50, 50, 2));
+  EXPECT_EQ(apply("R and B swapped").at(50, 50, 3), image.at(50, 50, 5));
   EXPECT_EQ(apply("clamped at 1").at(3, 3, 0), 1.0F);
   EXPECT_EQ(apply("clamped at 1").at(3, 3, 3), 0.0F);
   EXPECT_FLOAT_EQ(
       apply("half resolution").at(51, 50, 0),
-      (picture.at(50, 50, 0) + picture.at(51, 50, 0) + picture.at(50, 51, 0) + picture.at(51, 51, 0)) / 4);
+      (image.at(50, 50, 0) + image.at(51, 50, 0) + image.at(50, 51, 0) + image.at(51, 51, 0)) / 4);
   EXPECT_TRUE(std::isnan(apply("one NaN").at(48, 48, 1)));
 }
 

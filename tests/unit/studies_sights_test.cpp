@@ -16,7 +16,7 @@ using studies::Sight;
 
 namespace {
 
-// At the origin, looking along -Z with a field of 90 degrees: at distance d the picture is 2 d high.
+// At the origin, looking along -Z with a field of 90 degrees: at distance d the image is 2 d high.
 scene::Scene empty_view(int size_px) {
   scene::Scene scene;
   scene.camera.look_at_m = {0, 0, -1};
@@ -54,7 +54,7 @@ double share_of(const std::vector<Sight>& sights, int thing) {
 
 TEST(Sights, ATriangleCoversThePixelsThatItIsProjectedOn) {
   auto scene = empty_view(16);
-  // At distance 8 a pixel is 1 m wide: this one reaches from pixel 4 to pixel 12 along the picture's middle.
+  // At distance 8 a pixel is 1 m wide: this one reaches from pixel 4 to pixel 12 along the image's middle.
   add_triangle(scene, {Vec3f{-4, 0, -8}, Vec3f{4, 0, -8}, Vec3f{-4, 8, -8}});
   EXPECT_EQ(things_in(scene, 5, 6), std::set<int>{0});
   EXPECT_EQ(things_in(scene, 3, 4), (std::set<int>{kNoThing, 0}));  // by the margin of the grid
@@ -88,7 +88,7 @@ TEST(Sights, WhatIsBehindTheCameraIsNotSeen) {
 TEST(Sights, CoordinatesAreInterpolatedInPerspective) {
   auto scene = empty_view(2);
   // Its plane runs away from the camera: z = -1 where x = -1, z = -3 where x = 3. The ray through the middle
-  // of the picture meets it halfway between x = -1 and x = 1, at u = 1/4 of the way, not at half the picture.
+  // of the image meets it halfway between x = -1 and x = 1, at u = 1/4 of the way, not at half the image.
   add_triangle(scene, {Vec3f{-1, -9, -1}, Vec3f{3, -9, -3}, Vec3f{-1, 27, -1}},
                {Vec2f{0, 0}, Vec2f{1, 0}, Vec2f{0, 1}});
   const auto sights = studies::sights_of_pixels(scene, {{0, 0}}, {3, 0}, 1);
@@ -112,7 +112,7 @@ TEST(Sights, ASphereOnTheAxisCoversItsConesDisc) {
   auto scene = empty_view(64);
   scene.lights.push_back(
       {"", scene::SphereShape{0.5}, {1, 1, 1}, translation({0, 0, -2}) * scaling({2, 2, 2}), {}});
-  // Radius 1 at distance 2: the cone's tangent is 1 / sqrt(3), of a picture whose half side is 1.
+  // Radius 1 at distance 2: the cone's tangent is 1 / sqrt(3), of an image whose half side is 1.
   const double expected = std::numbers::pi / 3 / 4;
   EXPECT_NEAR(share_of(studies::primary_sights(scene, {8, -1.0 / 16}, 1), 0), expected, 2e-3);
 }

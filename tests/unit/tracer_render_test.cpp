@@ -1,4 +1,4 @@
-// The tracer against closed forms. Tolerances are four standard errors of the picture's own variance: a false
+// The tracer against closed forms. Tolerances are four standard errors of the image's own variance: a false
 // alarm once in 16,000 seeds, and the seeds are fixed.
 #include "tracer_scenes.h"
 
@@ -19,8 +19,8 @@ constexpr double kPi = std::numbers::pi;
 void expect_mean(const tracer::Rendering& rendering, double expected) {
   EXPECT_EQ(rendering.bad_samples.count, 0U);
   for (std::size_t channel = 0; channel < 3; ++channel)
-    EXPECT_NEAR(mean_of_channel(rendering.picture, channel), expected,
-                4 * error_of_mean(rendering.picture, channel) + 1e-5 * expected);
+    EXPECT_NEAR(mean_of_channel(rendering.image, channel), expected,
+                4 * error_of_mean(rendering.image, channel) + 1e-5 * expected);
 }
 
 // A white environment of radiance 1 around one convex object of albedo `rho`: the object shows rho in every
@@ -66,8 +66,8 @@ TEST(TracerFurnace, AGlassBallIsInvisible) {
 TEST(TracerFurnace, ASlightlyRoughGgxBallLosesLittle) {
   const auto rendering = render_text(furnace_with(R"("type": "ggx", "colour": [1, 1, 1], "alpha": 0.1)"),
                                      {.samples_per_pixel = 64});
-  EXPECT_GT(mean_of_channel(rendering.picture, 0), 0.985);
-  EXPECT_LT(mean_of_channel(rendering.picture, 0), 1.0 + 4 * error_of_mean(rendering.picture, 0));
+  EXPECT_GT(mean_of_channel(rendering.image, 0), 0.985);
+  EXPECT_LT(mean_of_channel(rendering.image, 0), 1.0 + 4 * error_of_mean(rendering.image, 0));
 }
 
 // Closed room, every surface reflects 1/2 and sees emission 1 at depth 0 only through the environment-free
@@ -83,7 +83,7 @@ TEST(TracerDirectLight, AnEmissiveMeshBallLightsTheFloorLikeASphere) {
   const auto rendering = render_text(text, {.samples_per_pixel = 256});
   // L = rho E / pi = 2 (1/2)^2. The inscribed mesh with 512 segments is smaller by less than 1e-4; the pixels
   // span 14 mm, over which E changes by less than 1e-4.
-  EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.5, 4 * error_of_mean(rendering.picture, 0) + 1e-4);
+  EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.5, 4 * error_of_mean(rendering.image, 0) + 1e-4);
 }
 
 TEST(TracerDirectLight, ASphereLightBelowItsCentreIsPiLTimesRadiusOverDistanceSquared) {
@@ -91,7 +91,7 @@ TEST(TracerDirectLight, ASphereLightBelowItsCentreIsPiLTimesRadiusOverDistanceSq
                                                      "matrix": [{"translate": [0, 2, 0]}]})",
                                                  "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
-  EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.0625, 0.00005);
+  EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.0625, 0.00005);
 }
 
 // An ellipsoid is no sphere: the same light by a non-uniform matrix, seen from below along its long axis, has
@@ -103,7 +103,7 @@ TEST(TracerDirectLight, AStretchedSphereLightIsASpheroid) {
                                                      "matrix": [{"translate": [0, 2, 0]}, {"scale": [1, 2, 1]}]})",
                                                  "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
-  EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.25 / (4 - 1 + 0.25), 0.0007);
+  EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.25 / (4 - 1 + 0.25), 0.0007);
 }
 
 // Unit square of radiance 1 at height 1, point below its centre: F = 0.23945647 (sum of four corner
@@ -114,7 +114,7 @@ TEST(TracerDirectLight, ARectangleMatchesItsFormFactor) {
                                                      "matrix": [{"translate": [0, 1, 0]}]})",
                   "[0, 0, 0]"),
       {.samples_per_pixel = 256});
-  EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.23945647, 0.0002);
+  EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.23945647, 0.0002);
 }
 
 // The same rectangle through a matrix that scales it: size follows, radiance does not (ORB.S REQ_L3).
@@ -129,7 +129,7 @@ TEST(TracerDirectLight, ScalingALightChangesItsSizeAndNotItsRadiance) {
                                                   "matrix": [{"translate": [0, 1, 0]}, {"scale": [0.5, 7, 1]}]})",
                               "[0, 0, 0]"),
                   {.samples_per_pixel = 64});
-  EXPECT_EQ(direct.picture.pixels, scaled.picture.pixels);
+  EXPECT_EQ(direct.image.pixels, scaled.image.pixels);
 }
 
 // Coaxial parallel disk, r = h = 1: F = 1/2.
@@ -138,7 +138,7 @@ TEST(TracerDirectLight, ADiskMatchesItsFormFactor) {
                                                      "matrix": [{"translate": [0, 1, 0]}]})",
                                                  "[0, 0, 0]"),
                                      {.samples_per_pixel = 256});
-  EXPECT_NEAR(mean_of_channel(rendering.picture, 0), 0.5, 0.0005);
+  EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.5, 0.0005);
 }
 
 TEST(TracerDirectLight, LightsAreBlackFromBehind) {
@@ -147,18 +147,18 @@ TEST(TracerDirectLight, LightsAreBlackFromBehind) {
                                                      "matrix": [{"translate": [0, 1, 0]}, {"rotate_x": 180}]})",
                               "[0, 1, 0]"),
                   {.samples_per_pixel = 4});
-  EXPECT_EQ(mean_of_channel(rendering.picture, 0), 1);  // the camera is above and sees the bright side
+  EXPECT_EQ(mean_of_channel(rendering.image, 0), 1);  // the camera is above and sees the bright side
   const auto below =
       render_text(floor_under(R"({"type": "rect", "half_width": 1, "half_length": 1, "radiance": [1, 1, 1],
                                                  "matrix": [{"translate": [0, 1, 0]}]})",
                               "[0, 1, 0]"),
                   {.samples_per_pixel = 4});
-  EXPECT_EQ(mean_of_channel(below.picture, 0), 0);
+  EXPECT_EQ(mean_of_channel(below.image, 0), 0);
 }
 
-// A closed box of albedo 1/2 whose inside is seen from the middle, with a lamp: every picture of depth d is a
-// partial sum, and the layers by path class add up to the picture.
-TEST(TracerPaths, LayersAddUpToThePicture) {
+// A closed box of albedo 1/2 whose inside is seen from the middle, with a lamp: every image of depth d is a
+// partial sum, and the layers by path class add up to the image.
+TEST(TracerPaths, LayersAddUpToTheImage) {
   const auto text =
       scene_text("[0, 0, 0]", "[0, -1, 1]", 16, 4,
                  R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.6, 0.7]},
@@ -170,16 +170,16 @@ TEST(TracerPaths, LayersAddUpToThePicture) {
                                               "matrix": [{"translate": [0, 1.9, 0]}]}])",
                  "60");
   const auto rendering = render_text(text, {.samples_per_pixel = 16, .split_paths = true});
-  const auto& picture = rendering.picture;
-  ASSERT_GT(picture.channel_count(), 6U);
-  ASSERT_GE(image::channel_index(picture, "path.EDL.R"), 0);
-  ASSERT_GE(image::channel_index(picture, "path.EDSL.R"), 0);
-  ASSERT_GE(image::channel_index(picture, "path.other.R"), 0);
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+  const auto& image = rendering.image;
+  ASSERT_GT(image.channel_count(), 6U);
+  ASSERT_GE(image::channel_index(image, "path.EDL.R"), 0);
+  ASSERT_GE(image::channel_index(image, "path.EDSL.R"), 0);
+  ASSERT_GE(image::channel_index(image, "path.other.R"), 0);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
       double sum = 0;
-      for (std::size_t c = 6; c < picture.channel_count(); c += 3) sum += picture.at(x, y, c);
-      EXPECT_NEAR(sum, picture.at(x, y, 0), 1e-5 * sum + 1e-7);
+      for (std::size_t c = 6; c < image.channel_count(); c += 3) sum += image.at(x, y, c);
+      EXPECT_NEAR(sum, image.at(x, y, 0), 1e-5 * sum + 1e-7);
     }
 }
 
@@ -203,23 +203,23 @@ const std::string kBusyScene = scene_text("[0, 3, 14]",
 
 }  // namespace
 
-TEST(TracerDeterminism, ThePictureDoesNotDependOnTheNumberOfThreads) {
+TEST(TracerDeterminism, TheImageDoesNotDependOnTheNumberOfThreads) {
   const auto one =
       render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 1, .split_paths = true});
   const auto three =
       render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 7, .threads = 3, .split_paths = true});
-  EXPECT_EQ(one.picture.pixels, three.picture.pixels);
+  EXPECT_EQ(one.image.pixels, three.image.pixels);
   const auto other = render_text(kBusyScene, {.samples_per_pixel = 20, .seed = 8, .threads = 3});
-  EXPECT_NE(one.picture.pixels, other.picture.pixels);
+  EXPECT_NE(one.image.pixels, other.image.pixels);
 }
 
 // Splitting by class only sorts what is there.
-TEST(TracerDeterminism, SplittingPathsDoesNotChangeThePicture) {
+TEST(TracerDeterminism, SplittingPathsDoesNotChangeTheImage) {
   const auto plain = render_text(kBusyScene, {.samples_per_pixel = 8});
   const auto split = render_text(kBusyScene, {.samples_per_pixel = 8, .split_paths = true});
-  for (int y = 0; y < plain.picture.height; ++y)
-    for (int x = 0; x < plain.picture.width; ++x)
-      for (std::size_t c = 0; c < 6; ++c) ASSERT_EQ(plain.picture.at(x, y, c), split.picture.at(x, y, c));
+  for (int y = 0; y < plain.image.height; ++y)
+    for (int x = 0; x < plain.image.width; ++x)
+      for (std::size_t c = 0; c < 6; ++c) ASSERT_EQ(plain.image.at(x, y, c), split.image.at(x, y, c));
 }
 
 // Var(a - b) = Var(a) + Var(b): over many pixels the squared differences of two seeds must average to the
@@ -229,26 +229,26 @@ TEST(TracerVariance, IsTheVarianceOfTheMean) {
   const auto b = render_text(kBusyScene, {.samples_per_pixel = 64, .seed = 2});
   double ratio = 0;
   double count = 0;
-  for (int y = 0; y < a.picture.height; ++y)
-    for (int x = 0; x < a.picture.width; ++x) {
-      const double stated = a.picture.at(x, y, 3) + b.picture.at(x, y, 3);
+  for (int y = 0; y < a.image.height; ++y)
+    for (int x = 0; x < a.image.width; ++x) {
+      const double stated = a.image.at(x, y, 3) + b.image.at(x, y, 3);
       if (stated == 0) continue;
-      const double difference = a.picture.at(x, y, 0) - b.picture.at(x, y, 0);
+      const double difference = a.image.at(x, y, 0) - b.image.at(x, y, 0);
       ratio += difference * difference;
       count += stated;
     }
   EXPECT_NEAR(ratio / count, 1, 0.15);
 }
 
-TEST(TracerInstances, CopiesAndInstancesShowTheSamePicture) {
+TEST(TracerInstances, CopiesAndInstancesShowTheSameImage) {
   const auto scene = scene::load_scene_text("test.json", kBusyScene, ".");
   const std::atomic<bool> never{false};
   const auto silent = [](const tracer::Progress&) {};
   const auto copied = tracer::render(tracer::make_world(scene), {.samples_per_pixel = 64}, never, silent);
   const auto instanced = tracer::render(tracer::make_world(scene, {.most_copied_triangles = 0}),
                                         {.samples_per_pixel = 64}, never, silent);
-  const double noise = std::hypot(error_of_mean(copied.picture, 0), error_of_mean(instanced.picture, 0));
-  EXPECT_NEAR(mean_of_channel(copied.picture, 0), mean_of_channel(instanced.picture, 0), 4 * noise);
+  const double noise = std::hypot(error_of_mean(copied.image, 0), error_of_mean(instanced.image, 0));
+  EXPECT_NEAR(mean_of_channel(copied.image, 0), mean_of_channel(instanced.image, 0), 4 * noise);
 }
 
 TEST(TracerStop, KeepsThePassesThatWereFinished) {
@@ -257,7 +257,7 @@ TEST(TracerStop, KeepsThePassesThatWereFinished) {
   const auto rendering =
       tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
   EXPECT_EQ(rendering.samples_per_pixel, 16);  // one replicate of four
-  EXPECT_GT(mean_of_channel(rendering.picture, 0), 0);
+  EXPECT_GT(mean_of_channel(rendering.image, 0), 0);
 }
 
 TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {
@@ -266,12 +266,12 @@ TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {
                  R"("materials": [{"name": "e", "type": "emission", "radiance": [0.5, 0.25, 3]}],
                                   "meshes": [{"name": "s", "generator": "sphere", "radius": 1, "segments": 64, "material": "e"}],
                                   "instances": [{"mesh": "s"}])");
-  const auto picture = render_text(text, {.samples_per_pixel = 5}).picture;
+  const auto image = render_text(text, {.samples_per_pixel = 5}).image;
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
-      EXPECT_EQ(picture.at(x, y, 0), 0.5F);
-      EXPECT_EQ(picture.at(x, y, 1), 0.25F);
-      EXPECT_EQ(picture.at(x, y, 2), 3.0F);
+      EXPECT_EQ(image.at(x, y, 0), 0.5F);
+      EXPECT_EQ(image.at(x, y, 1), 0.25F);
+      EXPECT_EQ(image.at(x, y, 2), 3.0F);
     }
 }
 
@@ -286,13 +286,13 @@ TEST(TracerDepth, CountsSurfaceScatterings) {
                                     "meshes": [{"name": "w", "generator": "plane", "half_size": 100, "material": "m"}],
                                     "instances": [{"mesh": "w", "matrix": [{"translate": [0, 0, 1]}, {"rotate_x": 90}]},
                                                   {"mesh": "w", "matrix": [{"translate": [0, 0, -1]}, {"rotate_x": 90}]}])");
-    const auto picture = render_text(text, {.samples_per_pixel = 4}).picture;
-    EXPECT_EQ(mean_of_channel(picture, 0), 0) << "between the mirrors nothing is lit at depth " << depth;
+    const auto image = render_text(text, {.samples_per_pixel = 4}).image;
+    EXPECT_EQ(mean_of_channel(image, 0), 0) << "between the mirrors nothing is lit at depth " << depth;
   }
   const auto open = scene_text(
       "[0, 0, 0]", "[0, 0, 1]", 4, 1,
       R"("environment": [1, 1, 1], "materials": [{"name": "m", "type": "mirror", "reflectance": [0.5, 0.5, 0.5]}],
                                   "meshes": [{"name": "w", "generator": "plane", "half_size": 100, "material": "m"}],
                                   "instances": [{"mesh": "w", "matrix": [{"translate": [0, 0, 1]}, {"rotate_x": 90}]}])");
-  EXPECT_NEAR(mean_of_channel(render_text(open, {.samples_per_pixel = 4}).picture, 0), 0.5, 1e-6);
+  EXPECT_NEAR(mean_of_channel(render_text(open, {.samples_per_pixel = 4}).image, 0), 0.5, 1e-6);
 }

@@ -15,7 +15,7 @@ inline tracer::Rendering render_text(const std::string& text, const tracer::Rend
 }
 
 /// A whole scene around `content` (materials, meshes, instances, lights); the camera looks from `eye` to
-/// `target`, by default at so small a spot that closed forms for a point hold over the picture.
+/// `target`, by default at so small a spot that closed forms for a point hold over the image.
 inline std::string scene_text(const std::string& eye,
                               const std::string& target,
                               int side_px,
@@ -30,16 +30,15 @@ inline std::string scene_text(const std::string& eye,
 }
 
 /// Mean over all pixels of one channel.
-inline double mean_of_channel(const image::Image& picture, std::size_t channel) {
+inline double mean_of_channel(const image::Image& image, std::size_t channel) {
   double sum = 0;
-  for (std::size_t i = channel; i < picture.pixels.size(); i += picture.channel_count())
-    sum += picture.pixels[i];
-  return sum / static_cast<double>(picture.pixel_count());
+  for (std::size_t i = channel; i < image.pixels.size(); i += image.channel_count()) sum += image.pixels[i];
+  return sum / static_cast<double>(image.pixel_count());
 }
 
 /// Standard error of mean_of_channel, from the variance layer (channel + 3).
-inline double error_of_mean(const image::Image& picture, std::size_t channel) {
-  return std::sqrt(mean_of_channel(picture, channel + 3) / static_cast<double>(picture.pixel_count()));
+inline double error_of_mean(const image::Image& image, std::size_t channel) {
+  return std::sqrt(mean_of_channel(image, channel + 3) / static_cast<double>(image.pixel_count()));
 }
 
 }  // namespace orbs::tests

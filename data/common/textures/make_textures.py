@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the pictures of this folder: python3 make_textures.py. Standard library only; same bytes on every run.
+"""Writes the images of this folder: python3 make_textures.py. Standard library only; same bytes on every run.
 
-All pictures but the checkers repeat without a seam. Colours are sRGB values in [0, 1], as a PNG stores them.
+All images but the checkers repeat without a seam. Colours are sRGB values in [0, 1], as a PNG stores them.
 """
 import math
 import struct
@@ -74,7 +74,7 @@ def layered_noise(u, v, cells_u, cells_v, seed, octaves) -> float:
     return total / weights
 
 
-def picture(width: int, height: int, shade) -> list:
+def image(width: int, height: int, shade) -> list:
     """shade(u, v) at pixel centres; v = 0 is the bottom, as the scenes count."""
     return [[shade((x + 0.5) / width, 1 - (y + 0.5) / height) for x in range(width)] for y in range(height)]
 
@@ -131,13 +131,13 @@ def soft_blobs(u, v):
 
 
 def main() -> None:
-    write_png("chess_white.png", picture(64, 64, checker((1, 1, 1))))
-    write_png("chess_red.png", picture(64, 64, checker((1, 0, 0))))
-    write_png("texture1.png", picture(256, 256, stone))
-    write_png("relief_wood.png", picture(256, 256, carved_wood))
-    write_png("163.png", picture(256, 256, bricks))
-    write_png("diff.png", picture(256, 256, floor_tiles))
-    write_png("blur_pattern.png", picture(352, 320, soft_blobs), grey=True)
+    write_png("chess_white.png", image(64, 64, checker((1, 1, 1))))
+    write_png("chess_red.png", image(64, 64, checker((1, 0, 0))))
+    write_png("texture1.png", image(256, 256, stone))
+    write_png("relief_wood.png", image(256, 256, carved_wood))
+    write_png("163.png", image(256, 256, bricks))
+    write_png("diff.png", image(256, 256, floor_tiles))
+    write_png("blur_pattern.png", image(352, 320, soft_blobs), grey=True)
 
 
 if __name__ == "__main__":

@@ -116,7 +116,7 @@ std::string stokes_limit(const scene::Scene& scene) {
   const double turn_deg = mitsuba::stokes_frame_turn_deg(scene.camera);
   if (!scene.outputs.stokes || turn_deg <= mitsuba::kMostFrameTurn_deg) return "";
   return fmt::format(
-      "the picture holds Stokes vectors: Mitsuba measures them from the direction across ray and camera's "
+      "the image holds Stokes vectors: Mitsuba measures them from the direction across ray and camera's "
       "up, "
       "which in the corners lies {:.1f} degrees from the camera's horizontal",
       turn_deg);

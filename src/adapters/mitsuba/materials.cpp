@@ -1,7 +1,7 @@
 #include "adapters/mitsuba/materials.h"
 
 #include "adapters/mitsuba/xml.h"
-#include "adapters/tinted_picture.h"
+#include "adapters/tinted_image.h"
 
 namespace orbs::adapters::mitsuba {
 
@@ -27,7 +27,7 @@ std::string roughness(const scene::Roughness& r) {
 struct BsdfWriter {
   const Colours& colours;
   const std::string& id;
-  const std::string& picture;
+  const std::string& image;
 
   std::string diffuse(scene::Rgb reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
@@ -40,7 +40,7 @@ struct BsdfWriter {
         id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
                         "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" value=\"bilinear\"/>"
                         "<string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
-                        picture, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
+                        image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
   }
   // `type` with the parameters of both sorts of glass. Mitsuba's default for outside is air, 1.000277.
   std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
@@ -93,7 +93,7 @@ struct BsdfWriter {
                       index_at(m.outside, kAnywhere_nm), m.roughness ? roughness(*m.roughness) : "");
   }
   // The axis stands with the shapes, as their texture coordinates. Of light that crosses at a slant Mitsuba
-  // projects the absorbing axis across the ray, we the transmitting one: in the corners of a picture of 34
+  // projects the absorbing axis across the ray, we the transmitting one: in the corners of an image of 34
   // degrees these are 4.9 degrees apart, which lets 0.7 % of crossed light through.
   std::string operator()(const scene::Polariser&) const {
     return fmt::format("<bsdf type=\"polarizer\" id=\"{}\"/>\n", id);
@@ -108,7 +108,7 @@ struct BsdfWriter {
 std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string id = fmt::format("material{}", material);
-  return comment(m.name) + std::visit(BsdfWriter{colours, id, tinted_picture_name(material, stem)}, m.model);
+  return comment(m.name) + std::visit(BsdfWriter{colours, id, tinted_image_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -6,7 +6,7 @@
 #include "adapters/mitsuba/sheets.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/parts.h"
-#include "adapters/tinted_picture.h"
+#include "adapters/tinted_image.h"
 #include "base/files.h"
 #include "scene/lower_parts.h"
 #include "scene/mesh_files.h"
@@ -124,7 +124,7 @@ class Writer {
  private:
   std::string material_text(int index) {
     if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
-      write_tinted(scene_, index, folder_ / tinted_picture_name(index, stem_));
+      write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
     return mitsuba::bsdf_text(colours_, index, stem_);
   }
 

@@ -12,7 +12,7 @@ namespace orbs::adapters {
 /// only the scene, no file.
 std::vector<std::string> mitsuba_limits(const scene::Scene& scene);
 
-/// Writes the scene as Mitsuba 3 XML to `file`, each mesh to `<stem>-mesh<i>.ply` and the picture of each
+/// Writes the scene as Mitsuba 3 XML to `file`, each mesh to `<stem>-mesh<i>.ply` and the image of each
 /// textured material to `<stem>-material<i>.exr` beside it. For the variants scalar_rgb and llvm_ad_rgb,
 /// which multiply RGB as ORB.S does, where scene::transport of the scene is Colour; else for scalar_spectral,
 /// or scalar_spectral_polarized where it is Polarised. Samples and seed are left open as `spp` and `seed` (-D

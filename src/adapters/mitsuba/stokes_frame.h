@@ -8,7 +8,7 @@
 /// projected across the ray here, and the direction across both the ray and the camera's y there.
 namespace orbs::adapters::mitsuba {
 
-/// The largest angle between the two in the picture: with the tangents a and b of a ray's angles to the right
+/// The largest angle between the two in the image: with the tangents a and b of a ray's angles to the right
 /// and up, sin = a b / sqrt((1 + a^2) (1 + b^2)). It turns S1 and S2 into each other by twice as much.
 double stokes_frame_turn_deg(const scene::Camera& camera);
 

@@ -43,7 +43,7 @@ struct ModelLimit {
   std::string operator()(const scene::Emission& m) const {
     if (!m.texture) return "";
     return fmt::format(
-        "material '{}' emits through a texture: pbrt's area light neither repeats a picture nor tints it",
+        "material '{}' emits through a texture: pbrt's area light neither repeats an image nor tints it",
         name);
   }
   std::string operator()(const scene::Mirror& m) const { return coloured(m.reflectance, "mirror"); }
@@ -91,14 +91,14 @@ std::string reflecting_limit(const scene::Light& light, const std::string& calle
   return called + " reflects where it shines: pbrt's diffuse surfaces reflect on both sides";
 }
 
-// pbrt enlarges other pictures to the next power of two and so blurs their texels.
+// pbrt enlarges other images to the next power of two and so blurs their texels.
 std::string size_limit(const scene::Texture& texture) {
-  const image::Image picture = image::read_image(texture.file);
-  if (std::has_single_bit(static_cast<unsigned>(picture.width)) &&
-      std::has_single_bit(static_cast<unsigned>(picture.height)))
+  const image::Image image = image::read_image(texture.file);
+  if (std::has_single_bit(static_cast<unsigned>(image.width)) &&
+      std::has_single_bit(static_cast<unsigned>(image.height)))
     return "";
   return fmt::format("texture '{}' has {} x {} pixels: pbrt resamples what is no power of two", texture.name,
-                     picture.width, picture.height);
+                     image.width, image.height);
 }
 
 }  // namespace

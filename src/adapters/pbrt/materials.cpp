@@ -2,7 +2,7 @@
 
 #include "adapters/parts.h"
 #include "adapters/pbrt/directives.h"
-#include "adapters/tinted_picture.h"
+#include "adapters/tinted_image.h"
 #include "scene/effects.h"
 
 namespace orbs::adapters::pbrt {
@@ -16,7 +16,7 @@ std::string named(const std::string& name, const std::string& type, const std::s
 struct MaterialWriter {
   const Colours& colours;
   const std::string& name;
-  const std::string& picture;
+  const std::string& image;
 
   // pbrt's v runs up from the bottom row, as ours.
   std::string diffuse(scene::Rgb reflectance,
@@ -25,10 +25,10 @@ struct MaterialWriter {
     if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));
     const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
     return fmt::format(
-               "Texture \"{}-picture\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
+               "Texture \"{}-image\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
                "filter\" \"bilinear\" \"string wrap\" \"{}\"\n",
-               name, picture, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat") +
-           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-picture\"", name));
+               name, image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat") +
+           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-image\"", name));
   }
   // A conductor's reflectance grows towards grazing angles, ORB.S's mirrors have one for all. So a share of
   // the hits meets a full mirror and the rest meets black, which is right on average for a grey colour. pbrt
@@ -89,7 +89,7 @@ std::string material_text(const Colours& colours, int material, const std::strin
   const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
   const std::string name = fmt::format("material{}", material);
   return fmt::format("# material {}\n", one_line(m.name)) +
-         std::visit(MaterialWriter{colours, name, tinted_picture_name(material, stem)}, m.model);
+         std::visit(MaterialWriter{colours, name, tinted_image_name(material, stem)}, m.model);
 }
 
 }  // namespace orbs::adapters::pbrt

@@ -4,7 +4,7 @@
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
 #include "adapters/pbrt/materials.h"
-#include "adapters/tinted_picture.h"
+#include "adapters/tinted_image.h"
 #include "base/files.h"
 #include "scene/lower_parts.h"
 #include "scene/mesh_files.h"
@@ -19,15 +19,15 @@ namespace {
 using pbrt::numbers;
 using pbrt::transform;
 
-// pbrt's field of view is that of the picture's shorter side.
+// pbrt's field of view is that of the image's shorter side.
 double fov_of_shorter_side_deg(const scene::Camera& camera) {
   if (camera.width_px >= camera.height_px) return camera.fov_y_deg;
   const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
   return 360 / std::numbers::pi * std::atan(half_height * camera.width_px / camera.height_px);
 }
 
-// pbrt's camera space is left-handed: the mirrored x makes a right-handed picture. Texture filtering off
-// leaves bilinear interpolation; by itself pbrt would take a coarser picture far away. Half floats and the
+// pbrt's camera space is left-handed: the mirrored x makes a right-handed image. Texture filtering off
+// leaves bilinear interpolation; by itself pbrt would take a coarser image far away. Half floats and the
 // clamp of bright samples would change values.
 std::string head_text(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
@@ -58,7 +58,7 @@ class Writer {
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
-        write_tinted(scene_, index, folder_ / tinted_picture_name(index, stem_));
+        write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
       text += pbrt::material_text(colours_, index, stem_);
     }
     const std::vector<Part> parts = parts_of(scene_);

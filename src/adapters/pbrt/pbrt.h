@@ -13,7 +13,7 @@ namespace orbs::adapters {
 /// that coloured surfaces differ from RGB by some percent after a few bounces.
 std::vector<std::string> pbrt_limits(const scene::Scene& scene);
 
-/// Writes the scene for pbrt-v4 to `file`, each mesh to `<stem>-mesh<i>.ply` and the picture of each textured
+/// Writes the scene for pbrt-v4 to `file`, each mesh to `<stem>-mesh<i>.ply` and the image of each textured
 /// material to `<stem>-material<i>.exr` beside it. Samples, seed and output come from pbrt's command line.
 /// Lower the scene first; pbrt_limits must be empty. InputError when a file cannot be read or written.
 void write_pbrt(const scene::Scene& scene, const std::filesystem::path& file);

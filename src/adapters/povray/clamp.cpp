@@ -28,7 +28,7 @@ struct Size {
 Size png_size(const std::filesystem::path& file) {
   const std::string bytes = read_file(file);
   if (bytes.size() < 24 || bytes.substr(12, 4) != "IHDR")
-    throw InputError(fmt::format("{}: no PNG picture; expected a header IHDR", file.string()));
+    throw InputError(fmt::format("{}: no PNG image; expected a header IHDR", file.string()));
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
@@ -95,7 +95,7 @@ std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture) {
   if (u && v) return {{{true, kEdge, 1 - kEdge}, {true, kEdge, 1 - kEdge}}};
   if (image_type(texture.file) != "png")
     throw InputError(
-        fmt::format("texture '{}' is clamped along one axis only, which needs the picture's size: expected a "
+        fmt::format("texture '{}' is clamped along one axis only, which needs the image's size: expected a "
                     "PNG, found {}",
                     texture.name, texture.file.string()));
   const Size size = png_size(texture.file);

@@ -8,7 +8,7 @@
 
 namespace orbs::adapters::povray {
 
-/// A corner of a triangle with the texture coordinates that the picture is looked up at (texture matrix
+/// A corner of a triangle with the texture coordinates that the image is looked up at (texture matrix
 /// applied).
 struct Corner {
   Vec3d position;
@@ -19,7 +19,7 @@ struct Corner {
 /// False for slivers, which POV-Ray refuses.
 bool has_area(const std::array<Corner, 3>& triangle);
 
-/// Where coordinates of one axis stop. POV-Ray repeats a picture or shows nothing beyond its edge, so a
+/// Where coordinates of one axis stop. POV-Ray repeats an image or shows nothing beyond its edge, so a
 /// clamped axis is cut at `low` and `high` and every coordinate beyond is moved there. Repeated axes have no
 /// bounds.
 struct ClampAxis {
@@ -28,9 +28,9 @@ struct ClampAxis {
   double high = 1;
 };
 
-/// How a texture's clamped axes are cut. With both axes clamped the picture is looked up "once" and the
+/// How a texture's clamped axes are cut. With both axes clamped the image is looked up "once" and the
 /// bounds are just inside its edge; with one, POV-Ray's filter wraps around at both, and the bounds are the
-/// centres of the outer texels, which takes the picture's size: a PNG then, whose header is read. InputError
+/// centres of the outer texels, which takes the image's size: a PNG then, whose header is read. InputError
 /// when that is not to be had.
 std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture);
 

@@ -41,8 +41,8 @@ std::string image_map(const scene::Scene& scene,
                      once ? " once" : "", options);
 }
 
-// `part` is "diffuse" or "emission". A picture that is tinted becomes two layers, since POV-Ray has no
-// product of pigments: the lower one shines, the upper one is a filter of the picture's colours.
+// `part` is "diffuse" or "emission". An image that is tinted becomes two layers, since POV-Ray has no
+// product of pigments: the lower one shines, the upper one is a filter of the image's colours.
 std::string tinted(const scene::Scene& scene,
                    const std::string& part,
                    scene::Rgb tint,

@@ -30,7 +30,7 @@ constexpr int kMostTraceLevels =
     256;  // another one; what is left of a ray after 100 mirrors is adc_bailout's
 
 // Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
-// has the length of the picture's width, `up` of its height, `direction` of the distance of that window.
+// has the length of the image's width, `up` of its height, `direction` of the distance of that window.
 std::string camera_text(const scene::Camera& camera) {
   const auto frame = scene::camera_frame(camera);
   const double aspect = static_cast<double>(camera.width_px) / camera.height_px;

@@ -20,7 +20,7 @@ struct PovrayRadiosity {
   double low_error_factor = 0.5;
   /// Cached points that a value is averaged from; at most 20.
   int nearest_count = 10;
-  /// First and last spacing of the passes that fill the cache, as shares of the picture's width.
+  /// First and last spacing of the passes that fill the cache, as shares of the image's width.
   double pretrace_start = 0.04;
   double pretrace_end = 0.005;
   /// Bounds of a cached point's radius, as shares of its distance from the camera.

@@ -21,7 +21,7 @@ PassRenderer spectral_pass;
 PassRenderer bispectral_pass;
 PassRenderer polarised_pass;
 PassRenderer polarised_bispectral_pass;
-PassRenderer stokes_pass;  // polarised, with S1 to S3 in the picture
+PassRenderer stokes_pass;  // polarised, with S1 to S3 in the image
 PassRenderer stokes_bispectral_pass;
 
 /// The one for the world's transport.

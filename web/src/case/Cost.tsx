@@ -1,9 +1,9 @@
 import { bytes, seconds } from "../common/format";
 import { Copyable } from "../common/Copyable";
-import type { PictureDetail } from "../data/types";
+import type { TargetDetail } from "../data/types";
 
 /** What the renders cost, and how to do them again. */
-export function Cost({ detail }: { detail: PictureDetail }) {
+export function Cost({ detail }: { detail: TargetDetail }) {
   return (
     <section class="cost">
       <h2>Time, memory, command</h2>

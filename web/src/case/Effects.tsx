@@ -1,4 +1,4 @@
-import type { Effect, PictureDetail, Scene } from "../data/types";
+import type { Effect, TargetDetail, Scene } from "../data/types";
 
 /** The first thing speaks for the others that call for the same effect. */
 function grouped(effects: Effect[]): { first: Effect; others: number }[] {
@@ -35,7 +35,7 @@ function Prices({ scene }: { scene: Scene }) {
           <th scope="col">Transport</th>
           <th scope="col" class="number" title="CPU time per sample, over that of what the scene calls for">Time</th>
           <th scope="col" class="number" title="CPU time to the same noise, over that of what the scene calls for">To equal noise</th>
-          <th scope="col">Picture</th>
+          <th scope="col">Target</th>
         </tr>
       </thead>
       <tbody>
@@ -44,7 +44,7 @@ function Prices({ scene }: { scene: Scene }) {
             <th scope="row">{price.name}</th>
             <td class="number">{times(price.time_ratio)}</td>
             <td class="number">{times(price.error_ratio)}</td>
-            <td>{price.picture}</td>
+            <td>{price.target}</td>
           </tr>
         ))}
       </tbody>
@@ -53,7 +53,7 @@ function Prices({ scene }: { scene: Scene }) {
 }
 
 /** What the scene calls for, what that costs, and what would be lost without. */
-export function Effects({ detail }: { detail: PictureDetail }) {
+export function Effects({ detail }: { detail: TargetDetail }) {
   return (
     <>
       {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.prices.length > 0).map((scene) => (

@@ -1,8 +1,8 @@
 import type { Session } from "../common/session";
-import type { PictureDetail } from "../data/types";
+import type { TargetDetail } from "../data/types";
 
 /** The ends of the logs. They are text, whatever they hold. */
-export function Logs({ session, detail }: { session: Session; detail: PictureDetail }) {
+export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {
   const jobs = detail.jobs.filter((job) => job.log !== "" || job.sentence !== "");
   if (jobs.length === 0) return null;
   return (

@@ -1,5 +1,5 @@
 import { number, withUnit } from "../common/format";
-import type { Check, Measure, PictureDetail } from "../data/types";
+import type { Check, Measure, TargetDetail } from "../data/types";
 
 function toleranceText(check: Check | undefined): string {
   if (!check) return "";
@@ -23,7 +23,7 @@ function detailText({ low, high, where }: Measure): string {
 }
 
 /** Every number with what it may be and what it means, then the conditions that are no metric. */
-export function Measures({ detail }: { detail: PictureDetail }) {
+export function Measures({ detail }: { detail: TargetDetail }) {
   const { measures, checks, remarks = [] } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;

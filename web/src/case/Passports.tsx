@@ -1,6 +1,6 @@
 import { bytes } from "../common/format";
 import type { Session } from "../common/session";
-import type { Host, PictureDetail } from "../data/types";
+import type { Host, TargetDetail } from "../data/types";
 
 function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   const known = pairs.filter(([, value]) => value !== "");
@@ -33,12 +33,12 @@ function hostPairs(host: Host, load: number): [string, string][] {
   ];
 }
 
-/** Who made the pictures, and how. */
-export function Passports({ session, detail }: { session: Session; detail: PictureDetail }) {
+/** Who made the images, and how. */
+export function Passports({ session, detail }: { session: Session; detail: TargetDetail }) {
   const { run } = session.overview;
   return (
     <section class="passports">
-      <h2>Where the pictures come from</h2>
+      <h2>Where the targets come from</h2>
       <div class="columns">
         {detail.jobs.map((job) => (
           <Pairs key={job.id} title={`Result: ${job.scene}`} pairs={[

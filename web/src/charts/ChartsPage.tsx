@@ -3,7 +3,7 @@ import type { Session } from "../common/session";
 import type { Chart } from "../data/types";
 import { cellLink } from "../overview/Grid";
 import { go, note, parseRoute, type Route } from "../route";
-import { chartByPicture, chartOfTwo, quantitiesOf, type Quantity } from "./from_run";
+import { chartByTarget, chartOfTwo, quantitiesOf, type Quantity } from "./from_run";
 import { hasPoints, leftOutText } from "./drawable";
 import { Plot } from "./Plot";
 
@@ -31,7 +31,7 @@ function ChartSection({ chart, onOpen, children }: { chart: Chart; onOpen: (cell
   );
 }
 
-/** Time, memory and error of all pictures, and the curves that the run holds. */
+/** Time, memory and error of all images, and the curves that the run holds. */
 export function ChartsPage({ session, route }: { session: Session; route: Route }) {
   const { overview } = session;
   const quantities = useMemo(() => quantitiesOf(overview), [overview]);
@@ -41,17 +41,17 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
   const x = pick("cx", ({ name }) => name === "wall_seconds");
   const firstError = overview.metrics.find((metric) => metric.lower_is_better)?.name ?? overview.main_metric;
   const y = pick("cy", ({ name }) => name === firstError);
-  const byPicture = useMemo(() => one && chartByPicture(overview, one), [overview, one]);
+  const byTarget = useMemo(() => one && chartByTarget(overview, one), [overview, one]);
   const ofTwo = useMemo(() => x && y && chartOfTwo(overview, x, y), [overview, x, y]);
   const open = (cell: number): void => go(parseRoute(cellLink(session, cell)));
-  if (!one || !x || !y || !byPicture || !ofTwo) return <p class="quiet">Nothing was rendered yet, so there is nothing to draw.</p>;
+  if (!one || !x || !y || !byTarget || !ofTwo) return <p class="quiet">Nothing was rendered yet, so there is nothing to draw.</p>;
   return (
     <>
       <h1 class="unseen">Time and memory</h1>
       {overview.machines.length > 1 ? (
         <p class="quiet">Not all times are of one machine, so they cannot be compared: {overview.machines.join("; ")}.</p>
       ) : null}
-      <ChartSection chart={byPicture} onOpen={open}>
+      <ChartSection chart={byTarget} onOpen={open}>
         <Choice label="Show" param="of" chosen={one} quantities={quantities} />
       </ChartSection>
       <ChartSection chart={ofTwo} onOpen={open}>

@@ -127,5 +127,5 @@ const seriesColourOf = (one: uPlot.Series | undefined): string =>
 function tipText(chart: Chart, s: number, point: ChartPoint, series: uPlot.Series[]): string {
   const name = typeof series[s]?.label === "string" ? series[s]?.label : "";
   const x = chart.x.ticks ? "" : `${chart.x.label} ${number(point.x)}, `;
-  return `${name}${point.label ? ` · ${point.label}` : ""}: ${x}${chart.y.label} ${number(point.y)}${point.cell === undefined ? "" : " · click to open the picture"}`;
+  return `${name}${point.label ? ` · ${point.label}` : ""}: ${x}${chart.y.label} ${number(point.y)}${point.cell === undefined ? "" : " · click to open the image"}`;
 }

@@ -1,21 +1,21 @@
 import { namesOf } from "../common/session";
 import type { Chart, ChartPoint, Column, Overview } from "../data/types";
 
-/** A quantity of a picture that a chart can show. */
+/** A quantity of an image that a chart can show. */
 export interface Quantity {
   name: string;
   label: string;
   column: Column;
-  /** Pictures whose number is infinite, which no column can say. */
+  /** Images whose number is infinite, which no column can say. */
   infinite: ReadonlySet<number>;
   log: boolean;
 }
 
-// Half of the pictures below zero would have no place on a logarithmic axis, and nothing but zeros none at all.
+// Half of the images below zero would have no place on a logarithmic axis, and nothing but zeros none at all.
 const suitsLog = (column: Column): boolean =>
   column.some((value) => value !== null && value > 0) && !column.some((value) => value !== null && value < 0);
 
-/** What each picture cost, then every metric of the run. Only what the run has numbers for. */
+/** What each image cost, then every metric of the run. Only what the run has numbers for. */
 export function quantitiesOf(overview: Overview): Quantity[] {
   const { cells, metrics, measures } = overview;
   const memory = cells.peak_rss_bytes.map((value) => (value === null ? null : value / 1e6));
@@ -40,44 +40,44 @@ export function quantitiesOf(overview: Overview): Quantity[] {
 const valueOf = ({ column, infinite }: Quantity, cell: number): number | null =>
   infinite.has(cell) ? Infinity : (column[cell] ?? null);
 
-/** Pictures that are the same for several cases are one point. */
-function eachPicture(overview: Overview, visit: (cell: number, renderer: number, picture: string) => void): void {
+/** Images that are the same for several cases are one point. */
+function eachTarget(overview: Overview, visit: (cell: number, renderer: number, target: string) => void): void {
   const seen = new Set<string>();
   overview.cells.case.forEach((_, cell) => {
     const names = namesOf(overview, cell);
-    const key = `${names.renderer}\n${names.picture}`;
+    const key = `${names.renderer}\n${names.target}`;
     if (seen.has(key)) return;
     seen.add(key);
-    visit(cell, overview.cells.renderer[cell] ?? -1, names.picture);
+    visit(cell, overview.cells.renderer[cell] ?? -1, names.target);
   });
 }
 
-/** One quantity of all pictures, a series per renderer. */
-export function chartByPicture(overview: Overview, quantity: Quantity): Chart {
+/** One quantity of all images, a series per renderer. */
+export function chartByTarget(overview: Overview, quantity: Quantity): Chart {
   const ticks: string[] = [];
   const place = new Map<string, number>();
   const series = overview.renderers.map(({ name }) => ({ name, points: [] as ChartPoint[] }));
-  eachPicture(overview, (cell, renderer, picture) => {
+  eachTarget(overview, (cell, renderer, target) => {
     const y = valueOf(quantity, cell);
     if (y === null) return;
-    if (!place.has(picture)) {
-      place.set(picture, ticks.length);
-      ticks.push(picture);
+    if (!place.has(target)) {
+      place.set(target, ticks.length);
+      ticks.push(target);
     }
     // Side by side, so that equal values of two renderers are both seen.
     const shift = (renderer - (overview.renderers.length - 1) / 2) * (0.5 / Math.max(1, overview.renderers.length));
-    series[renderer]?.points.push({ x: (place.get(picture) ?? 0) + shift, y, cell, label: picture });
+    series[renderer]?.points.push({ x: (place.get(target) ?? 0) + shift, y, cell, label: target });
   });
-  return { title: `${quantity.label} of each picture`, x: { label: "", log: false, ticks }, y: { label: quantity.label, log: quantity.log }, series };
+  return { title: `${quantity.label} of each target`, x: { label: "", log: false, ticks }, y: { label: quantity.label, log: quantity.log }, series };
 }
 
-/** One quantity against another, a point per picture and renderer. */
+/** One quantity against another, a point per image and renderer. */
 export function chartOfTwo(overview: Overview, x: Quantity, y: Quantity): Chart {
   const series = overview.renderers.map(({ name }) => ({ name, points: [] as ChartPoint[] }));
-  eachPicture(overview, (cell, renderer, picture) => {
+  eachTarget(overview, (cell, renderer, target) => {
     const [px, py] = [valueOf(x, cell), valueOf(y, cell)];
     if (px === null || py === null) return;
-    series[renderer]?.points.push({ x: px, y: py, cell, label: picture });
+    series[renderer]?.points.push({ x: px, y: py, cell, label: target });
   });
   return { title: `${y.label} against ${x.label}`, x: { label: x.label, log: x.log }, y: { label: y.label, log: y.log }, series };
 }

@@ -20,20 +20,20 @@ export const runNamed = (source: Source, name: string | undefined, usual: number
 export const runQuery = (source: Source, run: number, param = "run"): Record<string, string> =>
   source.runs.length > 1 ? { [param]: source.runs[run] ?? "" } : {};
 
-/** Index of the picture of a case by a renderer, -1 when the run has none. */
-export function findCell(overview: Overview, caseName: string, picture: string, renderer: string): number {
+/** Index of the image of a case by a renderer, -1 when the run has none. */
+export function findCell(overview: Overview, caseName: string, target: string, renderer: string): number {
   const { cells } = overview;
   const wantedCase = overview.cases.findIndex((one) => one.name === caseName);
-  const wantedPicture = overview.pictures.indexOf(picture);
+  const wantedTarget = overview.targets.indexOf(target);
   const wantedRenderer = overview.renderers.findIndex((one) => one.name === renderer);
   return cells.case.findIndex(
-    (one, i) => one === wantedCase && cells.picture[i] === wantedPicture && cells.renderer[i] === wantedRenderer,
+    (one, i) => one === wantedCase && cells.target[i] === wantedTarget && cells.renderer[i] === wantedRenderer,
   );
 }
 
 export interface CellNames {
   case: string;
-  picture: string;
+  target: string;
   renderer: string;
 }
 
@@ -41,7 +41,7 @@ export function namesOf(overview: Overview, index: number): CellNames {
   const { cells } = overview;
   return {
     case: overview.cases[cells.case[index] ?? -1]?.name ?? "",
-    picture: overview.pictures[cells.picture[index] ?? -1] ?? "",
+    target: overview.targets[cells.target[index] ?? -1] ?? "",
     renderer: overview.renderers[cells.renderer[index] ?? -1]?.name ?? "",
   };
 }

@@ -19,7 +19,7 @@ const known: Record<string, Look> = {
   timeout: { symbol: "◔", tone: "broken" },
 };
 
-// Of pictures that nobody has rendered: neither better nor worse than any other.
+// Of images that nobody has rendered: neither better nor worse than any other.
 const open = ["waiting", "running", "skipped"];
 
 export const isOpen = (state: State | undefined): boolean => state === undefined || open.includes(state.name);

@@ -69,12 +69,12 @@ function TimeCell({ a, b, change }: { a: Overview; b: Overview; change: Change }
 
 /** What became of the time, where that can be said. */
 function TimeLine({ a, b, changes }: { a: Overview; b: Overview; changes: Change[] }) {
-  const { ratio, pictures, apart, machines } = timeSummary(a, b, changes);
+  const { ratio, targets, apart, machines } = timeSummary(a, b, changes);
   const loads = `load at the start ${a.run.load.toFixed(2)} before, ${b.run.load.toFixed(2)} after`;
   return (
     <p class="compare-time quiet">
-      {pictures > 0 ? <span>Wall clock × {number(ratio)}, the geometric mean of {pictures} pictures; {loads}. </span> : null}
-      {machines ? <span>Not compared for {apart} pictures: {kApart} ({apartText(machines)}).</span> : null}
+      {targets > 0 ? <span>Wall clock × {number(ratio)}, the geometric mean of {targets} targets; {loads}. </span> : null}
+      {machines ? <span>Not compared for {apart} targets: {kApart} ({apartText(machines)}).</span> : null}
     </p>
   );
 }
@@ -96,13 +96,13 @@ function Changes({ kind, changes, a, b, metric, links }: {
         </summary>
         <table>
           <thead>
-            <tr><th scope="col">Case</th><th scope="col">Picture</th><th scope="col">Renderer</th><th scope="col">Before</th><th scope="col">After</th><th scope="col" class="number" title="wall clock, after over before">Time</th></tr>
+            <tr><th scope="col">Case</th><th scope="col">Target</th><th scope="col">Renderer</th><th scope="col">Before</th><th scope="col">After</th><th scope="col" class="number" title="wall clock, after over before">Time</th></tr>
           </thead>
           <tbody>
             {changes.slice(0, kMostRows).map((change) => (
-              <tr key={`${change.names.case} ${change.names.picture} ${change.names.renderer}`}>
+              <tr key={`${change.names.case} ${change.names.target} ${change.names.renderer}`}>
                 <th scope="row">{change.names.case}</th>
-                <td>{change.names.picture}</td>
+                <td>{change.names.target}</td>
                 <td>{a.renderer && b.renderer ? `${a.renderer} → ${b.renderer}` : change.names.renderer}</td>
                 <Cell overview={a.overview} cell={change.before} metric={metric} link={links.a(change.before)} />
                 <Cell overview={b.overview} cell={change.after} metric={metric} link={links.b(change.after)} />

@@ -35,7 +35,7 @@ function byKey(overview: Overview, renderer: string, asRenderer: string): Map<st
   overview.cells.case.forEach((_, cell) => {
     const names = namesOf(overview, cell);
     if (renderer && names.renderer !== renderer) return;
-    out.set([names.case, names.picture, asRenderer || names.renderer].join("\n"), { cell, names });
+    out.set([names.case, names.target, asRenderer || names.renderer].join("\n"), { cell, names });
   });
   return out;
 }
@@ -46,7 +46,7 @@ export interface Side {
   renderer: string;
 }
 
-/** What became of each picture from one side to the other. */
+/** What became of each target from one side to the other. */
 export function changesOf(a: Side, b: Side, metric: string): Change[] {
   const common = a.renderer && b.renderer ? "both" : "";
   const before = byKey(a.overview, a.renderer, common);

@@ -15,28 +15,28 @@ export function timesOf(a: Overview, before: number, b: Overview, after: number)
 }
 
 export interface TimeSummary {
-  /** Geometric mean over the pictures: twice as fast here and half as fast there is as before. */
+  /** Geometric mean over the images: twice as fast here and half as fast there is as before. */
   ratio: number;
-  pictures: number;
-  /** Pictures whose times are of different machines, and those of the first of them. */
+  targets: number;
+  /** Images whose times are of different machines, and those of the first of them. */
   apart: number;
   machines?: [string, string];
 }
 
 export function timeSummary(a: Overview, b: Overview, changes: Change[]): TimeSummary {
-  const summary: TimeSummary = { ratio: 1, pictures: 0, apart: 0 };
+  const summary: TimeSummary = { ratio: 1, targets: 0, apart: 0 };
   let logs = 0;
   for (const { before, after } of changes) {
     const times = timesOf(a, before, b, after);
     if (!times) continue;
     if ("ratio" in times) {
       logs += Math.log(times.ratio);
-      summary.pictures += 1;
+      summary.targets += 1;
     } else {
       summary.apart += 1;
       summary.machines ??= times.machines;
     }
   }
-  if (summary.pictures > 0) summary.ratio = Math.exp(logs / summary.pictures);
+  if (summary.targets > 0) summary.ratio = Math.exp(logs / summary.targets);
   return summary;
 }

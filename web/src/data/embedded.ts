@@ -1,6 +1,6 @@
 import { unpack } from "./raster";
 import type { Source } from "./source";
-import type { Overview, PictureDetail } from "./types";
+import type { Overview, TargetDetail } from "./types";
 
 function textOf(id: string): string {
   const element = document.getElementById(id);
@@ -21,15 +21,15 @@ export function embeddedSource(): Source {
   // In a file no run goes on.
   const overview = { ...written, run: { ...written.run, live: false } };
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
-  let pictures: PictureDetail[] | undefined;
+  let targets: TargetDetail[] | undefined;
   return {
     runs: [overview.run.name],
     overview: async () => overview,
-    picture: async (_run, index) => {
-      pictures ??= JSON.parse(textOf("orbs-pictures")) as PictureDetail[];
-      const picture = pictures[index];
-      if (!picture) throw new Error("this run has no such picture");
-      return picture;
+    target: async (_run, index) => {
+      targets ??= JSON.parse(textOf("orbs-targets")) as TargetDetail[];
+      const target = targets[index];
+      if (!target) throw new Error("this run has no such target");
+      return target;
     },
     raster: async (_run, file, layer) => {
       const element = elements[file];

@@ -1,4 +1,4 @@
-// Pictures as src/report/packed_image.h packs them (orbs-image/1).
+// Images as src/report/packed_image.h packs them (orbs-image/1).
 
 export interface ChannelInfo {
   name: string;
@@ -67,10 +67,10 @@ export function floatsOf(raster: Raster, channel: number, begin: number, end: nu
 export async function unpack(gzipped: ReadableStream<Uint8Array<ArrayBuffer>>): Promise<Raster> {
   const stream = gzipped.pipeThrough(new DecompressionStream("gzip"));
   const bytes = await new Response(stream).arrayBuffer();
-  if (bytes.byteLength < 4) throw new Error("the picture is torn");
+  if (bytes.byteLength < 4) throw new Error("the image is torn");
   const headerLength = new DataView(bytes).getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength))) as Header;
-  if (header.format !== "orbs-image/1") throw new Error(`the picture has the format '${header.format}'`);
+  if (header.format !== "orbs-image/1") throw new Error(`the image has the format '${header.format}'`);
   const count = header.width * header.height;
   let at = 4 + headerLength;
   const planes = header.channels.map((channel) => {

@@ -1,6 +1,6 @@
 import { unpack } from "./raster";
 import type { Source } from "./source";
-import type { Overview, PictureDetail, Progress } from "./types";
+import type { Overview, TargetDetail, Progress } from "./types";
 
 async function get(address: string, signal?: AbortSignal): Promise<Response> {
   const answer = await fetch(address, signal ? { signal } : {}).catch((error: unknown) => {
@@ -24,7 +24,7 @@ export async function servedSource(): Promise<Source> {
       if (overview.run.name === expected) return overview;
       throw new Error(`expected the run '${expected}' and found '${overview.run.name}': the server was started anew; reload the page`);
     },
-    picture: async (run, index) => (await (await get(`/data/${run}/picture/${index}.json`)).json()) as PictureDetail,
+    target: async (run, index) => (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
     raster: async (run, file, layer, signal) => {
       const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
       const answer = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);

@@ -1,7 +1,7 @@
 import { embeddedSource } from "./embedded";
 import type { Raster } from "./raster";
 import { servedSource } from "./served";
-import type { Overview, PictureDetail, Progress } from "./types";
+import type { Overview, TargetDetail, Progress } from "./types";
 
 /** "lost" while the server is waited for, "silent" when it will tell nothing more. */
 export type News = Progress | "lost" | "silent";
@@ -11,11 +11,11 @@ export interface Source {
   /** Names of the runs that are there, the first to open with. */
   runs: string[];
   overview(run: number): Promise<Overview>;
-  picture(run: number, index: number): Promise<PictureDetail>;
-  /** One layer of a picture; fails with an Error that says why. */
+  target(run: number, index: number): Promise<TargetDetail>;
+  /** One layer of an image; fails with an Error that says why. */
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
-  /** Address of the small picture of a cell, undefined when there is none. */
-  thumbnail(run: number, index: number, image: () => Promise<PictureDetail>): Promise<string | undefined>;
+  /** Address of the small image of a cell, undefined when there is none. */
+  thumbnail(run: number, index: number, target: () => Promise<TargetDetail>): Promise<string | undefined>;
   /** Address of a file of the run, undefined where it cannot be had. */
   fileAddress(run: number, file: string): string | undefined;
   /** Tells the news of a run that goes on; returns what ends that. */

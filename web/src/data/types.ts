@@ -65,12 +65,12 @@ export interface Metric {
   signed?: boolean;
 }
 
-/** One number per picture of the run; null where there is none. */
+/** One number per image of the run; null where there is none. */
 export type Column = (number | null)[];
 
 export interface Cells {
   case: number[];
-  picture: number[];
+  target: number[];
   renderer: number[];
   state: number[];
   declared: number[];
@@ -90,7 +90,7 @@ export interface ChartPoint {
   y: number;
   low?: number;
   high?: number;
-  /** Index of the picture that a click opens. */
+  /** Index of the image that a click opens. */
   cell?: number;
   label?: string;
 }
@@ -126,9 +126,9 @@ export interface Overview {
   cases: Case[];
   requirements: { code: string; title: string }[];
   metrics: Metric[];
-  /** The metric that most gates look at; "" when no picture was measured. */
+  /** The metric that most gates look at; "" when no image was measured. */
   main_metric: string;
-  pictures: string[];
+  targets: string[];
   sentences: string[];
   /** What times depend on: those of two different texts are not compared. */
   machines: string[];
@@ -205,7 +205,7 @@ export interface Price {
   time_ratio: number;
   /** 0 where nobody knows. */
   error_ratio: number;
-  picture: string;
+  target: string;
 }
 
 export interface Scene {
@@ -216,9 +216,9 @@ export interface Scene {
   prices: Price[];
 }
 
-export interface PictureDetail {
+export interface TargetDetail {
   case: string;
-  picture: string;
+  target: string;
   renderer: string;
   requirement: string;
   sentence: string;

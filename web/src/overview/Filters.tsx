@@ -50,7 +50,7 @@ export function Filters({ overview, filter, count, box, show }: Props) {
   return (
     <section class="filters" aria-label="Filter">
       <label class="search">
-        <span class="unseen">Filter by requirement, case or picture</span>
+        <span class="unseen">Filter by requirement, case or target</span>
         <input ref={box} type="search" placeholder="Filter  ( / )" value={filter.text}
           onInput={(event) => note({ q: event.currentTarget.value })}
           onKeyDown={(event) => event.key === "Escape" && event.currentTarget.blur()} />
@@ -62,8 +62,8 @@ export function Filters({ overview, filter, count, box, show }: Props) {
         <button aria-pressed={filter.failuresFirst} title="Key f" onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}>
           Failures first
         </button>
-        <button aria-pressed={filter.byPicture} title="Key p" onClick={() => note({ by: filter.byPicture ? "" : "picture" })}>
-          By picture
+        <button aria-pressed={filter.byTarget} title="Key p" onClick={() => note({ by: filter.byTarget ? "" : "target" })}>
+          By target
         </button>
         <label>
           Show{" "}

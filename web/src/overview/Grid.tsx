@@ -52,7 +52,7 @@ function shown(overview: Overview, show: string, index: number): string {
 
 export function cellLink(session: Session, index: number): string {
   const names = namesOf(session.overview, index);
-  return routeText({ path: ["case", names.case, names.picture, names.renderer], query: runQuery(session.source, session.run) });
+  return routeText({ path: ["case", names.case, names.target, names.renderer], query: runQuery(session.source, session.run) });
 }
 
 function Cell({ session, index, show, onHover }: {
@@ -79,10 +79,10 @@ function Cell({ session, index, show, onHover }: {
 }
 
 function RowHead({ row, filter }: { row: Row; filter: Filter }) {
-  if (row.kind === "picture")
+  if (row.kind === "target")
     return (
-      <span role="rowheader" class="rowhead picture">
-        <b>{filter.byPicture ? row.requirement : ""}</b> <span class="title" title={row.title}>{row.title}</span>
+      <span role="rowheader" class="rowhead image">
+        <b>{filter.byTarget ? row.requirement : ""}</b> <span class="title" title={row.title}>{row.title}</span>
       </span>
     );
   const open = filter.open.includes(row.requirement);
@@ -90,8 +90,8 @@ function RowHead({ row, filter }: { row: Row; filter: Filter }) {
     note({ open: (open ? filter.open.filter((code) => code !== row.requirement) : [...filter.open, row.requirement]).join("|") });
   return (
     <span role="rowheader" class="rowhead">
-      <button class="twist" aria-expanded={open} onClick={toggle} title={`${row.below} pictures`}
-        aria-label={`Pictures of ${row.requirement}`}>
+      <button class="twist" aria-expanded={open} onClick={toggle} title={`${row.below} targets`}
+        aria-label={`Targets of ${row.requirement}`}>
         {open ? "▾" : "▸"}
       </button>
       <b>{row.requirement}</b> <span class="title" title={row.title}>{row.title}</span>
@@ -111,7 +111,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
     <div class="grid" role="table" aria-label="Requirements by renderers" aria-rowcount={rows.length + 1}
       style={{ "--columns": columns }}>
       <div role="row" class="row head" aria-rowindex={1}>
-        <span role="columnheader">{filter.byPicture ? "Picture" : "Requirement"}</span>
+        <span role="columnheader">{filter.byTarget ? "Image" : "Requirement"}</span>
         {renderers.map((r) => <span role="columnheader" key={r}>{overview.renderers[r]?.name}</span>)}
       </div>
       {rows.length === 0 ? <p class="quiet empty">Nothing matches the filter.</p> : null}

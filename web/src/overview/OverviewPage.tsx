@@ -15,7 +15,7 @@ function filterOf({ query }: Route): Filter {
     suites: list(query["suite"]),
     states: list(query["state"]),
     renderers: list(query["renderer"]),
-    byPicture: query["by"] === "picture",
+    byTarget: query["by"] === "target",
     failuresFirst: query["order"] !== "given",
     open: list(query["open"]),
   };
@@ -29,7 +29,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
   const box = useRef<HTMLInputElement>(null);
   useActions([
     { key: "/", label: "filter", group: "Overview", run: () => box.current?.focus() },
-    { key: "p", label: "by requirement or by picture", group: "Overview", run: () => note({ by: filter.byPicture ? "" : "picture" }) },
+    { key: "p", label: "by requirement or by image", group: "Overview", run: () => note({ by: filter.byTarget ? "" : "target" }) },
     { key: "f", label: "failures first or in the order of the suite", group: "Overview",
       run: () => note({ order: filter.failuresFirst ? "given" : "" }) },
   ]);

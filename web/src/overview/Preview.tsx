@@ -7,7 +7,7 @@ export interface Hovered {
   box: DOMRect;
 }
 
-/** A small picture of the cell under the pointer or the focus, and what is said about it. */
+/** A small image of the cell under the pointer or the focus, and what is said about it. */
 export function Preview({ session, hovered }: { session: Session; hovered: Hovered }) {
   const { overview, source, run } = session;
   const { index, box } = hovered;
@@ -16,7 +16,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
     let wanted = true;
     setImage(undefined);
     if (overview.cells.thumbnail[index])
-      source.thumbnail(run, index, () => source.picture(run, index)).then(
+      source.thumbnail(run, index, () => source.target(run, index)).then(
         (address) => wanted && setImage(address),
         () => undefined, // the sentence says enough
       );
@@ -30,7 +30,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
   return (
     <div class="preview" style={{ left: `${left}px`, width: `${width}px`, ...place }} role="presentation">
       <p>
-        <b>{names.picture}</b> by {names.renderer}
+        <b>{names.target}</b> by {names.renderer}
       </p>
       {image ? <img src={image} alt="" width={256} /> : null}
       <p>{sentenceOf(overview, index)}</p>

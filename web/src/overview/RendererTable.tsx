@@ -2,7 +2,7 @@ import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
 import type { Overview } from "../data/types";
 
-/** By renderer, how many of its pictures are in each state. */
+/** By renderer, how many of its images are in each state. */
 function countsOf(overview: Overview): number[][] {
   const counts = overview.renderers.map(() => overview.states.map(() => 0));
   const { cells } = overview;
@@ -24,8 +24,8 @@ export function RendererTable({ overview }: { overview: Overview }) {
           <tr>
             <th scope="col">Renderer</th>
             <th scope="col" title="Feature number of ORB.S: the levels that the renderer claims, L4-(2) is L1 to L4 without L2">Declared</th>
-            <th scope="col" title="The levels whose pictures all pass in this run">Measured</th>
-            <th scope="col">Pictures</th>
+            <th scope="col" title="The levels whose images all pass in this run">Measured</th>
+            <th scope="col">Targets</th>
             <th scope="col" class="number" title="Sum of the wall-clock time of its renders">Time</th>
             <th scope="col" class="number" title="Sum of user and system time of its renders">CPU</th>
             <th scope="col" class="number" title="Largest resident set of one of its renders">Peak memory</th>
@@ -39,7 +39,7 @@ export function RendererTable({ overview }: { overview: Overview }) {
               </th>
               <td data-label="Declared" class="features">{renderer.declared || "–"}</td>
               <td data-label="Measured" class="features">{overview.run.finished ? renderer.measured || "–" : "…"}</td>
-              <td data-label="Pictures">
+              <td data-label="Images">
                 <ul class="counts">
                   {counts[r]?.map((count, s) => {
                     const state = overview.states[s];

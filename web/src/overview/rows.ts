@@ -1,15 +1,15 @@
 import type { Overview } from "../data/types";
 
-/** A row of the grid: a requirement with the worst of its pictures, or one picture. */
+/** A row of the grid: a requirement with the worst of its images, or one image. */
 export interface Row {
   key: string;
-  kind: "requirement" | "picture";
+  kind: "requirement" | "target";
   requirement: string;
   title: string;
   suite: string;
   /** By renderer: the index of the cell that speaks for the row, -1 for none. */
   cells: number[];
-  /** Pictures below a requirement. */
+  /** Images below a requirement. */
   below: number;
   /** Everything that the filter box searches, in lower case. */
   text: string;
@@ -20,7 +20,7 @@ export interface Filter {
   suites: string[];
   states: string[];
   renderers: string[];
-  byPicture: boolean;
+  byTarget: boolean;
   failuresFirst: boolean;
   open: string[];
 }
@@ -31,7 +31,7 @@ const rank = (overview: Overview, cell: number): number => {
   return (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state;
 };
 
-/** Of two pictures the one that speaks for the requirement: the worse state, then the worse number, as in the terminal. */
+/** Of two images the one that speaks for the requirement: the worse state, then the worse number, as in the terminal. */
 function worseOf(overview: Overview, a: number, b: number): number {
   if (a < 0) return b;
   const difference = rank(overview, b) - rank(overview, a);
@@ -45,7 +45,7 @@ function worseOf(overview: Overview, a: number, b: number): number {
 
 interface Group {
   row: Row;
-  pictures: Map<string, Row>;
+  targets: Map<string, Row>;
 }
 
 /** All rows of a run, grouped by requirement, in the order of the run. */
@@ -56,7 +56,7 @@ export function groupsOf(overview: Overview): Group[] {
   const emptyCells = (): number[] => overview.renderers.map(() => -1);
   for (let i = 0; i < cells.case.length; ++i) {
     const one = cases[cells.case[i] ?? -1];
-    const picture = overview.pictures[cells.picture[i] ?? -1] ?? "";
+    const target = overview.targets[cells.target[i] ?? -1] ?? "";
     const renderer = cells.renderer[i] ?? -1;
     if (!one || renderer < 0) continue;
     const groupKey = `${one.suite}\n${one.requirement}`;
@@ -65,18 +65,18 @@ export function groupsOf(overview: Overview): Group[] {
       const title = titles.get(one.requirement) ?? one.title;
       const row: Row = { key: groupKey, kind: "requirement", requirement: one.requirement, title, suite: one.suite,
         cells: emptyCells(), below: 0, text: `${one.requirement} ${title} ${one.suite}`.toLowerCase() };
-      group = { row, pictures: new Map() };
+      group = { row, targets: new Map() };
       groups.set(groupKey, group);
     }
-    const pictureKey = `${one.name}\n${picture}`;
-    let row = group.pictures.get(pictureKey);
+    const targetKey = `${one.name}\n${target}`;
+    let row = group.targets.get(targetKey);
     if (!row) {
-      row = { key: `${groupKey}\n${pictureKey}`, kind: "picture", requirement: one.requirement,
-        title: picture === one.name ? picture : `${picture}`, suite: one.suite, cells: emptyCells(), below: 0,
-        text: `${one.requirement} ${one.title} ${one.name} ${picture} ${one.suite}`.toLowerCase() };
-      group.pictures.set(pictureKey, row);
+      row = { key: `${groupKey}\n${targetKey}`, kind: "target", requirement: one.requirement,
+        title: target === one.name ? target : `${target}`, suite: one.suite, cells: emptyCells(), below: 0,
+        text: `${one.requirement} ${one.title} ${one.name} ${target} ${one.suite}`.toLowerCase() };
+      group.targets.set(targetKey, row);
       ++group.row.below;
-      group.row.text += ` ${one.name} ${picture}`.toLowerCase();
+      group.row.text += ` ${one.name} ${target}`.toLowerCase();
     }
     row.cells[renderer] = i;
     group.row.cells[renderer] = worseOf(overview, group.row.cells[renderer] ?? -1, i);
@@ -105,11 +105,11 @@ export function visibleRows(overview: Overview, groups: Group[], filter: Filter)
     const ranks = new Map(rows.map((row) => [row, worstRank(overview, row, renderers)]));
     return [...rows].sort((a, b) => (ranks.get(b) ?? 0) - (ranks.get(a) ?? 0));
   };
-  if (filter.byPicture) return sorted(groups.flatMap((group) => [...group.pictures.values()]).filter(keeps));
+  if (filter.byTarget) return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));
   const kept = new Map(groups.map((group) => [group.row, group]));
   return sorted([...kept.keys()].filter(keeps)).flatMap((row) => {
     if (!filter.open.includes(row.requirement)) return [row];
-    return [row, ...sorted([...(kept.get(row)?.pictures.values() ?? [])].filter(keeps))];
+    return [row, ...sorted([...(kept.get(row)?.targets.values() ?? [])].filter(keeps))];
   });
 }
 

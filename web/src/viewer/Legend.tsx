@@ -20,7 +20,7 @@ export function ticksOf({ diverging, log, scaleEnd }: PaintSettings): { place: n
   ];
 }
 
-/** The colour scale of the picture in front, with its numbers. */
+/** The colour scale of the image in front, with its numbers. */
 export function Legend({ image, settings, onEnd, onLog }: {
   image: ImageEntry;
   settings: PaintSettings;

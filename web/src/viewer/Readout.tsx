@@ -6,14 +6,14 @@ import { isRaster, type Loaded } from "./use_rasters";
 
 const kMost = 4; // columns that there is room for
 
-/** The first channels of a picture, and the chosen one wherever it stands. */
+/** The first channels of an image, and the chosen one wherever it stands. */
 function columns(raster: Raster, chosen: string): number[] {
   const all = raster.channels.map((_, c) => c);
   const [seen = 0] = seenChannels(raster, chosen);
   return seen < kMost ? all.slice(0, kMost) : [...all.slice(0, kMost - 1), seen];
 }
 
-/** The raw numbers of all pictures at one pixel. */
+/** The raw numbers of all images at one pixel. */
 export function Readout({ at, images, rasters, channel: chosen }: {
   at: { x: number; y: number } | undefined;
   images: ImageEntry[];

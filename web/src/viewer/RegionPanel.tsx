@@ -38,7 +38,7 @@ export function RegionPanel({ region, images, rasters, onClear }: {
   const fitting = (raster: Raster | undefined): Raster | undefined => (raster && isWithin(region, raster) ? raster : undefined);
   const statistics = useStatistics(fitting(result), region);
   const metrics = useRegionMetrics(fitting(result), fitting(reference), region);
-  const picture = result ?? reference;
+  const image = result ?? reference;
   const [x0, y0, x1, y1] = region;
   return (
     <section class="region" aria-label="Region">
@@ -46,8 +46,8 @@ export function RegionPanel({ region, images, rasters, onClear }: {
         Region {x0}, {y0} – {x1}, {y1} <span class="quiet">{x1 - x0} × {y1 - y0}</span>{" "}
         <button onClick={onClear}>Clear</button>
       </h3>
-      {picture && !fitting(picture) ? (
-        <p role="alert">The region does not lie within the picture, which has {picture.width} × {picture.height} pixels.</p>
+      {image && !fitting(image) ? (
+        <p role="alert">The region does not lie within the image, which has {image.width} × {image.height} pixels.</p>
       ) : null}
       <table>
         <tbody>

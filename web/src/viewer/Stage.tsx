@@ -2,7 +2,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { reasonOf } from "../common/answer";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
-import { panesOf, pictureAt, placed, zoomedAt, type Pane, type Size } from "./geometry";
+import { panesOf, imageAt, placed, zoomedAt, type Pane, type Size } from "./geometry";
 import { drawOverlay } from "./overlay";
 import { paintSettings, type PaintSettings } from "./paint_settings";
 import { Painter, type Paint } from "./painter";
@@ -18,12 +18,12 @@ export interface Shown {
 }
 
 interface Props {
-  /** The picture in front; for swipe the left and the right one; for side by side all. */
+  /** The image in front; for swipe the left and the right one; for side by side all. */
   shown: Shown[];
-  /** All pictures that may be shown next. */
+  /** All images that may be shown next. */
   loaded: Raster[];
   view: ViewState;
-  /** Size of the pictures, known as soon as one is there. */
+  /** Size of the images, known as soon as one is there. */
   size: Size;
   marked: { x: number; y: number } | undefined;
   selecting: boolean;
@@ -43,14 +43,14 @@ function paintOf(shown: Shown, raster: Raster, view: ViewState, pane: Pane, scal
     raster,
     pane: box,
     clip: box,
-    // A picture of another size than its reference lies with its corner at the same place.
+    // An image of another size than its reference lies with its corner at the same place.
     origin: [at.x - pane.width / 2 / at.zoom, at.y - pane.height / 2 / at.zoom],
     zoom: at.zoom * scale,
     zebra: view.zebra,
   };
 }
 
-/** The pictures themselves, with what is drawn over them. */
+/** The images themselves, with what is drawn over them. */
 export function Stage(props: Props) {
   const { shown, view, size } = props;
   const box = useRef<HTMLDivElement>(null);
@@ -86,7 +86,7 @@ export function Stage(props: Props) {
       event.preventDefault(); // or the browser never starts it again
       painter.current = undefined;
       delete element.dataset["drawn"];
-      setProblem("the graphics driver has stopped; the pictures are drawn as soon as it starts again");
+      setProblem("the graphics driver has stopped; the images are drawn as soon as it starts again");
     };
     start();
     element.addEventListener("webglcontextlost", stop);
@@ -119,7 +119,7 @@ export function Stage(props: Props) {
         if (!pane || !isRaster(one.loaded)) return;
         const most = painter.current?.mostPixels ?? 0;
         if (Math.max(one.loaded.width, one.loaded.height) > most)
-          return setProblem(`the picture is larger than the ${most} pixels that this graphics driver draws`);
+          return setProblem(`the image is larger than the ${most} pixels that this graphics driver draws`);
         const paint = paintOf(one, one.loaded, view, pane, stage.scale, size);
         if (swiping) {
           const divider = Math.round(stage.width * stage.scale * view.swipe);
@@ -139,7 +139,7 @@ export function Stage(props: Props) {
     panes[0] ?? { name: "", x: 0, y: 0, ...stage };
   const handlers = usePointer({
     box,
-    at: (x, y) => pictureAt(view, paneAt(x, y), size, x, y),
+    at: (x, y) => imageAt(view, paneAt(x, y), size, x, y),
     zoomBy: (x, y, factor) => props.onView(zoomedAt(view, paneAt(x, y), size, x, y, factor)),
     panBy: (dx, dy) => {
       const pane = panes[0];
@@ -157,7 +157,7 @@ export function Stage(props: Props) {
   const failed = shown.flatMap((one) => (one.loaded && !isRaster(one.loaded) ? [one.loaded.problem] : []));
   return (
     <div class={`stage ${props.selecting ? "selecting" : ""}`} ref={box} {...handlers}>
-      <canvas ref={canvas} role="img" aria-label={`Picture: ${shown.map(({ image }) => image.name).join(", ")}`} />
+      <canvas ref={canvas} role="img" aria-label={`Image: ${shown.map(({ image }) => image.name).join(", ")}`} />
       <canvas ref={overlay} class="overlay" aria-hidden="true" />
       {swiping ? <Divider view={view} onView={props.onView} width={stage.width} /> : null}
       {[problem, ...failed].filter(Boolean).map((text) => <p class="stage-note" role="alert" key={text}>{text}</p>)}

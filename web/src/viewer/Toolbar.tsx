@@ -12,7 +12,7 @@ function ImageTabs({ controls: c }: { controls: Controls }) {
     c.setView({ ...c.view, ticked });
   };
   return (
-    <div class="tabs" role="group" aria-label="Picture">
+    <div class="tabs" role="group" aria-label="Image">
       {c.images.map((image, i) => (
         <span class="tab" key={image.name}>
           <button aria-pressed={c.front?.name === image.name} title={`${image.definition ?? image.name} (${i + 1})`}
@@ -65,9 +65,9 @@ export function Toolbar({ controls: c, actions }: { controls: Controls; actions:
       <ImageTabs controls={c} />
       <div class="tools">
         <span class="group" role="group" aria-label="Arrangement">
-          <button aria-pressed={view.mode === "flip"} onClick={() => set({ mode: "flip" })} title="one picture at a time (m)">Flip</button>
+          <button aria-pressed={view.mode === "flip"} onClick={() => set({ mode: "flip" })} title="one image at a time (m)">Flip</button>
           {button("s", "Swipe", view.mode === "swipe")}
-          <button aria-pressed={view.mode === "side"} onClick={() => set({ mode: "side" })} title="the ticked pictures side by side (m)">Side by side</button>
+          <button aria-pressed={view.mode === "side"} onClick={() => set({ mode: "side" })} title="the ticked images side by side (m)">Side by side</button>
           {button(" ", "Blink", c.blinking)}
         </span>
         <span class="group" role="group" aria-label="Zoom">
@@ -96,7 +96,7 @@ export function Toolbar({ controls: c, actions }: { controls: Controls; actions:
           {c.layers.length > 1 ? (
             <label class="field">
               <span class="unseen">Layer</span>
-              <select value={view.layer} title="layer of the picture" onChange={(event) => set({ layer: event.currentTarget.value })}>
+              <select value={view.layer} title="layer of the image" onChange={(event) => set({ layer: event.currentTarget.value })}>
                 {c.layers.map((name) => <option key={name} value={name}>{name || "colour"}</option>)}
               </select>
             </label>

@@ -138,20 +138,20 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const controls: Controls = {
     images, view, setView, front, size, range, worst, worstIndex, setWorstIndex, selecting, setSelecting, blinking,
     setBlinking, held, channels: channelChoices(raster), channel: channelInForce(raster, view.channel),
-    // A link may ask for a layer that these pictures do not have; it must be possible to choose another.
+    // A link may ask for a layer that these images do not have; it must be possible to choose another.
     layers: layers.includes(view.layer) ? layers : [...layers, view.layer], ticked, falseColour: settings?.falseColour ?? false,
     scaleEnd: settings?.scaleEnd ?? 1,
   };
   const actions = viewActions(controls);
   useActions(actions);
-  if (images.length === 0) return <p class="quiet no-pictures">There is no picture of this: nothing was rendered.</p>;
+  if (images.length === 0) return <p class="quiet no-images">There is no image of this: nothing was rendered.</p>;
   const shown: Shown[] = panes.map((image) => {
     const own = rasterOf(image);
     return { image, loaded: rasters.get(image.name), range: own && rangeFor(image, own) };
   });
   const marked = worst?.pixels[worstIndex];
   return (
-    <section class="viewer" aria-label="Pictures">
+    <section class="viewer" aria-label="Images">
       <Toolbar controls={controls} actions={actions} />
       <div class="viewer-body">
         <div class="viewer-main">
@@ -167,7 +167,7 @@ export function Viewer({ session, images, route }: { session: Session; images: I
         </div>
         <aside class="viewer-side">
           <Readout at={hover ?? marked} images={images} rasters={rasters} channel={view.channel} />
-          {front ? <h3>{front.name}{view.region ? ", whole picture" : ""}</h3> : null}
+          {front ? <h3>{front.name}{view.region ? ", whole image" : ""}</h3> : null}
           {statistics ? <><HistogramPlot statistics={statistics} /><StatisticsTable statistics={statistics} /></> : null}
           {view.region ? <RegionPanel region={view.region} images={images} rasters={rasters}
             onClear={() => setView({ ...view, region: undefined })} /> : null}

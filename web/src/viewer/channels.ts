@@ -2,7 +2,7 @@ import type { Raster } from "../data/raster";
 
 const kLuminance = "luminance";
 
-/** What of a picture can be shown: "" is its colour, or the first channel of a picture that has no three. */
+/** What of an image can be shown: "" is its colour, or the first channel of an image that has no three. */
 export function channelChoices(raster: Raster | undefined): { value: string; label: string }[] {
   const names = raster?.channels.map(({ name }) => name) ?? [];
   const each = names.map((name) => ({ value: name, label: name }));
@@ -10,7 +10,7 @@ export function channelChoices(raster: Raster | undefined): { value: string; lab
   return [{ value: "", label: names[0] ?? "RGB" }, ...each.slice(1)];
 }
 
-/** The choice that is in force: a picture that has no such channel is shown as if nothing was chosen. */
+/** The choice that is in force: an image that has no such channel is shown as if nothing was chosen. */
 export const channelInForce = (raster: Raster | undefined, chosen: string): string =>
   channelChoices(raster).some(({ value }) => value === chosen) ? chosen : "";
 

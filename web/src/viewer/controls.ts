@@ -12,7 +12,7 @@ export interface Controls {
   setView: (view: ViewState) => void;
   front: ImageEntry | undefined;
   size: Size;
-  /** Of what is seen of the picture in front, once it has been counted. */
+  /** Of what is seen of the image in front, once it has been counted. */
   range: Range | undefined;
   worst: Worst | undefined;
   worstIndex: number;
@@ -22,7 +22,7 @@ export interface Controls {
   blinking: boolean;
   setBlinking: (on: boolean) => void;
   held: boolean;
-  /** What can be shown of the picture in front, and what of that is. */
+  /** What can be shown of the image in front, and what of that is. */
   channels: { value: string; label: string }[];
   channel: string;
   layers: string[];
@@ -57,7 +57,7 @@ export function toWorstTile(c: Controls): void {
   c.setView({ ...c.view, region: tile, zoom: 8, x: (x0 + x1) / 2, y: (y0 + y1) / 2 });
 }
 
-/** Exposure and offset that bring the picture's range to 0 to 1; of false colours the end to its largest magnitude. */
+/** Exposure and offset that bring the image's range to 0 to 1; of false colours the end to its largest magnitude. */
 export function normalise(c: Controls): void {
   if (!c.range || !c.front) return;
   const { min, max } = c.range;
@@ -87,15 +87,15 @@ export function viewActions(c: Controls): Action[] {
   const set = (change: Partial<ViewState>): void => setView({ ...view, ...change });
   const zoomNow = view.zoom || fitZoom({ width: 600, height: 500 }, c.size);
   const act = (key: string, label: string, run: () => void, keyName?: string): Action =>
-    keyName ? { key, label, run, group: "Pictures", keyName } : { key, label, run, group: "Pictures" };
+    keyName ? { key, label, run, group: "Images", keyName } : { key, label, run, group: "Images" };
   return [
     ...c.images.slice(0, 9).map((image, i) =>
       act(String(i + 1), image.name, () => {
         c.setBlinking(false);
         set({ image: image.name });
       })),
-    { key: "Shift", keyName: "hold Shift", label: "reference", group: "Pictures", run: () => undefined },
-    act(" ", "blink the ticked pictures", () => c.setBlinking(!c.blinking), "Space"),
+    { key: "Shift", keyName: "hold Shift", label: "reference", group: "Images", run: () => undefined },
+    act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
     act("s", "swipe", () => set({ mode: view.mode === "swipe" ? "flip" : "swipe" })),
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
     act("d", "next map of the error", () => {
@@ -107,7 +107,7 @@ export function viewActions(c: Controls): Action[] {
     act("o", "offset +0.05", () => set({ offset: Number((view.offset + 0.05).toFixed(3)) })),
     act("Shift+O", "offset −0.05", () => set({ offset: Number((view.offset - 0.05).toFixed(3)) })),
     act("g", "sRGB, gamma, linear, false colour", () => set({ curve: next(kCurves, view.curve) })),
-    act("n", "normalise to the picture's range", () => normalise(c)),
+    act("n", "normalise to the image's range", () => normalise(c)),
     act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
     act("z", "zebra on clipped values", () => set({ zebra: !view.zebra })),
     act("x", "next channel", () => set({ channel: next(c.channels.map(({ value }) => value), c.channel) })),
@@ -118,9 +118,9 @@ export function viewActions(c: Controls): Action[] {
     act("+", "closer", () => zoomTo(c, Math.min(256, zoomNow * 2))),
     act("-", "further away", () => zoomTo(c, Math.max(1 / 16, zoomNow / 2))),
     act("ArrowLeft", "move by a pixel", () => nudge(c, -1, 0), "← → ↑ ↓"),
-    { key: "ArrowRight", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Pictures", run: () => nudge(c, 1, 0) },
-    { key: "ArrowUp", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Pictures", run: () => nudge(c, 0, -1) },
-    { key: "ArrowDown", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Pictures", run: () => nudge(c, 0, 1) },
+    { key: "ArrowRight", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 1, 0) },
+    { key: "ArrowUp", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 0, -1) },
+    { key: "ArrowDown", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 0, 1) },
     act("u", "next worst pixel", () => toWorst(c, 1)),
     act("y", "previous worst pixel", () => toWorst(c, -1)),
     act("w", "worst tile", () => toWorstTile(c)),

@@ -81,7 +81,7 @@ function drawTitle(pen: CanvasRenderingContext2D, text: string, x: number, y: nu
   pen.fillText(text, x + 6, y + 4);
 }
 
-/** What lies over the pictures: numbers in large pixels, the region, the marked pixel, names. */
+/** What lies over the images: numbers in large pixels, the region, the marked pixel, names. */
 export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;

@@ -4,7 +4,7 @@ import { isLuminance, seenChannels } from "./channels";
 import type { Range } from "./statistics";
 import { kCurves, type ViewState } from "./view_state";
 
-/** What of the view decides how the numbers of one picture become colours. */
+/** What of the view decides how the numbers of one image become colours. */
 export interface PaintSettings {
   falseColour: boolean;
   diverging: boolean;

@@ -2,7 +2,7 @@ import { floatsOf, type Raster } from "../data/raster";
 import { scaleBytes } from "./colour_scales";
 import { kFragmentShader, kVertexShader } from "./shader";
 
-/** How one picture is drawn into one pane. */
+/** How one image is drawn into one pane. */
 export interface Paint {
   raster: Raster;
   /** The pane and the part of it that is drawn, in pixels of the canvas from its top left: x, y, width, height. */
@@ -25,7 +25,7 @@ export interface Paint {
 
 const kScales = 3; // the texture unit of the colour scales, behind those of the channels
 
-/** Draws pictures with WebGL2. The numbers stay what they are: all that is changed is how they look. */
+/** Draws images with WebGL2. The numbers stay what they are: all that is changed is how they look. */
 export class Painter {
   private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
@@ -78,7 +78,7 @@ export class Painter {
     return this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
   }
 
-  /** Binds one channel of a picture to the texture unit that is active. */
+  /** Binds one channel of an image to the texture unit that is active. */
   private bind(raster: Raster, channel: number): void {
     const { gl } = this;
     const own = this.textures.get(raster) ?? new Map<number, WebGLTexture>();
@@ -139,7 +139,7 @@ export class Painter {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** Frees the textures of all pictures but these. */
+  /** Frees the textures of all images but these. */
   keepOnly(rasters: Raster[]): void {
     for (const [raster, own] of this.textures) {
       if (rasters.includes(raster)) continue;

@@ -5,11 +5,11 @@ import type { Region } from "./statistics";
 
 interface Options {
   box: RefObject<HTMLDivElement | null>;
-  /** Position in the picture of a point of the stage. */
+  /** Position in the image of a point of the stage. */
   at: (x: number, y: number) => { x: number; y: number };
   zoomBy: (x: number, y: number, factor: number) => void;
   panBy: (dx: number, dy: number) => void;
-  /** Dragging draws a region instead of moving the picture. */
+  /** Dragging draws a region instead of moving the image. */
   selecting: boolean;
   onHover: (at: { x: number; y: number } | undefined) => void;
   onRegion: (region: Region | undefined) => void;

@@ -7,7 +7,7 @@ export interface RegionMetrics {
   signed: number;
 }
 
-/** Means of the difference of two pictures in a region that lies within both, in the linear values of the pictures. */
+/** Means of the difference of two images in a region that lies within both, in the linear values of the images. */
 export async function regionMetrics(result: Raster, reference: Raster, region: Region, signal: AbortSignal): Promise<RegionMetrics> {
   const sum: RegionMetrics = { absolute: 0, squared: 0, signed: 0 };
   let count = 0;

@@ -1,4 +1,4 @@
-// One pass that turns raw numbers into what is seen. Pictures are integer textures: whether a number is NaN or infinite
+// One pass that turns raw numbers into what is seen. Images are integer textures: whether a number is NaN or infinite
 // is read from its bits, because GLSL's isnan may be compiled to "false".
 
 export const kVertexShader = `#version 300 es
@@ -24,7 +24,7 @@ uniform sampler2D scaleColours;
 uniform ivec2 size;
 uniform vec2 paneOrigin;      // of the pane on the canvas, pixels, from the top left
 uniform float canvasHeight;
-uniform vec2 origin;          // position in the picture at the pane's top left
+uniform vec2 origin;          // position in the image at the pane's top left
 uniform float zoom;           // screen pixels per pixel
 uniform float gain;
 uniform float offset;
@@ -83,7 +83,7 @@ void main() {
   vec2 place = origin + onPane / zoom;
   if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) { seen = vec4(surround, 1.0); return; }
   // Shown smaller than it is, a pixel of the screen is the mean of the pixels that it covers, magenta if one of them is
-  // bad. 64 x 64 is more than the smallest zoom of the largest pictures that drivers take asks for.
+  // bad. 64 x 64 is more than the smallest zoom of the largest images that drivers take asks for.
   int taps = zoom < 1.0 ? int(min(64.0, ceil(1.0 / zoom))) : 1;
   bool bad = false;
   vec3 sum = vec3(0.0);

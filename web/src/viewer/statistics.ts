@@ -26,7 +26,7 @@ export interface Statistics {
 
 export type Region = [number, number, number, number];
 
-/** The region has pixels, and all of them are in the picture: links hold whatever somebody typed. */
+/** The region has pixels, and all of them are in the image: links hold whatever somebody typed. */
 export const isWithin = ([x0, y0, x1, y1]: Region, { width, height }: Raster): boolean =>
   0 <= x0 && x0 < x1 && x1 <= width && 0 <= y0 && y0 < y1 && y1 <= height;
 
@@ -42,7 +42,7 @@ export function rangeOf(statistics: Statistics, channels: number[]): Range | und
   return { min: Math.min(...counted.map((one) => one.min)), max: Math.max(...counted.map((one) => one.max)) };
 }
 
-const kPixelsAtOnce = 1 << 20; // about 10 ms: the page stays quick while large pictures are counted
+const kPixelsAtOnce = 1 << 20; // about 10 ms: the page stays quick while large images are counted
 
 /** Lets the browser paint and answer keys; throws when nobody waits for the result any more. */
 export async function breathe(signal: AbortSignal): Promise<void> {
@@ -93,7 +93,7 @@ async function channelStatistics(raster: Raster, c: number, region: Region | und
   return out;
 }
 
-/** Counts a picture, or a region of it, in pieces. */
+/** Counts an image, or a region of it, in pieces. */
 export async function statisticsOf(raster: Raster, region: Region | undefined, signal: AbortSignal): Promise<Statistics> {
   const channels: ChannelStatistics[] = [];
   for (let c = 0; c < raster.planes.length; ++c) channels.push(await channelStatistics(raster, c, region, signal));

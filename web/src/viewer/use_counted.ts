@@ -4,7 +4,7 @@ import { regionMetrics, type RegionMetrics } from "./region_metrics";
 import { statisticsOf, type Region, type Statistics } from "./statistics";
 import { worstOf, type Worst } from "./worst";
 
-// Counting a picture again would give the same.
+// Counting an image again would give the same.
 const statistics = new WeakMap<Raster, Statistics>();
 const worsts = new WeakMap<Raster, Map<Raster | undefined, Worst>>();
 
@@ -27,7 +27,7 @@ function useCounted<T>(of: readonly unknown[], count: ((signal: AbortSignal) => 
   return found?.of.every((one, i) => one === of[i]) ? found.value : undefined;
 }
 
-/** Statistics of a picture, or of a region of it. */
+/** Statistics of an image, or of a region of it. */
 export function useStatistics(raster: Raster | undefined, region: Region | undefined): Statistics | undefined {
   const known = raster && !region ? statistics.get(raster) : undefined;
   const count = async (signal: AbortSignal, of: Raster): Promise<Statistics> => {
@@ -39,7 +39,7 @@ export function useStatistics(raster: Raster | undefined, region: Region | undef
   return known ?? counted;
 }
 
-/** Where the errors are largest: of a map itself, or of a picture against its reference. */
+/** Where the errors are largest: of a map itself, or of an image against its reference. */
 export function useWorst(raster: Raster | undefined, reference: Raster | undefined): Worst | undefined {
   const known = raster && worsts.get(raster)?.get(reference);
   const count = async (signal: AbortSignal, of: Raster): Promise<Worst> => {
@@ -51,7 +51,7 @@ export function useWorst(raster: Raster | undefined, reference: Raster | undefin
   return known ?? counted;
 }
 
-/** Numbers of the difference of two pictures in a region that lies within both. */
+/** Numbers of the difference of two images in a region that lies within both. */
 export const useRegionMetrics = (result: Raster | undefined, reference: Raster | undefined, region: Region): RegionMetrics | undefined =>
   useCounted([result, reference, region.join()],
     result && reference ? (signal) => regionMetrics(result, reference, region, signal) : undefined);

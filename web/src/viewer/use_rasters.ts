@@ -8,7 +8,7 @@ export type Loaded = Raster | { problem: string } | undefined;
 
 export const isRaster = (loaded: Loaded): loaded is Raster => loaded !== undefined && "planes" in loaded;
 
-/** The pictures among `images` that are `wanted`, each loaded when it is wanted first. */
+/** The images among `images` that are `wanted`, each loaded when it is wanted first. */
 export function useRasters(session: Session, images: ImageEntry[], wanted: string[], layer: string): Map<string, Loaded> {
   const [loaded, setLoaded] = useState(new Map<string, Loaded>());
   const asked = useRef(new Set<string>());
@@ -29,7 +29,7 @@ export function useRasters(session: Session, images: ImageEntry[], wanted: strin
       const put = (value: Loaded): void => {
         if (!signal.aborted) setLoaded((old) => new Map(old).set(image.name, value));
       };
-      // Only pictures have layers; a map has one, whatever is chosen.
+      // Only images have layers; a map has one, whatever is chosen.
       const own = image.kind === "map" ? "" : layer;
       source.raster(run, image.file, own, signal).then(put, (error: unknown) =>
         put({ problem: `${image.name}: ${reasonOf(error)}` }));

@@ -1,12 +1,12 @@
-// How the pictures of a case are looked at: all of it stands in the address.
+// How the images of a case are looked at: all of it stands in the address.
 
 export type Mode = "flip" | "swipe" | "side";
 export type Curve = "srgb" | "gamma" | "linear" | "false";
 
 export interface ViewState {
-  image: string; // name of the picture in front
+  image: string; // name of the image in front
   mode: Mode;
-  zoom: number; // screen pixels per pixel; 0: the whole picture fits
+  zoom: number; // screen pixels per pixel; 0: the whole image fits
   x: number; // the pixel in the middle
   y: number;
   swipe: number; // where the divider stands, 0 to 1
@@ -18,9 +18,9 @@ export interface ViewState {
   layer: string;
   log: boolean;
   zebra: boolean;
-  ticked: string[]; // pictures of blink and side by side
+  ticked: string[]; // images of blink and side by side
   region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are outside
-  ends: Record<string, number>; // end of the colour scale by picture, where it is not the picture's own
+  ends: Record<string, number>; // end of the colour scale by image, where it is not the image's own
 }
 
 export const kDefaultView: ViewState = {

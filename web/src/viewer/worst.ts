@@ -74,7 +74,7 @@ function errorsOf(raster: Raster, reference: Raster | undefined, begin: number, 
     const b = reference ? floatsOf(reference, c, begin, end) : undefined;
     for (let i = 0; i < out.length; ++i) {
       const error = Math.abs((a[i] ?? 0) - (b?.[i] ?? 0));
-      // NaN in a map means that there is no value, in a picture that the number is wrong.
+      // NaN in a map means that there is no value, in an image that the number is wrong.
       if (Number.isNaN(error) ? reference : error > (out[i] ?? 0)) out[i] = Number.isNaN(error) ? Infinity : error;
     }
   }

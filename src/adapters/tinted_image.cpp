@@ -1,4 +1,4 @@
-#include "adapters/tinted_picture.h"
+#include "adapters/tinted_image.h"
 
 #include "base/error.h"
 #include "image/image_io.h"
@@ -26,7 +26,7 @@ struct Colour {
 
 }  // namespace
 
-std::string tinted_picture_name(int material, const std::string& stem) {
+std::string tinted_image_name(int material, const std::string& stem) {
   return fmt::format("{}-material{}.exr", stem, material);
 }
 
@@ -35,11 +35,11 @@ void write_tinted(const scene::Scene& scene, int material, const std::filesystem
   const scene::Rgb tint = std::visit(Colour{}, model);
   const auto& texture = scene.textures[static_cast<std::size_t>(scene::texture_of(model)->texture)];
   with_note(fmt::format("tinting texture '{}'", texture.name), [&] {
-    image::Image picture = image::read_linear_rgb(texture.file);
+    image::Image image = image::read_linear_rgb(texture.file);
     const std::array factors{tint.x, tint.y, tint.z};
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-      picture.pixels[i] = static_cast<float>(static_cast<double>(picture.pixels[i]) * factors[i % 3]);
-    image::write_exr(picture, file);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
+    image::write_exr(image, file);
   });
 }
 

@@ -9,9 +9,9 @@
 
 namespace orbs::metrics {
 
-/// Two comparable pictures in the forms that metrics need, each made once and shared. Samples are interleaved
+/// Two comparable images in the forms that metrics need, each made once and shared. Samples are interleaved
 /// R, G, B.
-struct PicturePair {
+struct ImagePair {
   int width = 0;
   int height = 0;
   int threads = 1;
@@ -27,11 +27,11 @@ struct PicturePair {
   std::size_t pixel_count() const { return included.size(); }
 };
 
-/// Both pictures must have passed check_alignment. `threads` is how many a metric may use; no result depends
-/// on it. InputError when the mask does not fit the pictures.
-PicturePair make_picture_pair(const image::Image& result,
-                              const image::Image& reference,
-                              const Mask& mask,
-                              int threads);
+/// Both images must have passed check_alignment. `threads` is how many a metric may use; no result depends
+/// on it. InputError when the mask does not fit the images.
+ImagePair make_image_pair(const image::Image& result,
+                          const image::Image& reference,
+                          const Mask& mask,
+                          int threads);
 
 }  // namespace orbs::metrics

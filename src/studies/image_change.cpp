@@ -1,4 +1,4 @@
-#include "studies/picture_change.h"
+#include "studies/image_change.h"
 
 #include "image/colour.h"
 #include "metrics/noise_numbers.h"
@@ -20,29 +20,28 @@ MeanOfRounds mean_of_rounds(const std::vector<double>& values) {
   return {sum / n, std::sqrt(scatter / (n - 1) / n)};
 }
 
-double luminance_at(const image::Image& picture, int x, int y) {
-  return image::luminance(static_cast<double>(picture.at(x, y, 0)), static_cast<double>(picture.at(x, y, 1)),
-                          static_cast<double>(picture.at(x, y, 2)));
+double luminance_at(const image::Image& image, int x, int y) {
+  return image::luminance(static_cast<double>(image.at(x, y, 0)), static_cast<double>(image.at(x, y, 1)),
+                          static_cast<double>(image.at(x, y, 2)));
 }
 
 // Mean luminance of the pixels [x0, x0 + width) x [y0, y0 + height) that there are.
-double block_mean(const image::Image& picture, int x0, int y0, int width, int height) {
+double block_mean(const image::Image& image, int x0, int y0, int width, int height) {
   double sum = 0;
   int count = 0;
-  for (int y = y0; y < std::min(y0 + height, picture.height); ++y)
-    for (int x = x0; x < std::min(x0 + width, picture.width); ++x, ++count)
-      sum += luminance_at(picture, x, y);
+  for (int y = y0; y < std::min(y0 + height, image.height); ++y)
+    for (int x = x0; x < std::min(x0 + width, image.width); ++x, ++count) sum += luminance_at(image, x, y);
   return sum / count;
 }
 
-bool has_light_paths(const image::Image& picture) {
-  const auto found = picture.attributes.find("orbs.light_paths");
-  return found != picture.attributes.end() && found->second == "yes";
+bool has_light_paths(const image::Image& image) {
+  const auto found = image.attributes.find("orbs.light_paths");
+  return found != image.attributes.end() && found->second == "yes";
 }
 
 }  // namespace
 
-PictureChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
+ImageChange change_between(const std::vector<image::Image>& usual, const std::vector<image::Image>& other) {
   const int width = usual.front().width;
   const int height = usual.front().height;
   const auto changes = [&](int x, int y, int w, int h) {
@@ -52,12 +51,12 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
     return mean_of_rounds(values);
   };
   double whole = 0;
-  for (const auto& picture : usual)
-    whole += block_mean(picture, 0, 0, width, height) / static_cast<double>(usual.size());
+  for (const auto& image : usual)
+    whole += block_mean(image, 0, 0, width, height) / static_cast<double>(usual.size());
   const auto relative = [&](MeanOfRounds m) {
     return whole > 0 ? MeanOfRounds{m.value / whole, m.standard_error / whole} : m;
   };
-  PictureChange change;
+  ImageChange change;
   change.is_comparable = has_light_paths(usual.front()) == has_light_paths(other.front());
   change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), image::has_same_colours);
   if (change.is_equal) return change;
@@ -72,7 +71,7 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
     }
   // As where no light is found at all.
   if (metrics::are_equal(usual) || metrics::are_equal(other)) {
-    change.bias = "the pictures differ, and one of the two has no noise";
+    change.bias = "the images differ, and one of the two has no noise";
     return change;
   }
   change.bias = metrics::bias_sentence(
@@ -80,12 +79,12 @@ PictureChange change_between(const std::vector<image::Image>& usual, const std::
   return change;
 }
 
-double mean_variance(const std::vector<image::Image>& pictures) {
+double mean_variance(const std::vector<image::Image>& images) {
   double sum = 0;
-  for (const auto& picture : pictures)
-    for (const float variance : image::select_rgb(picture, "variance.").pixels)
+  for (const auto& image : images)
+    for (const float variance : image::select_rgb(image, "variance.").pixels)
       sum += static_cast<double>(variance);
-  return sum / (3 * static_cast<double>(pictures.size() * pictures.front().pixel_count()));
+  return sum / (3 * static_cast<double>(images.size() * images.front().pixel_count()));
 }
 
 }  // namespace orbs::studies

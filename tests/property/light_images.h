@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-/// Pictures of tiny scenes for the tests of light: what a channel says, and how well it knows it.
+/// Images of tiny scenes for the tests of light: what a channel says, and how well it knows it.
 namespace orbs::tests {
 
 struct View {
   std::string position = "[0, 0, 5]";
   std::string look_at = "[0, 0, 0]";
   std::string up = "[0, 1, 0]";
-  double fov_deg = 0.01;  // so small a spot that closed forms for one ray hold all over the picture
+  double fov_deg = 0.01;  // so small a spot that closed forms for one ray hold all over the image
   int width = 8;
   int height = 8;
 };
@@ -63,26 +63,26 @@ inline std::string meshes(const std::vector<std::string>& squares) {
   return fmt::format(R"("meshes": [{}], "instances": [{}])", fmt::join(squares, ", "), instances);
 }
 
-inline image::Image picture_of(const std::string& text,
-                               int samples_per_pixel,
-                               const tracer::WorldSettings& world = {},
-                               std::uint64_t seed = 1) {
+inline image::Image image_of(const std::string& text,
+                             int samples_per_pixel,
+                             const tracer::WorldSettings& world = {},
+                             std::uint64_t seed = 1) {
   const std::atomic<bool> never{false};
   const auto rendering = tracer::render(
       tracer::make_world(scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR), world),
       {.samples_per_pixel = samples_per_pixel, .seed = seed}, never, [](const tracer::Progress&) {});
   EXPECT_EQ(rendering.bad_samples.count, 0U);
-  return rendering.picture;
+  return rendering.image;
 }
 
-inline std::size_t channel_of(const image::Image& picture, std::string_view name) {
-  const int index = image::channel_index(picture, std::string(name));
-  if (index < 0) throw std::runtime_error(fmt::format("the picture has no channel {}", name));
+inline std::size_t channel_of(const image::Image& image, std::string_view name) {
+  const int index = image::channel_index(image, std::string(name));
+  if (index < 0) throw std::runtime_error(fmt::format("the image has no channel {}", name));
   return static_cast<std::size_t>(index);
 }
 
-inline double mean_of(const image::Image& picture, std::string_view channel) {
-  return mean_of_channel(picture, channel_of(picture, channel));
+inline double mean_of(const image::Image& image, std::string_view channel) {
+  return mean_of_channel(image, channel_of(image, channel));
 }
 
 /// A mean over pixels that all expect the same, and its standard error from their spread: for layers that
@@ -92,16 +92,16 @@ struct Estimate {
   double error = 0;
 };
 
-inline Estimate estimate_of(const image::Image& picture, std::string_view channel) {
-  const std::size_t at = channel_of(picture, channel);
-  const double mean = mean_of_channel(picture, at);
+inline Estimate estimate_of(const image::Image& image, std::string_view channel) {
+  const std::size_t at = channel_of(image, channel);
+  const double mean = mean_of_channel(image, at);
   double squares = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const double off = picture.at(x, y, at) - mean;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double off = image.at(x, y, at) - mean;
       squares += off * off;
     }
-  const auto count = static_cast<double>(picture.pixel_count());
+  const auto count = static_cast<double>(image.pixel_count());
   return {mean, std::sqrt(squares / (count - 1) / count)};
 }
 

@@ -1,4 +1,4 @@
-#include "runner/judge_pictures.h"
+#include "runner/judge_targets.h"
 
 #include "base/files.h"
 #include "image/image_io.h"
@@ -13,29 +13,29 @@
 namespace orbs::runner {
 
 using results::JobRecord;
-using results::PictureRecord;
+using results::TargetRecord;
 using results::Verdict;
 
-PictureRecord blank_picture(const Plan& plan,
-                            const PlannedPicture& planned,
-                            const std::filesystem::path& folder) {
+TargetRecord blank_target(const Plan& plan,
+                          const PlannedTarget& planned,
+                          const std::filesystem::path& folder) {
   const auto& one_case = plan.cases[planned.one_case];
-  PictureRecord record;
+  TargetRecord record;
   record.requirement = one_case.requirement;
   record.case_name = one_case.name;
-  record.picture = planned.picture;
+  record.target = planned.target;
   record.renderer = plan.renderers[planned.renderer].entry.name;
   record.declared = planned.declared;
   for (const auto job : planned.jobs) record.jobs.push_back(plan.jobs[job].id);
-  const auto reference = std::filesystem::path(kReferenceFolder) / (planned.picture + ".exr");
+  const auto reference = std::filesystem::path(kReferenceFolder) / (planned.target + ".exr");
   if (std::filesystem::exists(folder / reference)) record.reference_image = reference.string();
   return record;
 }
 
-PictureRecord undeclared_picture(const Plan& plan,
-                                 const PlannedPicture& planned,
-                                 const std::filesystem::path& folder) {
-  auto record = blank_picture(plan, planned, folder);
+TargetRecord undeclared_target(const Plan& plan,
+                               const PlannedTarget& planned,
+                               const std::filesystem::path& folder) {
+  auto record = blank_target(plan, planned, folder);
   record.verdict = Verdict::Unsupported;
   record.sentence = fmt::format("{} does not declare {}", record.renderer, record.requirement);
   if (const auto reason = registry::limit_reason(plan.renderers[planned.renderer].entry, record.requirement))
@@ -43,22 +43,22 @@ PictureRecord undeclared_picture(const Plan& plan,
   return record;
 }
 
-void take_job_verdict(const JobRecord& job, PictureRecord& record) {
+void take_job_verdict(const JobRecord& job, TargetRecord& record) {
   record.verdict = job.verdict;
   record.sentence = job.sentence;
 }
 
 namespace {
 
-bool is_difference(const registry::Case& one_case, const std::string& picture) {
+bool is_difference(const registry::Case& one_case, const std::string& target) {
   return std::any_of(one_case.differences.begin(), one_case.differences.end(),
-                     [&](const auto& difference) { return difference.name == picture; });
+                     [&](const auto& difference) { return difference.name == target; });
 }
 
 // Another case may allow what this one does not, so this is asked for each. Counts them where they are
 // allowed.
-bool refuse_negative(const registry::Case& one_case, const image::Image& result, PictureRecord& record) {
-  if (is_difference(one_case, record.picture)) return false;
+bool refuse_negative(const registry::Case& one_case, const image::Image& result, TargetRecord& record) {
+  if (is_difference(one_case, record.target)) return false;
   const auto faults = metrics::check_alignment(result, result).result;
   if (faults.negative == 0) return false;
   if (one_case.negative_values.empty()) {
@@ -73,37 +73,37 @@ bool refuse_negative(const registry::Case& one_case, const image::Image& result,
   return false;
 }
 
-bool is_constant(const image::Image& picture) {
-  const auto colours = image::select_rgb(picture, "").pixels;
+bool is_constant(const image::Image& target) {
+  const auto colours = image::select_rgb(target, "").pixels;
   for (std::size_t i = 3; i < colours.size(); ++i)
     if (colours[i] != colours[i - 3]) return false;
   return true;
 }
 
-// One colour all over is what a renderer leaves that found no light or no scene, and a small or dark picture
+// One colour all over is what a renderer leaves that found no light or no scene, and a small or dark image
 // may measure well all the same.
-void refuse_constant(const image::Image& result, const image::Image& reference, PictureRecord& record) {
+void refuse_constant(const image::Image& result, const image::Image& reference, TargetRecord& record) {
   if (!is_constant(result) || is_constant(reference)) return;
   record.verdict = results::worse(record.verdict, Verdict::ConstantImage);
   if (record.verdict == Verdict::ConstantImage)
     record.sentence = "every pixel has the same colour, which the reference's have not";
 }
 
-// Judges one picture that is there, and writes its maps unless another case has done so.
-void judge_picture(const Plan& plan,
-                   const PlannedPicture& planned,
-                   const image::Image& result,
-                   const std::filesystem::path& folder,
-                   PictureRecord& record) {
+// Judges one image that is there, and writes its maps unless another case has done so.
+void judge_target(const Plan& plan,
+                  const PlannedTarget& planned,
+                  const image::Image& result,
+                  const std::filesystem::path& folder,
+                  TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
   const auto reference =
-      load_reference(one_case, planned.picture, plan.suite.references, plan.reference_hashes);
+      load_reference(one_case, planned.target, plan.suite.references, plan.reference_hashes);
   const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
-  const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsThePictureSays;
+  const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
   const auto comparison =
       judge_values(one_case, result, reference, {.threads = plan.threads, .result_noise = noise}, record);
   if (!comparison) return;
-  const auto relative = std::filesystem::path(record.renderer) / record.picture;
+  const auto relative = std::filesystem::path(record.renderer) / record.target;
   record.maps = write_maps(result, *comparison, folder / relative);
   for (auto& map : record.maps) map.image = (relative / map.image).string();
 }
@@ -114,24 +114,24 @@ std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
                                                 const image::Image& result,
                                                 const Reference& reference,
                                                 const JudgeSettings& settings,
-                                                PictureRecord& record) {
+                                                TargetRecord& record) {
   if (refuse_negative(one_case, result, record)) return std::nullopt;
   auto comparison = judge(one_case, result, reference, settings, record);
-  if (comparison) refuse_constant(result, *reference.picture, record);
+  if (comparison) refuse_constant(result, *reference.image, record);
   return comparison;
 }
 
-std::vector<PictureRecord> judge_scene(const Plan& plan,
-                                       std::size_t job,
-                                       const Execution& execution,
-                                       const WorkFolders& folders) {
-  std::vector<PictureRecord> records;
-  for (const auto& planned : plan.pictures) {
+std::vector<TargetRecord> judge_scene(const Plan& plan,
+                                      std::size_t job,
+                                      const Execution& execution,
+                                      const WorkFolders& folders) {
+  std::vector<TargetRecord> records;
+  for (const auto& planned : plan.targets) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != job) continue;
-    auto& record = records.emplace_back(blank_picture(plan, planned, folders.run));
+    auto& record = records.emplace_back(blank_target(plan, planned, folders.run));
     record.image = execution.record.image;
-    if (execution.picture) {
-      judge_picture(plan, planned, *execution.picture, folders.unfinished, record);
+    if (execution.image) {
+      judge_target(plan, planned, *execution.image, folders.unfinished, record);
     } else {
       take_job_verdict(execution.record, record);
     }
@@ -139,11 +139,11 @@ std::vector<PictureRecord> judge_scene(const Plan& plan,
   return records;
 }
 
-PictureRecord judge_difference(const Plan& plan,
-                               const PlannedPicture& planned,
-                               const std::vector<JobRecord>& jobs,
-                               const WorkFolders& folders) {
-  auto record = blank_picture(plan, planned, folders.run);
+TargetRecord judge_difference(const Plan& plan,
+                              const PlannedTarget& planned,
+                              const std::vector<JobRecord>& jobs,
+                              const WorkFolders& folders) {
+  auto record = blank_target(plan, planned, folders.run);
   for (const auto job : planned.jobs)
     if (!jobs[job].rendered) {
       take_job_verdict(jobs[job], record);
@@ -153,11 +153,11 @@ PictureRecord judge_difference(const Plan& plan,
   const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].image);
   const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].image);
   const auto result = difference_of(of, minus);
-  const auto relative = std::filesystem::path(record.renderer) / record.picture;
+  const auto relative = std::filesystem::path(record.renderer) / record.target;
   make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");
   record.image = (relative / "result.exr").string();
-  judge_picture(plan, planned, result, folders.unfinished, record);
+  judge_target(plan, planned, result, folders.unfinished, record);
   put_in_place(folders.unfinished / relative, folders.run / relative);
   return record;
 }

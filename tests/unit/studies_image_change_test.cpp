@@ -1,5 +1,5 @@
 #include "base/random.h"
-#include "studies/picture_change.h"
+#include "studies/image_change.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace {
 using namespace orbs;
 
 // Grey with noise of its own for each seed, and a patch of 8 x 8 px that is brighter.
-image::Image picture(std::uint64_t seed, float noise, float patch = 0) {
+image::Image noisy_image(std::uint64_t seed, float noise, float patch = 0) {
   auto made = image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x)
@@ -22,22 +22,22 @@ image::Image picture(std::uint64_t seed, float noise, float patch = 0) {
   return made;
 }
 
-std::vector<image::Image> pictures(float noise, float patch = 0) {
-  return {picture(1, noise, patch), picture(2, noise, patch), picture(3, noise, patch)};
+std::vector<image::Image> images(float noise, float patch = 0) {
+  return {noisy_image(1, noise, patch), noisy_image(2, noise, patch), noisy_image(3, noise, patch)};
 }
 
 }  // namespace
 
-TEST(PictureChange, TheSamePicturesAreEqualToTheBit) {
-  const auto change = studies::change_between(pictures(0.1F), pictures(0.1F));
+TEST(ImageChange, TheSameImagesAreEqualToTheBit) {
+  const auto change = studies::change_between(images(0.1F), images(0.1F));
   EXPECT_TRUE(change.is_equal);
   EXPECT_EQ(change.mean.value, 0);
   EXPECT_EQ(change.bias, "");
 }
 
 // With the same random numbers the noise drops out of the difference: one block of 16, 0.1 of 0.5.
-TEST(PictureChange, AChangeIsFoundWhereItIs) {
-  const auto change = studies::change_between(pictures(0.1F), pictures(0.1F, 0.1F));
+TEST(ImageChange, AChangeIsFoundWhereItIs) {
+  const auto change = studies::change_between(images(0.1F), images(0.1F, 0.1F));
   EXPECT_FALSE(change.is_equal);
   EXPECT_NEAR(change.largest.value, 0.2, 2e-3);
   EXPECT_LT(change.largest.standard_error, 1e-4);
@@ -47,29 +47,29 @@ TEST(PictureChange, AChangeIsFoundWhereItIs) {
   EXPECT_NE(change.bias, "");
 }
 
-TEST(PictureChange, OtherNoiseIsNoChange) {
-  const std::vector<image::Image> other{picture(11, 0.1F), picture(12, 0.1F), picture(13, 0.1F)};
-  EXPECT_EQ(studies::change_between(pictures(0.1F), other).bias, "");
+TEST(ImageChange, OtherNoiseIsNoChange) {
+  const std::vector<image::Image> other{noisy_image(11, 0.1F), noisy_image(12, 0.1F), noisy_image(13, 0.1F)};
+  EXPECT_EQ(studies::change_between(images(0.1F), other).bias, "");
 }
 
-TEST(PictureChange, PicturesWithoutNoiseDifferByAnything) {
-  EXPECT_NE(studies::change_between(pictures(0), pictures(0, 0.1F)).bias, "");
-  EXPECT_EQ(studies::change_between(pictures(0), pictures(0)).bias, "");
+TEST(ImageChange, ImagesWithoutNoiseDifferByAnything) {
+  EXPECT_NE(studies::change_between(images(0), images(0, 0.1F)).bias, "");
+  EXPECT_EQ(studies::change_between(images(0), images(0)).bias, "");
 }
 
-TEST(PictureChange, CausticsThatOnlyLightPathsFindAreNotCompared) {
-  auto usual = pictures(0.1F);
+TEST(ImageChange, CausticsThatOnlyLightPathsFindAreNotCompared) {
+  auto usual = images(0.1F);
   for (auto& one : usual) one.attributes["orbs.light_paths"] = "yes";
-  EXPECT_FALSE(studies::change_between(usual, pictures(0.1F, 0.1F)).is_comparable);
+  EXPECT_FALSE(studies::change_between(usual, images(0.1F, 0.1F)).is_comparable);
   EXPECT_TRUE(studies::change_between(usual, usual).is_comparable);
 }
 
-TEST(PictureChange, TheVarianceIsThatOfAllPictures) {
-  EXPECT_NEAR(studies::mean_variance(pictures(0.6F)), 0.36 / 12, 1e-6);
+TEST(ImageChange, TheVarianceIsThatOfAllImages) {
+  EXPECT_NEAR(studies::mean_variance(images(0.6F)), 0.36 / 12, 1e-6);
 }
 
 // Stokes vectors lie between colour and variance.
-TEST(PictureChange, TheVarianceIsFoundBehindOtherLayers) {
+TEST(ImageChange, TheVarianceIsFoundBehindOtherLayers) {
   auto made = image::make_image(
       4, 4, {"R", "G", "B", "S1.R", "S1.G", "S1.B", "variance.R", "variance.G", "variance.B"});
   for (int y = 0; y < 4; ++y)

@@ -18,9 +18,9 @@ namespace {
 using json::Writer;
 using results::JobRecord;
 using results::JobState;
-using results::PictureRecord;
 using results::RunRecord;
 using results::RunView;
+using results::TargetRecord;
 
 constexpr std::uint64_t kLogTail_bytes = 8192;
 
@@ -61,12 +61,12 @@ Writer& write_image(Writer& out, std::string_view name, std::string_view kind, c
   return out.begin_object().member("name", name).member("kind", kind).member("file", file);
 }
 
-void write_images(Writer& out, const PictureRecord& picture) {
+void write_images(Writer& out, const TargetRecord& target) {
   out.key("images").begin_array();
-  if (!picture.image.empty()) write_image(out, "result", "result", picture.image).end_object();
-  if (!picture.reference_image.empty())
-    write_image(out, "reference", "reference", picture.reference_image).end_object();
-  for (const auto& map : picture.maps)
+  if (!target.image.empty()) write_image(out, "result", "result", target.image).end_object();
+  if (!target.reference_image.empty())
+    write_image(out, "reference", "reference", target.reference_image).end_object();
+  for (const auto& map : target.maps)
     write_image(out, map.name, "map", map.image)
         .member("definition", map.definition)
         .member("signed", map.is_signed)
@@ -75,11 +75,11 @@ void write_images(Writer& out, const PictureRecord& picture) {
   out.end_array();
 }
 
-void write_measures(Writer& out, const PictureRecord& picture) {
+void write_measures(Writer& out, const TargetRecord& target) {
   out.key("measures").begin_array();
-  for (const auto& measure : picture.measures) results::write_measure(out, measure);
+  for (const auto& measure : target.measures) results::write_measure(out, measure);
   out.end_array().key("checks").begin_array();
-  for (const auto& check : picture.checks) {
+  for (const auto& check : target.checks) {
     out.begin_object().member("what", check.what).member("passed", check.passed);
     out.member("sentence", check.sentence);
     if (check.min) out.member("min", *check.min);
@@ -89,25 +89,22 @@ void write_measures(Writer& out, const PictureRecord& picture) {
   out.end_array();
 }
 
-// The scenes that the picture's renders show.
-void write_scenes(Writer& out, const RunRecord& run, const PictureRecord& picture) {
+// The scenes that the image's renders show.
+void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target) {
   out.key("scenes").begin_array();
   for (const auto& scene : run.scenes)
     if (std::any_of(run.jobs.begin(), run.jobs.end(), [&](const JobRecord& job) {
           return job.scene == scene.name &&
-                 std::find(picture.jobs.begin(), picture.jobs.end(), job.id) != picture.jobs.end();
+                 std::find(target.jobs.begin(), target.jobs.end(), job.id) != target.jobs.end();
         }))
       results::write_scene(out, scene);
   out.end_array();
 }
 
-// What renders this picture alone once more, and judges it in the same way.
-std::vector<std::string> run_command(const RunRecord& run,
-                                     const PictureRecord& picture,
-                                     const JobRecord* job) {
-  std::vector<std::string> words{
-      "orbs",    "run",           "--suite",    run.suite,       "--case", picture.case_name,
-      "--scene", picture.picture, "--renderer", picture.renderer};
+// What renders this image alone once more, and judges it in the same way.
+std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& target, const JobRecord* job) {
+  std::vector<std::string> words{"orbs",           "run",     "--suite",     run.suite,    "--case",
+                                 target.case_name, "--scene", target.target, "--renderer", target.renderer};
   if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->seed)});
   // The scale of the samples stands in no record but in the command line.
   const auto given = std::find(run.command_line.begin(), run.command_line.end(), "--spp-scale");
@@ -152,27 +149,27 @@ std::string script_text(std::string_view json) {
   return out;
 }
 
-std::string picture_json(const RunView& view, std::size_t index) {
-  const auto& picture = view.run.pictures.at(index);
+std::string target_json(const RunView& view, std::size_t index) {
+  const auto& target = view.run.targets.at(index);
   const JobRecord* first = nullptr;
   Writer out;
-  out.begin_object().member("case", picture.case_name).member("picture", picture.picture);
-  out.member("renderer", picture.renderer).member("requirement", picture.requirement);
-  out.member("sentence", picture.sentence).member("reference", picture.reference);
-  out.member("remarks", picture.remarks);
-  write_measures(out, picture);
-  write_images(out, picture);
+  out.begin_object().member("case", target.case_name).member("target", target.target);
+  out.member("renderer", target.renderer).member("requirement", target.requirement);
+  out.member("sentence", target.sentence).member("reference", target.reference);
+  out.member("remarks", target.remarks);
+  write_measures(out, target);
+  write_images(out, target);
   out.key("reference_passport").begin_object();
-  for (const auto& [name, text] : picture.reference_passport) out.member(name, text);
+  for (const auto& [name, text] : target.reference_passport) out.member(name, text);
   out.end_object().key("jobs").begin_array();
   for (const auto& job : view.run.jobs) {
-    if (std::find(picture.jobs.begin(), picture.jobs.end(), job.id) == picture.jobs.end()) continue;
+    if (std::find(target.jobs.begin(), target.jobs.end(), job.id) == target.jobs.end()) continue;
     if (first == nullptr) first = &job;
     write_job(out, job, view.run);
   }
   out.end_array();
-  write_scenes(out, view.run, picture);
-  out.member("command", shell_text(run_command(view.run, picture, first)));
+  write_scenes(out, view.run, target);
+  out.member("command", shell_text(run_command(view.run, target, first)));
   return out.end_object().text();
 }
 

@@ -1,4 +1,4 @@
-#include "metrics/picture_pair.h"
+#include "metrics/image_pair.h"
 
 #include "base/parallel.h"
 #include "image/colour.h"
@@ -30,11 +30,11 @@ DisplayForm display_form(const std::vector<float>& linear) {
 
 }  // namespace
 
-PicturePair make_picture_pair(const image::Image& result,
-                              const image::Image& reference,
-                              const Mask& mask,
-                              int threads) {
-  PicturePair pair;
+ImagePair make_image_pair(const image::Image& result,
+                          const image::Image& reference,
+                          const Mask& mask,
+                          int threads) {
+  ImagePair pair;
   pair.width = result.width;
   pair.height = result.height;
   pair.threads = threads;

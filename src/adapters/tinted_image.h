@@ -7,8 +7,8 @@
 
 namespace orbs::adapters {
 
-/// Name of the picture of a textured material beside a scene file of this stem.
-std::string tinted_picture_name(int material, const std::string& stem);
+/// Name of the image of a textured material beside a scene file of this stem.
+std::string tinted_image_name(int material, const std::string& stem);
 
 /// Writes the texture of a material (which has one) times the material's colour as a float EXR of linear
 /// Rec.709, for renderers that cannot multiply a texture by a colour. Exact: decoding and tint are per texel,
