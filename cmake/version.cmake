@@ -1,4 +1,4 @@
-# ORBS_VERSION for passports: "0.1.0", and in a git checkout "0.1.0+<commit>". Only the main files are compiled with it, so
+# ORBS_VERSION for provenance records: "0.1.0", and in a git checkout "0.1.0+<commit>". Only the main files are compiled with it, so
 # that a commit does not compile the house anew.
 set(ORBS_VERSION ${PROJECT_VERSION})
 find_package(Git QUIET)

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Limits that Mitsuba and pbrt share: one sentence that begins with the thing in the scene, "" when it can
-/// be drawn. `renderer` is the name in the sentence.
+/// Limits that Mitsuba and pbrt share: one reason that begins with the thing in the scene, "" when it can
+/// be drawn. `renderer` is the name in the reason.
 namespace orbs::adapters {
 
 /// What an exporter does with the levels that go beyond ORB.S ("E6"): it writes them, or it does not for a
@@ -21,7 +21,7 @@ struct BeyondOrbs {
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels);
-/// `called`: how the sentence calls the light.
+/// `called`: how the reason calls the light.
 std::string light_limit(const scene::Light& light, const std::string& called, const char* renderer);
 std::string oren_nayar_limit(const std::string& material, double roughness, const char* renderer);
 /// `form` says what the renderer has: "a product" or "height-correlated".

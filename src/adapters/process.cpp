@@ -2,7 +2,7 @@
 
 #include "adapters/output_log.h"
 #include "adapters/pipe.h"
-#include "adapters/warden_command.h"
+#include "adapters/supervisor_command.h"
 #include "base/error.h"
 
 #include <array>
@@ -22,11 +22,11 @@ namespace orbs::adapters {
 
 namespace {
 
-// The strings between us and a warden.
+// The strings between us and a supervisor.
 struct Strings {
-  Pipe control;  // to the warden: it ends the command when this closes
+  Pipe control;  // to the supervisor: it ends the command when this closes
   Pipe output;   // of the command
-  Pipe report;   // of the warden
+  Pipe report;   // of the supervisor
 };
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -38,7 +38,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 // posix_spawn, which reports a failed exec to the caller, and is safe in a program with threads.
 int spawn(const ProcessRequest& request, const Strings& strings, pid_t& pid) {
-  constexpr int kReport = 3;  // where the warden writes
+  constexpr int kReport = 3;  // where the supervisor writes
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&actions);
@@ -55,7 +55,7 @@ int spawn(const ProcessRequest& request, const Strings& strings, pid_t& pid) {
   posix_spawnattr_setsigdefault(&attributes, &signals);
   sigemptyset(&signals);
   posix_spawnattr_setsigmask(&attributes, &signals);
-  auto argv = warden_command(request);
+  auto argv = supervisor_command(request);
   auto environment = request.environment;
   const int error = posix_spawn(&pid, argv.front().c_str(), &actions, &attributes, pointers(argv).data(),
                                 pointers(environment).data());
@@ -73,7 +73,7 @@ bool drain(int file, Take&& take) {
   return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
-// Follows output and report until the warden has ended; returns the report's text.
+// Follows output and report until the supervisor has ended; returns the report's text.
 std::string follow(const ProcessRequest& request, Strings& strings, OutputLog& log) {
   constexpr int kLookEvery_ms = 20;  // whether to stop
   std::string report;
@@ -102,13 +102,13 @@ std::string follow(const ProcessRequest& request, Strings& strings, OutputLog& l
   return report;
 }
 
-// How the warden itself ended: it should have left a report.
-std::string lost_warden(pid_t pid) {
+// How the supervisor itself ended: it should have left a report.
+std::string reap_supervisor(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status) ? fmt::format("its warden was killed by {}", signal_name(WTERMSIG(status)))
-                             : fmt::format("its warden ended with exit code {}", WEXITSTATUS(status));
+  return WIFSIGNALED(status) ? fmt::format("its supervisor was killed by {}", signal_name(WTERMSIG(status)))
+                             : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ ProcessResult run_process(const ProcessRequest& request) {
   const bool has_pipes = strings.control.is_open() && strings.output.is_open() && strings.report.is_open();
   const int error = has_pipes ? spawn(request, strings, pid) : EMFILE;
   if (error != 0) {
-    result.start_error = fmt::format("{}: {}", warden_command(request).front(), std::strerror(error));
+    result.start_error = fmt::format("{}: {}", supervisor_command(request).front(), std::strerror(error));
   } else {
     strings.control.close_read_end();
     strings.output.close_write_end();
@@ -130,12 +130,12 @@ ProcessResult run_process(const ProcessRequest& request) {
     try {
       report = follow(request, strings, log);
     } catch (const InputError&) {
-      lost_warden(pid);
+      reap_supervisor(pid);
       throw;
     }
-    const auto how = lost_warden(pid);
-    if (const auto parsed = warden::parse_report(report)) {
-      static_cast<warden::Report&>(result) = *parsed;
+    const auto how = reap_supervisor(pid);
+    if (const auto parsed = supervisor::parse_report(report)) {
+      static_cast<supervisor::Report&>(result) = *parsed;
     } else {
       result.lost = how;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "warden/limits.h"
-#include "warden/report.h"
+#include "supervisor/limits.h"
+#include "supervisor/report.h"
 
 #include <atomic>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Programs as child processes: started without a shell, watched, measured and ended with everything that
-/// they started, each by an orbs-warden of its own.
+/// they started, each by an orbs-supervisor of its own.
 namespace orbs::adapters {
 
 struct ProcessRequest {
@@ -17,13 +17,13 @@ struct ProcessRequest {
   std::filesystem::path folder;          // working directory, whose size is limited; "" for ours, not limited
   std::vector<std::string> environment;  // NAME=value, nothing else is passed on
   std::filesystem::path log;             // stdout and stderr, as they come; "" keeps them in memory only
-  warden::Limits limits;
+  supervisor::Limits limits;
   const std::atomic<bool>* stop = nullptr;  // set by somebody: end the process now
 };
 
-struct ProcessResult : warden::Report {
+struct ProcessResult : supervisor::Report {
   std::string output;  // stdout and stderr, capped as the log is
-  std::string lost;    // how its warden ended when that left no report; "" when it did
+  std::string lost;    // how its supervisor ended when that left no report; "" when it did
 };
 
 /// Runs one program to its end. Never throws for what the program does; WriteError when the log cannot be

@@ -17,7 +17,7 @@ void check_transports(const registry::Renderer& renderer);
 /// none. "" where its command does not ask: finding out means to go through the whole scene.
 std::string transport_word(const registry::Renderer& renderer, const scene::Scene& scene);
 
-/// "" when the renderer has a word for what the scene calls for, or none for anything; else a sentence that
+/// "" when the renderer has a word for what the scene calls for, or none for anything; else a reason that
 /// says what is missing.
 std::string transport_limit(const registry::Renderer& renderer, const scene::Scene& scene);
 

@@ -34,7 +34,7 @@ void put_in_place(const std::filesystem::path& finished, const std::filesystem::
 /// against somebody who wants them to collide.
 std::uint64_t content_hash(std::string_view bytes, std::uint64_t seed = 0xcbf29ce484222325ULL);
 
-/// content_hash as 16 hexadecimal digits, the form that passports and job ids use.
+/// content_hash as 16 hexadecimal digits, the form that provenance records and job ids use.
 std::string hash_text(std::uint64_t hash);
 
 /// Absolute path of `relative` read against `base_folder`; absolute paths stay as they are.

@@ -71,7 +71,7 @@ void print_noise(const metrics::NoiseTest& test, bool definitions) {
                place_text(number.where));
     if (definitions) fmt::print("    {}\n", number.definition);
   }
-  if (const auto bias = metrics::bias_sentence(test); !bias.empty()) fmt::print("{}\n", bias);
+  if (const auto bias = metrics::bias_message(test); !bias.empty()) fmt::print("{}\n", bias);
 }
 
 // Also true for a number that does not exist: what cannot be measured is not within a tolerance.
@@ -93,7 +93,7 @@ int compare_files(CompareOptions options) {
   const auto comparison = metrics::compare(first, second, {}, settings);
   if (comparison.alignment.alignment != metrics::Alignment::Comparable)
     throw InputError(fmt::format("{} (the result) and {} (the reference) cannot be compared: {}",
-                                 options.first, options.second, comparison.alignment.sentence));
+                                 options.first, options.second, comparison.alignment.reason));
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
   print_noise(metrics::test_noise(first, second), options.definitions);
   if (!options.maps.empty()) {

@@ -111,10 +111,10 @@ std::string progress_line(std::size_t done,
                           const results::JobRecord& job,
                           const std::vector<results::TargetRecord>& targets) {
   auto verdict = job.verdict;
-  std::string sentence = job.sentence;
+  std::string reason = job.reason;
   std::optional<double> psnr;
   for (const auto& target : targets) {
-    if (results::worse(verdict, target.verdict) != verdict) sentence = target.sentence;
+    if (results::worse(verdict, target.verdict) != verdict) reason = target.reason;
     verdict = results::worse(verdict, target.verdict);
     for (const auto& measure : target.measures)
       if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
@@ -124,7 +124,7 @@ std::string progress_line(std::size_t done,
                           fmt::formatted_size("{}", count), count, job.renderer, job.scene,
                           good && targets.empty() ? "rendered" : verdict_name(verdict),
                           report::decibels(psnr), job.wall_seconds);
-  if (!good) line += fmt::format("  {}", sentence);
+  if (!good) line += fmt::format("  {}", reason);
   return line;
 }
 

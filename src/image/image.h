@@ -17,7 +17,7 @@ struct Image {
   int height = 0;
   std::vector<std::string> channels;
   std::vector<float> pixels;
-  std::map<std::string, std::string> attributes;  // text in the file's header: the passport
+  std::map<std::string, std::string> attributes;  // text in the file's header: the provenance
 
   std::size_t channel_count() const { return channels.size(); }
   std::size_t pixel_count() const {

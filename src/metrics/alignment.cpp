@@ -96,25 +96,25 @@ AlignmentReport check_alignment(const Image& result, const Image& reference, Neg
   AlignmentReport report;
   if (result.width != reference.width || result.height != reference.height || result.pixel_count() == 0) {
     report.alignment = Alignment::WrongSize;
-    report.sentence = fmt::format("the result is {} x {} px, the reference {} x {} px", result.width,
-                                  result.height, reference.width, reference.height);
+    report.reason = fmt::format("the result is {} x {} px, the reference {} x {} px", result.width,
+                                result.height, reference.width, reference.height);
     return report;
   }
   for (const auto& [whose, image] : {std::pair{"result", &result}, std::pair{"reference", &reference}}) {
     const std::string missing = missing_channels(*image);
     if (missing.empty()) continue;
     report.alignment = Alignment::WrongChannels;
-    report.sentence =
+    report.reason =
         fmt::format("the {} has no channel {}; it has {}", whose, missing, fmt::join(image->channels, ", "));
     return report;
   }
   report.result = count_faults(result, negatives);
   report.reference = count_faults(reference, negatives);
-  report.sentence = "both images have the same size, the channels R, G, B and valid numbers";
+  report.reason = "both images have the same size, the channels R, G, B and valid numbers";
   if (report.result.first.empty() && report.reference.first.empty()) return report;
   report.alignment = Alignment::InvalidPixels;
-  report.sentence = report.result.first.empty() ? describe_faults("reference", report.reference)
-                                                : describe_faults("result", report.result);
+  report.reason = report.result.first.empty() ? describe_faults("reference", report.reference)
+                                              : describe_faults("result", report.result);
   return report;
 }
 

@@ -26,8 +26,8 @@ struct PixelFaults {
 /// The answer to "can these two be compared at all", asked once before any metric.
 struct AlignmentReport {
   Alignment alignment = Alignment::Comparable;
-  std::string sentence;  // why, for a reader; also says that all is well
-  PixelFaults result;    // counted when size and channels fit
+  std::string reason;  // why, for a reader; also says that all is well
+  PixelFaults result;  // counted when size and channels fit
   PixelFaults reference;
 };
 

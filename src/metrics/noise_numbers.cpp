@@ -88,7 +88,7 @@ std::string bias_remark(const NoiseTest& test) {
   return "";
 }
 
-std::string bias_sentence(const NoiseTest& test) {
+std::string bias_message(const NoiseTest& test) {
   if (auto remark = bias_remark(test); !remark.empty()) return remark;
   if (is_square_biased(test))
     return fmt::format(

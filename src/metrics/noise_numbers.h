@@ -30,6 +30,6 @@ std::vector<NoiseNumber> noise_numbers(const NoiseTest& test);
 std::string bias_remark(const NoiseTest& test);
 
 /// All that is_biased saw: the remark, else the squares. "" when it saw nothing.
-std::string bias_sentence(const NoiseTest& test);
+std::string bias_message(const NoiseTest& test);
 
 }  // namespace orbs::metrics

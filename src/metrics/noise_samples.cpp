@@ -16,7 +16,7 @@ std::vector<float> variances_of(const image::Image& image) {
   return image::select_rgb(image, "variance.").pixels;
 }
 
-// Samples of the reference for each one of the result; 0 when the passports do not say.
+// Samples of the reference for each one of the result; 0 when the provenance records do not say.
 double sample_ratio(const image::Image& result, const image::Image& reference) {
   const auto said = [](const image::Image& image, const char* key) {
     const auto found = image.attributes.find(key);
@@ -28,7 +28,7 @@ double sample_ratio(const image::Image& result, const image::Image& reference) {
   return is_same && of_result && of_reference && *of_result > 0 ? *of_reference / *of_result : 0;
 }
 
-void set_variance_ratio(NoiseSamples& samples, double of_passports) {
+void set_variance_ratio(NoiseSamples& samples, double of_provenances) {
   if (samples.result_variance.empty() || samples.reference_variance.empty()) return;
   for (std::size_t c = 0; c < 3; ++c) {
     double result = 0;
@@ -38,7 +38,7 @@ void set_variance_ratio(NoiseSamples& samples, double of_passports) {
       result += variance_at(samples.result_variance, 3 * pixel + c);
       reference += variance_at(samples.reference_variance, 3 * pixel + c);
     }
-    samples.variance_ratio.at(c) = std::max(of_passports, reference > 0 ? result / reference : 0.0);
+    samples.variance_ratio.at(c) = std::max(of_provenances, reference > 0 ? result / reference : 0.0);
   }
 }
 

@@ -28,8 +28,8 @@ struct NoiseSamples {
 };
 
 /// The variance ratio is that of the sums, or, where it is larger, that of the numbers of samples that the
-/// passports of images of one program say ("orbs.program", "orbs.spp"): a result that missed what is rare
-/// knows nothing of it.
+/// provenance records of images of one program say ("orbs.program", "orbs.spp"): a result that missed what is
+/// rare knows nothing of it.
 NoiseSamples noise_samples(const image::Image& result, const image::Image& reference, const Mask& mask);
 
 /// The value of a variance, 0 where there are none.

@@ -151,7 +151,7 @@ RenderSeconds load_render_seconds(ObjectReader in) {
   return place;
 }
 
-Renderer load_renderer(ObjectReader in, const warden::Limits& limits) {
+Renderer load_renderer(ObjectReader in, const supervisor::Limits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
   const std::set<std::string> places{"root", "build"};
@@ -218,7 +218,7 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   refuse_doubles(in.objects("suites"));
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));
-  warden::Limits limits;
+  supervisor::Limits limits;
   if (in.has("limits")) read_limits(in.object("limits"), limits);
   refuse_doubles(in.objects("renderers"));
   for (auto& entry : in.objects("renderers"))

@@ -2,7 +2,7 @@
 
 #include "registry/defaults.h"
 #include "registry/features.h"
-#include "warden/limits.h"
+#include "supervisor/limits.h"
 
 #include <filesystem>
 #include <map>
@@ -56,8 +56,8 @@ struct Renderer {
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
-  warden::Limits limits;  // those of the file, with the entry's own in their place
-  double spp_scale = 1;   // samples of this renderer for one sample of the case
+  supervisor::Limits limits;  // those of the file, with the entry's own in their place
+  double spp_scale = 1;       // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.

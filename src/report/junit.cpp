@@ -46,7 +46,7 @@ Element element_of(const Cell& cell) {
 }
 
 std::string verdict_element(const Cell& cell) {
-  const auto message = xml_text(fmt::format("{}: {}", verdict_name(cell.verdict), cell.sentence));
+  const auto message = xml_text(fmt::format("{}: {}", verdict_name(cell.verdict), cell.reason));
   switch (element_of(cell)) {
     case Element::None:
       return "";
@@ -74,7 +74,7 @@ std::string details(const RunRecord& run, const std::string& requirement, const 
   std::string text;
   for (const auto& target : run.targets)
     if (target.requirement == requirement && target.renderer == renderer) {
-      text += fmt::format("{}: {}: {}\n  {}\n", target.target, verdict_name(target.verdict), target.sentence,
+      text += fmt::format("{}: {}: {}\n  {}\n", target.target, verdict_name(target.verdict), target.reason,
                           results::command_of(run, target));
       for (const auto& remark : target.remarks) text += fmt::format("{}: {}\n", target.target, remark);
     }

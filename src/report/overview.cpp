@@ -59,7 +59,7 @@ double state_of(const TargetRecord& target,
 }
 
 struct Columns {
-  Names cases, targets, renderers, sentences, machines;
+  Names cases, targets, renderers, reasons, machines;
   std::map<std::string, std::vector<double>> cells;
   std::map<std::string, std::vector<double>> measures;
   std::map<std::string, std::vector<double>> infinite;
@@ -125,7 +125,7 @@ Columns columns_of(const RunView& view) {
     columns.cells["renderer"].push_back(columns.renderers.of(target.renderer));
     columns.cells["state"].push_back(state_of(target, view, jobs));
     columns.cells["declared"].push_back(target.declared ? 1 : 0);
-    columns.cells["sentence"].push_back(columns.sentences.of(target.sentence));
+    columns.cells["reason"].push_back(columns.reasons.of(target.reason));
     const auto folder = std::filesystem::path(run.folder) / target.image;
     columns.cells["thumbnail"].push_back(
         !target.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
@@ -266,7 +266,7 @@ std::string overview_json(const RunView& view) {
         .end_object();
   out.end_array();
   out.member("main_metric", main_metric(run));
-  out.member("targets", columns.targets.list).member("sentences", columns.sentences.list);
+  out.member("targets", columns.targets.list).member("reasons", columns.reasons.list);
   out.member("machines", columns.machines.list);
   for (auto& [name, values] : columns.measures) values.resize(run.targets.size(), kNone);
   write_columns(out, "cells", columns.cells);

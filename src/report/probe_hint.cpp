@@ -23,10 +23,10 @@ bool fails_by_far(const TargetRecord& target) {
   });
 }
 
-// By what the programs call themselves: "orbs-tracer" in the passport, "orbs-tracer 0.1.0" as a version.
+// By what the programs call themselves: "orbs-tracer" in the provenance, "orbs-tracer 0.1.0" as a version.
 bool is_foreign(const TargetRecord& target, const results::RendererRecord& renderer) {
-  const auto program = target.reference_passport.find("program");
-  return program != target.reference_passport.end() && !renderer.version.starts_with(program->second);
+  const auto program = target.reference_provenance.find("program");
+  return program != target.reference_provenance.end() && !renderer.version.starts_with(program->second);
 }
 
 }  // namespace

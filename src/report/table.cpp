@@ -86,7 +86,7 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
     const auto same = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& remark) {
       const auto& first = *remark.first;
       return first.renderer == target.renderer && first.requirement == target.requirement &&
-             first.verdict == target.verdict && first.sentence == target.sentence;
+             first.verdict == target.verdict && first.reason == target.reason;
     });
     if (same == remarks.end()) {
       remarks.push_back({&target, target.target});
@@ -99,7 +99,7 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   std::vector<Row> rows;
   for (const auto& [first, targets] : remarks)
     rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
-                    first->renderer, first->requirement, targets, first->sentence});
+                    first->renderer, first->requirement, targets, first->reason});
   return aligned(rows);
 }
 

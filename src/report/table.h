@@ -17,7 +17,7 @@ struct TableStyle {
 TableStyle style_for(int descriptor);
 
 /// What stands at the end of a run: one line per requirement with a column per renderer (lowest PSNR and
-/// verdict), what each renderer declares and what was measured, and a sentence for everything that is no
+/// verdict), what each renderer declares and what was measured, and a reason for everything that is no
 /// pass.
 std::string summary_text(const results::RunRecord& run, const TableStyle& style);
 

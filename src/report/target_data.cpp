@@ -46,7 +46,7 @@ void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
       .member("seed", job.seed)
       .member("seeds", job.seeds)
       .member("threads", job.threads);
-  out.member("started", job.started).member("sentence", job.sentence);
+  out.member("started", job.started).member("reason", job.reason);
   out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
   if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
@@ -81,7 +81,7 @@ void write_measures(Writer& out, const TargetRecord& target) {
   out.end_array().key("checks").begin_array();
   for (const auto& check : target.checks) {
     out.begin_object().member("what", check.what).member("passed", check.passed);
-    out.member("sentence", check.sentence);
+    out.member("reason", check.reason);
     if (check.min) out.member("min", *check.min);
     if (check.max) out.member("max", *check.max);
     out.end_object();
@@ -155,12 +155,12 @@ std::string target_json(const RunView& view, std::size_t index) {
   Writer out;
   out.begin_object().member("case", target.case_name).member("target", target.target);
   out.member("renderer", target.renderer).member("requirement", target.requirement);
-  out.member("sentence", target.sentence).member("reference", target.reference);
+  out.member("reason", target.reason).member("reference", target.reference);
   out.member("remarks", target.remarks);
   write_measures(out, target);
   write_images(out, target);
-  out.key("reference_passport").begin_object();
-  for (const auto& [name, text] : target.reference_passport) out.member(name, text);
+  out.key("reference_provenance").begin_object();
+  for (const auto& [name, text] : target.reference_provenance) out.member(name, text);
   out.end_object().key("jobs").begin_array();
   for (const auto& job : view.run.jobs) {
     if (std::find(target.jobs.begin(), target.jobs.end(), job.id) == target.jobs.end()) continue;

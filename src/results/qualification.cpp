@@ -33,12 +33,12 @@ void write_gate(Writer& out, const GateRecord& gate) {
   out.begin_object().member("case", gate.case_name).member("target", gate.target);
   out.member("qualified", is_qualified(gate)).member("judged_by", gate.judged_by);
   write_texts(out, "honest", gate.honest);
-  out.member("accepts_honest", gate.accepts_honest).member("honest_sentence", gate.honest_sentence);
+  out.member("accepts_honest", gate.accepts_honest).member("honest_reason", gate.honest_reason);
   out.key("twins").begin_array();
   for (const auto& twin : gate.twins) {
     out.begin_object().member("fault", twin.fault);
     if (twin.no_fault.empty()) {
-      out.member("rejected", twin.rejected).member("sentence", twin.sentence);
+      out.member("rejected", twin.rejected).member("reason", twin.reason);
     } else {
       out.member("no_fault", twin.no_fault);
     }
@@ -49,7 +49,7 @@ void write_gate(Writer& out, const GateRecord& gate) {
   write_smallest(out, "smallest_local", gate.local);
   const std::vector<double> where(gate.local_where.begin(), gate.local_where.end());
   out.key("local_where").numbers(where);
-  write_texts(out, "passport", gate.passport);
+  write_texts(out, "provenance", gate.provenance);
   out.end_object();
 }
 
@@ -73,14 +73,14 @@ GateRecord read_gate(ObjectReader& in) {
   gate.judged_by = in.text("judged_by");
   gate.honest = read_texts(in.object("honest"));
   gate.accepts_honest = in.boolean_or("accepts_honest", false);
-  gate.honest_sentence = in.text("honest_sentence");
+  gate.honest_reason = in.text("honest_reason");
   for (auto& twin : in.objects("twins"))
     gate.twins.push_back({twin.text("fault"), twin.text_or("no_fault", ""),
-                          twin.boolean_or("rejected", false), twin.text_or("sentence", "")});
+                          twin.boolean_or("rejected", false), twin.text_or("reason", "")});
   gate.global = read_smallest(in.object("smallest_global"));
   gate.local = read_smallest(in.object("smallest_local"));
   for (const double pixel : in.numbers("local_where")) gate.local_where.push_back(static_cast<int>(pixel));
-  gate.passport = read_texts(in.object("passport"));
+  gate.provenance = read_texts(in.object("provenance"));
   return gate;
 }
 

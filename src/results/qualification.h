@@ -18,7 +18,7 @@ struct TwinRecord {
   std::string fault;     // "black", "1 px to the right", ...
   std::string no_fault;  // why it is none here ("R, G and B are equal in every pixel"); "" when it is one
   bool rejected = false;
-  std::string sentence;  // of the verdict
+  std::string reason;  // of the verdict
 };
 
 /// The smallest size of a fault, found by bisection; nothing where the largest that was tried is not enough.
@@ -32,16 +32,16 @@ struct GateRecord {
   std::string case_name;
   std::string target;
   std::string judged_by;                      // hash of the case and the references of the image
-  std::map<std::string, std::string> honest;  // passport of the honest image: program, spp, seed
+  std::map<std::string, std::string> honest;  // provenance of the honest image: program, spp, seed
   bool accepts_honest = false;
-  std::string honest_sentence;
+  std::string honest_reason;
   std::vector<TwinRecord> twins;
   /// Share of light that is too much everywhere.
   SmallestFault global;
   /// Radiance that leaks into 16 x 16 px, over the mean of the reference.
   SmallestFault local;
-  std::vector<int> local_where;                 // x0, y0, x1, y1 of these pixels
-  std::map<std::string, std::string> passport;  // "program", "version", "commit", "date", ...
+  std::vector<int> local_where;                   // x0, y0, x1, y1 of these pixels
+  std::map<std::string, std::string> provenance;  // "program", "version", "commit", "date", ...
 };
 
 /// True when the gate accepts the honest image and rejects every twin that is a fault.

@@ -94,7 +94,7 @@ JobRecord read_job(ObjectReader& in, const Host& usual) {
   job.core_dumped = in.boolean_or("core_dumped", false);
   job.rendered = in.boolean_or("rendered", false);
   job.verdict = job.rendered ? Verdict::Pass : read_verdict(in, "outcome");
-  job.sentence = in.text_or("sentence", "");
+  job.reason = in.text_or("reason", "");
   job.image = in.text_or("image", "");
   job.log = in.text_or("log", "");
   return job;
@@ -115,7 +115,7 @@ Measure read_measure(ObjectReader& in) {
 }
 
 Check read_check(ObjectReader& in) {
-  return {in.text("what"), in.boolean_or("passed", false), in.text_or("sentence", ""),
+  return {in.text("what"), in.boolean_or("passed", false), in.text_or("reason", ""),
           optional_number(in, "min"), optional_number(in, "max")};
 }
 
@@ -133,13 +133,13 @@ TargetRecord read_target(ObjectReader& in) {
   target.jobs = texts_or_none(in, "jobs");
   target.declared = in.boolean_or("declared", false);
   target.verdict = read_verdict(in, "verdict");
-  target.sentence = in.text_or("sentence", "");
+  target.reason = in.text_or("reason", "");
   for (auto& measure : in.objects_or_none("measures")) target.measures.push_back(read_measure(measure));
   for (auto& check : in.objects_or_none("checks")) target.checks.push_back(read_check(check));
   target.remarks = texts_or_none(in, "remarks");
   for (auto& map : in.objects_or_none("maps")) target.maps.push_back(read_map(map));
   target.reference = in.text_or("reference", "");
-  target.reference_passport = read_texts(in, "reference_passport");
+  target.reference_provenance = read_texts(in, "reference_provenance");
   target.image = in.text_or("image", "");
   target.reference_image = in.text_or("reference_image", "");
   return target;
@@ -180,7 +180,7 @@ RequirementRecord read_requirement(ObjectReader& in) {
     auto lowest = optional_number(cell, "lowest_psnr_db");
     if (cell.boolean_or("infinite", false)) lowest = std::numeric_limits<double>::infinity();
     requirement.cells[renderer] = {cell.boolean_or("declared", false), read_verdict(cell, "verdict"), lowest,
-                                   cell.text_or("sentence", "")};
+                                   cell.text_or("reason", "")};
   }
   return requirement;
 }

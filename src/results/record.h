@@ -39,7 +39,7 @@ struct MapRecord {
 struct Check {
   std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
   bool passed = false;
-  std::string sentence;
+  std::string reason;
   std::optional<double> min;  // what the number may be, where the condition is on a number
   std::optional<double> max;
 };
@@ -75,7 +75,7 @@ struct JobRecord {
   bool core_dumped = false;
   bool rendered = false;               // there is a usable image
   Verdict verdict = Verdict::Skipped;  // Pass means "there is a usable image", nothing about it being right
-  std::string sentence;
+  std::string reason;
   std::string image;
   std::string log;
 };
@@ -89,12 +89,12 @@ struct TargetRecord {
   std::vector<std::string> jobs;  // ids of the renders it is made from
   bool declared = false;          // the renderer claims the requirement
   Verdict verdict = Verdict::Skipped;
-  std::string sentence;
+  std::string reason;
   std::vector<Measure> measures;
   std::vector<Check> checks;
-  std::vector<std::string> remarks;                       // what changes no verdict and yet must be known
-  std::string reference;                                  // absolute
-  std::map<std::string, std::string> reference_passport;  // "program", "spp", ...
+  std::vector<std::string> remarks;                         // what changes no verdict and yet must be known
+  std::string reference;                                    // absolute
+  std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
   std::string image;
   std::string reference_image;  // the copy of the reference in the run's folder; "" when there is none
   std::vector<MapRecord> maps;
@@ -140,7 +140,7 @@ struct Cell {
   bool declared = false;
   Verdict verdict = Verdict::Skipped;
   std::optional<double> lowest_psnr_db;  // infinite when all images equal their references
-  std::string sentence;                  // of the worst image
+  std::string reason;                    // of the worst image
 };
 
 struct RequirementRecord {

@@ -39,12 +39,12 @@ void write_job(Writer& out, const JobRecord& job) {
   out.member("rendered", job.rendered);
   // A usable image is no verdict about it: that stands with the images.
   out.member("outcome", job.rendered ? std::string_view("rendered") : verdict_name(job.verdict));
-  out.member("sentence", job.sentence).member("image", job.image).member("log", job.log);
+  out.member("reason", job.reason).member("image", job.image).member("log", job.log);
 }
 
 void write_check(Writer& out, const Check& check) {
   out.begin_object().member("what", check.what).member("passed", check.passed);
-  out.member("sentence", check.sentence);
+  out.member("reason", check.reason);
   if (check.min) out.member("min", *check.min);
   if (check.max) out.member("max", *check.max);
   out.end_object();
@@ -59,7 +59,7 @@ void write_map(Writer& out, const MapRecord& map) {
 void write_target(Writer& out, const TargetRecord& target) {
   out.begin_object().member("requirement", target.requirement).member("case", target.case_name);
   out.member("target", target.target).member("renderer", target.renderer).member("declared", target.declared);
-  out.member("verdict", verdict_name(target.verdict)).member("sentence", target.sentence);
+  out.member("verdict", verdict_name(target.verdict)).member("reason", target.reason);
   out.key("measures").begin_array();
   for (const auto& measure : target.measures) write_measure(out, measure);
   out.end_array().key("checks").begin_array();
@@ -68,7 +68,7 @@ void write_target(Writer& out, const TargetRecord& target) {
   out.member("jobs", target.jobs).member("image", target.image).key("maps").begin_array();
   for (const auto& map : target.maps) write_map(out, map);
   out.end_array().member("reference", target.reference).member("reference_image", target.reference_image);
-  write_texts(out, "reference_passport", target.reference_passport);
+  write_texts(out, "reference_provenance", target.reference_provenance);
   out.end_object();
 }
 
@@ -82,7 +82,7 @@ void write_requirement(Writer& out, const RequirementRecord& requirement) {
         .member("verdict", verdict_name(cell.verdict));
     write_optional(out, "lowest_psnr_db", cell.lowest_psnr_db);
     if (cell.lowest_psnr_db && std::isinf(*cell.lowest_psnr_db)) out.member("infinite", true);
-    out.member("sentence", cell.sentence).end_object();
+    out.member("reason", cell.reason).end_object();
   }
   out.end_object().end_object();
 }

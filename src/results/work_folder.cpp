@@ -17,7 +17,7 @@ constexpr const char* kUnfinished = ".unfinished";
 
 }  // namespace
 
-// The process id keeps it apart from renders of a killed run that are just being ended by their wardens.
+// The process id keeps it apart from renders of a killed run that are just being ended by their supervisors.
 WorkFolder::WorkFolder(const fs::path& run) : path_(run / kUnfinished / fmt::format("{}", ::getpid())) {
   std::error_code ignored;
   fs::remove_all(run / kUnfinished, ignored);

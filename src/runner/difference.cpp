@@ -1,6 +1,6 @@
 #include "runner/difference.h"
 
-#include "runner/passport.h"
+#include "runner/provenance.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,10 +11,10 @@ namespace orbs::runner {
 
 namespace {
 
-// As far as their passports say, which renderers other than the built-in one do not write.
+// As far as their provenance records say, which renderers other than the built-in one do not write.
 bool have_same_samples(const image::Image& a, const image::Image& b) {
-  auto of_a = passport_of(a);
-  auto of_b = passport_of(b);
+  auto of_a = provenance_of(a);
+  auto of_b = provenance_of(b);
   const auto is_same = [&](const char* key) { return of_a[key] == of_b[key]; };
   return !of_a["seed"].empty() && is_same("program") && is_same("spp") && is_same("seed") &&
          is_same("settings");  // of the passes of a reference; an image of one pass has none

@@ -159,7 +159,7 @@ JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   record.folder = job.folder.string();
   if (!job.native_scene.empty())
     record.native_scene = job.native_scene.lexically_proximate(plan.root).string();
-  record.sentence = "the run ended before its turn";
+  record.reason = "the run ended before its turn";
   return record;
 }
 
@@ -175,7 +175,7 @@ Execution execute(const Plan& plan,
   const auto prepared = scene_for(plan, planned);
   if (const auto* reason = std::get_if<std::string>(&prepared)) {
     record.verdict = Verdict::Unsupported;
-    record.sentence = *reason;
+    record.reason = *reason;
     return execution;
   }
   const auto turns = prepare_turns(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
@@ -185,7 +185,7 @@ Execution execute(const Plan& plan,
   record.load = load_average();
   auto [outcome, file] = run_turns(turns, renderer, stop, record);
   record.verdict = outcome.verdict;
-  record.sentence = outcome.sentence;
+  record.reason = outcome.reason;
   record.rendered = outcome.verdict == Verdict::Pass;
   // An image that cannot be judged can still be looked at.
   if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize ||

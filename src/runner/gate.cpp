@@ -58,7 +58,7 @@ GateNoise gate_noise(const image::Image& result,
                      const metrics::Mask& mask,
                      const metrics::NoiseTest& test) {
   return {noise_mse_srgb8(result, reference, mask), noise_mse_srgb8(reference, reference, mask),
-          metrics::bias_sentence(test)};
+          metrics::bias_message(test)};
 }
 
 GateResult check_gate(const registry::Gate& gate, std::optional<double> value, const GateNoise& noise) {

@@ -16,7 +16,7 @@ namespace orbs::runner {
 struct GateNoise {
   std::optional<double> result_mse;  // in psnr_srgb8's steps, see noise_mse_srgb8; nothing: unknown
   std::optional<double> reference_mse;
-  std::string bias;  // what differs by more than noise, "" for nothing: metrics::bias_sentence
+  std::string bias;  // what differs by more than noise, "" for nothing: metrics::bias_message
 };
 
 GateNoise gate_noise(const image::Image& result,
@@ -26,7 +26,7 @@ GateNoise gate_noise(const image::Image& result,
 
 struct GateResult {
   results::Verdict verdict = results::Verdict::Pass;
-  std::string sentence;
+  std::string reason;
 };
 
 /// Whether `value` meets the gate. A psnr_srgb8 that is too low is Inconclusive, with how many times the

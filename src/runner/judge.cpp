@@ -5,7 +5,7 @@
 #include "metrics/noise_numbers.h"
 #include "runner/gate.h"
 #include "runner/noise.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/tolerances.h"
 
 #include <algorithm>
@@ -43,21 +43,21 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& image)
   Check out{fmt::format("pixels [{}]", fmt::join(check.region, ",")), true, "", {}, {}};
   for (std::size_t c = 0; c < 3; ++c)
     out.passed = out.passed && std::fabs(mean.at(c) - check.expected.at(c)) <= check.tolerance;
-  out.sentence =
+  out.reason =
       fmt::format("{} have the linear mean ({:.6g}), expected ({:.6g}) within {} ({})", out.what,
                   fmt::join(mean, ", "), fmt::join(check.expected, ", "), check.tolerance, check.why);
   return out;
 }
 
-Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& passport) {
+Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& provenance) {
   Check out{fmt::format("paths {}", share.path_class), false, "", share.min_share, {}};
-  const auto found = passport.find("path." + share.path_class);
-  const auto value = found == passport.end() ? std::nullopt : to_number(found->second);
+  const auto found = provenance.find("path." + share.path_class);
+  const auto value = found == provenance.end() ? std::nullopt : to_number(found->second);
   out.passed = value && *value >= share.min_share;
-  out.sentence =
+  out.reason =
       value ? fmt::format("{} carry {:.3g} of the reference's light, at least {} is needed", out.what, *value,
                           share.min_share)
-            : fmt::format("the reference's passport does not say what {} carry; render it again", out.what);
+            : fmt::format("the reference's provenance does not say what {} carry; render it again", out.what);
   return out;
 }
 
@@ -85,13 +85,13 @@ void check_conditions(const Case& one_case, const image::Image& result, TargetRe
   for (const auto& pixels : one_case.pixel_checks) {
     if (pixels.target != record.target) continue;
     record.checks.push_back(check_pixels(pixels, result));
-    if (!record.checks.back().passed) take(record, Verdict::Fail, record.checks.back().sentence);
+    if (!record.checks.back().passed) take(record, Verdict::Fail, record.checks.back().reason);
   }
   for (const auto& share : one_case.path_shares) {
     if (share.scene != record.target) continue;
-    record.checks.push_back(check_share(share, record.reference_passport));
+    record.checks.push_back(check_share(share, record.reference_provenance));
     // Not the renderer's fault: the case does not show what it is about.
-    if (!record.checks.back().passed) take(record, Verdict::Inconclusive, record.checks.back().sentence);
+    if (!record.checks.back().passed) take(record, Verdict::Inconclusive, record.checks.back().reason);
   }
 }
 
@@ -120,7 +120,7 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
     record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
     return judge(one_case, without_variances(result), reference, settings, record);
   }
-  record.reference_passport = passport_of(*reference.image);
+  record.reference_provenance = provenance_of(*reference.image);
   const auto is_name = [&](const auto& difference) { return difference.name == record.target; };
   const bool is_difference = std::any_of(one_case.differences.begin(), one_case.differences.end(), is_name);
   const auto mask = mask_of(one_case, record.target);
@@ -135,7 +135,7 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   if (comparison.alignment.alignment != metrics::Alignment::Comparable) {
     // The result was looked at before, so this is about the reference.
     take(record, Verdict::MissingReference,
-         fmt::format("the reference cannot be used: {}", comparison.alignment.sentence));
+         fmt::format("the reference cannot be used: {}", comparison.alignment.reason));
     return std::nullopt;
   }
   const auto noise = metrics::test_noise(result, *reference.image, mask, settings.result_noise);
@@ -143,9 +143,9 @@ std::optional<metrics::Comparison> judge(const Case& one_case,
   if (auto remark = metrics::bias_remark(noise); !remark.empty()) record.remarks.push_back(std::move(remark));
   const auto gate = check_gate(one_case.gate, metrics::value_of(comparison, one_case.gate.metric),
                                gate_noise(result, *reference.image, mask, noise));
-  record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.sentence,
+  record.checks.push_back({one_case.gate.metric, gate.verdict == Verdict::Pass, gate.reason,
                            one_case.gate.min, one_case.gate.max});
-  take(record, gate.verdict, gate.sentence);
+  take(record, gate.verdict, gate.reason);
   check_tolerances(one_case, {result, *reference.image, mask, noise}, record);
   check_conditions(one_case, result, record);
   return comparison;

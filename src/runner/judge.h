@@ -16,8 +16,8 @@
 namespace orbs::runner {
 
 /// The reference of an image of the case: its file, or the difference of two. `scene_hashes` holds by scene
-/// what the passport of its reference must say, if it says anything: after a change of the scene its
-/// reference is none any more. Nor is one whose pixels are not those that its passport was made out for.
+/// what the provenance of its reference must say, if it says anything: after a change of the scene its
+/// reference is none any more. Nor is one whose pixels are not those that its provenance was made out for.
 struct Reference {
   std::filesystem::path file;         // of the scene, or of the difference's `of`
   std::optional<image::Image> image;  // nothing when it is missing
@@ -53,7 +53,7 @@ struct JudgeSettings {
   metrics::ResultNoise result_noise = metrics::ResultNoise::AsTheImageSays;
 };
 
-/// Compares and fills verdict, sentence, measures, checks, remarks and passport of `record`, whose names are
+/// Compares and fills verdict, reason, measures, checks, remarks and provenance of `record`, whose names are
 /// already there. Nothing but the images in memory is looked at. Returns the comparison, for its maps;
 /// nothing when there was nothing to compare.
 std::optional<metrics::Comparison> judge(const registry::Case& one_case,

@@ -37,15 +37,15 @@ TargetRecord undeclared_target(const Plan& plan,
                                const std::filesystem::path& folder) {
   auto record = blank_target(plan, planned, folder);
   record.verdict = Verdict::Unsupported;
-  record.sentence = fmt::format("{} does not declare {}", record.renderer, record.requirement);
+  record.reason = fmt::format("{} does not declare {}", record.renderer, record.requirement);
   if (const auto reason = registry::limit_reason(plan.renderers[planned.renderer].entry, record.requirement))
-    record.sentence += fmt::format(": {}", *reason);
+    record.reason += fmt::format(": {}", *reason);
   return record;
 }
 
 void take_job_verdict(const JobRecord& job, TargetRecord& record) {
   record.verdict = job.verdict;
-  record.sentence = job.sentence;
+  record.reason = job.reason;
 }
 
 namespace {
@@ -63,8 +63,8 @@ bool refuse_negative(const registry::Case& one_case, const image::Image& result,
   if (faults.negative == 0) return false;
   if (one_case.negative_values.empty()) {
     record.verdict = Verdict::InvalidPixels;
-    record.sentence = fmt::format("{} pixels are negative, which its case does not allow; the first is {}",
-                                  faults.negative, faults.first);
+    record.reason = fmt::format("{} pixels are negative, which its case does not allow; the first is {}",
+                                faults.negative, faults.first);
     return true;
   }
   record.measures.push_back(
@@ -86,7 +86,7 @@ void refuse_constant(const image::Image& result, const image::Image& reference, 
   if (!is_constant(result) || is_constant(reference)) return;
   record.verdict = results::worse(record.verdict, Verdict::ConstantImage);
   if (record.verdict == Verdict::ConstantImage)
-    record.sentence = "every pixel has the same colour, which the reference's have not";
+    record.reason = "every pixel has the same colour, which the reference's have not";
 }
 
 // Judges one image that is there, and writes its maps unless another case has done so.
@@ -147,7 +147,7 @@ TargetRecord judge_difference(const Plan& plan,
   for (const auto job : planned.jobs)
     if (!jobs[job].rendered) {
       take_job_verdict(jobs[job], record);
-      record.sentence = fmt::format("its scene '{}': {}", jobs[job].scene, jobs[job].sentence);
+      record.reason = fmt::format("its scene '{}': {}", jobs[job].scene, jobs[job].reason);
       return record;
     }
   const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].image);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::Verdict;
-using warden::Cause;
+using supervisor::Cause;
 
 // The folder of the render is elsewhere when the run has ended, so its files are named within it.
 std::string named_within(const fs::path& folder, std::string text) {
@@ -35,7 +35,7 @@ std::string shortened(std::string text, std::size_t most) {
   return text;
 }
 
-// The last line that says anything, for the end of a sentence. What moves on within a line writes over it.
+// The last line that says anything, for the end of a reason. What moves on within a line writes over it.
 std::string last_words(const std::string& output, const fs::path& folder) {
   constexpr std::size_t kMost = 200;
   std::string words;
@@ -50,7 +50,7 @@ std::string megabytes(std::size_t bytes) {
   return fmt::format("{:.6g} MB", static_cast<double>(bytes) / (1 << 20));
 }
 
-Outcome limit_outcome(Cause cause, const warden::Limits& limits) {
+Outcome limit_outcome(Cause cause, const supervisor::Limits& limits) {
   switch (cause) {
     case Cause::Nothing:
       break;
@@ -78,7 +78,7 @@ Outcome limit_outcome(Cause cause, const warden::Limits& limits) {
   return {};
 }
 
-std::string signal_sentence(const adapters::ProcessResult& process) {
+std::string signal_message(const adapters::ProcessResult& process) {
   auto text = fmt::format("was killed by {}{}", adapters::signal_name(process.signal),
                           process.core_dumped ? " (core dumped)" : "");
   if (process.signal == SIGKILL) text += ", not by orbs: the kernel does that when memory runs out";
@@ -87,17 +87,17 @@ std::string signal_sentence(const adapters::ProcessResult& process) {
 
 Outcome process_outcome(const adapters::ProcessResult& process,
                         const fs::path& folder,
-                        const warden::Limits& limits) {
+                        const supervisor::Limits& limits) {
   if (!process.start_error.empty())
     return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
   if (!process.lost.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
-    outcome = {Verdict::Crash, signal_sentence(process), {}};
+    outcome = {Verdict::Crash, signal_message(process), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {Verdict::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
   if (outcome.verdict != Verdict::Pass && outcome.verdict != Verdict::Skipped)
-    outcome.sentence += last_words(process.output, folder);
+    outcome.reason += last_words(process.output, folder);
   return outcome;
 }
 
@@ -119,7 +119,7 @@ Outcome file_outcome(const adapters::Job& job, const std::string& name) {
 }
 
 // What the image says about itself must be about this render. Most renderers say nothing.
-Outcome passport_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
+Outcome provenance_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
   const auto differs = [&](const char* key, const std::string& expected) {
     const auto said = image.attributes.find(key);
     return !expected.empty() && said != image.attributes.end() && said->second != expected;
@@ -141,7 +141,7 @@ Outcome image_outcome(const adapters::Job& job) {
   } catch (const InputError& e) {
     return {Verdict::Unreadable, named_within(job.folder, e.what()), {}};
   }
-  if (auto outcome = passport_outcome(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
+  if (auto outcome = provenance_outcome(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
   if (auto outcome = check_pixels(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
   return {Verdict::Pass, "", std::move(image)};
 }
@@ -173,11 +173,11 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& image, const 
 
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
-                 const warden::Limits& limits) {
+                 const supervisor::Limits& limits) {
   auto outcome = process_outcome(process, job.folder, limits);
   if (outcome.verdict == Verdict::Pass) outcome = image_outcome(job);
   // Channels and what a reader quotes of a file are the renderer's words, too.
-  outcome.sentence = clean_text(outcome.sentence);
+  outcome.reason = clean_text(outcome.reason);
   return outcome;
 }
 

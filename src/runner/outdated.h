@@ -9,8 +9,8 @@
 /// Whether a render that is there would come out the same today.
 namespace orbs::runner {
 
-/// Of the scene's file with all that it names, as passports of references have it; where the renderer has a
-/// hand-written scene, of both.
+/// Of the scene's file with all that it names, as provenance records of references have it; where the
+/// renderer has a hand-written scene, of both.
 std::string scene_hash(const Plan& plan, const PlannedJob& job);
 
 /// Of what else makes the image: program, command, environment, settings of the exporter, threads.

@@ -5,7 +5,7 @@
 #include "image/image_io.h"
 #include "runner/difference.h"
 #include "runner/judge.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 
 #include <algorithm>
 
@@ -24,27 +24,28 @@ std::filesystem::path reference_file(const registry::Case& one_case,
   return references / ((scene == one_case.scenes.end() ? name : registry::reference_name(*scene)) + ".exr");
 }
 
-// What its passport says that is not so; "" when there is nothing. What it does not say is taken at its word.
-std::string passport_problem(const image::Image& image,
-                             const std::filesystem::path& file,
-                             const std::string& scene,
-                             const std::map<std::string, std::string>& scene_hashes) {
-  const auto passport = passport_of(image);
+// What its provenance says that is not so; "" when there is nothing. What it does not say is taken at its
+// word.
+std::string provenance_problem(const image::Image& image,
+                               const std::filesystem::path& file,
+                               const std::string& scene,
+                               const std::map<std::string, std::string>& scene_hashes) {
+  const auto provenance = provenance_of(image);
   const auto name = file.stem().string();
   const auto differs = [&](const std::string& what, const std::string& now, const std::string& said) {
     return fmt::format(
-        "{}: its hash is now {}, the passport in {} says {}; "
+        "{}: its hash is now {}, the provenance in {} says {}; "
         "'orbs reference --scene {} --accept \"why it has changed\"' renders it again",
         what, now, file.string(), said, name);
   };
-  const auto scene_said = passport.find("scene_hash");
+  const auto scene_said = provenance.find("scene_hash");
   const auto scene_now = scene_hashes.find(scene);
-  if (scene_said != passport.end() && scene_now != scene_hashes.end() &&
+  if (scene_said != provenance.end() && scene_now != scene_hashes.end() &&
       scene_said->second != scene_now->second)
     return differs(fmt::format("scene '{}' has changed since its reference was rendered", name),
                    scene_now->second, scene_said->second);
-  const auto image_said = passport.find("image_hash");
-  if (image_said == passport.end()) return "";
+  const auto image_said = provenance.find("image_hash");
+  if (image_said == provenance.end()) return "";
   const auto image_now = image_hash(image);
   return image_now == image_said->second
              ? ""
@@ -63,7 +64,7 @@ std::string read_reference(const std::filesystem::path& file,
   try {
     image = image::read_image(file);
     image::select_rgb(*image, "");
-    problem = passport_problem(*image, file, scene, scene_hashes);
+    problem = provenance_problem(*image, file, scene, scene_hashes);
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
   }

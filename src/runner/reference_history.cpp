@@ -6,7 +6,7 @@
 #include "json/object_reader.h"
 #include "json/writer.h"
 #include "runner/execute.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 
 namespace orbs::runner {
 
@@ -14,8 +14,8 @@ namespace {
 
 ReplacedReference read_entry(json::ObjectReader in) {
   ReplacedReference entry{in.text("replaced"), in.text("reason"), in.text_or("problem", ""), {}};
-  auto passport = in.object("passport");
-  for (const auto& key : passport.keys()) entry.passport[key] = passport.text(key);
+  auto provenance = in.object("provenance");
+  for (const auto& key : provenance.keys()) entry.provenance[key] = provenance.text(key);
   in.finish();
   return entry;
 }
@@ -23,8 +23,8 @@ ReplacedReference read_entry(json::ObjectReader in) {
 void write_entry(json::Writer& out, const ReplacedReference& entry) {
   out.begin_object().member("replaced", entry.replaced).member("reason", entry.reason);
   if (!entry.problem.empty()) out.member("problem", entry.problem);
-  out.key("passport").begin_object();
-  for (const auto& [key, text] : entry.passport) out.member(key, text);
+  out.key("provenance").begin_object();
+  for (const auto& [key, text] : entry.provenance) out.member(key, text);
   out.end_object().end_object();
 }
 
@@ -33,8 +33,8 @@ ReplacedReference entry_of(const std::filesystem::path& reference, const std::st
   ReplacedReference entry{local_time_now(), reason, "", {}};
   try {
     const auto image = image::read_image(reference);
-    entry.passport = passport_of(image);
-    entry.passport["image_hash"] = image_hash(image);
+    entry.provenance = provenance_of(image);
+    entry.provenance["image_hash"] = image_hash(image);
   } catch (const InputError& e) {
     entry.problem = e.what();
   }
@@ -53,7 +53,7 @@ std::vector<ReplacedReference> read_history(const std::filesystem::path& referen
   if (!std::filesystem::exists(file, ignored)) return {};
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
-  in.one_of("format", {"orbs-history/1"});
+  in.one_of("format", {"orbs-history/2"});
   std::vector<ReplacedReference> entries;
   for (auto& entry : in.objects("replaced")) entries.push_back(read_entry(std::move(entry)));
   in.finish();
@@ -64,10 +64,10 @@ void note_replaced(const std::filesystem::path& reference, const std::string& re
   auto entries = read_history(reference);
   auto entry = entry_of(reference, reason);
   // The pixels alone do not tell: the same render made twice has two dates.
-  if (!entries.empty() && entry.problem.empty() && entries.back().passport == entry.passport) return;
+  if (!entries.empty() && entry.problem.empty() && entries.back().provenance == entry.provenance) return;
   entries.push_back(std::move(entry));
   json::Writer out;
-  out.begin_object().member("format", "orbs-history/1").key("replaced").begin_array();
+  out.begin_object().member("format", "orbs-history/2").key("replaced").begin_array();
   for (const auto& one : entries) write_entry(out, one);
   write_file(history_file(reference), out.end_array().end_object().text());
 }

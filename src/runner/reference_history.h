@@ -6,14 +6,14 @@
 #include <vector>
 
 /// The references that an image had before: <image>.history.json beside the reference, format
-/// "orbs-history/1". Entries are only ever added.
+/// "orbs-history/2". Entries are only ever added.
 namespace orbs::runner {
 
 struct ReplacedReference {
   std::string replaced;  // when: local time, ISO 8601
   std::string reason;    // why, as --accept said
   std::string problem;   // why its file could not be read; "" when it could
-  std::map<std::string, std::string> passport;
+  std::map<std::string, std::string> provenance;
 };
 
 /// The file for the reference in `reference`.
@@ -22,7 +22,7 @@ std::filesystem::path history_file(const std::filesystem::path& reference);
 /// From the oldest to the newest; none when there is no file. InputError when it cannot be read.
 std::vector<ReplacedReference> read_history(const std::filesystem::path& reference);
 
-/// Adds the passport of the reference that is there now, with the hash of its pixels, to its history. A
+/// Adds the provenance of the reference that is there now, with the hash of its pixels, to its history. A
 /// reference that is noted already, because replacing it was cut short, is not noted twice. InputError as
 /// read_history, WriteError when the disk refuses.
 void note_replaced(const std::filesystem::path& reference, const std::string& reason);

@@ -37,7 +37,7 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
   request.limits.wall_seconds = kDay_seconds;
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::Stopped) return std::nullopt;
+  if (process.cause == supervisor::Cause::Stopped) return std::nullopt;
   for (const auto& problem : {process.start_error, process.lost})
     if (!problem.empty()) throw InputError(fmt::format("{}: {}", context.tracer.string(), problem));
   if (process.signal != 0 || process.exit_code != 0)

@@ -8,7 +8,7 @@
 #include "image/rounding.h"
 #include "runner/execute.h"
 #include "runner/host.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/reference_history.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
@@ -51,20 +51,20 @@ void stamp(const RenderedReference& rendered,
            const WantedReference& wanted,
            const std::string& reason,
            image::Image& image) {
-  auto& passport = image.attributes;
-  const auto version = passport.contains("orbs.version") ? passport.at("orbs.version") : "unknown";
+  auto& provenance = image.attributes;
+  const auto version = provenance.contains("orbs.version") ? provenance.at("orbs.version") : "unknown";
   const auto plus = version.find('+');
-  passport["orbs.commit"] = plus == std::string::npos ? "unknown" : version.substr(plus + 1);
-  passport["orbs.spp"] = std::to_string(rendered.sum.spp);
-  passport["orbs.settings"] = commands_of(rendered, wanted.split_paths);
-  passport["orbs.scene_hash"] = hash_text(scene_content_hash(scene::load_scene(wanted.file), wanted.file));
-  passport["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
-  passport["orbs.cpu"] = this_host().cpu;
-  passport["orbs.date"] = local_time_now();
-  passport["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
-  passport["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
+  provenance["orbs.commit"] = plus == std::string::npos ? "unknown" : version.substr(plus + 1);
+  provenance["orbs.spp"] = std::to_string(rendered.sum.spp);
+  provenance["orbs.settings"] = commands_of(rendered, wanted.split_paths);
+  provenance["orbs.scene_hash"] = hash_text(scene_content_hash(scene::load_scene(wanted.file), wanted.file));
+  provenance["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
+  provenance["orbs.cpu"] = this_host().cpu;
+  provenance["orbs.date"] = local_time_now();
+  provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
+  provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
   for (const auto& [name, share] : path_shares(rendered.image))
-    passport["orbs.path." + name] = fmt::format("{:.6g}", share);
+    provenance["orbs.path." + name] = fmt::format("{:.6g}", share);
 }
 
 // With the pixels that a reader of the file will see: halves of small numbers are rounded.

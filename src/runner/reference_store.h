@@ -17,8 +17,8 @@ std::map<std::string, double> path_shares(const image::Image& image);
 /// lamp that fills the pixel) is exact and stays as it is.
 image::Image shortened_image(const image::Image& image);
 
-/// Writes the image with its passport to wanted.target; the passport of the one that it replaces goes to
-/// the history beside it. The passport names no machine but its processor: it is published.
+/// Writes the image with its provenance to wanted.target; the provenance of the one that it replaces goes to
+/// the history beside it. The provenance names no machine but its processor: it is published.
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason);

@@ -61,7 +61,7 @@ Execution execute_or_say_why(const Plan& plan,
     refuse_full_disk(folders.run);
     execution.record.renderer_version = version;
     execution.record.verdict = Verdict::Crash;
-    execution.record.sentence = fmt::format("could not start: {}", e.what());
+    execution.record.reason = fmt::format("could not start: {}", e.what());
     return execution;
   }
 }

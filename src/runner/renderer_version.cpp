@@ -23,7 +23,7 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   request.environment = adapters::child_environment(renderer.entry.environment);
   request.limits.wall_seconds = kLimit_seconds;
   const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::WallTime)
+  if (process.cause == supervisor::Cause::WallTime)
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
   for (const auto& line : split(process.output, '\n'))
     if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))

@@ -17,7 +17,7 @@ void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
   cell.declared = target.declared;
   if (is_first || results::worse(cell.verdict, target.verdict) != cell.verdict) {
     cell.verdict = target.verdict;
-    cell.sentence = target.sentence;
+    cell.reason = target.reason;
   }
   for (const auto& measure : target.measures)
     if (measure.name == "psnr_srgb8")

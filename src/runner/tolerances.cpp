@@ -24,9 +24,8 @@ void check_means(double tolerance, const metrics::NoiseTest& noise, TargetRecord
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& [channel, measure] = channels.at(c);
     const auto result = check_mean_ratio(channel, tolerance, noise.mean_ratio.at(c));
-    record.checks.push_back(
-        {measure, result.verdict == Verdict::Pass, result.sentence, -tolerance, tolerance});
-    if (result.verdict != Verdict::Pass) take(record, result.verdict, result.sentence);
+    record.checks.push_back({measure, result.verdict == Verdict::Pass, result.reason, -tolerance, tolerance});
+    if (result.verdict != Verdict::Pass) take(record, result.verdict, result.reason);
   }
 }
 
@@ -34,7 +33,7 @@ void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias
   if (!bias) return;
   const auto where = rectangle_numbers(bias->where);
   const bool passed = bias->value <= tolerance;
-  const auto sentence = fmt::format(
+  const auto reason = fmt::format(
       "the mean of the tile [{}] is off by {:.3g} % or more for sure, at most {:.3g} % is allowed",
       fmt::join(where, ","), 100 * bias->value, 100 * tolerance);
   record.measures.push_back(
@@ -49,8 +48,8 @@ void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias
        {},
        {},
        where});
-  record.checks.push_back({"local_bias", passed, sentence, {}, tolerance});
-  if (!passed) take(record, Verdict::Fail, sentence);
+  record.checks.push_back({"local_bias", passed, reason, {}, tolerance});
+  if (!passed) take(record, Verdict::Fail, reason);
 }
 
 void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur, TargetRecord& record) {
@@ -60,7 +59,7 @@ void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur,
   const double low = blur->value - reach;
   const double high = blur->value + reach;
   const bool passed = low <= tolerance && high >= -tolerance;
-  const auto sentence = fmt::format(
+  const auto reason = fmt::format(
       "its edges are {} than the reference's by {:.3g} ({:.3g} to {:.3g}), at most {:.3g} is allowed",
       blur->value > 0 ? "softer" : "sharper", blur->value, low, high, tolerance);
   record.measures.push_back(
@@ -77,22 +76,21 @@ void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur,
        low,
        high,
        {}});
-  record.checks.push_back({"edge_blur", passed, sentence, -tolerance, tolerance});
-  if (!passed) take(record, Verdict::Fail, sentence);
+  record.checks.push_back({"edge_blur", passed, reason, -tolerance, tolerance});
+  if (!passed) take(record, Verdict::Fail, reason);
 }
 
 void check_stokes(double tolerance, const JudgedPair& pair, TargetRecord& record) {
   if (!metrics::has_stokes(pair.reference)) return;
   const auto error = metrics::stokes_error(pair.result, pair.reference, pair.mask);
   if (!error) {
-    const std::string sentence =
-        "it has no Stokes parameters (layers S1, S2 and S3), which the scene asks for";
-    record.checks.push_back({"stokes_error", false, sentence, {}, tolerance});
-    take(record, Verdict::Fail, sentence);
+    const std::string reason = "it has no Stokes parameters (layers S1, S2 and S3), which the scene asks for";
+    record.checks.push_back({"stokes_error", false, reason, {}, tolerance});
+    take(record, Verdict::Fail, reason);
     return;
   }
   const bool passed = *error <= tolerance;
-  const auto sentence =
+  const auto reason =
       fmt::format("its Stokes parameters are off by {:.3g} % of the light, at most {:.3g} % is allowed",
                   100 * *error, 100 * tolerance);
   record.measures.push_back(
@@ -106,16 +104,16 @@ void check_stokes(double tolerance, const JudgedPair& pair, TargetRecord& record
        {},
        {},
        {}});
-  record.checks.push_back({"stokes_error", passed, sentence, {}, tolerance});
-  if (!passed) take(record, Verdict::Fail, sentence);
+  record.checks.push_back({"stokes_error", passed, reason, {}, tolerance});
+  if (!passed) take(record, Verdict::Fail, reason);
 }
 
 }  // namespace
 
-void take(results::TargetRecord& record, results::Verdict verdict, const std::string& sentence) {
+void take(results::TargetRecord& record, results::Verdict verdict, const std::string& reason) {
   if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
     record.verdict = verdict;
-    record.sentence = sentence;
+    record.reason = reason;
   }
 }
 

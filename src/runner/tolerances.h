@@ -26,8 +26,8 @@ struct JudgedPair {
 /// of one that is not kept.
 void check_tolerances(const registry::Case& one_case, const JudgedPair& pair, results::TargetRecord& record);
 
-/// A worse verdict takes over, with its sentence.
-void take(results::TargetRecord& record, results::Verdict verdict, const std::string& sentence);
+/// A worse verdict takes over, with its reason.
+void take(results::TargetRecord& record, results::Verdict verdict, const std::string& reason);
 
 /// x0, y0, x1, y1; empty for nothing.
 std::vector<double> rectangle_numbers(const std::optional<metrics::Rectangle>& where);

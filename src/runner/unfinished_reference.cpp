@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 
@@ -42,7 +42,7 @@ std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, con
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     auto image = image::read_image(file);
-    if (passport_of(image)["spp"] != std::to_string(pass.spp)) return std::nullopt;
+    if (provenance_of(image)["spp"] != std::to_string(pass.spp)) return std::nullopt;
     return image;
   } catch (const InputError&) {
     return std::nullopt;  // torn

@@ -27,7 +27,7 @@ std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// ORB.S section 1, note: where a renderer lacks a level, the exporter prepares the data as that level
 /// prescribes, or says why it cannot. Either the scene in a form that calls for nothing beyond
-/// `capabilities`, or the reason, one sentence.
+/// `capabilities`, or the reason, one reason.
 ///   without G3  one mesh in world space, several materials; meshes that are not instanced are left out
 ///   without G4  instances; remap lists are resolved into further meshes
 ///   without G5  as above, and each mesh has exactly one material

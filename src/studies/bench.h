@@ -19,7 +19,7 @@ namespace orbs::studies {
 /// harness's own work is left. The programs of orbs are loaded once a run, not once a render, and are not in
 /// it; neither is the judging of the image.
 struct Overhead {
-  Spread harness_ms;  // scene written, command run by its warden, image read and checked, folder in place
+  Spread harness_ms;  // scene written, command run by its supervisor, image read and checked, folder in place
   Spread bare_ms;     // posix_spawn of the same command, and waiting for it
 };
 
@@ -43,7 +43,7 @@ struct BenchRender {
   int spp = 0;
   double cpu_seconds = 0;  // user and system
   double wall_seconds = 0;
-  double warden_cpu_seconds = 0;                   // what watching it cost beside that
+  double supervisor_cpu_seconds = 0;               // what watching it cost beside that
   std::optional<double> traversal_share;           // of its threads' time; only the built-in tracer says it
   std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
 };

@@ -81,13 +81,14 @@ void put_definitions(json::Writer& out) {
               "noise of the large render, its power scaled as 1 / n to the samples that fit into "
               "equal_cpu_seconds")
       .member("equal_cpu_seconds", "what the first renderer's samples of a large render cost, median")
-      .member("overhead.harness_ms",
-              "a program that copies an image of this size, as one render: scene written, run by its warden, "
-              "image read and checked, folder flushed to disk and put into place")
+      .member(
+          "overhead.harness_ms",
+          "a program that copies an image of this size, as one render: scene written, run by its supervisor, "
+          "image read and checked, folder flushed to disk and put into place")
       .member("overhead.bare_ms", "the same program by posix_spawn")
       .member("overhead.added_ms", "difference of the two medians: what each render costs besides itself")
       .member("overhead.watching_share",
-              "CPU time of the warden over the wall clock of a large render, the most of all")
+              "CPU time of the supervisor over the wall clock of a large render, the most of all")
       .member("metrics_cpu_ms", "CPU time of one comparison by all metrics with their maps, median of 5")
       .end_object();
 }

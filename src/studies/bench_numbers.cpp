@@ -103,7 +103,7 @@ std::optional<double> watching_share(const BenchRecord& record) {
   for (const auto& renderer : record.renderers)
     for (const auto& round : renderer.rounds)
       if (round.large.wall_seconds > 0)
-        most = std::max(most.value_or(0), round.large.warden_cpu_seconds / round.large.wall_seconds);
+        most = std::max(most.value_or(0), round.large.supervisor_cpu_seconds / round.large.wall_seconds);
   return most;
 }
 

@@ -51,7 +51,7 @@ double harness_ms(const runner::Plan& plan,
   const bool stopped = stop != nullptr && stop->load();
   if (!execution.image && !stopped)
     throw InputError(
-        fmt::format("{}: {}", plan.renderers.front().executable.string(), execution.record.sentence));
+        fmt::format("{}: {}", plan.renderers.front().executable.string(), execution.record.reason));
   if (!execution.image) return 0;
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(execution.record, {}));
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);

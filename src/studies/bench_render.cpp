@@ -78,15 +78,15 @@ std::optional<BenchImage> render(const BenchSubject& subject,
   request.limits = entry.limits;
   request.stop = stop;
   const auto process = adapters::run_process(request);
-  if (process.cause == warden::Cause::Stopped) return std::nullopt;
+  if (process.cause == supervisor::Cause::Stopped) return std::nullopt;
   auto outcome = runner::classify(process, job, entry.limits);
   if (!outcome.image)
-    throw InputError(fmt::format("renderer '{}' {}; {}", entry.name, outcome.sentence,
+    throw InputError(fmt::format("renderer '{}' {}; {}", entry.name, outcome.reason,
                                  process.output.empty() ? "it said nothing" : "it said:\n" + process.output));
   BenchImage made;
   const auto report = subject.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
   made.render = {settings.spp,           process.user_seconds + process.system_seconds,
-                 process.wall_seconds,   process.warden_cpu_seconds,
+                 process.wall_seconds,   process.supervisor_cpu_seconds,
                  report.traversal_share, report.samples_cpu_seconds};
   made.image = std::move(*outcome.image);
   return made;

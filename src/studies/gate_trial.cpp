@@ -38,7 +38,7 @@ TargetRecord judged(const GateTrial& trial, const Image& image) {
   const auto usable = runner::check_pixels(expected, image, "the image");
   if (usable.verdict != Verdict::Pass) {
     record.verdict = usable.verdict;
-    record.sentence = usable.sentence;
+    record.reason = usable.reason;
     return record;
   }
   runner::judge_values(trial.one_case, image, trial.reference, {.measured = runner::Measured::ForTheVerdict},
@@ -54,7 +54,7 @@ bool is_rejected(const TargetRecord& record) {
 TwinRecord tried(const GateTrial& trial, const std::string& fault, const Image& twin) {
   const auto record = judged(trial, twin);
   return {fault, "", is_rejected(record),
-          fmt::format("{}: {}", results::verdict_name(record.verdict), record.sentence)};
+          fmt::format("{}: {}", results::verdict_name(record.verdict), record.reason)};
 }
 
 // Of the images of the same size the one that is most like this, and yet another: who tells these two apart
@@ -130,8 +130,8 @@ GateRecord try_gate(const GateTrial& trial) {
   gate.target = trial.image;
   const auto honest = judged(trial, trial.honest);
   gate.accepts_honest = honest.verdict == Verdict::Pass;
-  gate.honest_sentence = fmt::format("{}: {}{}{}", results::verdict_name(honest.verdict), honest.sentence,
-                                     honest.remarks.empty() ? "" : "; ", fmt::join(honest.remarks, "; "));
+  gate.honest_reason = fmt::format("{}: {}{}{}", results::verdict_name(honest.verdict), honest.reason,
+                                   honest.remarks.empty() ? "" : "; ", fmt::join(honest.remarks, "; "));
   const auto where = place_of_leak(*trial.reference.image, runner::mask_of(trial.one_case, trial.image));
   const double mean = mean_radiance(*trial.reference.image);
   try_twins(trial, where, mean, gate);

@@ -74,7 +74,7 @@ ImageChange change_between(const std::vector<image::Image>& usual, const std::ve
     change.bias = "the images differ, and one of the two has no noise";
     return change;
   }
-  change.bias = metrics::bias_sentence(
+  change.bias = metrics::bias_message(
       metrics::test_noise(metrics::mean_and_variance_of(other), metrics::mean_and_variance_of(usual)));
   return change;
 }

@@ -50,7 +50,7 @@ ProbeImage take_image(const Stand& stand,
 }
 
 void say_record(const Stand& stand, const ProbeRecord& record) {
-  stand.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_sentence(record)));
+  stand.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_message(record)));
 }
 
 void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::vector<ProbeRecord>& records) {

@@ -51,7 +51,7 @@ bool is_mapped_right(const ProbeRecord& record);
 
 /// "ok", or what differs: "scene mapping differs: instance 'box', material 'red' (412 pixels, first at (3,
 /// 7), where there is nothing)".
-std::string probe_sentence(const ProbeRecord& record);
+std::string probe_message(const ProbeRecord& record);
 
 /// The record for programs: a JSON list, one entry for each scene and renderer.
 std::string probe_json(const std::vector<ProbeRecord>& records);

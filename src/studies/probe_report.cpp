@@ -57,7 +57,7 @@ bool is_mapped_right(const ProbeRecord& record) {
   return fault("", record, record.things).empty() && fault("", record, record.coordinates).empty();
 }
 
-std::string probe_sentence(const ProbeRecord& record) {
+std::string probe_message(const ProbeRecord& record) {
   if (!record.things.unsupported.empty()) return "unsupported: " + record.things.unsupported;
   const auto things = fault("scene mapping differs", record, record.things);
   if (!things.empty()) return things;
@@ -77,7 +77,7 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
         .member("scene", record.scene)
         .member("renderer", record.renderer)
         .member("ok", is_mapped_right(record))
-        .member("sentence", probe_sentence(record));
+        .member("reason", probe_message(record));
     put_image(out, "things", record, record.things);
     put_image(out, "coordinates", record, record.coordinates);
     out.end_object();

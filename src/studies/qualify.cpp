@@ -8,7 +8,7 @@
 #include "runner/execute.h"
 #include "runner/host.h"
 #include "runner/judge.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/qualified.h"
 #include "runner/summary.h"
 #include "studies/gate_trial.h"
@@ -79,7 +79,7 @@ Image honest_target(const Work& work, const Subject& subject) {
       continue;
     if (target.image.empty())
       throw InputError(
-          fmt::format("{} has no image in {}: {}", target.renderer, work.run.folder, target.sentence));
+          fmt::format("{} has no image in {}: {}", target.renderer, work.run.folder, target.reason));
     return image::read_image(std::filesystem::path(work.run.folder) / target.image);
   }
   throw InputError(fmt::format("{} holds no image of it by {}", work.run.folder, work.settings.renderer));
@@ -98,14 +98,14 @@ GateRecord tried_gate(const Work& work, const Subject& subject) {
   auto reference = runner::load_reference(*subject.one_case, subject.target, work.plan.suite.references,
                                           work.plan.reference_hashes);
   if (!reference.image) throw InputError(reference.problem);
-  const auto seed = runner::passport_of(honest)["seed"];
-  if (!seed.empty() && runner::passport_of(*reference.image)["seed"] == seed)
+  const auto seed = runner::provenance_of(honest)["seed"];
+  if (!seed.empty() && runner::provenance_of(*reference.image)["seed"] == seed)
     throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
   const auto dark = work.dark.find(subject.target);
   auto gate = try_gate({*subject.one_case, subject.target, reference, honest, work.references,
                         dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.target)});
   for (const char* key : {"program", "version", "spp", "seed"})
-    gate.honest[key] = runner::passport_of(honest)[key];
+    gate.honest[key] = runner::provenance_of(honest)[key];
   return gate;
 }
 
@@ -116,13 +116,13 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
   } catch (const InputError& e) {
     gate.case_name = subject.one_case->name;
     gate.target = subject.target;
-    gate.honest_sentence = fmt::format("not tried: {}", e.what());
+    gate.honest_reason = fmt::format("not tried: {}", e.what());
   }
   gate.judged_by = runner::gate_hash(*subject.one_case, subject.target, work.plan.suite.references);
-  gate.passport = {{"program", "orbs"},
-                   {"version", work.context.orbs_version},
-                   {"date", runner::local_time_now()},
-                   {"cpu", runner::this_host().cpu}};
+  gate.provenance = {{"program", "orbs"},
+                     {"version", work.context.orbs_version},
+                     {"date", runner::local_time_now()},
+                     {"cpu", runner::this_host().cpu}};
   return gate;
 }
 

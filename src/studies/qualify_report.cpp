@@ -29,11 +29,11 @@ std::string complaints(const GateRecord& gate) {
   std::string text;
   if (!gate.accepts_honest)
     text += fmt::format("{} {}: an honest image is not accepted: {}\n", gate.case_name, gate.target,
-                        gate.honest_sentence);
+                        gate.honest_reason);
   for (const auto& twin : gate.twins)
     if (twin.no_fault.empty() && !twin.rejected)
       text += fmt::format("{} {}: '{}' is not rejected: {}\n", gate.case_name, gate.target, twin.fault,
-                          twin.sentence);
+                          twin.reason);
   return text;
 }
 

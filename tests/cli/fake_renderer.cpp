@@ -102,7 +102,7 @@ void fill_disk(int files, std::size_t bytes_each) {
     std::ofstream(fmt::format("junk-{}", file)) << std::string(bytes_each, 'x');
 }
 
-// To our parent's parent: the harness, which talks to us through its warden.
+// To our parent's parent: the harness, which talks to us through its supervisor.
 void interrupt_harness() {
   std::ifstream stat(fmt::format("/proc/{}/stat", ::getppid()));
   std::string text;

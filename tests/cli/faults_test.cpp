@@ -13,11 +13,11 @@ using cli_tests::Sandbox;
 
 namespace {
 
-// One line of the table: what is wrong with the renderer, its verdict, and a part of the sentence.
+// One line of the table: what is wrong with the renderer, its verdict, and a part of the reason.
 struct Fault {
   const char* mode;
   const char* verdict;
-  const char* sentence;
+  const char* reason;
 };
 
 constexpr Fault kFaults[]{
@@ -88,8 +88,8 @@ TEST(Faults, EachGetsItsVerdictAndTheOthersGoOn) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   for (const auto& fault : kFaults) {
     const auto image = image_of(sandbox, fault.mode);
-    EXPECT_EQ(verdict_name(image.verdict), fault.verdict) << fault.mode << ": " << image.sentence;
-    EXPECT_NE(image.sentence.find(fault.sentence), std::string::npos) << fault.mode << ": " << image.sentence;
+    EXPECT_EQ(verdict_name(image.verdict), fault.verdict) << fault.mode << ": " << image.reason;
+    EXPECT_NE(image.reason.find(fault.reason), std::string::npos) << fault.mode << ": " << image.reason;
   }
   EXPECT_EQ(image_of(sandbox, "good").verdict, results::Verdict::Pass);
   EXPECT_FALSE(sandbox.has("out/.unfinished"));

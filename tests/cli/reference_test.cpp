@@ -6,7 +6,7 @@
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "registry/configuration.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/reference_history.h"
 
 #include <atomic>
@@ -48,7 +48,7 @@ TEST(Reference, ThatIsMissingIsRenderedWhereOthersExist) {
   EXPECT_EQ(sandbox.read("references/mirror.exr"), before);
 }
 
-TEST(Reference, CarriesItsPassport) {
+TEST(Reference, CarriesItsProvenance) {
   const Sandbox sandbox;
   std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
   const auto answer = sandbox.orbs({"reference", "-s", "grey", "--spp", "16", "--seed", "77"});
@@ -57,19 +57,19 @@ TEST(Reference, CarriesItsPassport) {
   EXPECT_EQ(image.width, 12);
   EXPECT_EQ(image.channel_count(), 6U);
   EXPECT_GE(image::channel_index(image, "variance.G"), 0);
-  const auto& passport = image.attributes;
+  const auto& provenance = image.attributes;
   for (const char* key : {"program", "version", "commit", "settings", "spp", "seed", "scene_hash", "cpu",
                           "date", "noise_psnr_srgb8_db", "reason", "image_hash"})
-    EXPECT_TRUE(passport.contains(std::string("orbs.") + key)) << key;
-  EXPECT_EQ(passport.at("orbs.spp"), "16");
-  EXPECT_EQ(passport.at("orbs.seed"), "77");
-  EXPECT_EQ(passport.at("orbs.settings"), "--spp 16 --seed 77");
-  EXPECT_FALSE(passport.contains("orbs.host"));  // references are published
-  EXPECT_EQ(passport.at("orbs.image_hash"), runner::image_hash(image));
+    EXPECT_TRUE(provenance.contains(std::string("orbs.") + key)) << key;
+  EXPECT_EQ(provenance.at("orbs.spp"), "16");
+  EXPECT_EQ(provenance.at("orbs.seed"), "77");
+  EXPECT_EQ(provenance.at("orbs.settings"), "--spp 16 --seed 77");
+  EXPECT_FALSE(provenance.contains("orbs.host"));  // references are published
+  EXPECT_EQ(provenance.at("orbs.image_hash"), runner::image_hash(image));
   EXPECT_FALSE(sandbox.has("references/grey.history.json"));  // it is the first
 }
 
-TEST(Reference, ThatIsReplacedLeavesItsPassportInItsHistory) {
+TEST(Reference, ThatIsReplacedLeavesItsProvenanceInItsHistory) {
   const Sandbox sandbox;
   const auto file = sandbox.folder() / "references" / "grey.exr";
   const auto first = runner::image_hash(image::read_image(file));
@@ -78,10 +78,10 @@ TEST(Reference, ThatIsReplacedLeavesItsPassportInItsHistory) {
   const auto history = runner::read_history(file);
   ASSERT_EQ(history.size(), 2U);
   EXPECT_EQ(history[0].reason, "a scene of its own");
-  EXPECT_EQ(history[0].passport.at("image_hash"), first);
+  EXPECT_EQ(history[0].provenance.at("image_hash"), first);
   EXPECT_EQ(history[1].reason, "the lamp was moved");
-  EXPECT_EQ(history[1].passport.at("reason"), "a scene of its own");
-  EXPECT_EQ(history[1].passport.at("spp"), "4");
+  EXPECT_EQ(history[1].provenance.at("reason"), "a scene of its own");
+  EXPECT_EQ(history[1].provenance.at("spp"), "4");
 }
 
 TEST(Reference, ThatCannotBeReadLeavesThatInItsHistory) {
@@ -144,8 +144,8 @@ TEST(Reference, SaysAllPassesThatItIsMadeOf) {
   sandbox.write("cases/m1_grey/case.json",
                 text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
   EXPECT_EQ(sandbox.orbs({"reference", "-s", "grey", "--seed", "40", "--accept", "test"}).status, 0);
-  const auto passport = image::read_image(sandbox.folder() / "references" / "grey.exr").attributes;
-  const auto& settings = passport.at("orbs.settings");
+  const auto provenance = image::read_image(sandbox.folder() / "references" / "grey.exr").attributes;
+  const auto& settings = provenance.at("orbs.settings");
   ASSERT_TRUE(settings.starts_with("--spp 8 --seed 40 + --spp ")) << settings;
   int spp = 0;
   std::size_t passes = 0;
@@ -155,7 +155,7 @@ TEST(Reference, SaysAllPassesThatItIsMadeOf) {
     EXPECT_EQ(words[3], std::to_string(40 + passes++));
     spp += std::stoi(words[1]);
   }
-  EXPECT_EQ(passport.at("orbs.spp"), std::to_string(spp));
+  EXPECT_EQ(provenance.at("orbs.spp"), std::to_string(spp));
 }
 
 namespace {

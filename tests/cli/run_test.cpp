@@ -220,7 +220,7 @@ TEST(Run, LeavesAFolderThatCanBeShownOnItsOwn) {
   EXPECT_TRUE(contains(json, R"("title": "Mirror & co")"));
 }
 
-// As judged: the reference that another scene lends, and none where the passport says that it is another's.
+// As judged: the reference that another scene lends, and none where the provenance says that it is another's.
 TEST(Run, LeavesTheReferencesThatItWasJudgedBy) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");

@@ -67,7 +67,7 @@ TEST(Seeds, ABadImageOfOneOfThemIsTheVerdict) {
   EXPECT_EQ(answer.status, 1);
   const auto job = job_of(sandbox, "noisy-nan");
   EXPECT_EQ(job.verdict, results::Verdict::InvalidPixels);
-  EXPECT_TRUE(contains(job.sentence, "1 pixels are NaN")) << job.sentence;
+  EXPECT_TRUE(contains(job.reason, "1 pixels are NaN")) << job.reason;
   EXPECT_TRUE(contains(job.image, "seed-2.exr")) << job.image;
   EXPECT_FALSE(sandbox.has("out/noisy-nan/grey/result.exr"));
 }

@@ -100,7 +100,7 @@ void expect_complete(const Sandbox& sandbox, const std::string& image) {
   for (const auto& job : run.jobs) EXPECT_TRUE(jobs.insert(job.id).second) << "twice: " << job.scene;
   for (const auto& one : run.targets) {
     EXPECT_TRUE(images.insert(one.target).second) << "twice: " << one.target;
-    EXPECT_EQ(one.verdict, results::Verdict::Pass) << one.sentence;
+    EXPECT_EQ(one.verdict, results::Verdict::Pass) << one.reason;
   }
   EXPECT_EQ(jobs.size(), kScenes);
   EXPECT_EQ(images.size(), kScenes);

@@ -88,13 +88,13 @@ TargetRecord target_of(const std::string& case_name, const JobRecord& job, Verdi
   target.jobs = {job.id};
   target.declared = true;
   target.verdict = verdict;
-  target.sentence = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
+  target.reason = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
   const double psnr = verdict == Verdict::Pass ? 41.5 : 20.25;
   target.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false},
                      {"lean", -0.0125, "1", "how far it leans", true, true, -0.02, -0.005, {8, 16, 24, 32}}};
   target.remarks = {"it leans to the left"};
-  target.checks = {{"psnr_srgb8", verdict == Verdict::Pass, target.sentence, 35.0, {}}};
+  target.checks = {{"psnr_srgb8", verdict == Verdict::Pass, target.reason, 35.0, {}}};
   return target;
 }
 
@@ -153,7 +153,7 @@ void add_values(const fs::path& folder, TargetRecord& target) {
   target.maps = {{"l1", "one/values/error-l1.exr", "|result - reference|", false, 0.2},
                  {"signed", "one/values/error-signed.exr", "result - reference", true, 0.2},
                  {"wobble", "one/values/error-wobble.exr", "a map that nobody knows", false, 1}};
-  target.reference_passport = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
+  target.reference_provenance = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
 }
 
 void add_stokes(const fs::path& folder, TargetRecord& target) {
@@ -179,11 +179,11 @@ void add_markup(const fs::path& folder, RunRecord& run) {
   auto job = job_of("markup", "one", 1);
   job.log = "one/markup/log.txt";
   job.exit_code = 3;
-  job.sentence = attack;
+  job.reason = attack;
   fs::create_directories(folder / "one/markup");
   write_file(folder / job.log, "line one\n" + attack + "\n\x1b[31mred\x1b[0m \xff\n");
   auto target = target_of("e1_markup", job, Verdict::Crash);
-  target.sentence = attack;
+  target.reason = attack;
   target.measures.clear();
   target.checks.clear();
   run.jobs.push_back(job);

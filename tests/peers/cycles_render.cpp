@@ -36,8 +36,7 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   request.environment = adapters::child_environment(renderer->environment);
   const auto process = adapters::run_process(request);
   auto outcome = runner::classify(process, job, request.limits);
-  if (!outcome.image)
-    throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.sentence, process.output));
+  if (!outcome.image) throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.reason, process.output));
   return std::move(*outcome.image);
 }
 

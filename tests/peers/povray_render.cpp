@@ -37,7 +37,7 @@ image::Image render_with_povray(const scene::Scene& scene,
   request.folder = folder;
   request.environment = adapters::child_environment({});
   const adapters::ProcessResult result = adapters::run_process(request);
-  if (!result.start_error.empty() || result.cause != warden::Cause::Nothing || result.signal != 0 ||
+  if (!result.start_error.empty() || result.cause != supervisor::Cause::Nothing || result.signal != 0 ||
       result.exit_code != 0)
     throw std::runtime_error(fmt::format("povray failed ({}, exit code {}):\n{}", result.start_error,
                                          result.exit_code, result.output));

@@ -12,7 +12,7 @@ namespace orbs::peers {
 inline constexpr double kHalf = 4.9e-4;
 
 /// Writes the scene, starts POV-Ray in a folder of its own, reads the image. One ray through each pixel's
-/// centre. std::runtime_error with a clear sentence when POV-Ray is not installed or fails.
+/// centre. std::runtime_error with a clear reason when POV-Ray is not installed or fails.
 image::Image render_with_povray(const scene::Scene& scene,
                                 const std::string& name,
                                 const adapters::PovraySettings& settings = {},

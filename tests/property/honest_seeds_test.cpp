@@ -57,7 +57,7 @@ TEST_P(HonestSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
   for (const std::uint64_t seed : {1U, 2U}) {
     const auto result = rendered(world, GetParam().spp, seed);
     const auto test = metrics::test_noise(result, reference);
-    EXPECT_FALSE(metrics::is_biased(test)) << seed << ": " << metrics::bias_sentence(test);
+    EXPECT_FALSE(metrics::is_biased(test)) << seed << ": " << metrics::bias_message(test);
     if (GetParam().sees_one_percent) {
       EXPECT_TRUE(metrics::mean_error(metrics::test_noise(one_percent_brighter(result), reference))) << seed;
     }
@@ -76,7 +76,7 @@ TEST(HonestSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   results::TargetRecord record;
   record.target = "078";
   runner::judge(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, {}, record);
-  EXPECT_EQ(record.verdict, results::Verdict::Inconclusive) << record.sentence;
+  EXPECT_EQ(record.verdict, results::Verdict::Inconclusive) << record.reason;
 }
 
 INSTANTIATE_TEST_SUITE_P(Suite,

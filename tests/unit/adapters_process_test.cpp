@@ -20,7 +20,7 @@
 using orbs::adapters::ProcessRequest;
 using orbs::adapters::run_process;
 using orbs::structure::TestFolder;
-using orbs::warden::Cause;
+using orbs::supervisor::Cause;
 
 namespace {
 
@@ -190,15 +190,15 @@ TEST(Process, ManyFilesBeyondTheAllowanceAreFound) {
 }
 
 // Whoever starts it holds one end of its string: when the harness is killed, nothing goes on without it.
-TEST(Process, CannotPretendAnInterruptToItsWarden) {
+TEST(Process, CannotPretendAnInterruptToItsSupervisor) {
   const auto result = run_process(shell("kill -INT $PPID; kill -TERM $PPID; kill -HUP $PPID; exit 5"));
   EXPECT_EQ(result.cause, Cause::Nothing);
   EXPECT_EQ(result.exit_code, 5);
 }
 
-TEST(Process, ThatKillsItsWardenIsKilledAndReported) {
+TEST(Process, ThatKillsItsSupervisorIsKilledAndReported) {
   const auto result = run_process(shell("kill -KILL $PPID; sleep 600"));
-  EXPECT_EQ(result.lost, "its warden was killed by SIGKILL");
+  EXPECT_EQ(result.lost, "its supervisor was killed by SIGKILL");
   EXPECT_EQ(result.start_error, "");
 }
 

@@ -22,7 +22,7 @@ TEST(MetricsAlignment, ImagesOfDifferentSizeAreNotComparable) {
   const auto report =
       check_alignment(make_image(256, 512, {"R", "G", "B"}), make_image(512, 512, {"R", "G", "B"}));
   EXPECT_EQ(report.alignment, Alignment::WrongSize);
-  EXPECT_EQ(report.sentence, "the result is 256 x 512 px, the reference 512 x 512 px");
+  EXPECT_EQ(report.reason, "the result is 256 x 512 px, the reference 512 x 512 px");
 }
 
 TEST(MetricsAlignment, ImagesWithoutPixelsAreNotComparable) {
@@ -33,10 +33,10 @@ TEST(MetricsAlignment, AMissingChannelIsNamedTogetherWithTheOnesThatAreThere) {
   const Image whole = make_image(4, 4, {"R", "G", "B"});
   const auto grey = check_alignment(make_image(4, 4, {"Y"}), whole);
   EXPECT_EQ(grey.alignment, Alignment::WrongChannels);
-  EXPECT_EQ(grey.sentence, "the result has no channel R, G, B; it has Y");
+  EXPECT_EQ(grey.reason, "the result has no channel R, G, B; it has Y");
   const auto layer = check_alignment(whole, make_image(4, 4, {"R", "layer.G", "B"}));
   EXPECT_EQ(layer.alignment, Alignment::WrongChannels);
-  EXPECT_EQ(layer.sentence, "the reference has no channel G; it has R, layer.G, B");
+  EXPECT_EQ(layer.reason, "the reference has no channel G; it has R, layer.G, B");
 }
 
 TEST(MetricsAlignment, BadPixelsAreCountedByKindAndTheFirstIsShown) {
@@ -52,7 +52,7 @@ TEST(MetricsAlignment, BadPixelsAreCountedByKindAndTheFirstIsShown) {
   EXPECT_EQ(report.result.nan, 1U);
   EXPECT_EQ(report.result.infinite, 2U);
   EXPECT_EQ(report.result.negative, 2U);
-  EXPECT_EQ(report.sentence,
+  EXPECT_EQ(report.reason,
             "the result has pixels with bad numbers: 1 with NaN, 2 infinite, 2 negative; the first at (4, "
             "2), channel G, "
             "value nan");
@@ -64,7 +64,7 @@ TEST(MetricsAlignment, ABadReferenceIsNoBetterThanABadResult) {
   reference.at(3, 3, 2) = kInfinity;
   const auto report = check_alignment(result, reference);
   EXPECT_EQ(report.alignment, Alignment::InvalidPixels);
-  EXPECT_EQ(report.sentence,
+  EXPECT_EQ(report.reason,
             "the reference has pixels with bad numbers: 0 with NaN, 1 infinite, 0 negative; the first at (3, "
             "3), channel B, "
             "value inf");

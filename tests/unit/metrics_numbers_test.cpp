@@ -144,7 +144,7 @@ TEST(MetricsNumbers, ChannelsAreFoundByNameInAnyOrderAndOthersAreIgnored) {
       result.at(x, y, 3) = reference.at(x, y, 0) + 0.3F;
     }
   const Comparison c = compare(result, reference);
-  ASSERT_EQ(c.alignment.alignment, Alignment::Comparable) << c.alignment.sentence;
+  ASSERT_EQ(c.alignment.alignment, Alignment::Comparable) << c.alignment.reason;
   EXPECT_NEAR(number(c, "l1"), 0.1, 1e-7);
 }
 

@@ -26,7 +26,7 @@ TEST(StoredQualification, EveryGateAcceptsAnHonestImageAndRejectsEveryFault) {
   const auto gates = stored_gates();
   EXPECT_GT(gates.size(), 40U);
   for (const auto& gate : gates) {
-    EXPECT_TRUE(gate.accepts_honest) << gate.target << ": " << gate.honest_sentence;
+    EXPECT_TRUE(gate.accepts_honest) << gate.target << ": " << gate.honest_reason;
     EXPECT_TRUE(results::is_qualified(gate)) << gate.case_name << " " << gate.target;
   }
 }

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "image/image_io.h"
 #include "registry/cases.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "runner/reference.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
@@ -38,13 +38,13 @@ std::string fault_of(const registry::CaseScene& scene, double needed_db, const s
   const auto read = scene::load_scene(scene.file);
   if (image.width != read.camera.width_px || image.height != read.camera.height_px)
     return "has another size than the camera";
-  auto passport = runner::passport_of(image);
-  if (passport["scene_hash"] != hash_text(runner::scene_content_hash(read, scene.file)))
+  auto provenance = runner::provenance_of(image);
+  if (provenance["scene_hash"] != hash_text(runner::scene_content_hash(read, scene.file)))
     return "is of another version of its scene";
-  if (passport.contains("image_hash") && passport["image_hash"] != runner::image_hash(image))
+  if (provenance.contains("image_hash") && provenance["image_hash"] != runner::image_hash(image))
     return "is not the image that was accepted";
-  if (to_number(passport["noise_psnr_srgb8_db"]).value_or(0) < needed_db)
-    return fmt::format("has a noise of {} dB, {} are needed", passport["noise_psnr_srgb8_db"], needed_db);
+  if (to_number(provenance["noise_psnr_srgb8_db"]).value_or(0) < needed_db)
+    return fmt::format("has a noise of {} dB, {} are needed", provenance["noise_psnr_srgb8_db"], needed_db);
   return "";
 }
 
@@ -76,7 +76,7 @@ TEST(References, OfADifferenceHoldTheSameSamples) {
     for (const auto& one_case : registry::load_cases(suite))
       for (const auto& difference : one_case.differences) {
         const auto settings_of = [&](const std::string& scene) {
-          return runner::passport_of(image::read_image(suite.references / (scene + ".exr")))["settings"];
+          return runner::provenance_of(image::read_image(suite.references / (scene + ".exr")))["settings"];
         };
         const auto of = settings_of(difference.of);
         if (settings_of(difference.minus) != of)

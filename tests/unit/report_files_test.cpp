@@ -8,12 +8,12 @@ using namespace orbs::results;
 
 namespace {
 
-RunRecord run_of(Verdict verdict, const std::string& sentence) {
+RunRecord run_of(Verdict verdict, const std::string& reason) {
   RunRecord run;
   run.suite = "s";
   run.renderers.push_back({});
   run.renderers[0].name = "r";
-  run.requirements = {{"M1", "A & B", {{"r", {true, verdict, 41.25, sentence}}}}};
+  run.requirements = {{"M1", "A & B", {{"r", {true, verdict, 41.25, reason}}}}};
   TargetRecord target;
   target.requirement = "M1";
   target.case_name = "m1";
@@ -22,7 +22,7 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
   target.declared = true;
   target.jobs = {"id"};
   target.verdict = verdict;
-  target.sentence = sentence;
+  target.reason = reason;
   target.measures = {{"psnr_srgb8", 41.25, "dB", ""}, {"l1", 0.5, "", ""}};
   run.targets = {target};
   JobRecord job;
@@ -41,7 +41,7 @@ RunRecord run_of(Verdict verdict, const std::string& sentence) {
 
 TEST(Csv, HasOneRowPerImageAndRenderer) {
   EXPECT_EQ(orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-            "suite,requirement,case,target,renderer,declared,verdict,sentence,remarks,psnr_srgb8,l1,machine,"
+            "suite,requirement,case,target,renderer,declared,verdict,reason,remarks,psnr_srgb8,l1,machine,"
             "wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
             "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }

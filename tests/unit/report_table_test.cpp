@@ -25,11 +25,11 @@ RunRecord small_run() {
   bad.target = "101";
   bad.renderer = "bb";
   bad.verdict = Verdict::Fail;
-  bad.sentence = "psnr_srgb8 is 9.5 dB, at least 35 is needed";
+  bad.reason = "psnr_srgb8 is 9.5 dB, at least 35 is needed";
   TargetRecord unsupported = bad;
   unsupported.requirement = "M2";
   unsupported.verdict = Verdict::Unsupported;
-  unsupported.sentence = "bb does not declare M2";
+  unsupported.reason = "bb does not declare M2";
   TargetRecord same = unsupported;
   same.target = "102";
   run.targets = {unsupported, same, bad};
@@ -78,7 +78,7 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
 TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
   auto run = small_run();
   run.targets[2].verdict = Verdict::Skipped;
-  run.targets[2].sentence = "the run ended before its turn";
+  run.targets[2].reason = "the run ended before its turn";
   run.renderers[1].counts = {{"skipped", 1}, {"unsupported", 1}};
   const auto text = summary_text(run, {});
   EXPECT_NE(text.find("1 skipped"), std::string::npos);
@@ -90,7 +90,7 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   auto& bad = run.targets[2];
   bad.measures = {{"psnr_srgb8", 28.9, "dB", "", false}};
   bad.checks = {{"psnr_srgb8", false, "", 35, {}}};
-  bad.reference_passport = {{"program", "orbs-tracer"}};
+  bad.reference_provenance = {{"program", "orbs-tracer"}};
   const std::string hint = "\nbb is far off in 101: 'orbs probe -r bb' tells whether";
   EXPECT_NE(summary_text(run, {}).find(hint), std::string::npos);
   const auto is_silent = [&] { return summary_text(run, {}).find("orbs probe") == std::string::npos; };

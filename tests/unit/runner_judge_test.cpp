@@ -3,7 +3,7 @@
 #include "runner/gate.h"
 #include "runner/judge.h"
 #include "runner/noise.h"
-#include "runner/passport.h"
+#include "runner/provenance.h"
 #include "structure/source_files.h"
 
 #include <cmath>
@@ -71,7 +71,7 @@ TEST(Judge, TheGateSeparatesASmallErrorFromALargeOne) {
   EXPECT_EQ(judged(one_case(), grey(0.26F), grey(0.25F)).verdict, Verdict::Pass);
   const auto bad = judged(one_case(), grey(0.28F), grey(0.25F));
   EXPECT_EQ(bad.verdict, Verdict::Fail);
-  EXPECT_NE(bad.sentence.find("at least 35 is needed"), std::string::npos) << bad.sentence;
+  EXPECT_NE(bad.reason.find("at least 35 is needed"), std::string::npos) << bad.reason;
 }
 
 namespace {
@@ -93,11 +93,10 @@ TEST(Judge, StokesParametersMustBeThereAndRight) {
   EXPECT_EQ(judged(polarised, polarised_grey(0.1F), polarised_grey(0.1F)).verdict, Verdict::Pass);
   const auto turned = judged(polarised, polarised_grey(-0.1F), polarised_grey(0.1F));
   EXPECT_EQ(turned.verdict, Verdict::Fail);
-  EXPECT_NE(turned.sentence.find("Stokes parameters are off by 23.1 %"), std::string::npos)
-      << turned.sentence;
+  EXPECT_NE(turned.reason.find("Stokes parameters are off by 23.1 %"), std::string::npos) << turned.reason;
   const auto without = judged(polarised, image::select_rgb(polarised_grey(0), ""), polarised_grey(0.1F));
   EXPECT_EQ(without.verdict, Verdict::Fail);
-  EXPECT_NE(without.sentence.find("has no Stokes parameters"), std::string::npos) << without.sentence;
+  EXPECT_NE(without.reason.find("has no Stokes parameters"), std::string::npos) << without.reason;
   EXPECT_EQ(
       judged(polarised, image::select_rgb(polarised_grey(0), ""), image::select_rgb(polarised_grey(0), ""))
           .verdict,
@@ -118,7 +117,7 @@ TEST(Judge, VariancesThatCannotBeAreNotUsedAndSaidToBeSo) {
     ASSERT_GE(channel, 0);
     wrong.at(3, 4, static_cast<std::size_t>(channel)) = impossible;
     const auto record = judged(one_case(), wrong, grey_32(0.25F));
-    EXPECT_EQ(record.verdict, Verdict::Fail) << record.sentence;
+    EXPECT_EQ(record.verdict, Verdict::Fail) << record.reason;
     ASSERT_FALSE(record.remarks.empty());
     EXPECT_NE(record.remarks.front().find("at pixel (3, 4): its variances are not used"), std::string::npos);
   }
@@ -130,7 +129,7 @@ TEST(Judge, AMissingReferenceIsNeverAPass) {
   record.target = "a";
   judge(one_case(), grey(0.5F), {"a.exr", std::nullopt, "there is no reference a.exr"}, {}, record);
   EXPECT_EQ(record.verdict, Verdict::MissingReference);
-  EXPECT_EQ(record.sentence, "there is no reference a.exr");
+  EXPECT_EQ(record.reason, "there is no reference a.exr");
 }
 
 TEST(Judge, AReferenceOfAnotherSizeIsAMissingOne) {
@@ -164,7 +163,7 @@ TEST(Noise, IsNoneWhereTheClampHoldsAndUnknownWithoutVariance) {
 TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusive) {
   const auto noisy = judged(one_case(), noisy_grey(0.25F, 0.03F), grey_32(0.25F));
   EXPECT_EQ(noisy.verdict, Verdict::Inconclusive);
-  EXPECT_NE(noisy.sentence.find("needs about 2.8 times the samples"), std::string::npos) << noisy.sentence;
+  EXPECT_NE(noisy.reason.find("needs about 2.8 times the samples"), std::string::npos) << noisy.reason;
   EXPECT_TRUE(noisy.remarks.empty());
   auto bold = noisy_grey(0.25F, 0.03F);
   for (std::size_t i = 0; i < bold.pixels.size(); ++i)
@@ -176,13 +175,13 @@ TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusive) {
 TEST(Judge, NoiseIsNoExcuseForABias) {
   const auto biased = judged(one_case(), noisy_grey(0.257F, 0.03F), grey_32(0.25F));
   EXPECT_EQ(biased.verdict, Verdict::Fail);
-  EXPECT_NE(biased.sentence.find("the mean is brighter"), std::string::npos) << biased.sentence;
+  EXPECT_NE(biased.reason.find("the mean is brighter"), std::string::npos) << biased.reason;
 }
 
 TEST(Judge, AReferenceTooNoisyForTheGateIsSaidToBeSo) {
   const auto record = judged(one_case(), noisy_grey(0.25F, 0.001F), noisy_grey(0.25F, 0.03F));
   EXPECT_EQ(record.verdict, Verdict::Inconclusive);
-  EXPECT_NE(record.sentence.find("the reference is too noisy"), std::string::npos) << record.sentence;
+  EXPECT_NE(record.reason.find("the reference is too noisy"), std::string::npos) << record.reason;
 }
 
 // 4 % are 40 dB: the gate is met, and the record says what it does not look at.
@@ -201,20 +200,20 @@ TEST(Judge, AMeanRatioIsAConditionWhereTheCaseAsksForIt) {
   EXPECT_EQ(judged(strict, grey(0.252F), grey(0.25F)).verdict, Verdict::Pass);
   const auto bright = judged(strict, grey(0.253F), grey(0.25F));
   EXPECT_EQ(bright.verdict, Verdict::Fail);
-  EXPECT_NE(bright.sentence.find("the mean of R is off by +1.2 %"), std::string::npos) << bright.sentence;
+  EXPECT_NE(bright.reason.find("the mean of R is off by +1.2 %"), std::string::npos) << bright.reason;
   EXPECT_EQ(bright.checks.size(), 4U);
   // Noise of 4 % in each pixel: the interval of the mean is 0.5 % on either side.
   EXPECT_EQ(judged(strict, noisy_grey(0.25F, 0.01F), grey_32(0.25F)).verdict, Verdict::Pass);
   const auto unsure = judged(strict, noisy_grey(0.252F, 0.01F), grey_32(0.25F));
   EXPECT_EQ(unsure.verdict, Verdict::Inconclusive);
-  EXPECT_NE(unsure.sentence.find("times the samples"), std::string::npos) << unsure.sentence;
+  EXPECT_NE(unsure.reason.find("times the samples"), std::string::npos) << unsure.reason;
   EXPECT_EQ(judged(strict, noisy_grey(0.2575F, 0.01F), grey_32(0.25F)).verdict, Verdict::Fail);
 }
 
 TEST(Judge, AMeanOnTheLimitNeedsNoNumberOfSamples) {
   const auto on_it = runner::check_mean_ratio("R", 0.01, metrics::Estimate{0.01, 0.008, 0.012});
   EXPECT_EQ(on_it.verdict, Verdict::Inconclusive);
-  EXPECT_NE(on_it.sentence.find("it lies on the limit"), std::string::npos) << on_it.sentence;
+  EXPECT_NE(on_it.reason.find("it lies on the limit"), std::string::npos) << on_it.reason;
 }
 
 TEST(Judge, SoftEdgesFailWhereTheCaseAsksForSharpOnes) {
@@ -233,8 +232,7 @@ TEST(Judge, SoftEdgesFailWhereTheCaseAsksForSharpOnes) {
   sharp.edge_blur = 0.9;
   const auto record = judged(sharp, soft, stripes);
   EXPECT_EQ(record.verdict, Verdict::Fail);
-  EXPECT_EQ(record.sentence,
-            "its edges are softer than the reference's by 1 (1 to 1), at most 0.9 is allowed");
+  EXPECT_EQ(record.reason, "its edges are softer than the reference's by 1 (1 to 1), at most 0.9 is allowed");
   EXPECT_EQ(record.measures.back().name, "edge_blur");
   sharp.edge_blur = 1.1;
   EXPECT_EQ(judged(sharp, soft, stripes).verdict, Verdict::Pass);
@@ -268,7 +266,7 @@ TEST(Judge, APixelCheckFailsWhereTheWholeImagePasses) {
   EXPECT_EQ(judged(checked, grey(0.25F), grey(0.25F)).verdict, Verdict::Pass);
   const auto record = judged(checked, grey(0.2501F), grey(0.25F));
   EXPECT_EQ(record.verdict, Verdict::Fail);
-  EXPECT_NE(record.sentence.find("what is emitted is seen"), std::string::npos) << record.sentence;
+  EXPECT_NE(record.reason.find("what is emitted is seen"), std::string::npos) << record.reason;
   ASSERT_EQ(record.checks.size(), 2U);
   EXPECT_TRUE(record.checks[0].passed);
   EXPECT_FALSE(record.checks[1].passed);
@@ -279,12 +277,12 @@ TEST(Judge, APathClassMustCarryItsShareOfTheReference) {
   paths.path_shares = {{"a", "ESDL", 0.01}};
   auto reference = grey(0.25F);
   EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict,
-            Verdict::Inconclusive);  // the passport says nothing
+            Verdict::Inconclusive);  // the provenance says nothing
   reference.attributes["orbs.path.ESDL"] = "0.005";
   EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict, Verdict::Inconclusive);
   reference.attributes["orbs.path.ESDL"] = "0.02";
   EXPECT_EQ(judged(paths, grey(0.25F), reference).verdict, Verdict::Pass);
-  EXPECT_EQ(judged(paths, grey(0.25F), reference).reference_passport.at("path.ESDL"), "0.02");
+  EXPECT_EQ(judged(paths, grey(0.25F), reference).reference_provenance.at("path.ESDL"), "0.02");
 }
 
 TEST(Judge, AGateMayBeAnUpperBoundOfAnotherMetric) {
@@ -364,14 +362,14 @@ TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
   EXPECT_EQ(
       old.problem,
       fmt::format("scene 'a' has changed since its reference was rendered: its hash is now 5678, the "
-                  "passport in {} says 1234; 'orbs reference --scene a --accept \"why it has changed\"' "
+                  "provenance in {} says 1234; 'orbs reference --scene a --accept \"why it has changed\"' "
                   "renders it again",
                   (scratch.path() / "a.exr").string()));
-  // One without a passport is taken at its word.
+  // One without a provenance record is taken at its word.
   EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).image);
 }
 
-TEST(Reference, WhosePixelsAreNotThoseOfItsPassportIsNone) {
+TEST(Reference, WhosePixelsAreNotThoseOfItsProvenanceIsNone) {
   const structure::TestFolder scratch("runner-pixels");
   scratch.write("keep", "");
   auto image = grey(0.75F);

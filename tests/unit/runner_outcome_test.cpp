@@ -13,7 +13,7 @@ using orbs::adapters::ProcessResult;
 using orbs::results::Verdict;
 using orbs::runner::classify;
 using orbs::structure::TestFolder;
-using orbs::warden::Cause;
+using orbs::supervisor::Cause;
 
 namespace {
 
@@ -32,7 +32,7 @@ class OutcomeTest : public testing::Test {
     orbs::image::write_exr(image, job_.image);
   }
   orbs::runner::Outcome outcome(const ProcessResult& process = {}) const {
-    orbs::warden::Limits limits;
+    orbs::supervisor::Limits limits;
     limits.wall_seconds = 9;
     limits.cpu_seconds = 4;
     limits.memory_bytes = 3 << 20;
@@ -58,15 +58,15 @@ TEST_F(OutcomeTest, AGoodImageIsAPassAndIsThere) {
 TEST_F(OutcomeTest, TheFirstFaultInTheFixedOrderIsTheAnswer) {
   ProcessResult process;
   process.exit_code = 3;
-  EXPECT_EQ(outcome(process).sentence, "ended with exit code 3");
+  EXPECT_EQ(outcome(process).reason, "ended with exit code 3");
   process.signal = SIGSEGV;
-  EXPECT_EQ(outcome(process).sentence, "was killed by SIGSEGV");
+  EXPECT_EQ(outcome(process).reason, "was killed by SIGSEGV");
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
   process.cause = Cause::WallTime;
   EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
-  EXPECT_EQ(outcome(process).sentence, "was ended after its time limit of 9 s");
+  EXPECT_EQ(outcome(process).reason, "was ended after its time limit of 9 s");
   process.start_error = "Permission denied";
-  EXPECT_EQ(outcome(process).sentence, "could not start: Permission denied");
+  EXPECT_EQ(outcome(process).reason, "could not start: Permission denied");
 }
 
 TEST_F(OutcomeTest, AGoodImageDoesNotExcuseABadEnd) {
@@ -78,7 +78,7 @@ TEST_F(OutcomeTest, AGoodImageDoesNotExcuseABadEnd) {
 
 TEST_F(OutcomeTest, NoImageIsNoOutput) {
   EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
-  EXPECT_EQ(outcome().sentence, "wrote no result.exr");
+  EXPECT_EQ(outcome().reason, "wrote no result.exr");
 }
 
 TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
@@ -86,31 +86,31 @@ TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
   EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
   scratch_.write("result.exr", "");
   EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
-  EXPECT_EQ(outcome().sentence, "result.exr is empty");
+  EXPECT_EQ(outcome().reason, "result.exr is empty");
 }
 
 // The folder is another one when the run has ended.
 TEST_F(OutcomeTest, FilesAreNamedWithinTheFolderOfTheRender) {
   scratch_.write("result.exr", "this is no image");
-  EXPECT_TRUE(outcome().sentence.starts_with("result.exr: ")) << outcome().sentence;
+  EXPECT_TRUE(outcome().reason.starts_with("result.exr: ")) << outcome().reason;
   ProcessResult process;
   process.exit_code = 1;
   process.output = "cannot read " + (scratch_.path() / "scene.json").string();
-  EXPECT_EQ(outcome(process).sentence, "ended with exit code 1; its last words: cannot read scene.json");
+  EXPECT_EQ(outcome(process).reason, "ended with exit code 1; its last words: cannot read scene.json");
 }
 
-TEST_F(OutcomeTest, ALostWardenIsNoRendererThatDidNotStart) {
+TEST_F(OutcomeTest, ALostSupervisorIsNoRendererThatDidNotStart) {
   ProcessResult process;
-  process.lost = "its warden was killed by SIGKILL";
+  process.lost = "its supervisor was killed by SIGKILL";
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
-  EXPECT_EQ(outcome(process).sentence, "was lost: its warden was killed by SIGKILL");
+  EXPECT_EQ(outcome(process).reason, "was lost: its supervisor was killed by SIGKILL");
 }
 
 TEST_F(OutcomeTest, WordsThatNoTerminalShouldTakeAreMarked) {
   ProcessResult process;
   process.exit_code = 1;
   process.output = std::string("10 %\r99 %\r\x1b[2Jlamp \xfe of \u00b5m") + '\0' + "\u009b";
-  EXPECT_EQ(outcome(process).sentence,
+  EXPECT_EQ(outcome(process).reason,
             "ended with exit code 1; its last words: \uFFFD[2Jlamp \uFFFD of \u00b5m\uFFFD\uFFFD");
 }
 
@@ -119,7 +119,7 @@ TEST_F(OutcomeTest, AnImageFromElsewhereIsNone) {
   std::filesystem::rename(job_.image, scratch_.path() / "other.exr");
   std::filesystem::create_symlink("other.exr", job_.image);
   EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
-  EXPECT_EQ(outcome().sentence, "result.exr is no file of its own but a symbolic link");
+  EXPECT_EQ(outcome().reason, "result.exr is no file of its own but a symbolic link");
 }
 
 TEST_F(OutcomeTest, AnImageOlderThanItsRenderIsStale) {
@@ -149,13 +149,13 @@ TEST_F(OutcomeTest, EachLimitHasItsVerdictAndSaysItself) {
   process.signal = SIGKILL;
   process.cause = Cause::CpuTime;
   EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
-  EXPECT_EQ(outcome(process).sentence, "was ended after 4 s of processor time, its limit");
+  EXPECT_EQ(outcome(process).reason, "was ended after 4 s of processor time, its limit");
   process.cause = Cause::Memory;
   EXPECT_EQ(outcome(process).verdict, Verdict::OutOfMemory);
-  EXPECT_EQ(outcome(process).sentence, "was ended because it took more than its 3 MB of memory");
+  EXPECT_EQ(outcome(process).reason, "was ended because it took more than its 3 MB of memory");
   process.cause = Cause::Output;
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
-  EXPECT_EQ(outcome(process).sentence, "was ended because it wrote more than its 0.5 MB of files");
+  EXPECT_EQ(outcome(process).reason, "was ended because it wrote more than its 0.5 MB of files");
   process.cause = Cause::Stopped;
   EXPECT_EQ(outcome(process).verdict, Verdict::Skipped);
 }
@@ -165,7 +165,7 @@ TEST_F(OutcomeTest, TheLastWordsAndTheCoreAreToldWithACrash) {
   process.signal = SIGABRT;
   process.core_dumped = true;
   process.output = "loading\nassertion failed: sun > 0\n\n";
-  EXPECT_EQ(outcome(process).sentence,
+  EXPECT_EQ(outcome(process).reason,
             "was killed by SIGABRT (core dumped); its last words: assertion failed: sun > 0");
 }
 
@@ -178,19 +178,19 @@ TEST_F(OutcomeTest, NegativeValuesAreForJobsThatMayHaveThem) {
 TEST_F(OutcomeTest, AnotherSizeIsAVerdictOfItsOwn) {
   write(4, 2, {"R", "G", "B"});
   EXPECT_EQ(outcome().verdict, Verdict::WrongSize);
-  EXPECT_EQ(outcome().sentence, "result.exr is 4 x 2 pixels, expected 4 x 3");
+  EXPECT_EQ(outcome().reason, "result.exr is 4 x 2 pixels, expected 4 x 3");
 }
 
 TEST_F(OutcomeTest, MissingChannelsAreNamed) {
   write(4, 3, {"Y"});
   EXPECT_EQ(outcome().verdict, Verdict::WrongChannels);
-  EXPECT_EQ(outcome().sentence, "result.exr has the channels Y, expected R, G, B");
+  EXPECT_EQ(outcome().reason, "result.exr has the channels Y, expected R, G, B");
 }
 
 TEST_F(OutcomeTest, BadNumbersAreCountedWithThePlaceOfTheFirst) {
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
-  EXPECT_EQ(outcome().sentence,
+  EXPECT_EQ(outcome().reason,
             "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan; all lie "
             "in [3,2,4,3]");
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::infinity());

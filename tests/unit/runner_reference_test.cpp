@@ -121,7 +121,7 @@ TEST(ShortenedImage, KeepsColoursWithoutNoiseAndWhatFits) {
   EXPECT_NE(runner::shortened_image(flat(0.8F, 1e-6F)).at(0, 0, 1), 0.8F);
 }
 
-TEST(ShortenedImage, HasNoLayersButItsPassport) {
+TEST(ShortenedImage, HasNoLayersButItsProvenance) {
   auto image =
       image::make_image(2, 2, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "path.EDL.R"});
   image.attributes["orbs.seed"] = "7";

@@ -72,12 +72,12 @@ TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
   const auto other = studies::with_more_light(painted(3), 0.2);
   const auto gate = tried(strict_case(), painted(1), painted(2), {{"a", painted(1)}, {"b", other}});
   for (const auto& one : gate.twins)
-    EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.sentence;
-  EXPECT_TRUE(gate.accepts_honest) << gate.honest_sentence;
+    EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.reason;
+  EXPECT_TRUE(gate.accepts_honest) << gate.honest_reason;
   EXPECT_TRUE(results::is_qualified(gate));
   EXPECT_TRUE(twin(gate, "the image of b").rejected);
-  EXPECT_NE(twin(gate, "one NaN").sentence.find("invalid pixels"), std::string::npos);
-  EXPECT_NE(twin(gate, "black").sentence.find("constant image"), std::string::npos);
+  EXPECT_NE(twin(gate, "one NaN").reason.find("invalid pixels"), std::string::npos);
+  EXPECT_NE(twin(gate, "black").reason.find("constant image"), std::string::npos);
 }
 
 // The tolerance is 0.7 %; the noise of the mean of 9216 pixels is 0.03 %.
@@ -161,7 +161,7 @@ TEST(Twins, ALeakAvoidsTheMask) {
 TEST(Qualification, IsReadAsItWasWritten) {
   auto gate = tried(strict_case(), painted(1), painted(2));
   gate.judged_by = "0123";
-  gate.passport = {{"date", "2026-11-21T14:03:00"}};
+  gate.provenance = {{"date", "2026-11-21T14:03:00"}};
   const auto file = std::filesystem::path(testing::TempDir()) / "orbs-qualification.json";
   std::FILE* out = std::fopen(file.c_str(), "w");
   ASSERT_NE(out, nullptr);

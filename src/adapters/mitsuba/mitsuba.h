@@ -8,7 +8,7 @@
 
 namespace orbs::adapters {
 
-/// What of the scene Mitsuba 3 cannot draw as ORB.S means it, one sentence each; empty when it can. Reads
+/// What of the scene Mitsuba 3 cannot draw as ORB.S means it, one reason each; empty when it can. Reads
 /// only the scene, no file.
 std::vector<std::string> mitsuba_limits(const scene::Scene& scene);
 

@@ -8,7 +8,7 @@
 
 namespace orbs::adapters {
 
-/// What of the scene pbrt-v4 cannot draw as ORB.S means it, one sentence each; empty when it can. Reads the
+/// What of the scene pbrt-v4 cannot draw as ORB.S means it, one reason each; empty when it can. Reads the
 /// sizes of textures; InputError when one cannot be read. Not among the limits: pbrt is always spectral, so
 /// that coloured surfaces differ from RGB by some percent after a few bounces.
 std::vector<std::string> pbrt_limits(const scene::Scene& scene);

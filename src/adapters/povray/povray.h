@@ -59,7 +59,7 @@ struct PovraySettings {
 /// a Cornell box came to 35.4 dB with n = 3 and to 40.0 with +AM2 +R4 in a fifth of the time.
 int povray_aa_grid(int spp);
 
-/// What of the scene POV-Ray 3.7 cannot do, one sentence each; empty when it can do all of it. What it merely
+/// What of the scene POV-Ray 3.7 cannot do, one reason each; empty when it can do all of it. What it merely
 /// does slowly or with noise is not listed. Reads only the scene, no file.
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings = {});
 

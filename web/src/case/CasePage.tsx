@@ -1,6 +1,6 @@
 import { useAnswer } from "../common/answer";
 import { useActions } from "../common/keys";
-import { findCell, namesOf, sentenceOf, stateOf, type Session } from "../common/session";
+import { findCell, namesOf, reasonOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import type { Case, TargetDetail } from "../data/types";
 import { cellLink } from "../overview/Grid";
@@ -10,7 +10,7 @@ import { Cost } from "./Cost";
 import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
-import { Passports } from "./Passports";
+import { Provenance } from "./Provenance";
 
 /** Cells of the same renderer before and after this one, and the others of the same image. */
 function neighbours(session: Session, index: number) {
@@ -70,8 +70,8 @@ export function CasePage({ session, route }: { session: Session; route: Route })
             </button>
           ))}
         </div>
-        <p class="sentence">
-          <StateMark state={stateOf(overview, index)} /> {sentenceOf(overview, index)}
+        <p class="reason">
+          <StateMark state={stateOf(overview, index)} /> {reasonOf(overview, index)}
         </p>
         {one.smallest_error_seen ? <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p> : null}
       </header>
@@ -100,7 +100,7 @@ function Detail({ session, route, one, detail }: { session: Session; route: Rout
         <Effects detail={detail} />
         <Measures detail={detail} />
         <Cost detail={detail} />
-        <Passports session={session} detail={detail} />
+        <Provenance session={session} detail={detail} />
         <Logs session={session} detail={detail} />
       </div>
     </>

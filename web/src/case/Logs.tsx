@@ -3,7 +3,7 @@ import type { TargetDetail } from "../data/types";
 
 /** The ends of the logs. They are text, whatever they hold. */
 export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {
-  const jobs = detail.jobs.filter((job) => job.log !== "" || job.sentence !== "");
+  const jobs = detail.jobs.filter((job) => job.log !== "" || job.reason !== "");
   if (jobs.length === 0) return null;
   return (
     <section class="logs">
@@ -14,7 +14,7 @@ export function Logs({ session, detail }: { session: Session; detail: TargetDeta
           <details key={job.id} open={job.exit_code !== 0 || job.signal !== ""}>
             <summary>
               {job.scene}: {job.signal ? `killed by ${job.signal}` : `exit code ${job.exit_code}`}
-              {job.sentence ? ` · ${job.sentence}` : ""}
+              {job.reason ? ` · ${job.reason}` : ""}
             </summary>
             <pre tabIndex={0}>{job.log || "(it wrote nothing)"}</pre>
             {address ? <a href={address}>the whole log</a> : null}

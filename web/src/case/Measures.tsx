@@ -67,8 +67,8 @@ export function Measures({ detail }: { detail: TargetDetail }) {
       {others.length > 0 ? (
         <ul class="checks">
           {others.map((check) => (
-            <li key={check.sentence}>
-              <span class={check.passed ? "tone-good" : "tone-bad"}>{check.passed ? "✓" : "✗"}</span> {check.sentence}
+            <li key={check.reason}>
+              <span class={check.passed ? "tone-good" : "tone-bad"}>{check.passed ? "✓" : "✗"}</span> {check.reason}
             </li>
           ))}
         </ul>

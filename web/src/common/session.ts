@@ -48,8 +48,8 @@ export function namesOf(overview: Overview, index: number): CellNames {
 
 export const stateOf = (overview: Overview, index: number) => overview.states[overview.cells.state[index] ?? -1];
 
-export const sentenceOf = (overview: Overview, index: number): string =>
-  overview.sentences[overview.cells.sentence[index] ?? -1] ?? "";
+export const reasonOf = (overview: Overview, index: number): string =>
+  overview.reasons[overview.cells.reason[index] ?? -1] ?? "";
 
 export const isInfinite = (overview: Overview, metric: string, index: number): boolean =>
   overview.infinite[metric]?.includes(index) ?? false;

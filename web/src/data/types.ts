@@ -74,7 +74,7 @@ export interface Cells {
   renderer: number[];
   state: number[];
   declared: number[];
-  sentence: number[];
+  reason: number[];
   thumbnail: number[];
   /** Of Overview.machines; null where the times say nothing about one machine. */
   machine: Column;
@@ -129,7 +129,7 @@ export interface Overview {
   /** The metric that most gates look at; "" when no image was measured. */
   main_metric: string;
   targets: string[];
-  sentences: string[];
+  reasons: string[];
   /** What times depend on: those of two different texts are not compared. */
   machines: string[];
   cells: Cells;
@@ -152,7 +152,7 @@ export interface Measure extends Metric {
 export interface Check {
   what: string;
   passed: boolean;
-  sentence: string;
+  reason: string;
   min?: number;
   max?: number;
 }
@@ -181,7 +181,7 @@ export interface Job {
   started: string;
   load: number;
   host: Host;
-  sentence: string;
+  reason: string;
   wall_seconds: number;
   cpu_seconds: number;
   render_seconds?: number;
@@ -221,14 +221,14 @@ export interface TargetDetail {
   target: string;
   renderer: string;
   requirement: string;
-  sentence: string;
+  reason: string;
   reference: string;
   /** What changes no verdict and yet must be known. */
   remarks?: string[];
   measures: Measure[];
   checks: Check[];
   images: ImageEntry[];
-  reference_passport: Record<string, string>;
+  reference_provenance: Record<string, string>;
   jobs: Job[];
   /** Those that its renders show. */
   scenes: Scene[];

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { bytes, seconds } from "../common/format";
-import { namesOf, sentenceOf, type Session } from "../common/session";
+import { namesOf, reasonOf, type Session } from "../common/session";
 
 export interface Hovered {
   index: number;
@@ -18,7 +18,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
     if (overview.cells.thumbnail[index])
       source.thumbnail(run, index, () => source.target(run, index)).then(
         (address) => wanted && setImage(address),
-        () => undefined, // the sentence says enough
+        () => undefined, // the reason says enough
       );
     return () => void (wanted = false);
   }, [index, run]);
@@ -33,7 +33,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
         <b>{names.target}</b> by {names.renderer}
       </p>
       {image ? <img src={image} alt="" width={256} /> : null}
-      <p>{sentenceOf(overview, index)}</p>
+      <p>{reasonOf(overview, index)}</p>
       <p class="quiet">
         {seconds(overview.cells.wall_seconds[index])} · {bytes(overview.cells.peak_rss_bytes[index])}
       </p>

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <filesystem>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 /// Bytes of all regular files in the folder and the folders in it; symbolic links are not followed. What
 /// disappears meanwhile counts nothing.
 std::size_t folder_size(const std::filesystem::path& folder);
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -7,7 +7,7 @@
 
 /// The processes below one of ours, from /proc. Once it is a "child subreaper" (prctl(2)) whatever loses its
 /// parent becomes our child, whatever session or group it made for itself: nothing gets away by forking.
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 struct Descendant {
   pid_t pid = 0;
@@ -26,4 +26,4 @@ struct Memory {
 /// Of one process now; zeros when it is gone.
 Memory memory_of(pid_t pid);
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "warden/limits.h"
+#include "supervisor/limits.h"
 
 #include <filesystem>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 /// What is to be run, and where.
 struct Order {
@@ -25,4 +25,4 @@ struct Started {
 /// Starts the command in a session of its own, with no input, our environment, standard output and errors.
 Started start(const Order& order);
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

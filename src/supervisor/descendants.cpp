@@ -1,4 +1,4 @@
-#include "warden/descendants.h"
+#include "supervisor/descendants.h"
 
 #include "base/text.h"
 
@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 namespace {
 
@@ -98,4 +98,4 @@ Memory memory_of(pid_t pid) {
   return memory;
 }
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -1,4 +1,4 @@
-#include "adapters/warden_command.h"
+#include "adapters/supervisor_command.h"
 
 #include <fmt/format.h>
 
@@ -6,24 +6,24 @@ namespace orbs::adapters {
 
 namespace {
 
-std::filesystem::path find_warden() {
+std::filesystem::path find_supervisor() {
   namespace fs = std::filesystem;
   std::error_code failed;
-  const auto beside = fs::read_symlink("/proc/self/exe", failed).parent_path() / "orbs-warden";
+  const auto beside = fs::read_symlink("/proc/self/exe", failed).parent_path() / "orbs-supervisor";
   const auto test_folders_above = {beside.parent_path().parent_path(),
                                    beside.parent_path().parent_path().parent_path()};
   if (fs::exists(beside, failed)) return beside;
   for (const auto& folder : test_folders_above)
-    if (fs::exists(folder / "orbs-warden", failed)) return folder / "orbs-warden";
+    if (fs::exists(folder / "orbs-supervisor", failed)) return folder / "orbs-supervisor";
   return beside;  // starting it will fail and name it
 }
 
 }  // namespace
 
-std::vector<std::string> warden_command(const ProcessRequest& request) {
-  static const auto warden = find_warden();
+std::vector<std::string> supervisor_command(const ProcessRequest& request) {
+  static const auto supervisor = find_supervisor();
   const auto& limits = request.limits;
-  std::vector<std::string> words{warden.string()};
+  std::vector<std::string> words{supervisor.string()};
   const auto add = [&](const char* option, const std::string& value) {
     words.insert(words.end(), {option, value});
   };

@@ -1,4 +1,4 @@
-#include "runner/passport.h"
+#include "runner/provenance.h"
 
 #include "base/files.h"
 
@@ -9,12 +9,12 @@
 
 namespace orbs::runner {
 
-std::map<std::string, std::string> passport_of(const image::Image& image) {
+std::map<std::string, std::string> provenance_of(const image::Image& image) {
   constexpr std::string_view kPrefix = "orbs.";
-  std::map<std::string, std::string> passport;
+  std::map<std::string, std::string> provenance;
   for (const auto& [name, text] : image.attributes)
-    if (name.starts_with(kPrefix)) passport[name.substr(kPrefix.size())] = text;
-  return passport;
+    if (name.starts_with(kPrefix)) provenance[name.substr(kPrefix.size())] = text;
+  return provenance;
 }
 
 std::string image_hash(const image::Image& image) {

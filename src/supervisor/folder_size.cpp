@@ -1,8 +1,8 @@
-#include "warden/folder_size.h"
+#include "supervisor/folder_size.h"
 
 #include <system_error>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 std::size_t folder_size(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
@@ -18,4 +18,4 @@ std::size_t folder_size(const std::filesystem::path& folder) {
   return bytes;
 }
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

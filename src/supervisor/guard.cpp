@@ -1,7 +1,7 @@
-#include "warden/guard.h"
+#include "supervisor/guard.h"
 
-#include "warden/descendants.h"
-#include "warden/folder_size.h"
+#include "supervisor/descendants.h"
+#include "supervisor/folder_size.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 namespace {
 
@@ -166,7 +166,7 @@ void note_costs(Watch& watch) {
   watch.report.peak_rss_bytes =
       std::max(watch.report.peak_rss_bytes, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
   ::getrusage(RUSAGE_SELF, &usage);
-  watch.report.warden_cpu_seconds = to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
+  watch.report.supervisor_cpu_seconds = to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
 }
 
 }  // namespace
@@ -202,4 +202,4 @@ Report guard(const Order& order, int control) {
   return watch.report;
 }
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -1,4 +1,4 @@
-#include "warden/start.h"
+#include "supervisor/start.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 namespace {
 
@@ -48,7 +48,7 @@ void restore_signals() {
 // In the child. Returns only when something fails, with errno.
 void become_command(const Order& order) {
   ::setsid();
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // should somebody kill the warden
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // should somebody kill the supervisor
   restore_signals();
   limit_file_size(order.limits);
   be_first_to_go();
@@ -85,4 +85,4 @@ Started start(const Order& order) {
   return started;
 }
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 /// What one render may take, all its processes together. Nothing: no such limit.
 struct Limits {
@@ -15,4 +15,4 @@ struct Limits {
   double grace_seconds = 2;                 // between TERM and KILL
 };
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

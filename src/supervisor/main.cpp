@@ -1,9 +1,9 @@
-// orbs-warden: runs one command under limits and reports how it ended. Its standard input is the string that
-// it hangs on: a byte there, or the end of it, and the command ends. Started by orbs for every render; a
+// orbs-supervisor: runs one command under limits and reports how it ended. Its standard input is the string
+// that it hangs on: a byte there, or the end of it, and the command ends. Started by orbs for every render; a
 // process of its own, because only a parent without other children can hold together what a renderer starts,
 // and so that renderers end when orbs itself is killed.
 #include "base/text.h"
-#include "warden/guard.h"
+#include "supervisor/guard.h"
 
 #include <cstdio>
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace {
 
-using orbs::warden::Order;
+using orbs::supervisor::Order;
 
 // Sets what `name` names; false for an unknown name or a value that is none.
 bool take_option(const std::string& name, const std::string& value, Order& order) {
@@ -47,12 +47,12 @@ int main(int argc, char** argv) {
   Order order;
   if (!parse({argv + 1, argv + argc}, order)) {
     fmt::print(stderr,
-               "orbs-warden [--folder F] [--wall-seconds S] [--cpu-seconds S] [--memory-bytes N] "
+               "orbs-supervisor [--folder F] [--wall-seconds S] [--cpu-seconds S] [--memory-bytes N] "
                "[--output-bytes N] [--grace-seconds S] -- program arguments...\n"
                "Ends the command when its standard input ends; reports to descriptor 3.\n");
     return 2;
   }
   ::fcntl(kReport, F_SETFD, FD_CLOEXEC);
-  const auto text = orbs::warden::report_text(orbs::warden::guard(order, STDIN_FILENO));
+  const auto text = orbs::supervisor::report_text(orbs::supervisor::guard(order, STDIN_FILENO));
   return ::write(kReport, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1;
 }

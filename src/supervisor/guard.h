@@ -1,9 +1,9 @@
 #pragma once
 
-#include "warden/report.h"
-#include "warden/start.h"
+#include "supervisor/report.h"
+#include "supervisor/start.h"
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 /// Runs the command to its end and ends it, with all its descendants, where that is due: at a limit, and when
 /// `control` (a descriptor) can be read or is closed at its other end. Nothing that it started is left when
@@ -11,4 +11,4 @@ namespace orbs::warden {
 /// child subreaper.
 Report guard(const Order& order, int control);
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -1,4 +1,4 @@
-#include "warden/report.h"
+#include "supervisor/report.h"
 
 #include "base/text.h"
 
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace orbs::warden {
+namespace orbs::supervisor {
 
 namespace {
 
@@ -27,10 +27,10 @@ std::map<std::string, std::string> lines_of(std::string_view text) {
 std::string report_text(const Report& report) {
   return fmt::format(
       "start_error {}\ncause {}\nexit_code {}\nsignal {}\ncore_dumped {}\nwall_seconds {}\nuser_seconds {}\n"
-      "system_seconds {}\npeak_rss_bytes {}\nleft_behind {}\nwarden_cpu_seconds {}\n{}\n",
+      "system_seconds {}\npeak_rss_bytes {}\nleft_behind {}\nsupervisor_cpu_seconds {}\n{}\n",
       report.start_error, static_cast<int>(report.cause), report.exit_code, report.signal,
       static_cast<int>(report.core_dumped), report.wall_seconds, report.user_seconds, report.system_seconds,
-      report.peak_rss_bytes, report.left_behind, report.warden_cpu_seconds, kLastLine);
+      report.peak_rss_bytes, report.left_behind, report.supervisor_cpu_seconds, kLastLine);
 }
 
 std::optional<Report> parse_report(std::string_view text) {
@@ -58,8 +58,8 @@ std::optional<Report> parse_report(std::string_view text) {
   report.system_seconds = number("system_seconds");
   report.peak_rss_bytes = static_cast<std::size_t>(number("peak_rss_bytes"));
   report.left_behind = integer("left_behind");
-  report.warden_cpu_seconds = number("warden_cpu_seconds");
+  report.supervisor_cpu_seconds = number("supervisor_cpu_seconds");
   return whole ? std::optional(report) : std::nullopt;
 }
 
-}  // namespace orbs::warden
+}  // namespace orbs::supervisor

@@ -34,10 +34,10 @@ function hostPairs(host: Host, load: number): [string, string][] {
 }
 
 /** Who made the images, and how. */
-export function Passports({ session, detail }: { session: Session; detail: TargetDetail }) {
+export function Provenance({ session, detail }: { session: Session; detail: TargetDetail }) {
   const { run } = session.overview;
   return (
-    <section class="passports">
+    <section class="provenances">
       <h2>Where the targets come from</h2>
       <div class="columns">
         {detail.jobs.map((job) => (
@@ -53,7 +53,7 @@ export function Passports({ session, detail }: { session: Session; detail: Targe
             ["job", job.id],
           ]} />
         ))}
-        <Pairs title="Reference" pairs={[...Object.entries(detail.reference_passport), ["file", detail.reference]]} />
+        <Pairs title="Reference" pairs={[...Object.entries(detail.reference_provenance), ["file", detail.reference]]} />
       </div>
     </section>
   );
