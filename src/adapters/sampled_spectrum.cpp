@@ -51,13 +51,13 @@ Samples samples_of_k(const scene::Conductor& metal) {
 }
 
 spectra::Spectrum reflected(const scene::Scene& scene,
-                            scene::Rgb colour,
+                            scene::RgbColour colour,
                             const std::optional<scene::SpectrumUse>& use) {
   return use ? scaled(named(scene, *use), use->scale) : spectra::reflectance_of_rgb(colour);
 }
 
 Samples light_samples(const scene::Scene& scene,
-                      scene::Rgb colour,
+                      scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use) {
   if (use) return samples_of(scaled(named(scene, *use), use->scale));
   const spectra::Spectrum tint = spectra::reflectance_of_rgb(colour);

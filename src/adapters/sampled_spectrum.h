@@ -24,12 +24,12 @@ Samples samples_of_k(const scene::Conductor& metal);
 
 /// What a surface of this colour reflects, or by the spectrum in its place.
 spectra::Spectrum reflected(const scene::Scene& scene,
-                            scene::Rgb colour,
+                            scene::RgbColour colour,
                             const std::optional<scene::SpectrumUse>& use);
 
 /// A light's values at sampled_wavelengths_nm(), scaled so that those of luminance 1 have Y = 1.
 Samples light_samples(const scene::Scene& scene,
-                      scene::Rgb colour,
+                      scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use);
 
 /// Y of such samples, by the CIE's 2 degree observer.

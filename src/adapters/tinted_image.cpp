@@ -13,15 +13,15 @@ namespace orbs::adapters {
 namespace {
 
 struct Colour {
-  scene::Rgb operator()(const scene::Lambert& m) const { return m.reflectance; }
-  scene::Rgb operator()(const scene::OrenNayar& m) const { return m.reflectance; }
-  scene::Rgb operator()(const scene::Mirror& m) const { return m.reflectance; }
-  scene::Rgb operator()(const scene::Glass& m) const { return m.colour; }
-  scene::Rgb operator()(const scene::Ggx& m) const { return m.colour; }
-  scene::Rgb operator()(const scene::RoughGlass& m) const { return m.colour; }
-  scene::Rgb operator()(const scene::Emission& m) const { return m.radiance; }
+  scene::RgbColour operator()(const scene::Lambert& m) const { return m.reflectance; }
+  scene::RgbColour operator()(const scene::OrenNayar& m) const { return m.reflectance; }
+  scene::RgbColour operator()(const scene::Mirror& m) const { return m.reflectance; }
+  scene::RgbColour operator()(const scene::Glass& m) const { return m.colour; }
+  scene::RgbColour operator()(const scene::Ggx& m) const { return m.colour; }
+  scene::RgbColour operator()(const scene::RoughGlass& m) const { return m.colour; }
+  scene::RgbColour operator()(const scene::Emission& m) const { return m.radiance; }
   // None of them has a texture.
-  scene::Rgb operator()(const scene::AppearanceModel auto&) const { return {}; }
+  scene::RgbColour operator()(const scene::AppearanceModel auto&) const { return {}; }
 };
 
 }  // namespace
@@ -32,7 +32,7 @@ std::string tinted_image_name(int material, const std::string& stem) {
 
 void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file) {
   const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
-  const scene::Rgb tint = std::visit(Colour{}, model);
+  const scene::RgbColour tint = std::visit(Colour{}, model);
   const auto& texture = scene.textures[static_cast<std::size_t>(scene::texture_of(model)->texture)];
   with_note(fmt::format("tinting texture '{}'", texture.name), [&] {
     image::Image image = image::read_linear_rgb(texture.file);

@@ -33,7 +33,7 @@ void add_compare_command(CLI::App& app, const Program& program, Action& action);
 void add_renderer_command(CLI::App& app, const Program& program, Action& action);
 void add_reference_command(CLI::App& app, const Program& program, Action& action);
 void add_plan_command(CLI::App& app, const Program& program, Action& action);
-void add_effects_command(CLI::App& app, const Program& program, Action& action);
+void add_effect_cost_command(CLI::App& app, const Program& program, Action& action);
 void add_probe_command(CLI::App& app, const Program& program, Action& action);
 void add_qualify_command(CLI::App& app, const Program& program, Action& action);
 void add_bench_command(CLI::App& app, const Program& program, Action& action);

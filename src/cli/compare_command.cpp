@@ -44,8 +44,8 @@ image::Image read_linear(const std::string& file) {
 void check_variances(const image::Image& image, const std::string& file) {
   if (const auto problem = runner::variance_problem(image); !problem.empty())
     throw InputError(
-        fmt::format("{}: {}, so noise cannot be told from bias; mend these channels, or leave "
-                    "out all of variance.R, G and B",
+        fmt::format("{}: {}, so noise cannot be told from bias; mend these channels, or leave out all of "
+                    "variance.R, G and B",
                     file, problem));
 }
 

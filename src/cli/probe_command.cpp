@@ -76,7 +76,8 @@ void add_probe_command(CLI::App& app, const Program& program, Action& action) {
   const auto options = std::make_shared<ProbeOptions>();
   add_options(*command, *options);
   command->footer(
-      "Every material of every instance, and every light, emits a flat colour of its own; a second image\n"
+      "Every material of every instance, and every light, emits a flat colour of its own; a second "
+      "image\n"
       "shows texture coordinates. Both are compared with what the scene's numbers say must be in each "
       "pixel.");
   command->callback([=, &program, &action] {

@@ -39,8 +39,8 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   CLI::App app{
-      "Renders small test scenes with every renderer that is configured, and says which requirements each "
-      "one meets."};
+      "Renders small test scenes with every renderer that is configured, and says which requirements "
+      "each one meets."};
   app.name("orbs");
   app.set_version_flag("--version", "orbs " + version);
   app.require_subcommand(1);
@@ -52,7 +52,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   add_renderer_command(app, program, action);
   add_reference_command(app, program, action);
   add_plan_command(app, program, action);
-  add_effects_command(app, program, action);
+  add_effect_cost_command(app, program, action);
   add_probe_command(app, program, action);
   add_qualify_command(app, program, action);
   add_bench_command(app, program, action);

@@ -28,14 +28,15 @@ struct QualifyOptions {
 void add_options(CLI::App& command, QualifyOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option("run", options.run,
-                     "folder of a run with honest images, of another seed than the references (default: the "
-                     "newest outputs-*)");
+                     "folder of a run with control images, of another seed than the references (default: "
+                     "the newest outputs-*)");
   command.add_option("--suite", options.suite, "the suite");
   command.add_option("-c,--case", options.cases, "only the gates of these cases");
   command.add_option("-s,--scene", options.scenes, "only those of these scenes");
   command
-      .add_option("-r,--renderer", options.qualify.renderer,
-                  "whose images of the run are the honest ones; it also renders the scenes that lack a light")
+      .add_option(
+          "-r,--renderer", options.qualify.renderer,
+          "whose images of the run are the control images; it also renders the scenes that lack a light")
       ->capture_default_str();
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
@@ -78,14 +79,13 @@ int qualify(const registry::Configuration& configuration,
 
 void add_qualify_command(CLI::App& app, const Program& program, Action& action) {
   auto* command = app.add_subcommand(
-      "qualify", "Proves that each gate can fail: gives honest images every usual fault and judges them");
+      "qualify", "Proves that each gate can fail: gives control images every usual fault and judges them");
   const auto configuration = add_configuration_option(*command);
   const auto options = std::make_shared<QualifyOptions>();
   add_options(*command, *options);
   command->footer(
-      "First: orbs run -r orbs. Exit status: 0 every gate accepts the honest image and rejects every "
-      "fault, "
-      "1 one does not.");
+      "First: orbs run -r orbs. Exit status: 0 every gate accepts the control image and rejects every "
+      "fault, 1 one does not.");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       return qualify(read_configuration(*configuration, program), *options, program);

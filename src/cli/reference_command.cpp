@@ -30,8 +30,8 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
   command->add_option("--threads", settings->threads, "0: all cores")->check(CLI::Range(0, 1024));
   command->add_option(
       "--accept", settings->reason,
-      "why references that exist may be replaced; kept in their provenance records, and with those of the "
-      "replaced ones in <scene>.history.json beside them");
+      "why references that exist may be replaced; kept in their provenance records, and with those of "
+      "the replaced ones in <scene>.history.json beside them");
   command->callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);

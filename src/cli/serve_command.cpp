@@ -65,11 +65,10 @@ void show_runs(const std::vector<std::filesystem::path>& runs,
                const Program& program,
                const ShowSettings& settings) {
   if (!server::is_loopback_address(settings.address))
-    fmt::print(
-        stderr,
-        "warning: {} can be reached from other machines: everybody there can read these runs, and nothing is "
-        "encrypted\n",
-        settings.address);
+    fmt::print(stderr,
+               "warning: {} can be reached from other machines: everybody there can read these runs, and "
+               "nothing is encrypted\n",
+               settings.address);
   server::serve({runs, program.folder / "web", settings.address, settings.port}, adapters::catch_interrupts(),
                 [&](const std::string& url) {
                   fmt::print("the page is at {}  (Ctrl-C ends it)\n", url);

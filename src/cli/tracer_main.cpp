@@ -67,14 +67,14 @@ Options parse_options(int argc, char** argv) {
   app.add_flag("--split-paths", options.render.split_paths,
                "one layer per class of light path (path.EDSL.R ...)");
   app.add_option("--light-paths", options.light_paths,
-                 "paths from the lights for caustics: auto (where a trial says they lower the noise), always "
-                 "or never; the image is the same but for its noise")
+                 "paths from the lights for caustics: auto (where a trial says they lower the noise), "
+                 "always or never; the image is the same but for its noise")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   std::string transport = "auto";
   app.add_option("--transport", transport,
-                 "what light paths carry: auto (no more than the scene calls for), or one that has more: the "
-                 "image is the same but for its noise")
+                 "what light paths carry: auto (no more than the scene calls for), or one that has more: "
+                 "the image is the same but for its noise")
       ->check(CLI::IsMember(transport_choices()))
       ->capture_default_str();
   app.add_flag("--lossy", options.may_lose_effects,
@@ -137,9 +137,8 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
-        "S0 to S3 in the frame of the image, for who looks at the oncoming light: S1 > 0 horizontal, S2 > "
-        "0 "
-        "at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
+        "S0 to S3 in the frame of the image, for who looks at the oncoming light: S1 > 0 horizontal, S2 "
+        "> 0 at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 

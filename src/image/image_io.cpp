@@ -86,11 +86,10 @@ void check_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes, const st
                        spec.width, spec.height, spec.nchannels, file_bytes));
   if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
       spec.height != spec.full_height)
-    refuse(file,
-           fmt::format("the stored pixels ({} x {} at {}, {}) are not the whole image ({} x {} at {}, {}); "
-                       "write it without a crop or overscan window",
-                       spec.width, spec.height, spec.x, spec.y, spec.full_width, spec.full_height,
-                       spec.full_x, spec.full_y));
+    refuse(file, fmt::format("the stored pixels ({} x {} at {}, {}) are not the whole image ({} x {} at {}, "
+                             "{}); write it without a crop or overscan window",
+                             spec.width, spec.height, spec.x, spec.y, spec.full_width, spec.full_height,
+                             spec.full_x, spec.full_y));
 }
 
 // A torn JPEG is filled up with grey and reported as read. In entropy-coded data 0xff is always followed by

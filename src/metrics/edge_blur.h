@@ -19,7 +19,7 @@ namespace orbs::metrics {
 /// At an edge |b - reference| is above 5 % of the scale and above five times its own standard deviation, by
 /// the reference's variance. So noise does not turn a sign, and what has a sure sign has noise that cancels:
 /// the result's, and the reference's, which is in the error and in b - reference both and would else look
-/// like a blur of the result (0.05 in honest images of caustics). A reference that does not know its noise
+/// like a blur of the result (0.05 in control images of caustics). A reference that does not know its noise
 /// counts as exact.
 struct EdgeBlur {
   double value = 0;

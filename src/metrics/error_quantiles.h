@@ -56,8 +56,8 @@ inline constexpr MetricInfo kErrorP95{
     "error_p95",
     "radiance",
     true,
-    "the smallest error that 95 % of the unmasked pixels do not exceed; the error of a pixel is the largest "
-    "|result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
+    "the smallest error that 95 % of the unmasked pixels do not exceed; the error of a pixel is the "
+    "largest |result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
     kNoMap,
     compute_error_p95};
 
@@ -65,8 +65,8 @@ inline constexpr MetricInfo kErrorP99{
     "error_p99",
     "radiance",
     true,
-    "the smallest error that 99 % of the unmasked pixels do not exceed; the error of a pixel is the largest "
-    "|result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
+    "the smallest error that 99 % of the unmasked pixels do not exceed; the error of a pixel is the "
+    "largest |result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
     kNoMap,
     compute_error_p99};
 
@@ -74,9 +74,8 @@ inline constexpr MetricInfo kErrorMax{
     "error_max",
     "radiance",
     true,
-    "the largest |result - reference| of any channel R, G, B of any unmasked pixel, and the pixel that has "
-    "it "
-    "(the first by rows from the top); linear Rec.709, no clamp, no exposure",
+    "the largest |result - reference| of any channel R, G, B of any unmasked pixel, and the pixel that "
+    "has it (the first by rows from the top); linear Rec.709, no clamp, no exposure",
     kNoMap,
     compute_error_max};
 

@@ -68,9 +68,8 @@ inline constexpr MetricInfo kFlip{
     "1",
     true,
     "LDR-FLIP of Andersson et al. 2020 at 67.02 pixels per degree (a screen 0.7 m wide with 3840 px seen "
-    "from "
-    "0.7 m), qc 0.7, pc 0.4, pt 0.95, w 0.082 degrees, qf 0.5, border pixels repeated; on linear Rec.709 "
-    "values after the clamp to [0, 1], no exposure; mean over all unmasked pixels, from 0 to 1",
+    "from 0.7 m), qc 0.7, pc 0.4, pt 0.95, w 0.082 degrees, qf 0.5, border pixels repeated; on linear "
+    "Rec.709 values after the clamp to [0, 1], no exposure; mean over all unmasked pixels, from 0 to 1",
     {"flip", "LDR-FLIP error of each pixel, from 0 to 1", false, 1.0F},
     compute_flip,
     Computed::OnDemand};
@@ -79,10 +78,10 @@ inline constexpr MetricInfo kHdrFlip{
     "flip_hdr_fixed",
     "1",
     true,
-    "HDR-FLIP of Andersson et al. 2021 with fixed exposures: for each of 0.08, 1.24, 2.40 and 3.56 stops the "
-    "linear Rec.709 values are multiplied by 2^stops, taken through the ACES curve "
-    "(0.9036 x^2 + 0.018 x) / (0.8748 x^2 + 0.354 x + 0.14) with the clamp to [0, 1], and compared by "
-    "LDR-FLIP as in 'flip'; the largest of the four errors of each pixel; mean over all unmasked pixels",
+    "HDR-FLIP of Andersson et al. 2021 with fixed exposures: for each of 0.08, 1.24, 2.40 and 3.56 stops "
+    "the linear Rec.709 values are multiplied by 2^stops, taken through the ACES curve (0.9036 x^2 + "
+    "0.018 x) / (0.8748 x^2 + 0.354 x + 0.14) with the clamp to [0, 1], and compared by LDR-FLIP as in "
+    "'flip'; the largest of the four errors of each pixel; mean over all unmasked pixels",
     {"flip_hdr_fixed", "HDR-FLIP error of each pixel at its worst of four fixed exposures, from 0 to 1",
      false, 1.0F},
     compute_hdr_flip,

@@ -13,7 +13,7 @@ namespace orbs::metrics {
 /// |sum(result - reference)| - 5 standard errors, over reference tile + reference image (means, so that a
 /// dark tile is measured by what is visible beside it). The standard error is that of the tile's own pixels:
 /// it needs no variance channel, and what differs within a tile only makes it larger. Five, as an image has
-/// thousands of tiles: one in some hundred honest images would show a tile above 0, and the tolerance is
+/// thousands of tiles: one in some hundred control images would show a tile above 0, and the tolerance is
 /// far from 0.
 struct LocalBias {
   double value = 0;  // 0: no tile is off for sure

@@ -14,9 +14,8 @@ inline constexpr MapInfo kSquaredMap{
 inline constexpr MetricInfo kMse{"mse",
                                  "radiance^2",
                                  true,
-                                 "mean of (result - reference)^2 over the channels R, G, B of all unmasked "
-                                 "pixels; linear Rec.709, no clamp, no "
-                                 "exposure",
+                                 "mean of (result - reference)^2 over the channels R, G, B of all "
+                                 "unmasked pixels; linear Rec.709, no clamp, no exposure",
                                  kSquaredMap,
                                  compute_mse};
 

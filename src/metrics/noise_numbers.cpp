@@ -13,30 +13,27 @@ constexpr std::array<std::string_view, 3> kRatioNames{"mean_ratio_r", "mean_rati
 
 // Each text says it for both sources, as a definition must not change with the image.
 constexpr std::string_view kRatio =
-    "mean(result) / mean(reference) - 1 of one channel over all unmasked pixels; linear Rec.709, no clamp. "
-    "The "
-    "interval leaves out a right image in 1 of 9000 (delta method, Student's distribution), by the "
-    "variances of both images, by the scatter of neighbouring 8 x 8 px blocks where the result has none, "
-    "or by "
-    "the reference's alone where its renderer has no noise";
+    "mean(result) / mean(reference) - 1 of one channel over all unmasked pixels; linear Rec.709, no "
+    "clamp. The interval leaves out a right image in 1 of 9000 (delta method, Student's distribution), "
+    "by the variances of both images, by the scatter of neighbouring 8 x 8 px blocks where the result "
+    "has none, or by the reference's alone where its renderer has no noise";
 constexpr std::string_view kNoise =
     "mean over R, G, B of all unmasked pixels of the variances of both images; by half the squared "
     "difference of the errors of horizontal neighbours where the result has no variance; that of the "
-    "reference "
-    "alone where the result's renderer has no noise; linear Rec.709, no clamp";
+    "reference alone where the result's renderer has no noise; linear Rec.709, no clamp";
 constexpr std::string_view kBias =
     "mse - noise_squared: the part of the mean squared error that noise does not explain, below zero by "
     "chance. The interval leaves out a right image in 1 of 3000";
 constexpr std::string_view kBlocksOff =
-    "how many means of 8 x 8 px blocks, each channel one, differ from the reference by more than noise and "
-    "0.1 % (Student's test, Benjamini and Hochberg's correction; in 1 of 3000 right images it is not 0)";
+    "how many means of 8 x 8 px blocks, each channel one, differ from the reference by more than noise "
+    "and 0.1 % (Student's test, Benjamini and Hochberg's correction; in 1 of 3000 right images it is not "
+    "0)";
 constexpr std::string_view kBlockScore =
     "the largest |z| of any 8 x 8 px block: difference of the means over its standard deviation; linear "
     "Rec.709, no clamp";
 constexpr std::string_view kPixelScore =
     "the largest |z| of any pixel and channel: difference over its standard deviation, which is at least "
-    "that "
-    "of the 8 x 8 px around; linear Rec.709, no clamp. It points at a place and decides nothing";
+    "that of the 8 x 8 px around; linear Rec.709, no clamp. It points at a place and decides nothing";
 constexpr std::string_view kPixelsBeyond =
     "share of pixels and channels with |z| above 3; 0.0027 where noise is normally distributed";
 

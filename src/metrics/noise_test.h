@@ -22,7 +22,7 @@
 ///   Nor what the result alone has not seen where the reference keeps its variance and samples to itself.
 namespace orbs::metrics {
 
-/// How many honest images in total are called wrong; three tests share it evenly.
+/// How many control images in total are called wrong; three tests share it evenly.
 constexpr double kFalseAlarms = 1e-3;
 
 /// A relative difference of means that is never called an error: rounding in float over thousands of samples

@@ -40,8 +40,8 @@ inline constexpr MetricInfo kPsnrPu21{
     "psnr_pu21",
     "dB",
     false,
-    "10 log10(256^2 / MSE); MSE over the channels R, G, B of all unmasked pixels, each linear Rec.709 value "
-    "times 100 cd/m^2, with the clamp to [0.005, 10000] cd/m^2 of PU21 (Mantiuk and Azimi 2021, "
+    "10 log10(256^2 / MSE); MSE over the channels R, G, B of all unmasked pixels, each linear Rec.709 "
+    "value times 100 cd/m^2, with the clamp to [0.005, 10000] cd/m^2 of PU21 (Mantiuk and Azimi 2021, "
     "banding_glare) and its encoding; no exposure; infinite where no encoded value differs",
     {"squared_pu21", "squared difference in each channel of the PU21-encoded values", false, 650.25F},
     compute_psnr_pu21,

@@ -59,8 +59,8 @@ inline constexpr MetricInfo kRelMse{
     "relmse_eps01",
     "1",
     true,
-    "mean of (result - reference)^2 / (reference^2 + 0.01) over the channels R, G, B of all unmasked pixels; "
-    "linear Rec.709, no clamp, no exposure",
+    "mean of (result - reference)^2 / (reference^2 + 0.01) over the channels R, G, B of all unmasked "
+    "pixels; linear Rec.709, no clamp, no exposure",
     {"relmse_eps01",
      "(result - reference)^2 / (reference^2 + 0.01) in each channel; linear Rec.709, no clamp", false, 0.1F},
     compute_relmse};
@@ -70,9 +70,8 @@ inline constexpr MetricInfo kRelMseTrimmed{
     "1",
     true,
     "relmse_eps01 without the 0.1 % of the unmasked pixels (rounded down) whose mean over R, G, B is "
-    "largest; "
-    "linear Rec.709, no clamp, no exposure. For noisy images, always beside the untrimmed number: what "
-    "fireflies are dropped from, small faults are dropped from as well",
+    "largest; linear Rec.709, no clamp, no exposure. For noisy images, always beside the untrimmed "
+    "number: what fireflies are dropped from, small faults are dropped from as well",
     kNoMap,
     compute_relmse_trimmed};
 

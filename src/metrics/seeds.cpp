@@ -27,8 +27,8 @@ void check_seeds(const std::vector<image::Image>& colours) {
                                    first.width, first.height, colour.width, colour.height));
   if (are_equal(colours))
     throw InputError(
-        "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene has "
-        "no noise");
+        "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene "
+        "has no noise");
 }
 
 }  // namespace

@@ -119,13 +119,11 @@ inline constexpr MetricInfo kSsim{
     "ssim",
     "1",
     false,
-    "structural similarity of Wang et al. 2004: window 11 x 11 Gaussian, sigma 1.5 px, weights of sum 1; K1 "
-    "0.01, K2 0.03, "
-    "L 1; population variance and covariance; on the luma .2126 R + .7152 G + .0722 B of the linear Rec.709 "
-    "values clamped "
-    "to [0, 1] and sRGB-encoded; mean over the windows that lie inside the image (the outer 5 px are no "
-    "centres) and whose "
-    "centre is unmasked (masked pixels beside it still enter the window); no value below 11 x 11 px",
+    "structural similarity of Wang et al. 2004: window 11 x 11 Gaussian, sigma 1.5 px, weights of sum 1; "
+    "K1 0.01, K2 0.03, L 1; population variance and covariance; on the luma .2126 R + .7152 G + .0722 B "
+    "of the linear Rec.709 values clamped to [0, 1] and sRGB-encoded; mean over the windows that lie "
+    "inside the image (the outer 5 px are no centres) and whose centre is unmasked (masked pixels beside "
+    "it still enter the window); no value below 11 x 11 px",
     {"ssim", "1 - SSIM of the window around each pixel; NaN in the outer 5 px", false, 1.0F},
     compute_ssim};
 

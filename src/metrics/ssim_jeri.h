@@ -81,10 +81,10 @@ inline constexpr MetricInfo kSsimJeri{
     "1",
     false,
     "structural similarity as JERI's viewer computes it: window 5 x 5 without weights, border pixels "
-    "repeated; K1 0.01, K2 0.03, L 1; variance and covariance divided by 26; on .2126 R + .7152 G + .0722 B "
-    "of max(c, 0)^(1/2.2) of the linear Rec.709 values, no clamp at 1, no exposure; mean over all unmasked "
-    "pixels as window centres (masked pixels beside them still enter). For comparison with images made "
-    "with JERI; 'ssim' is the published definition",
+    "repeated; K1 0.01, K2 0.03, L 1; variance and covariance divided by 26; on .2126 R + .7152 G + "
+    ".0722 B of max(c, 0)^(1/2.2) of the linear Rec.709 values, no clamp at 1, no exposure; mean over "
+    "all unmasked pixels as window centres (masked pixels beside them still enter). For comparison with "
+    "images made with JERI; 'ssim' is the published definition",
     {"ssim_jeri", "1 - ssim_jeri of the window around each pixel", false, 1.0F},
     compute_ssim_jeri,
     Computed::OnDemand};

@@ -109,8 +109,8 @@ std::string test_suite(const RunRecord& run, const results::RendererRecord& rend
     cases += test_case(run, requirement, renderer.name, cell->second);
   }
   return fmt::format(
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\" "
-      "timestamp=\"{}\">\n"
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
+      "time=\"{:.3f}\" timestamp=\"{}\">\n"
       "{}  </testsuite>\n",
       xml_text(run.suite + "." + renderer.name), tests, counts[Element::Failure], counts[Element::Error],
       counts[Element::Skipped], renderer.wall_seconds, xml_text(run.started), cases);

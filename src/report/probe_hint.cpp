@@ -42,8 +42,7 @@ std::string probe_hints(const results::RunRecord& run) {
     if (!targets.empty())
       text += fmt::format(
           "{0} is far off in {1}: 'orbs probe -r {0}' tells whether it has camera and objects where the "
-          "scenes "
-          "say\n",
+          "scenes say\n",
           renderer.name, fmt::join(targets, ", "));
   }
   return text;

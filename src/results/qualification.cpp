@@ -32,15 +32,15 @@ void write_smallest(Writer& out, const char* key, const SmallestFault& smallest)
 void write_gate(Writer& out, const GateRecord& gate) {
   out.begin_object().member("case", gate.case_name).member("target", gate.target);
   out.member("qualified", is_qualified(gate)).member("judged_by", gate.judged_by);
-  write_texts(out, "honest", gate.honest);
-  out.member("accepts_honest", gate.accepts_honest).member("honest_reason", gate.honest_reason);
-  out.key("twins").begin_array();
-  for (const auto& twin : gate.twins) {
-    out.begin_object().member("fault", twin.fault);
-    if (twin.no_fault.empty()) {
-      out.member("rejected", twin.rejected).member("reason", twin.reason);
+  write_texts(out, "control", gate.control);
+  out.member("accepts_control", gate.accepts_control).member("control_reason", gate.control_reason);
+  out.key("mutants").begin_array();
+  for (const auto& mutant : gate.mutants) {
+    out.begin_object().member("fault", mutant.fault);
+    if (mutant.no_fault.empty()) {
+      out.member("rejected", mutant.rejected).member("reason", mutant.reason);
     } else {
-      out.member("no_fault", twin.no_fault);
+      out.member("no_fault", mutant.no_fault);
     }
     out.end_object();
   }
@@ -71,12 +71,12 @@ GateRecord read_gate(ObjectReader& in) {
   gate.case_name = in.text("case");
   gate.target = in.text("target");
   gate.judged_by = in.text("judged_by");
-  gate.honest = read_texts(in.object("honest"));
-  gate.accepts_honest = in.boolean_or("accepts_honest", false);
-  gate.honest_reason = in.text("honest_reason");
-  for (auto& twin : in.objects("twins"))
-    gate.twins.push_back({twin.text("fault"), twin.text_or("no_fault", ""),
-                          twin.boolean_or("rejected", false), twin.text_or("reason", "")});
+  gate.control = read_texts(in.object("control"));
+  gate.accepts_control = in.boolean_or("accepts_control", false);
+  gate.control_reason = in.text("control_reason");
+  for (auto& mutant : in.objects("mutants"))
+    gate.mutants.push_back({mutant.text("fault"), mutant.text_or("no_fault", ""),
+                            mutant.boolean_or("rejected", false), mutant.text_or("reason", "")});
   gate.global = read_smallest(in.object("smallest_global"));
   gate.local = read_smallest(in.object("smallest_local"));
   for (const double pixel : in.numbers("local_where")) gate.local_where.push_back(static_cast<int>(pixel));
@@ -87,9 +87,9 @@ GateRecord read_gate(ObjectReader& in) {
 }  // namespace
 
 bool is_qualified(const GateRecord& gate) {
-  return gate.accepts_honest && std::all_of(gate.twins.begin(), gate.twins.end(), [](const auto& twin) {
-           return twin.rejected || !twin.no_fault.empty();
-         });
+  return gate.accepts_control &&
+         std::all_of(gate.mutants.begin(), gate.mutants.end(),
+                     [](const auto& mutant) { return mutant.rejected || !mutant.no_fault.empty(); });
 }
 
 std::vector<GateRecord> read_qualification(const std::filesystem::path& file) {
@@ -98,14 +98,14 @@ std::vector<GateRecord> read_qualification(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, ignored)) return gates;
   const auto document = json::parse_file(file);
   ObjectReader in(document);
-  in.one_of("format", {"orbs-qualification/1"});
+  in.one_of("format", {"orbs-qualification/2"});
   for (auto& gate : in.objects("gates")) gates.push_back(read_gate(gate));
   return gates;
 }
 
 std::string qualification_json(const std::vector<GateRecord>& gates) {
   Writer out;
-  out.begin_object().member("format", "orbs-qualification/1").key("gates").begin_array();
+  out.begin_object().member("format", "orbs-qualification/2").key("gates").begin_array();
   for (const auto& gate : gates) write_gate(out, gate);
   out.end_array().end_object();
   return out.text();

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-/// What is known about gates because it was tried (format "orbs-qualification/1"): which faults of an image
+/// What is known about gates because it was tried (format "orbs-qualification/2"): which faults of an image
 /// each one rejects, and the smallest that it sees.
 namespace orbs::results {
 
 /// Beside the references, which it is about.
 inline constexpr const char* kQualificationFile = "qualification.json";
 
-/// One faulty twin of an honest image.
-struct TwinRecord {
+/// One faulty mutant of a control image.
+struct MutantRecord {
   std::string fault;     // "black", "1 px to the right", ...
   std::string no_fault;  // why it is none here ("R, G and B are equal in every pixel"); "" when it is one
   bool rejected = false;
@@ -31,11 +31,11 @@ struct SmallestFault {
 struct GateRecord {
   std::string case_name;
   std::string target;
-  std::string judged_by;                      // hash of the case and the references of the image
-  std::map<std::string, std::string> honest;  // provenance of the honest image: program, spp, seed
-  bool accepts_honest = false;
-  std::string honest_reason;
-  std::vector<TwinRecord> twins;
+  std::string judged_by;                       // hash of the case and the references of the image
+  std::map<std::string, std::string> control;  // provenance of the control image: program, spp, seed
+  bool accepts_control = false;
+  std::string control_reason;
+  std::vector<MutantRecord> mutants;
   /// Share of light that is too much everywhere.
   SmallestFault global;
   /// Radiance that leaks into 16 x 16 px, over the mean of the reference.
@@ -44,7 +44,7 @@ struct GateRecord {
   std::map<std::string, std::string> provenance;  // "program", "version", "commit", "date", ...
 };
 
-/// True when the gate accepts the honest image and rejects every twin that is a fault.
+/// True when the gate accepts the control image and rejects every mutant that is a fault.
 bool is_qualified(const GateRecord& gate);
 
 /// Reads the file; nothing in it when there is none. InputError with file, line and key.

@@ -165,9 +165,9 @@ std::vector<EffectRecord> read_effects(ObjectReader& in, const std::string& key)
 SceneRecord read_scene(ObjectReader& in) {
   SceneRecord scene{in.text("name"), in.text_or("transport", ""), read_effects(in, "called_for"),
                     read_effects(in, "not_called_for")};
-  for (auto& price : in.objects_or_none("prices"))
-    scene.prices.push_back({price.text("name"), price.number("time_ratio"), price.number("error_ratio"),
-                            price.text_or("target", "")});
+  for (auto& cost : in.objects_or_none("effect_costs"))
+    scene.effect_costs.push_back({cost.text("name"), cost.number("time_ratio"), cost.number("error_ratio"),
+                                  cost.text_or("change", "")});
   return scene;
 }
 

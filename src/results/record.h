@@ -119,11 +119,11 @@ struct EffectRecord {
 };
 
 /// A scene rendered otherwise than it calls for: what that costs, and what becomes of the image.
-struct PriceRecord {
+struct EffectCostRecord {
   std::string name;        // "polarised", "without dispersion"
   double time_ratio = 0;   // CPU time per sample over that of what the scene calls for
   double error_ratio = 0;  // CPU time to the same noise, likewise; 0 where nobody knows
-  std::string target;      // "same to the bit", or how it differs
+  std::string change;      // "same to the bit", or how it differs
 };
 
 /// What a scene calls for, and what its light paths must carry for that.
@@ -132,7 +132,7 @@ struct SceneRecord {
   std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"
   std::vector<EffectRecord> called_for;
   std::vector<EffectRecord> not_called_for;
-  std::vector<PriceRecord> prices = {};  // by orbs effects; none when nobody has asked
+  std::vector<EffectCostRecord> effect_costs = {};  // by orbs effect-cost; none when nobody has asked
 };
 
 /// A cell of the table: the worst image of a requirement.

@@ -111,13 +111,13 @@ void write_scene(Writer& out, const SceneRecord& scene) {
   out.begin_object().member("name", scene.name).member("transport", scene.transport);
   write_effects(out, "called_for", scene.called_for);
   write_effects(out, "not_called_for", scene.not_called_for);
-  out.key("prices").begin_array();
-  for (const auto& price : scene.prices)
+  out.key("effect_costs").begin_array();
+  for (const auto& cost : scene.effect_costs)
     out.begin_object()
-        .member("name", price.name)
-        .member("time_ratio", price.time_ratio)
-        .member("error_ratio", price.error_ratio)
-        .member("target", price.target)
+        .member("name", cost.name)
+        .member("time_ratio", cost.time_ratio)
+        .member("error_ratio", cost.error_ratio)
+        .member("change", cost.change)
         .end_object();
   out.end_array().end_object();
 }

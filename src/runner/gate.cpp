@@ -23,7 +23,7 @@ std::string number_text(double value, const std::string& unit) {
 
 // Twice the squared error. The tests of bias are what finds a wrong image; this is for what they cannot see
 // because fireflies rule the linear values. It leaves room for what the delta method leaves out, the bend and
-// the clamp of the curve: 0.7 dB in an honest image of edges and sky with 4 samples.
+// the clamp of the curve: 0.7 dB in a control image of edges and sky with 4 samples.
 constexpr double kNoiseSlack_db = 3;
 
 double mse_srgb8_of(double psnr_db) { return 255 * 255 * std::pow(10, -psnr_db / 10); }

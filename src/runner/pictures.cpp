@@ -34,8 +34,8 @@ std::string provenance_problem(const image::Image& image,
   const auto name = file.stem().string();
   const auto differs = [&](const std::string& what, const std::string& now, const std::string& said) {
     return fmt::format(
-        "{}: its hash is now {}, the provenance in {} says {}; "
-        "'orbs reference --scene {} --accept \"why it has changed\"' renders it again",
+        "{}: its hash is now {}, the provenance in {} says {}; 'orbs reference --scene {} --accept \"why "
+        "it has changed\"' renders it again",
         what, now, file.string(), said, name);
   };
   const auto scene_said = provenance.find("scene_hash");

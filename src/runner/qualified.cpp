@@ -61,8 +61,8 @@ std::string smallest_error_seen(const registry::Case& one_case,
     return fmt::format("not known since the case or a reference changed ({}); orbs qualify finds it",
                        unknown);
   return fmt::format(
-      "{} more or less light everywhere is a remark, {} a failure; so is a leak of {} of the mean light into "
-      "16 x 16 px",
+      "{} more or less light everywhere is a remark, {} a failure; so is a leak of {} of the mean light "
+      "into 16 x 16 px",
       global_seen.text(), global_rejected.text(), local_rejected.text());
 }
 

@@ -1,7 +1,7 @@
 #include "runner/run.h"
 
 #include "base/files.h"
-#include "results/prices.h"
+#include "results/effect_costs.h"
 #include "results/qualification.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
@@ -64,10 +64,10 @@ results::RunRecord record_at_start(const Plan& plan,
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
                             one_case.tests, one_case.typical_mistake,
                             smallest_error_seen(one_case, plan.suite.references, gates)});
-  auto prices = results::read_prices(plan.suite.references / results::kPricesFile);
+  auto effect_costs = results::read_effect_costs(plan.suite.references / results::kEffectCostsFile);
   for (const auto& scene : plan.scenes) {
     record.scenes.push_back(scene_record(scene.name, *scene.scene));
-    record.scenes.back().prices = prices[scene.name];
+    record.scenes.back().effect_costs = effect_costs[scene.name];
   }
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.targets) {

@@ -40,9 +40,9 @@ void check_tiles(double tolerance, const std::optional<metrics::LocalBias>& bias
       {"local_bias",
        bias->value,
        "1",
-       "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five "
-       "standard errors of the tile's own pixels, over the reference's means of tile and "
-       "image together; of R, G and B the worst; linear Rec.709, no clamp",
+       "the largest |mean(result) - mean(reference)| of a tile of 16 x 16 px, less five standard errors "
+       "of the tile's own pixels, over the reference's means of tile and image together; of R, G and B "
+       "the worst; linear Rec.709, no clamp",
        true,
        false,
        {},
@@ -66,11 +66,11 @@ void check_edges(double tolerance, const std::optional<metrics::EdgeBlur>& blur,
       {"edge_blur",
        blur->value,
        "1",
-       "sum of (result - reference) in the direction of change over sum |change|, where change "
-       "is the reference filtered by [1 2 1] / 4 in x and y less the reference: 1 is as soft as "
-       "that filter, below 0 sharper; over pixels and channels where |change| is above 5 % of "
-       "filtered reference and its mean together, each divided by these, and above five standard "
-       "deviations; linear Rec.709, no clamp. The interval is three standard errors",
+       "sum of (result - reference) in the direction of change over sum |change|, where change is the "
+       "reference filtered by [1 2 1] / 4 in x and y less the reference: 1 is as soft as that filter, "
+       "below 0 sharper; over pixels and channels where |change| is above 5 % of filtered reference and "
+       "its mean together, each divided by these, and above five standard deviations; linear Rec.709, no "
+       "clamp. The interval is three standard errors",
        true,
        true,
        low,
@@ -97,8 +97,8 @@ void check_stokes(double tolerance, const JudgedPair& pair, TargetRecord& record
       {"stokes_error",
        *error,
        "1",
-       "root mean square over S1, S2, S3 and blocks of 8 x 8 px of mean(result) - "
-       "mean(reference) in linear Rec.709 luminance, over the reference's mean luminance",
+       "root mean square over S1, S2, S3 and blocks of 8 x 8 px of mean(result) - mean(reference) in "
+       "linear Rec.709 luminance, over the reference's mean luminance",
        true,
        false,
        {},

@@ -47,7 +47,7 @@ void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
     const auto thing = called("light", light.name, i);
     if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), thing);
     if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, thing);
-    if (light.reflectance != Rgb{})
+    if (light.reflectance != RgbColour{})
       note(found, {Effect::ReflectingLight, true, "reflects light as well as giving it"}, thing);
   }
   if (scene.environment_spectrum)
@@ -137,7 +137,7 @@ bool calls_for(const SceneEffects& found, Effect effect) {
 
 std::string_view transport_name(LightTransport transport) {
   switch (transport) {
-    case LightTransport::Colour:
+    case LightTransport::Rgb:
       return "rgb";
     case LightTransport::Spectral:
       return "spectral";
@@ -175,9 +175,9 @@ LightTransport transport_for(Effect effect) {
     case Effect::Ies:
     case Effect::Instancing:
     case Effect::PathClasses:
-      return LightTransport::Colour;
+      return LightTransport::Rgb;
   }
-  return LightTransport::Colour;
+  return LightTransport::Rgb;
 }
 
 bool covers(LightTransport richer, LightTransport needed) {
@@ -188,13 +188,13 @@ bool covers(LightTransport richer, LightTransport needed) {
 std::string reason_for(const SceneEffects& found) {
   // The last one in the order of effects is what makes the transport as rich as it is.
   const auto last = std::find_if(found.called_for.rbegin(), found.called_for.rend(), [](const auto& finding) {
-    return transport_for(finding.effect) != LightTransport::Colour;
+    return transport_for(finding.effect) != LightTransport::Rgb;
   });
   return last == found.called_for.rend() ? "" : fmt::format(" because {} {}", last->thing, last->reason);
 }
 
 LightTransport transport(const SceneEffects& found) {
-  LightTransport needed = LightTransport::Colour;
+  LightTransport needed = LightTransport::Rgb;
   for (const auto& finding : found.called_for) {
     const auto one = transport_for(finding.effect);
     const bool both = std::max(one, needed) == LightTransport::Bispectral &&

@@ -59,9 +59,9 @@ constexpr double kLeastDispersion = 1e-6;
 bool is_dispersive(const Dielectric& glass);
 
 /// What a light path must carry.
-enum class LightTransport { Colour, Spectral, Polarised, Bispectral, PolarisedBispectral };
+enum class LightTransport { Rgb, Spectral, Polarised, Bispectral, PolarisedBispectral };
 
-inline constexpr std::array kTransports{LightTransport::Colour, LightTransport::Spectral,
+inline constexpr std::array kTransports{LightTransport::Rgb, LightTransport::Spectral,
                                         LightTransport::Polarised, LightTransport::Bispectral,
                                         LightTransport::PolarisedBispectral};
 

@@ -171,7 +171,7 @@ struct Coloured {
   bool operator()(const Glass& m) const { return !is_grey(m.colour); }
   bool operator()(const RoughGlass& m) const { return !is_grey(m.colour); }
 
-  bool by(Rgb rgb, const std::optional<SpectrumUse>& use) const {
+  bool by(RgbColour rgb, const std::optional<SpectrumUse>& use) const {
     return use ? use->scale > 0 && !is_constant(named(scene, *use).spectrum) : !is_grey(rgb);
   }
 };
@@ -215,11 +215,10 @@ EffectVerdict verdict_on_light(const Scene& scene, const SpectrumUse& use, bool 
     return {Effect::Spectral, false,
             fmt::format("has spectrum '{}', which is D65: white says the same", name)};
   if (!has_coloured_surface)
-    return {
-        Effect::Spectral, false,
-        fmt::format("has spectrum '{}', but every surface treats all wavelengths alike: the colour of the "
-                    "light says it all",
-                    name)};
+    return {Effect::Spectral, false,
+            fmt::format("has spectrum '{}', but every surface treats all wavelengths alike: the colour of "
+                        "the light says it all",
+                        name)};
   return {Effect::Spectral, true, fmt::format("gives light by spectrum '{}', which is not D65", name)};
 }
 

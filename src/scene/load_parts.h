@@ -76,7 +76,7 @@ spectra::TableFile load_table(json::ObjectReader& in, SpectralData& data);
 
 /// What stands in the place of a colour: [r, g, b] or {"spectrum": name, "scale": number}.
 struct Colour {
-  Rgb rgb;
+  RgbColour rgb;
   std::optional<SpectrumUse> spectrum;
 };
 /// Shares of light, in [0, 1] at every wavelength.

@@ -15,11 +15,11 @@ void check_pixels(json::ObjectReader& in, const Camera& camera) {
   constexpr double kFinest_rad = 1e-6;
   const double pixel_rad = 2 * camera_frame(camera).half_height / camera.height_px;
   if (!(pixel_rad >= kFinest_rad))
-    in.fail(in.has("fov_y") ? "fov_y" : "height",
-            fmt::format(
-                "makes pixels of {:.4g} rad; they must be at least {} rad high, which is what directions in "
-                "float can tell: widen fov_y, or take fewer pixels",
-                pixel_rad, kFinest_rad));
+    in.fail(
+        in.has("fov_y") ? "fov_y" : "height",
+        fmt::format("makes pixels of {:.4g} rad; they must be at least {} rad high, which is what directions "
+                    "in float can tell: widen fov_y, or take fewer pixels",
+                    pixel_rad, kFinest_rad));
 }
 
 Camera load_camera(json::ObjectReader in) {

@@ -117,8 +117,8 @@ spectra::RefractiveIndex load_index_object(json::ObjectReader in, SpectralData& 
     index = load_glass(in, data);
   else
     in.fail("",
-            "needs \"spectrum\", \"wavelengths\" and \"values\", \"sellmeier\", \"cauchy\", or \"file\" and "
-            "\"material\"");
+            "needs \"spectrum\", \"wavelengths\" and \"values\", \"sellmeier\", \"cauchy\", or \"file\" "
+            "and \"material\"");
   in.finish();
   return index;
 }
@@ -173,7 +173,7 @@ Colour load_radiance(json::ObjectReader& in, const std::string& key, const Spect
   if (spectrum.beyond != Beyond::IsZero && !spectrum.wavelengths_nm.empty())
     entry.fail("spectrum",
                "holds its ends beyond its samples, as reflectances do; a light needs \"beyond\": \"zero\"");
-  const Rgb rgb = spectra::rgb_of_xyz(spectra::xyz_of_light(spectrum)) * use.scale;
+  const RgbColour rgb = spectra::rgb_of_xyz(spectra::xyz_of_light(spectrum)) * use.scale;
   if (!(std::max({std::fabs(rgb.x), std::fabs(rgb.y), std::fabs(rgb.z)}) <= kRadiance.max))
     in.fail(key, fmt::format("reaches ({}, {}, {}); an image holds at most {}", rgb.x, rgb.y, rgb.z,
                              kRadiance.max));

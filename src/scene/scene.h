@@ -20,8 +20,8 @@
 /// REQ_L1). Things refer to each other by index into the vectors of Scene.
 namespace orbs::scene {
 
-using Rgb = Vec3d;
-inline bool is_grey(Rgb c) { return c.x == c.y && c.y == c.z; }
+using RgbColour = Vec3d;
+inline bool is_grey(RgbColour c) { return c.x == c.y && c.y == c.z; }
 
 /// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL
 /// matrix only.
@@ -58,33 +58,33 @@ struct TextureUse {
 };
 
 struct Lambert {
-  Rgb reflectance;
+  RgbColour reflectance;
   std::optional<TextureUse> texture;  // multiplies reflectance
   std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Lambert&) const = default;
 };
 /// ORB.S eq. 5 with sigma = roughness * pi / 2 radians.
 struct OrenNayar {
-  Rgb reflectance;
+  RgbColour reflectance;
   double roughness = 0;  // [0, 1]
   std::optional<TextureUse> texture;
   std::optional<SpectrumUse> spectrum = {};
   bool operator==(const OrenNayar&) const = default;
 };
 struct Mirror {
-  Rgb reflectance;
+  RgbColour reflectance;
   std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Mirror&) const = default;
 };
 /// Smooth dielectric of ORB.S REQ_M8; `ior` is inside over outside, and the vertex normals point outside.
 struct Glass {
-  Rgb colour;
+  RgbColour colour;
   double ior = 1.5;
   bool operator==(const Glass&) const = default;
 };
 /// colour * D G / (4 cos cos), height-correlated Smith-GGX, no Fresnel factor.
 struct Ggx {
-  Rgb colour;
+  RgbColour colour;
   double alpha = 0.1;
   std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Ggx&) const = default;
@@ -92,14 +92,14 @@ struct Ggx {
 /// Rough dielectric after Walter et al. 2007 with GGX; masking is height-correlated in reflection, separable
 /// in transmission.
 struct RoughGlass {
-  Rgb colour;
+  RgbColour colour;
   double ior = 1.5;
   double alpha = 0.1;
   bool operator==(const RoughGlass&) const = default;
 };
 /// Emits `radiance` (times the texture) from both sides and reflects nothing.
 struct Emission {
-  Rgb radiance;
+  RgbColour radiance;
   std::optional<TextureUse> texture;
   std::optional<SpectrumUse> spectrum = {};
   bool operator==(const Emission&) const = default;
@@ -139,7 +139,7 @@ struct Retarder {
 /// Lambert's law at every wavelength, and from both sides as there, and light at longer wavelengths beside
 /// it.
 struct Fluorescent {
-  Rgb reflectance;
+  RgbColour reflectance;
   std::optional<SpectrumUse> spectrum;
   Reradiation reradiation;
   bool gains_energy = false;  // more leaves than came in, on purpose
@@ -247,11 +247,11 @@ struct IesUse {
 struct Light {
   std::string name;
   LightShape shape;
-  Rgb radiance;
+  RgbColour radiance;
   Mat4 matrix;  // moves, turns and scales the shape; radiance stays
   std::optional<IesUse> ies;
   std::optional<SpectrumUse> spectrum = {};
-  Rgb reflectance = {};  // of the side that shines, by Lambert's law
+  RgbColour reflectance = {};  // of the side that shines, by Lambert's law
   bool operator==(const Light&) const = default;
 };
 
@@ -275,7 +275,7 @@ struct ReadNotes {
 struct Scene {
   std::string name;
   Camera camera;
-  Rgb environment;  // constant radiance of everything that no surface covers
+  RgbColour environment;  // constant radiance of everything that no surface covers
   std::optional<SpectrumUse> environment_spectrum;
   std::vector<NamedSpectrum> spectra;
   std::vector<Texture> textures;

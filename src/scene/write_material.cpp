@@ -157,8 +157,11 @@ void write_spectra(Writer& out, const Scene& scene) {
   out.end_array();
 }
 
-void write_colour(
-    Writer& out, const Scene& scene, const char* key, Rgb rgb, const std::optional<SpectrumUse>& spectrum) {
+void write_colour(Writer& out,
+                  const Scene& scene,
+                  const char* key,
+                  RgbColour rgb,
+                  const std::optional<SpectrumUse>& spectrum) {
   if (!spectrum) {
     out.member(key, rgb);
     return;

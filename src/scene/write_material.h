@@ -15,7 +15,7 @@ void write_spectra(json::Writer& out, const Scene& scene);
 void write_colour(json::Writer& out,
                   const Scene& scene,
                   const char* key,
-                  Rgb rgb,
+                  RgbColour rgb,
                   const std::optional<SpectrumUse>& spectrum);
 
 }  // namespace orbs::scene

@@ -103,7 +103,7 @@ void write_light(Writer& out, const Scene& scene, const Light& light) {
   out.begin_object().member("name", light.name);
   std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
   write_colour(out, scene, "radiance", light.radiance, light.spectrum);
-  if (light.reflectance != Rgb{}) out.member("reflectance", light.reflectance);
+  if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
   out.key("matrix").numbers(light.matrix.m);
   if (light.ies) {
     out.key("ies")

@@ -78,9 +78,13 @@ std::variant<std::string, Refusal> read_head(int sock, std::chrono::milliseconds
 
 void send_refusal(int sock, const Refusal& refusal, std::chrono::milliseconds time) {
   const auto text = fmt::format(
-      "HTTP/1.1 {}\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: "
-      "{}\r\nX-Content-Type-Options: "
-      "nosniff\r\n{}Connection: close\r\n\r\n{}\n",
+      "HTTP/1.1 {}\r\n"
+      "Content-Type: text/plain; charset=utf-8\r\n"
+      "Content-Length: {}\r\n"
+      "X-Content-Type-Options: nosniff\r\n"
+      "{}Connection: close\r\n"
+      "\r\n"
+      "{}\n",
       status_text(refusal.status), refusal.reason.size() + 1,
       refusal.status == 405 ? "Allow: GET, HEAD\r\n" : "", refusal.reason);
   if (wait_for(sock, POLLOUT, time)) ::send(sock, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

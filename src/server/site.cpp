@@ -21,8 +21,7 @@ namespace {
 // Only the files of the bundle run, only this server is asked, nothing is framed.
 constexpr const char* kPagePolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src "
-    "'self'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 // What a renderer left in its folder is shown by itself and can do nothing.
 constexpr const char* kFilePolicy = "default-src 'none'; sandbox; frame-ancestors 'none'";
 

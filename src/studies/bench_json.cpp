@@ -66,10 +66,9 @@ void put_overhead(json::Writer& out, const BenchRecord& record) {
 void put_definitions(json::Writer& out) {
   out.key("definitions")
       .begin_object()
-      .member(
-          "camera_paths_per_cpu_second",
-          "pixels times the difference in samples of the large and the small render, over the difference of "
-          "their user and system times; start, reading and writing drop out")
+      .member("camera_paths_per_cpu_second",
+              "pixels times the difference in samples of the large and the small render, over the difference "
+              "of their user and system times; start, reading and writing drop out")
       .member("camera_paths_per_second", "the same over the difference of their wall clocks")
       .member("start_cpu_seconds",
               "what is left of the large render's CPU time when its samples are taken off")
@@ -81,10 +80,9 @@ void put_definitions(json::Writer& out) {
               "noise of the large render, its power scaled as 1 / n to the samples that fit into "
               "equal_cpu_seconds")
       .member("equal_cpu_seconds", "what the first renderer's samples of a large render cost, median")
-      .member(
-          "overhead.harness_ms",
-          "a program that copies an image of this size, as one render: scene written, run by its supervisor, "
-          "image read and checked, folder flushed to disk and put into place")
+      .member("overhead.harness_ms",
+              "a program that copies an image of this size, as one render: scene written, run by its "
+              "supervisor, image read and checked, folder flushed to disk and put into place")
       .member("overhead.bare_ms", "the same program by posix_spawn")
       .member("overhead.added_ms", "difference of the two medians: what each render costs besides itself")
       .member("overhead.watching_share",

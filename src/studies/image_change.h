@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "studies/price_list.h"
+#include "studies/effect_cost.h"
 
 #include <vector>
 

@@ -24,7 +24,7 @@ bool glows(const scene::Scene& scene) {
 
 std::string why_no_light_can_miss(const scene::Scene& scene) {
   if (scene.lights.empty()) return "it has no light that could be missing";
-  const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::Rgb{};
+  const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::RgbColour{};
   return has_more ? "" : "its only light: without it the image is black";
 }
 

@@ -55,7 +55,7 @@ void say_record(const Stand& stand, const ProbeRecord& record) {
 
 void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::vector<ProbeRecord>& records) {
   const auto probe = coloured_by_thing(*planned.scene, stand.settings.most_px);
-  const auto sights = primary_sights(probe.scene, {}, stand.settings.threads);
+  const auto surfaces = primary_visibility(probe.scene, {}, stand.settings.threads);
   const auto coordinates = coloured_by_coordinates(probe, stand.scratch / "ramp.exr");
   for (const auto& renderer : stand.plan.renderers) {
     if (is_stopped(stand.context)) return;
@@ -68,11 +68,11 @@ void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::v
       continue;
     }
     record.things = take_image(stand, renderer, probe.scene, [&](const image::Image& image) {
-      return compare_things(probe, sights, image);
+      return compare_things(probe, surfaces, image);
     });
     if (record.things.unsupported.empty())
       record.coordinates = take_image(stand, renderer, coordinates, [&](const image::Image& image) {
-        return compare_coordinates(probe, sights, image);
+        return compare_coordinates(probe, surfaces, image);
       });
     if (is_stopped(stand.context)) return;
     say_record(stand, record);

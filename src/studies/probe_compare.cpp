@@ -37,11 +37,11 @@ double largest_difference(const Rgb& a, const Rgb& b) {
   return most;
 }
 
-// The thing that all sights see.
-std::optional<int> only_thing(std::span<const Sight> sights) {
-  const auto differs = [&](const Sight& sight) { return sight.thing != sights.front().thing; };
-  return std::any_of(sights.begin(), sights.end(), differs) ? std::nullopt
-                                                            : std::optional(sights.front().thing);
+// The thing that all surfaces see.
+std::optional<int> only_thing(std::span<const VisibleSurface> surfaces) {
+  const auto differs = [&](const VisibleSurface& surface) { return surface.thing != surfaces.front().thing; };
+  return std::any_of(surfaces.begin(), surfaces.end(), differs) ? std::nullopt
+                                                                : std::optional(surfaces.front().thing);
 }
 
 std::string shown(const ProbeScene& probe, const Rgb& colour) {
@@ -51,7 +51,7 @@ std::string shown(const ProbeScene& probe, const Rgb& colour) {
   return "a mixture of colours";
 }
 
-// A pixel that shows something else than all its sights.
+// A pixel that shows something else than all its surfaces.
 struct Suspect {
   int thing = kNoThing;  // that is expected
   Pixel at;
@@ -62,15 +62,15 @@ struct Suspect {
 // more with a grid fine enough for 1/64 of a pixel; those in which there is more than one thing drop out.
 void look_again(const ProbeScene& probe, std::vector<Suspect>& suspects) {
   constexpr std::size_t kFew = 64;
-  constexpr SightGrid kFine{64, 0.02};
+  constexpr VisibilityGrid kFine{64, 0.02};
   if (suspects.size() > kFew) return;
   std::vector<Pixel> pixels;
   for (const auto& suspect : suspects) pixels.push_back(suspect.at);
-  const auto sights = sights_of_pixels(probe.scene, pixels, kFine, 1);
+  const auto surfaces = visible_surfaces_of_pixels(probe.scene, pixels, kFine, 1);
   const std::size_t each = kFine.per_side * kFine.per_side;
   std::vector<Suspect> kept;
   for (std::size_t i = 0; i < suspects.size(); ++i)
-    if (only_thing(std::span(sights).subspan(i * each, each))) kept.push_back(suspects[i]);
+    if (only_thing(std::span(surfaces).subspan(i * each, each))) kept.push_back(suspects[i]);
   suspects = std::move(kept);
 }
 
@@ -110,15 +110,15 @@ std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect
 }
 
 template <typename Look>
-void for_each_pixel(const image::Image& image, const std::vector<Sight>& sights, Look look) {
+void for_each_pixel(const image::Image& image, const std::vector<VisibleSurface>& surfaces, Look look) {
   const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
                                     image::channel_index(image, "B")};
-  const std::size_t each = sights.size() / image.pixel_count();
+  const std::size_t each = surfaces.size() / image.pixel_count();
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const auto pixel =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-      look(x, y, std::span(sights).subspan(pixel * each, each), rgb_at(image, channels, x, y));
+      look(x, y, std::span(surfaces).subspan(pixel * each, each), rgb_at(image, channels, x, y));
     }
 }
 
@@ -129,12 +129,13 @@ struct Interval {
   double low = 0;
   double high = 0;
 };
-std::optional<Interval> fraction(std::span<const Sight> sights, float Sight::*coordinate) {
+std::optional<Interval> fraction(std::span<const VisibleSurface> surfaces,
+                                 float VisibleSurface::*coordinate) {
   constexpr double kTexel = 1.0 / kRampSize;
   constexpr double kMostOfRamp = 0.25;
-  const auto [least, most] =
-      std::minmax_element(sights.begin(), sights.end(),
-                          [&](const Sight& a, const Sight& b) { return a.*coordinate < b.*coordinate; });
+  const auto [least, most] = std::minmax_element(
+      surfaces.begin(), surfaces.end(),
+      [&](const VisibleSurface& a, const VisibleSurface& b) { return a.*coordinate < b.*coordinate; });
   const double whole = std::floor(static_cast<double>(*least.*coordinate));
   const Interval range{static_cast<double>(*least.*coordinate) - whole,
                        static_cast<double>(*most.*coordinate) - whole};
@@ -153,11 +154,11 @@ bool is_within(double value, const Interval& range) {
 }  // namespace
 
 ProbeFindings compare_things(const ProbeScene& probe,
-                             const std::vector<Sight>& sights,
+                             const std::vector<VisibleSurface>& surfaces,
                              const image::Image& image) {
   ProbeFindings findings;
   std::vector<Suspect> suspects;
-  for_each_pixel(image, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+  for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
     const auto thing = only_thing(here);
     if (!thing) return;
     ++findings.compared;
@@ -169,16 +170,16 @@ ProbeFindings compare_things(const ProbeScene& probe,
 }
 
 ProbeFindings compare_coordinates(const ProbeScene& probe,
-                                  const std::vector<Sight>& sights,
+                                  const std::vector<VisibleSurface>& surfaces,
                                   const image::Image& image) {
   const int materials = static_cast<int>(probe.scene.materials.size());
   ProbeFindings findings;
   std::vector<Suspect> suspects;
-  for_each_pixel(image, sights, [&](int x, int y, std::span<const Sight> here, const Rgb& colour) {
+  for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
     const auto thing = only_thing(here);
     if (!thing || *thing == kNoThing || *thing >= materials) return;
-    const auto u = fraction(here, &Sight::u);
-    const auto v = fraction(here, &Sight::v);
+    const auto u = fraction(here, &VisibleSurface::u);
+    const auto v = fraction(here, &VisibleSurface::v);
     if (!u || !v) return;
     ++findings.compared;
     if (is_within(colour[0], *u) && is_within(colour[1], *v)) return;

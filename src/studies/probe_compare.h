@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/image.h"
+#include "studies/primary_visibility.h"
 #include "studies/probe_scene.h"
-#include "studies/sights.h"
 
 #include <string>
 #include <vector>
@@ -23,16 +23,16 @@ struct ProbeFindings {
   std::vector<Mismatch> mismatches;  // the worst first
 };
 
-/// Compares the image of coloured_by_thing. A pixel counts where all its sights see one thing, so that a
+/// Compares the image of coloured_by_thing. A pixel counts where all its surfaces see one thing, so that a
 /// filter of one pixel can only give that thing's colour.
 ProbeFindings compare_things(const ProbeScene& probe,
-                             const std::vector<Sight>& sights,
+                             const std::vector<VisibleSurface>& surfaces,
                              const image::Image& image);
 
-/// Compares the image of coloured_by_coordinates, where the coordinates of a pixel's sights stay within one
+/// Compares the image of coloured_by_coordinates, where the coordinates of a pixel's surfaces stay within one
 /// period of the ramp and do not change too fast.
 ProbeFindings compare_coordinates(const ProbeScene& probe,
-                                  const std::vector<Sight>& sights,
+                                  const std::vector<VisibleSurface>& surfaces,
                                   const image::Image& image);
 
 }  // namespace orbs::studies

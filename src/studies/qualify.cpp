@@ -11,7 +11,7 @@
 #include "runner/provenance.h"
 #include "runner/qualified.h"
 #include "runner/summary.h"
-#include "studies/gate_trial.h"
+#include "studies/mutation_test.h"
 
 #include <algorithm>
 #include <map>
@@ -72,7 +72,7 @@ void render_without_lights(Work& work) {
 }
 
 // Throws InputError where there is none that could be judged.
-Image honest_target(const Work& work, const Subject& subject) {
+Image control_target(const Work& work, const Subject& subject) {
   for (const auto& target : work.run.targets) {
     if (target.renderer != work.settings.renderer || target.case_name != subject.one_case->name ||
         target.target != subject.target)
@@ -94,18 +94,18 @@ std::string why_not_dark(const Work& work, const std::string& target) {
 
 GateRecord tried_gate(const Work& work, const Subject& subject) {
   static const std::vector<MissingLight> kNone;
-  const auto honest = honest_target(work, subject);
+  const auto control = control_target(work, subject);
   auto reference = runner::load_reference(*subject.one_case, subject.target, work.plan.suite.references,
                                           work.plan.reference_hashes);
   if (!reference.image) throw InputError(reference.problem);
-  const auto seed = runner::provenance_of(honest)["seed"];
+  const auto seed = runner::provenance_of(control)["seed"];
   if (!seed.empty() && runner::provenance_of(*reference.image)["seed"] == seed)
     throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
   const auto dark = work.dark.find(subject.target);
-  auto gate = try_gate({*subject.one_case, subject.target, reference, honest, work.references,
+  auto gate = try_gate({*subject.one_case, subject.target, reference, control, work.references,
                         dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.target)});
   for (const char* key : {"program", "version", "spp", "seed"})
-    gate.honest[key] = runner::provenance_of(honest)[key];
+    gate.control[key] = runner::provenance_of(control)[key];
   return gate;
 }
 
@@ -116,7 +116,7 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
   } catch (const InputError& e) {
     gate.case_name = subject.one_case->name;
     gate.target = subject.target;
-    gate.honest_reason = fmt::format("not tried: {}", e.what());
+    gate.control_reason = fmt::format("not tried: {}", e.what());
   }
   gate.judged_by = runner::gate_hash(*subject.one_case, subject.target, work.plan.suite.references);
   gate.provenance = {{"program", "orbs"},

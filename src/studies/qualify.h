@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-/// Can a gate fail? Gives honest images every usual fault and looks whether the gate of their case rejects
-/// each of these twins and accepts the honest one; and finds how small a fault may be.
+/// Can a gate fail? Gives control images every usual fault and looks whether the gate of their case rejects
+/// each of these mutants and accepts the control image; and finds how small a fault may be.
 namespace orbs::studies {
 
 struct QualifySettings {
-  std::string renderer = "orbs";  // whose images in the run are the honest ones
+  std::string renderer = "orbs";  // whose images in the run are the control images
   /// Of the samples of the case, for the renders without one of the lights: what is missing then is large.
   double missing_light_spp_scale = 0.125;
 };
@@ -25,7 +25,7 @@ struct QualifyContext {
   std::function<void(const std::string&)> say;
 };
 
-/// One record for each image of the plan's cases, in their order. The honest images are those of `run`,
+/// One record for each image of the plan's cases, in their order. The control images are those of `run`,
 /// whose folder must be there; their seed is another than that of the references. The plan's first renderer
 /// renders the scenes without a light. Only whole records: fewer when the user interrupts.
 std::vector<results::GateRecord> qualify(const runner::Plan& plan,

@@ -15,8 +15,8 @@ struct SeedNoise {
 };
 
 inline constexpr std::string_view kRelativeMseDefinition =
-    "mean over the channels R, G, B of all pixels of s^2 / (m^2 + 0.01); s^2: unbiased variance over seeds "
-    "of the linear Rec.709 value; m: mean of the images of all renderers and seeds";
+    "mean over the channels R, G, B of all pixels of s^2 / (m^2 + 0.01); s^2: unbiased variance over "
+    "seeds of the linear Rec.709 value; m: mean of the images of all renderers and seeds";
 inline constexpr std::string_view kSeedPsnrDefinition =
     "10 log10(255^2 / (MSE / 2)); MSE: that of psnr_srgb8 between images of two seeds, of which each has "
     "half, mean over successive seeds";

@@ -26,8 +26,18 @@ std::map<std::string, std::string> lines_of(std::string_view text) {
 
 std::string report_text(const Report& report) {
   return fmt::format(
-      "start_error {}\ncause {}\nexit_code {}\nsignal {}\ncore_dumped {}\nwall_seconds {}\nuser_seconds {}\n"
-      "system_seconds {}\npeak_rss_bytes {}\nleft_behind {}\nsupervisor_cpu_seconds {}\n{}\n",
+      "start_error {}\n"
+      "cause {}\n"
+      "exit_code {}\n"
+      "signal {}\n"
+      "core_dumped {}\n"
+      "wall_seconds {}\n"
+      "user_seconds {}\n"
+      "system_seconds {}\n"
+      "peak_rss_bytes {}\n"
+      "left_behind {}\n"
+      "supervisor_cpu_seconds {}\n"
+      "{}\n",
       report.start_error, static_cast<int>(report.cause), report.exit_code, report.signal,
       static_cast<int>(report.core_dumped), report.wall_seconds, report.user_seconds, report.system_seconds,
       report.peak_rss_bytes, report.left_behind, report.supervisor_cpu_seconds, kLastLine);

@@ -13,7 +13,7 @@ struct Preparation {
   const scene::Scene& scene;
   World& world;
 
-  Colour colour(const scene::Rgb& rgb, const std::optional<scene::SpectrumUse>& spectrum) const {
+  Colour colour(const scene::RgbColour& rgb, const std::optional<scene::SpectrumUse>& spectrum) const {
     return {cast<float>(rgb), add_spectrum(scene, spectrum, world)};
   }
 
@@ -99,7 +99,7 @@ void add_materials(const scene::Scene& scene, World& world) {
 }
 
 int add_spectrum(const scene::Scene& scene, const std::optional<scene::SpectrumUse>& use, World& world) {
-  if (!use || world.transport == scene::LightTransport::Colour) return -1;
+  if (!use || world.transport == scene::LightTransport::Rgb) return -1;
   world.spectra.push_back(
       spectra::scaled(scene.spectra[static_cast<std::size_t>(use->spectrum)].spectrum, use->scale));
   return static_cast<int>(world.spectra.size()) - 1;

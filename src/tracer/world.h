@@ -122,8 +122,8 @@ struct PinholeCamera {
 
 struct World {
   PinholeCamera camera;
-  scene::LightTransport transport = scene::LightTransport::Colour;  // what its paths carry
-  bool has_interfaces = false;                                      // materials beyond ORB.S
+  scene::LightTransport transport = scene::LightTransport::Rgb;  // what its paths carry
+  bool has_interfaces = false;                                   // materials beyond ORB.S
   bool wants_stokes = false;
   Radiance environment;
   int trace_depth = 1;

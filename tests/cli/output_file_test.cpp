@@ -12,8 +12,8 @@ namespace {
 const std::vector<std::vector<std::string>> kCommands{
     {"probe", "-r", "orbs", "-s", "078-remap", "--size", "16", "--spp", "1"},
     {"bench", "--only", "orbs", "--size", "16", "--spp", "2", "--rounds", "1"},
-    {"effects", "iridescent_spheres_film", "--suite", "appearance", "--size", "16", "--spp", "8"},
-    {"qualify", "honest", "-r", "orbs", "-s", "078-remap"}};
+    {"effect-cost", "iridescent_spheres_film", "--suite", "appearance", "--size", "16", "--spp", "8"},
+    {"qualify", "control", "-r", "orbs", "-s", "078-remap"}};
 
 // The message for the output `file`, "" for a command that has begun to work.
 std::string refusal_of(const Sandbox& sandbox, std::vector<std::string> words, const std::string& file) {

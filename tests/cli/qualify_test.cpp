@@ -9,8 +9,8 @@ using cli_tests::Sandbox;
 
 TEST(QualifyCommand, LeavesWhatTheGatesSeeForTheNextRun) {
   const Sandbox sandbox;
-  EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"}).status, 0);
-  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"}).status, 0);
+  const auto answer = sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("2 of 2 gates are qualified"), std::string::npos) << answer.text;
   EXPECT_NE(answer.text.find("'R and G swapped' is no fault here: it leaves the reference as it is"),
@@ -28,39 +28,39 @@ TEST(QualifyCommand, FailsForAGateThatCannot) {
   "typical_mistake": "m", "gate": {"metric": "l1", "max": 100}, "mean_ratio": 1, "tile_ratio": 1,
   "tolerance_reason": "a gate that cannot fail",
   "scenes": [{"name": "grey", "file": "grey.json", "spp": 8}, {"name": "v1.5", "file": "grey.json", "spp": 8}]})");
-  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
-  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"});
+  const auto answer = sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("m1_grey grey: '+2 % light' is not rejected: pass"), std::string::npos)
       << answer.text;
 }
 
-TEST(QualifyCommand, NeedsAnHonestImage) {
+TEST(QualifyCommand, NeedsAControlImage) {
   const Sandbox sandbox;
   sandbox.orbs({"run", "-r", "exit3", "-c", "m1_grey", "-o", "broken"});
   const auto answer = sandbox.orbs({"qualify", "broken", "-r", "exit3", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 1) << answer.text;
-  EXPECT_NE(answer.text.find("an honest image is not accepted: not tried"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("a control image is not accepted: not tried"), std::string::npos) << answer.text;
 }
 
 // Noise that both share cancels in the comparison: every gate would accept such an image.
 TEST(QualifyCommand, TakesNoImageWithTheSeedOfTheReference) {
   const Sandbox sandbox;
-  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
-  for (const auto& file : {"references/grey.exr", "honest/good/grey/result.exr"}) {
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"});
+  for (const auto& file : {"references/grey.exr", "control/good/grey/result.exr"}) {
     auto image = image::read_image(sandbox.folder() / file);
     image.attributes["orbs.seed"] = "7";
     image::write_exr(image, sandbox.folder() / file);
   }
-  const auto answer = sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey", "-s", "grey"});
+  const auto answer = sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey", "-s", "grey"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("its image has the seed of the reference"), std::string::npos) << answer.text;
 }
 
 TEST(QualifyCommand, AChangedCaseIsNotShownWithOldNumbers) {
   const Sandbox sandbox;
-  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "honest"});
-  sandbox.orbs({"qualify", "honest", "-r", "good", "-c", "m1_grey"});
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"});
+  sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey"});
   sandbox.write("cases/m1_grey/case.json", sandbox.read("cases/m1_grey/case.json") + "\n");
   sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "next"});
   EXPECT_NE(sandbox.read("next/results.json").find("not known since the case or a reference changed"),

@@ -231,8 +231,8 @@ TEST(Reference, IsNotRenderedByTwoCallsAtOnce) {
     }
   };
   EXPECT_EQ(scene.render("test", call_again), 0);
-  EXPECT_TRUE(contains(refusal, fmt::format("another call, of process {}, renders this reference; wait for "
-                                            "its end, or stop it",
+  EXPECT_TRUE(contains(refusal, fmt::format("another call, of process {}, renders this reference; wait "
+                                            "for its end, or stop it",
                                             ::getpid())))
       << refusal;
   EXPECT_TRUE(contains(refusal, (scene.sandbox.folder() / "references/grey.exr").string())) << refusal;

@@ -142,7 +142,7 @@ TEST(MitsubaAppearance, ARoughDielectricHasBothIndicesAndIsDrawnInThreeColours) 
   EXPECT_EQ(read.surfaces.at("material0").words,
             (std::map<std::string, std::string>{
                 {"distribution", "ggx"}, {"alpha", "0.2"}, {"int_ior", "1.5046"}, {"ext_ior", "1.000277"}}));
-  EXPECT_EQ(read.lights.at(0).radiance, (scene::Rgb{5, 5, 5}));
+  EXPECT_EQ(read.lights.at(0).radiance, (scene::RgbColour{5, 5, 5}));
 }
 
 // u of the sheet's texture coordinates is the direction that Mitsuba's polariser transmits.

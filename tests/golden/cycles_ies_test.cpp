@@ -49,7 +49,8 @@ std::string grid_in_python(const std::string& text) {
                   "import sys; sys.path.insert(0, sys.argv[1]); import cycles_ies as ies\n"
                   "profile = ies.parse_ies(open(sys.argv[2]).read()); grid = ies.regular_grid(profile)\n"
                   "at = lambda c, r: grid.values[r * grid.columns + c] * profile.max_candela\n"
-                  "for c in range(grid.columns): print(*(f'{at(c, r):.9f}' for r in (0, grid.rows - 1)))\n",
+                  "for c in range(grid.columns): print(*(f'{at(c, r):.9f}' for r in (0, grid.rows - "
+                  "1)))\n",
                   ORBS_SOURCE_DIR "/adapters",
                   (folder.path() / "lamp.ies").string()};
   request.environment = {"PATH=/usr/bin:/bin"};

@@ -189,7 +189,7 @@ TEST_P(Exported, UprightImageAndMirroredThingsReadBack) {
   expect_same_camera(scene, read);
   expect_same_lights(scene, read);
   expect_same_surfaces(scene, read);
-  EXPECT_EQ(read.emission.at("material0"), (scene::Rgb{1, 2, 3}));
+  EXPECT_EQ(read.emission.at("material0"), (scene::RgbColour{1, 2, 3}));
 }
 
 TEST_P(Exported, SameSceneGivesTheSameText) {

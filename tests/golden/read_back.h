@@ -34,7 +34,7 @@ struct ReadSurface {
 };
 
 struct ReadLight {
-  scene::Rgb radiance;
+  scene::RgbColour radiance;
   ReadSpectrum spectrum;                    // in the place of radiance; a flat 1 has Y = 1
   std::optional<ReadSpectrum> reflectance;  // where it is given as a spectrum
   double area_m2 = 0;
@@ -51,14 +51,14 @@ struct ReadScene {
   int height_px = 0;
   int trace_depth = 0;
   bool mirrored_x = false;  // pbrt's Scale -1 1 1
-  scene::Rgb environment;
+  scene::RgbColour environment;
   ReadSpectrum environment_spectrum;  // as that of a light
   bool has_stokes = false;
   std::map<std::string, ReadSurface> surfaces;  // by "material<index>"
   /// For each triangle of a material without a texture, in the world: the direction in which u grows.
   std::map<std::string, std::vector<Vec3d>> u_directions;
-  std::map<std::string, Moments> materials;    // by "material<index>"
-  std::map<std::string, scene::Rgb> emission;  // of those that emit
+  std::map<std::string, Moments> materials;          // by "material<index>"
+  std::map<std::string, scene::RgbColour> emission;  // of those that emit
   std::vector<ReadLight> lights;
 };
 

@@ -147,7 +147,7 @@ ReadSpectrum emitted(const Element& e) {
   return spectrum_of(e, 106.856917 / 106.7502593994140625);
 }
 
-void read_radiance(const Element& emitter, scene::Rgb& radiance, ReadSpectrum& spectrum) {
+void read_radiance(const Element& emitter, scene::RgbColour& radiance, ReadSpectrum& spectrum) {
   const Element& e = *emitter.named("radiance");
   if (e.name == "spectrum")
     spectrum = emitted(e);

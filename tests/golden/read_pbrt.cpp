@@ -17,7 +17,7 @@ struct State {
   Mat4 place;
   std::string material;
   bool is_lamp = false;
-  scene::Rgb radiance;
+  scene::RgbColour radiance;
   ReadSpectrum spectrum;
   bool two_sided = false;
 };
@@ -161,7 +161,7 @@ class PbrtReader {
     return out;
   }
   // pbrt divides a light's spectrum by its luminance, then multiplies it by `scale`.
-  static void radiance(const Parameters& given, scene::Rgb& colour, ReadSpectrum& spectrum) {
+  static void radiance(const Parameters& given, scene::RgbColour& colour, ReadSpectrum& spectrum) {
     if (given.contains("rgb L")) {
       colour = vec3(given.at("rgb L"));
       return;

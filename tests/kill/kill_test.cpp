@@ -138,7 +138,7 @@ TEST(Kill, AHundredTimesAtRandomMomentsLosesNothing) {
   run_and_kill(sandbox, 60000);
   expect_complete(sandbox, image);
   std::cout << fmt::format(
-      "{} kills; {} whole renders were found after them, none torn; {} runs of {} renders were completed, "
-      "none with one missing or twice\n",
+      "{} kills; {} whole renders were found after them, none torn; {} runs of {} renders were "
+      "completed, none with one missing or twice\n",
       kills, kept, complete + 1, kScenes);
 }

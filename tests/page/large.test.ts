@@ -27,17 +27,17 @@ function requestsForData(page: Page): string[] {
   return asked;
 }
 
-test("the overview of 10 000 cells builds only what is in sight", async () => {
+test("the overview of 10 000 cells builds only what is in surface", async () => {
   const { page, errors } = await open(browser, `${served.url}#/?by=target`);
   await page.waitForFunction(() => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "1001");
   const asked = requestsForData(page);
   const built = () => page.evaluate(() => document.querySelectorAll("*").length);
   // 40 rows of 22 px fill the window; ten cells and a heading each, some elements a cell.
-  assert.ok((await page.locator(".row").count()) < 100, "only the rows in sight are there");
+  assert.ok((await page.locator(".row").count()) < 100, "only the rows in surface are there");
   assert.ok((await built()) < 10000, `${await built()} elements`);
   await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
   await page.waitForFunction(() => document.querySelector('[aria-rowindex="1001"]'));
-  assert.ok((await page.locator(".row").count()) < 100, "rows out of sight are gone");
+  assert.ok((await page.locator(".row").count()) < 100, "rows out of surface are gone");
   await page.locator(".search input").fill("scene-777");
   await page.waitForFunction(() => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "2");
   assert.deepEqual(asked, [], "scrolling and searching ask the server nothing");

@@ -58,7 +58,7 @@ double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners) {
   return std::abs(sum) / (2 * std::numbers::pi);
 }
 
-scene::Scene lamp_in_mirror(scene::Rgb reflectance) {
+scene::Scene lamp_in_mirror(scene::RgbColour reflectance) {
   auto scene = empty_scene(9, 9, 60);
   scene.trace_depth = 2;
   add_instance(scene, quad({-9, -9, -2}, {18, 0, 0}, {0, 18, 0}),

@@ -74,7 +74,7 @@ double polygon_factor(Vec3d receiver, const std::array<Vec3d, 4>& corners);
 
 /// A lamp of radiance 2 behind the camera, to the right, and a mirror before it that fills the image of 9 x
 /// 9 pixels: L = R L_e exactly, left and right exchanged.
-scene::Scene lamp_in_mirror(scene::Rgb reflectance);
+scene::Scene lamp_in_mirror(scene::RgbColour reflectance);
 
 /// A ball of glass in a uniform environment of radiance 1. No absorption: it cannot be told from nothing, at
 /// any angle, once enough interreflections are followed.

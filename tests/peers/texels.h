@@ -19,7 +19,7 @@ struct Look {
   scene::Wrap wrap_v = scene::Wrap::Repeat;
   Mat4 matrix{};
   bool as_float = false;
-  scene::Rgb tint{1, 1, 1};
+  scene::RgbColour tint{1, 1, 1};
   Mat4 place{};  // of the instance, which must not move the image on the surface
 };
 

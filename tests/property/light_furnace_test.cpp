@@ -64,7 +64,7 @@ double largest_degree_of_polarisation(const image::Image& image) {
 TEST(LightFurnace, ASmoothGlassBallOfOneIndexIsNotThereAtAll) {
   const auto empty = scene_of(kBall, R"("environment": [1, 1, 1], "materials": [])");
   for (const auto transport :
-       {scene::LightTransport::Colour, scene::LightTransport::Spectral, scene::LightTransport::Bispectral}) {
+       {scene::LightTransport::Rgb, scene::LightTransport::Spectral, scene::LightTransport::Bispectral}) {
     const auto bare = image_of(empty, 4, with(transport));
     const auto glass = image_of(ball(R"("type": "dielectric", "index": 1.5)"), 4, with(transport));
     for (int y = 0; y < bare.height; ++y)
@@ -206,8 +206,8 @@ TEST(LightFurnace, RoughGlassShowsWhatItsFacetsSee) {
               meshes({square({0, 0, 0}, {0, 0, 1}, 1, "m")})),
           "1");
       const double expected = radiance_by_quadrature(glass, 0.5, is_outside ? 1.5 : 1 / 1.5);
-      for (const auto transport : {scene::LightTransport::Colour, scene::LightTransport::Spectral,
-                                   scene::LightTransport::Polarised}) {
+      for (const auto transport :
+           {scene::LightTransport::Rgb, scene::LightTransport::Spectral, scene::LightTransport::Polarised}) {
         const auto image = image_of(text, 1024, with(transport));
         const double error = error_of_mean(image, 1);
         EXPECT_NEAR(mean_of_channel(image, 1), expected, 4 * error + 1e-4 * expected)
@@ -231,7 +231,7 @@ TEST(LightFurnace, RoughMetalShowsWhatItsFacetsSee) {
         "1");
     const double expected = radiance_by_quadrature(metal, 0.5, {2.9, 3.0});
     for (const auto transport :
-         {scene::LightTransport::Colour, scene::LightTransport::Spectral, scene::LightTransport::Polarised}) {
+         {scene::LightTransport::Rgb, scene::LightTransport::Spectral, scene::LightTransport::Polarised}) {
       const auto image = image_of(text, 256, with(transport));
       const double error = error_of_mean(image, 1);
       EXPECT_NEAR(mean_of_channel(image, 1), expected, 4 * error + 1e-4 * expected)

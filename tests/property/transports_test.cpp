@@ -94,7 +94,7 @@ namespace {
 std::string busy_scene(LightTransport transport) {
   std::string materials =
       R"({"name": "floor", "type": "lambert", "reflectance": [0.7, 0.6, 0.5]}, {"name": "a", "type": "ggx", "colour": [0.8, 0.8, 0.8], "alpha": 0.2})";
-  if (transport == LightTransport::Colour)
+  if (transport == LightTransport::Rgb)
     materials +=
         R"(, {"name": "b", "type": "dielectric", "index": 1.5, "alpha": 0.1}, {"name": "c", "type": "glass", "ior": 1.3})";
   else
@@ -209,16 +209,15 @@ TEST(RicherTransports, ATransportThatLacksWhatTheSceneCallsForIsRefused) {
   const auto polariser = text(R"("type": "polariser", "axis": [1, 0, 0])");
   const auto fluorescent = text(
       R"("type": "fluorescent", "reflectance": [0, 0, 0], "reradiation": {"first_nm": 400, "width_nm": 50, "bins": 2, "shares": [[0, 0], [1, 0]]})");
-  EXPECT_EQ(
-      refusal(text(R"("type": "dielectric", "index": {"cauchy": [1.5, 0.01]})"), LightTransport::Colour),
-      "scene 'test' calls for spectral transport because material 'm' has an index that varies by 0.0966, "
-      "which rgb transport does not have");
+  EXPECT_EQ(refusal(text(R"("type": "dielectric", "index": {"cauchy": [1.5, 0.01]})"), LightTransport::Rgb),
+            "scene 'test' calls for spectral transport because material 'm' has an index that varies by "
+            "0.0966, which rgb transport does not have");
   EXPECT_EQ(refusal(polariser, LightTransport::Bispectral),
             "scene 'test' calls for polarised transport because material 'm' is a polariser, which "
             "bispectral transport does not have");
   EXPECT_EQ(refusal(fluorescent, LightTransport::Polarised),
-            "scene 'test' calls for bispectral transport because material 'm' turns light of 400 to 450 nm "
-            "into light of 450 to 500 nm, which polarised transport does not have");
+            "scene 'test' calls for bispectral transport because material 'm' turns light of 400 to 450 "
+            "nm into light of 450 to 500 nm, which polarised transport does not have");
   EXPECT_EQ(refusal(polariser, LightTransport::PolarisedBispectral), "");
   EXPECT_EQ(refusal(fluorescent, LightTransport::PolarisedBispectral), "");
 }

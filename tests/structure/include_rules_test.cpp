@@ -113,10 +113,12 @@ std::vector<std::string> breaches(const fs::path& src) {
 
 // A house of three rooms for showing that a breach is seen.
 void write_small_house(const TestFolder& scratch) {
-  scratch.write(
-      "CMakeLists.txt",
-      "orbs_module(base PACKAGES Threads::Threads)\norbs_module(json USES base)  # text\n"
-      "orbs_module(tracer USES base\n  PACKAGES embree)\norbs_program(p tracer/p_main.cpp USES base json)\n");
+  scratch.write("CMakeLists.txt",
+                "orbs_module(base PACKAGES Threads::Threads)\n"
+                "orbs_module(json USES base)  # text\n"
+                "orbs_module(tracer USES base\n"
+                "  PACKAGES embree)\n"
+                "orbs_program(p tracer/p_main.cpp USES base json)\n");
   scratch.write("json/read.h", "#include \"base/text.h\"\n#include <nlohmann/json.hpp>\n");
   scratch.write("tracer/p_main.cpp", "#include \"json/read.h\"\n#include \"tracer/trace.h\"\n");
 }
@@ -153,8 +155,8 @@ TEST(IncludeRules, EachBreachIsNamedWithFileAndLine) {
   scratch.write("tracer/trace.h", "#include <vector>\n#  include <nlohmann/json_fwd.hpp>\n");
   scratch.write("shed/tool.cpp", "");
   EXPECT_EQ(orbs::structure::joined(breaches(scratch.path())),
-            "base/text.h:2: src/base may not include \"json/read.h\": its USES list in src/CMakeLists.txt "
-            "has no json\n"
+            "base/text.h:2: src/base may not include \"json/read.h\": its USES list in "
+            "src/CMakeLists.txt has no json\n"
             "shed/tool.cpp:1: no orbs_module of src/CMakeLists.txt holds this file\n"
             "tracer/trace.h:2: <nlohmann/json_fwd.hpp> may be included only in src/json\n");
 }

@@ -40,9 +40,15 @@ TEST(Snippets, AnyOtherIncludeIsNamed) {
   const TestFolder scratch("snippets");
   scratch.write("b.h", "#pragma once\n");
   scratch.write("a.h",
-                "#include <cmath>\n#include \"b.h\"\n#include \"c.h\"\n#include \"base/vec.h\"\n"
-                "#include <fmt/format.h>\n#include <math.h>\n");
+                "#include <cmath>\n"
+                "#include \"b.h\"\n"
+                "#include \"c.h\"\n"
+                "#include \"base/vec.h\"\n"
+                "#include <fmt/format.h>\n"
+                "#include <math.h>\n");
   EXPECT_EQ(orbs::structure::joined(foreign_includes(scratch.path())),
-            "a.h:3: #include \"c.h\"\na.h:4: #include \"base/vec.h\"\na.h:5: #include <fmt/format.h>\n"
+            "a.h:3: #include \"c.h\"\n"
+            "a.h:4: #include \"base/vec.h\"\n"
+            "a.h:5: #include <fmt/format.h>\n"
             "a.h:6: #include <math.h>\n");
 }

@@ -53,9 +53,8 @@ TEST(MetricsAlignment, BadPixelsAreCountedByKindAndTheFirstIsShown) {
   EXPECT_EQ(report.result.infinite, 2U);
   EXPECT_EQ(report.result.negative, 2U);
   EXPECT_EQ(report.reason,
-            "the result has pixels with bad numbers: 1 with NaN, 2 infinite, 2 negative; the first at (4, "
-            "2), channel G, "
-            "value nan");
+            "the result has pixels with bad numbers: 1 with NaN, 2 infinite, 2 negative; the first at "
+            "(4, 2), channel G, value nan");
 }
 
 TEST(MetricsAlignment, ABadReferenceIsNoBetterThanABadResult) {
@@ -65,9 +64,8 @@ TEST(MetricsAlignment, ABadReferenceIsNoBetterThanABadResult) {
   const auto report = check_alignment(result, reference);
   EXPECT_EQ(report.alignment, Alignment::InvalidPixels);
   EXPECT_EQ(report.reason,
-            "the reference has pixels with bad numbers: 0 with NaN, 1 infinite, 0 negative; the first at (3, "
-            "3), channel B, "
-            "value inf");
+            "the reference has pixels with bad numbers: 0 with NaN, 1 infinite, 0 negative; the first at "
+            "(3, 3), channel B, value inf");
 }
 
 TEST(MetricsAlignment, NegativePixelsAreAFaultUnlessAllowedAndCountedInBothCases) {

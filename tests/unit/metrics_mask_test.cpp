@@ -53,10 +53,9 @@ TEST(MetricsMask, BytesAndRectanglesAddUp) {
 }
 
 TEST(MetricsMask, WhatDoesNotFitTheImageIsRefused) {
-  EXPECT_EQ(
-      error_of({{{2, 1, 9, 4}}, {}}),
-      "the masked rectangle [2, 1, 9, 4] is not inside the 8 x 6 px image; expected [x0, y0, x1, y1] with "
-      "0 <= x0 < x1 <= 8 and 0 <= y0 < y1 <= 6");
+  EXPECT_EQ(error_of({{{2, 1, 9, 4}}, {}}),
+            "the masked rectangle [2, 1, 9, 4] is not inside the 8 x 6 px image; expected [x0, y0, x1, y1] "
+            "with 0 <= x0 < x1 <= 8 and 0 <= y0 < y1 <= 6");
   for (const Rectangle& r :
        {Rectangle{-1, 0, 2, 2}, Rectangle{3, 3, 3, 4}, Rectangle{0, 5, 1, 4}, Rectangle{0, 0, 1, 7}})
     EXPECT_NE(error_of({{r}, {}}), "no error");

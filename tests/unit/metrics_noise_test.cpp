@@ -94,14 +94,14 @@ int false_alarms(const Light& light, int images, bool exact_reference = false) {
 }  // namespace
 
 // 1 in 1000 is promised. 300 images then have more than 3 with probability 3e-4; the seeds are fixed.
-TEST(NoiseTest, HonestSeedsAreNotCalledBiased) {
+TEST(NoiseTest, UnbiasedSeedsAreNotCalledBiased) {
   EXPECT_LE(false_alarms(from_half_to_three_halves, 300), 3);
   EXPECT_LE(false_alarms(penumbra, 300), 3);
   EXPECT_LE(false_alarms(from_half_to_three_halves, 300, /*exact_reference=*/true), 3);
 }
 
 // Most results have seen too few fireflies, and their own variance with them; the reference knows better.
-TEST(NoiseTest, HonestSeedsWithFirefliesAreNotCalledBiased) { EXPECT_LE(false_alarms(fireflies, 300), 3); }
+TEST(NoiseTest, UnbiasedSeedsWithFirefliesAreNotCalledBiased) { EXPECT_LE(false_alarms(fireflies, 300), 3); }
 
 // Standard deviation of one pixel: 1/sqrt(12) / sqrt(16) = 7 % of the mean. The mean of 64^2 of them has 0.11
 // %, so 1 % is nine of its standard deviations, and t for 1 in 9000 is four.

@@ -22,11 +22,11 @@ std::vector<results::GateRecord> stored_gates() {
 
 }  // namespace
 
-TEST(StoredQualification, EveryGateAcceptsAnHonestImageAndRejectsEveryFault) {
+TEST(StoredQualification, EveryGateAcceptsAControlImageAndRejectsEveryFault) {
   const auto gates = stored_gates();
   EXPECT_GT(gates.size(), 40U);
   for (const auto& gate : gates) {
-    EXPECT_TRUE(gate.accepts_honest) << gate.target << ": " << gate.honest_reason;
+    EXPECT_TRUE(gate.accepts_control) << gate.target << ": " << gate.control_reason;
     EXPECT_TRUE(results::is_qualified(gate)) << gate.case_name << " " << gate.target;
   }
 }

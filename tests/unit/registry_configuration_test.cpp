@@ -145,10 +145,9 @@ TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
   EXPECT_EQ(
       message_of(with_renderer(
           R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{out}", "{output}"])")),
-      "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean 'root'?); "
-      "known are: aa_grid, "
-      "build, executable, "
-      "folder, height, output, root, scene, seed, spp, threads, trace_depth, transport, width");
+      "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean "
+      "'root'?); known are: aa_grid, build, executable, folder, height, output, root, scene, seed, spp, "
+      "threads, trace_depth, transport, width");
 }
 
 TEST(Configuration, WordsForTransportsAreTextsThatAreNotEmpty) {
@@ -192,10 +191,9 @@ TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
     const auto text = message_of(with_renderer(kRenderer + R"(, "render_seconds": {)" + members + "}"));
     return text.substr(text.find("/renderers"));
   };
-  EXPECT_EQ(
-      problem(R"x("pattern": "t", "file": "f")x"),
-      "/renderers/0/render_seconds: needs either 'pattern', for the renderer's output, or 'file' and 'key', "
-      "for a JSON file");
+  EXPECT_EQ(problem(R"x("pattern": "t", "file": "f")x"),
+            "/renderers/0/render_seconds: needs either 'pattern', for the renderer's output, or 'file' and "
+            "'key', for a JSON file");
   EXPECT_EQ(
       problem(R"x("pattern": "took")x"),
       "/renderers/0/render_seconds/pattern: has 0 groups in parentheses, needs 1 (seconds), 2 (minutes, "

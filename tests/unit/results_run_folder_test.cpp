@@ -63,7 +63,7 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
   run.targets[0].measures[0].value = std::numeric_limits<double>::infinity();
   run.requirements[0].cells["one"] = {true, Verdict::Pass, std::numeric_limits<double>::infinity(), "s"};
   run.scenes.push_back({"s", "spectral", {{"dispersion", "material 'm'", "has"}}, {{"spectral", "x", "y"}}});
-  run.scenes.back().prices.push_back({"polarised", 1.4, 0, "same to the bit"});
+  run.scenes.back().effect_costs.push_back({"polarised", 1.4, 0, "same to the bit"});
   run.finished = false;
   scratch.write("again.json", run_json(run));
   EXPECT_EQ(run_json(read_results_file(scratch.path() / "again.json")), run_json(run));

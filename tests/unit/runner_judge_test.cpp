@@ -359,12 +359,11 @@ TEST(Reference, OfAnotherVersionOfItsSceneIsNone) {
   EXPECT_TRUE(runner::load_reference(one_case(), "a", scratch.path(), {{"a", "1234"}}).image);
   const auto old = runner::load_reference(one_case(), "a", scratch.path(), {{"a", "5678"}});
   EXPECT_FALSE(old.image);
-  EXPECT_EQ(
-      old.problem,
-      fmt::format("scene 'a' has changed since its reference was rendered: its hash is now 5678, the "
-                  "provenance in {} says 1234; 'orbs reference --scene a --accept \"why it has changed\"' "
-                  "renders it again",
-                  (scratch.path() / "a.exr").string()));
+  EXPECT_EQ(old.problem,
+            fmt::format("scene 'a' has changed since its reference was rendered: its hash is now 5678, the "
+                        "provenance in {} says 1234; 'orbs reference --scene a --accept \"why it has "
+                        "changed\"' renders it again",
+                        (scratch.path() / "a.exr").string()));
   // One without a provenance record is taken at its word.
   EXPECT_TRUE(runner::load_reference(one_case(), "b", scratch.path(), {{"b", "5678"}}).image);
 }

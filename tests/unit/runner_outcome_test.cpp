@@ -191,8 +191,8 @@ TEST_F(OutcomeTest, BadNumbersAreCountedWithThePlaceOfTheFirst) {
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
   EXPECT_EQ(outcome().reason,
-            "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan; all lie "
-            "in [3,2,4,3]");
+            "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan; all "
+            "lie in [3,2,4,3]");
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::infinity());
   EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
   write(4, 3, {"R", "G", "B"}, -1.0F);

@@ -142,7 +142,7 @@ TEST(Effects, AMaterialThatNothingShowsCallsForNothing) {
   auto hidden = scene_of(R"("type": "polariser", "axis": [1, 0, 0])");
   hidden.instances[0].remap = {{0, 1}};
   const auto found = scene::effects(hidden);
-  EXPECT_EQ(scene::transport(found), LightTransport::Colour);
+  EXPECT_EQ(scene::transport(found), LightTransport::Rgb);
   ASSERT_EQ(found.not_called_for.size(), 1U);
   EXPECT_EQ(found.not_called_for[0].thing, "material 'm'");
   EXPECT_NE(found.not_called_for[0].reason.find("no surface shows it"), std::string::npos);
@@ -152,7 +152,7 @@ TEST(Effects, TheCheapestTransportThatHasThemAllIsChosen) {
   const std::string dye = tents(0.01);
   const std::string stokes = R"(, "outputs": {"stokes": true})";
   const auto transport_of = [](const scene::Scene& one) { return scene::transport(scene::effects(one)); };
-  EXPECT_EQ(transport_of(scene_of(kRed)), LightTransport::Colour);
+  EXPECT_EQ(transport_of(scene_of(kRed)), LightTransport::Rgb);
   EXPECT_EQ(transport_of(scene_of(R"("type": "dielectric", "index": {"cauchy": [1.5, 0.01]})")),
             LightTransport::Spectral);
   EXPECT_EQ(transport_of(scene_of(kRed, stokes)), LightTransport::Polarised);
@@ -166,7 +166,7 @@ TEST(Effects, ScenesOfOrbsCallForColoursAlone) {
        {"m8_smooth_glass/113.json", "l4_light_ies/250.json", "a4_paths_glossy_glass/a4-water.json"}) {
     if (!std::filesystem::exists(cases / file)) continue;
     const auto loaded = scene::load_scene(cases / file);
-    EXPECT_EQ(scene::transport(scene::effects(loaded)), LightTransport::Colour) << file;
+    EXPECT_EQ(scene::transport(scene::effects(loaded)), LightTransport::Rgb) << file;
   }
 }
 
@@ -174,7 +174,7 @@ TEST(Effects, ScenesOfOrbsCallForColoursAlone) {
 TEST(Effects, TheAppearanceSuiteCallsForWhatItTests) {
   const std::map<std::string, LightTransport> expected{
       {"e1_ggx_reflectance/ggx_copper_50", LightTransport::Spectral},
-      {"e1_ggx_reflectance/ggx_glass", LightTransport::Colour},
+      {"e1_ggx_reflectance/ggx_glass", LightTransport::Rgb},
       {"e2_spectral_accuracy/macbeth_chart_D65", LightTransport::Spectral},
       {"e3_polarisation/polarizing_plane_0", LightTransport::Polarised},
       {"e3_polarisation/polarizing_spheres", LightTransport::Polarised},
@@ -182,8 +182,8 @@ TEST(Effects, TheAppearanceSuiteCallsForWhatItTests) {
       {"e4_fluorescence/fluorescent_sphere_D65_plain", LightTransport::Spectral},
       {"e5_iridescence/iridescent_spheres_height", LightTransport::Spectral},
       {"e6_dispersion/prism_SF10", LightTransport::Spectral},
-      {"e6_dispersion/prism_achromatic", LightTransport::Colour},
-      {"e6_dispersion/caustic_diamond_achromatic", LightTransport::Colour}};
+      {"e6_dispersion/prism_achromatic", LightTransport::Rgb},
+      {"e6_dispersion/caustic_diamond_achromatic", LightTransport::Rgb}};
   for (const auto& [name, transport] : expected) {
     const auto file = std::filesystem::path(ORBS_SOURCE_DIR) / "data/cases/appearance" / (name + ".json");
     EXPECT_EQ(scene::transport(scene::effects(scene::load_scene(file))), transport) << name;

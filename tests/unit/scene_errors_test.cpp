@@ -263,10 +263,21 @@ TEST(BrokenMeshFile, AHundredThousandMaterialNamesAreReadAtOnce) {
 
 TEST(BrokenMeshFile, PlyIndicesAreWholeNumbers) {
   const std::string vertices =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-      "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
-      "property list uchar float vertex_indices\nend_header\n"
-      "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n";
+      "ply\n"
+      "format ascii 1.0\n"
+      "element vertex 3\n"
+      "property float x\n"
+      "property float y\n"
+      "property float z\n"
+      "property float nx\n"
+      "property float ny\n"
+      "property float nz\n"
+      "element face 1\n"
+      "property list uchar float vertex_indices\n"
+      "end_header\n"
+      "0 0 0 0 0 1\n"
+      "1 0 0 0 0 1\n"
+      "0 1 0 0 0 1\n";
   EXPECT_NE(file_error(".ply", vertices + "3 0 1 1.5\n")
                 .find("vertex index 1.5 is out of range or no whole number"),
             std::string::npos);
@@ -280,10 +291,18 @@ TEST(BrokenMeshFile, PlyHeadersAreNotBelieved) {
   EXPECT_NE(file_error(".ply", "ply\nformat binary_big_endian 1.0\nend_header\n")
                 .find("binary_big_endian is not supported"),
             std::string::npos);
-  EXPECT_NE(file_error(
-                ".ply",
-                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
-                "z\nproperty float nx\nproperty float ny\nproperty float nz\nend_header\n1 2 3 4 5 6 7")
+  EXPECT_NE(file_error(".ply",
+                       "ply\n"
+                       "format ascii 1.0\n"
+                       "element vertex 2\n"
+                       "property float x\n"
+                       "property float y\n"
+                       "property float z\n"
+                       "property float nx\n"
+                       "property float ny\n"
+                       "property float nz\n"
+                       "end_header\n"
+                       "1 2 3 4 5 6 7")
                 .find("ends within its data"),
             std::string::npos);
   EXPECT_NE(file_error(".ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n")

@@ -31,7 +31,8 @@ TEST(WithoutEffect, ASceneThatHasLostItCallsForItNoMore) {
   }
 }
 
-// The prism's twin of one index is frozen at 550 nm, this one at the d line: Schott quotes 1.72825 for SF10.
+// The prism's mutant of one index is frozen at 550 nm, this one at the d line: Schott quotes 1.72825 for
+// SF10.
 TEST(WithoutEffect, DispersionLeavesTheIndexThatIsUsuallyQuoted) {
   auto scene = appearance_scene("e6_dispersion/prism_SF10");
   scene::leave_out(Effect::Dispersion, scene);

@@ -30,12 +30,12 @@ scene::Scene two_boxes() {
 
 // What a renderer with a box filter would make of it.
 image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen) {
-  constexpr studies::SightGrid kGrid{8, -1.0 / 16};
+  constexpr studies::VisibilityGrid kGrid{8, -1.0 / 16};
   auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
-  const auto sights = studies::primary_sights(seen, kGrid, 1);
-  for (std::size_t i = 0; i < sights.size(); ++i) {
-    if (sights[i].thing == studies::kNoThing) continue;
-    const Vec3d c = probe.things[static_cast<std::size_t>(sights[i].thing)].radiance / 64.0;
+  const auto surfaces = studies::primary_visibility(seen, kGrid, 1);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].thing == studies::kNoThing) continue;
+    const Vec3d c = probe.things[static_cast<std::size_t>(surfaces[i].thing)].radiance / 64.0;
     float* const pixel = &image.pixels[i / 64 * 3];
     pixel[0] += static_cast<float>(c.x);
     pixel[1] += static_cast<float>(c.y);
@@ -45,7 +45,7 @@ image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen)
 }
 
 studies::ProbeFindings findings(const studies::ProbeScene& probe, const image::Image& image) {
-  return studies::compare_things(probe, studies::primary_sights(probe.scene, {}, 1), image);
+  return studies::compare_things(probe, studies::primary_visibility(probe.scene, {}, 1), image);
 }
 
 }  // namespace
@@ -109,13 +109,13 @@ TEST(Probe, IsTheSameForARendererThatGetsItLowered) {
 namespace {
 
 image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
-  constexpr studies::SightGrid kGrid{2, -0.25};
+  constexpr studies::VisibilityGrid kGrid{2, -0.25};
   auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
-  const auto sights = studies::primary_sights(seen, kGrid, 1);
-  for (std::size_t i = 0; i < sights.size(); ++i) {
+  const auto surfaces = studies::primary_visibility(seen, kGrid, 1);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
     float* const pixel = &image.pixels[i / 4 * 3];
-    pixel[0] += (swapped ? sights[i].v : sights[i].u) / 4;
-    pixel[1] += (swapped ? sights[i].u : sights[i].v) / 4;
+    pixel[0] += (swapped ? surfaces[i].v : surfaces[i].u) / 4;
+    pixel[1] += (swapped ? surfaces[i].u : surfaces[i].v) / 4;
   }
   return image;
 }
@@ -124,11 +124,11 @@ image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
 
 TEST(Probe, ExchangedTextureCoordinatesAreSeen) {
   const auto probe = studies::coloured_by_thing(two_boxes(), 128);
-  const auto sights = studies::primary_sights(probe.scene, {}, 1);
-  const auto right = studies::compare_coordinates(probe, sights, painted_coordinates(probe.scene, false));
+  const auto surfaces = studies::primary_visibility(probe.scene, {}, 1);
+  const auto right = studies::compare_coordinates(probe, surfaces, painted_coordinates(probe.scene, false));
   EXPECT_TRUE(right.mismatches.empty());
   EXPECT_GT(right.compared, 1000);
-  const auto wrong = studies::compare_coordinates(probe, sights, painted_coordinates(probe.scene, true));
+  const auto wrong = studies::compare_coordinates(probe, surfaces, painted_coordinates(probe.scene, true));
   ASSERT_EQ(wrong.mismatches.size(), 2U);
   EXPECT_NE(wrong.mismatches[0].instead.find("where it has"), std::string::npos);
 }

@@ -1,7 +1,7 @@
 // Gates that can fail and gates that cannot, on painted images with known noise.
-#include "studies/gate_trial.h"
+#include "studies/mutants.h"
+#include "studies/mutation_test.h"
 #include "studies/qualify.h"
-#include "studies/twins.h"
 
 #include <cmath>
 #include <random>
@@ -54,14 +54,15 @@ registry::Case strict_case() {
 
 results::GateRecord tried(const registry::Case& one_case,
                           const image::Image& reference,
-                          const image::Image& honest,
+                          const image::Image& control,
                           const std::map<std::string, image::Image>& others = {}) {
   const std::vector<studies::MissingLight> dark;
-  return studies::try_gate({one_case, "a", {"a.exr", reference, ""}, honest, others, dark, "its only light"});
+  return studies::try_gate(
+      {one_case, "a", {"a.exr", reference, ""}, control, others, dark, "its only light"});
 }
 
-const results::TwinRecord& twin(const results::GateRecord& gate, const std::string& fault) {
-  for (const auto& one : gate.twins)
+const results::MutantRecord& mutant(const results::GateRecord& gate, const std::string& fault) {
+  for (const auto& one : gate.mutants)
     if (one.fault == fault) return one;
   throw std::out_of_range(fault);
 }
@@ -71,13 +72,13 @@ const results::TwinRecord& twin(const results::GateRecord& gate, const std::stri
 TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
   const auto other = studies::with_more_light(painted(3), 0.2);
   const auto gate = tried(strict_case(), painted(1), painted(2), {{"a", painted(1)}, {"b", other}});
-  for (const auto& one : gate.twins)
+  for (const auto& one : gate.mutants)
     EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.reason;
-  EXPECT_TRUE(gate.accepts_honest) << gate.honest_reason;
+  EXPECT_TRUE(gate.accepts_control) << gate.control_reason;
   EXPECT_TRUE(results::is_qualified(gate));
-  EXPECT_TRUE(twin(gate, "the image of b").rejected);
-  EXPECT_NE(twin(gate, "one NaN").reason.find("invalid pixels"), std::string::npos);
-  EXPECT_NE(twin(gate, "black").reason.find("constant image"), std::string::npos);
+  EXPECT_TRUE(mutant(gate, "the image of b").rejected);
+  EXPECT_NE(mutant(gate, "one NaN").reason.find("invalid pixels"), std::string::npos);
+  EXPECT_NE(mutant(gate, "black").reason.find("constant image"), std::string::npos);
 }
 
 // The tolerance is 0.7 %; the noise of the mean of 9216 pixels is 0.03 %.
@@ -97,7 +98,7 @@ TEST(Qualify, AGateThatCannotFailIsNotQualified) {
   auto lax = strict_case();
   lax.mean_ratio.reset();
   const auto gate = tried(lax, painted(1), painted(2));
-  EXPECT_FALSE(twin(gate, "+2 % light").rejected);
+  EXPECT_FALSE(mutant(gate, "+2 % light").rejected);
   EXPECT_FALSE(results::is_qualified(gate));
   EXPECT_NE(studies::qualification_text({gate}).find("'+2 % light' is not rejected: pass"),
             std::string::npos);
@@ -107,30 +108,30 @@ TEST(Qualify, AGateThatCannotFailIsNotQualified) {
 TEST(Qualify, HalfTheResolutionOfANoisyImageIsSeenByItsEdges) {
   auto lax = strict_case();
   lax.gate.min = 15;
-  EXPECT_TRUE(twin(tried(lax, painted(1), painted(2)), "half resolution").rejected);
+  EXPECT_TRUE(mutant(tried(lax, painted(1), painted(2)), "half resolution").rejected);
   lax.edge_blur.reset();
   lax.tile_ratio.reset();
-  EXPECT_FALSE(twin(tried(lax, painted(1), painted(2)), "half resolution").rejected);
+  EXPECT_FALSE(mutant(tried(lax, painted(1), painted(2)), "half resolution").rejected);
 }
 
-TEST(Qualify, AGateThatRefusesAnHonestImageIsNotQualified) {
+TEST(Qualify, AGateThatRefusesAControlImageIsNotQualified) {
   auto harsh = strict_case();
   harsh.gate.min = 60;
   const auto gate = tried(harsh, painted(1), painted(2));
-  EXPECT_FALSE(gate.accepts_honest);
+  EXPECT_FALSE(gate.accepts_control);
   EXPECT_FALSE(results::is_qualified(gate));
 }
 
 TEST(Qualify, WhatLeavesTheImageAsItIsIsNoFault) {
   const auto gate = tried(strict_case(), grey(), grey());
-  EXPECT_FALSE(twin(gate, "R and G swapped").no_fault.empty());
-  EXPECT_FALSE(twin(gate, "clamped at 1").no_fault.empty());
-  EXPECT_EQ(twin(gate, "another image").no_fault, "no other reference has its size");
-  EXPECT_EQ(twin(gate, "a missing light").no_fault, "its only light");
-  EXPECT_TRUE(twin(gate, "shifted by 1 px").no_fault.empty());
+  EXPECT_FALSE(mutant(gate, "R and G swapped").no_fault.empty());
+  EXPECT_FALSE(mutant(gate, "clamped at 1").no_fault.empty());
+  EXPECT_EQ(mutant(gate, "another image").no_fault, "no other reference has its size");
+  EXPECT_EQ(mutant(gate, "a missing light").no_fault, "its only light");
+  EXPECT_TRUE(mutant(gate, "shifted by 1 px").no_fault.empty());
 }
 
-TEST(Twins, AreTheFaultThatTheyAreCalled) {
+TEST(Mutants, AreTheFaultThatTheyAreCalled) {
   const auto image = painted(1);
   EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 1), 1.02F * image.at(50, 50, 1));
   EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 4), 1.0404F * image.at(50, 50, 4));
@@ -151,7 +152,7 @@ TEST(Twins, AreTheFaultThatTheyAreCalled) {
   EXPECT_TRUE(std::isnan(apply("one NaN").at(48, 48, 1)));
 }
 
-TEST(Twins, ALeakAvoidsTheMask) {
+TEST(Mutants, ALeakAvoidsTheMask) {
   const auto where = studies::place_of_leak(painted(1), {{{0, 0, kSide_px, 60}}, {}});
   EXPECT_GE(where.y0, 60);
   EXPECT_EQ(where.x1 - where.x0, 16);
@@ -179,8 +180,8 @@ TEST(Qualification, ANewRecordTakesThePlaceOfTheOldOne) {
   results::GateRecord b;
   b.case_name = "b";
   auto better = a;
-  better.accepts_honest = true;
+  better.accepts_control = true;
   const auto gates = studies::merged({a, b}, {better});
   ASSERT_EQ(gates.size(), 2U);
-  EXPECT_TRUE(gates[0].accepts_honest);
+  EXPECT_TRUE(gates[0].accepts_control);
 }

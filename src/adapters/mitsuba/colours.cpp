@@ -21,16 +21,16 @@ std::string list(const char* name, const Samples& samples, double factor) {
 }  // namespace
 
 Colours::Colours(const scene::Scene& of)
-    : scene(of), is_spectral(scene::transport(of) != scene::LightTransport::Colour) {}
+    : scene(of), is_spectral(scene::transport(of) != scene::LightTransport::Rgb) {}
 
 std::string Colours::surface(const char* name,
-                             scene::Rgb colour,
+                             scene::RgbColour colour,
                              const std::optional<scene::SpectrumUse>& use) const {
   return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use))) : rgb(name, colour);
 }
 
 // A single number would be taken for a multiple of D65.
-std::string Colours::radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const {
+std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
   if (!is_spectral) return rgb("radiance", colour);
   return list("radiance", light_samples(scene, colour, use), kEmitterUnit);
 }

@@ -18,10 +18,10 @@ struct Colours {
 
   /// The element `name` of a surface that reflects or transmits this share.
   std::string surface(const char* name,
-                      scene::Rgb colour,
+                      scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use = {}) const;
   /// The radiance of an emitter.
-  std::string radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const;
+  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const;
 };
 
 /// `<spectrum>` of these values, where Mitsuba takes them as they are (not in an emitter).

@@ -29,8 +29,8 @@ struct ShapeWriter {
     const double radius_m = sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0}));
     const Vec3d centre = transform_point(light.matrix, {});
     return fmt::format(
-        "<shape type=\"sphere\"><point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/><float name=\"radius\" "
-        "value=\"{}\"/>",
+        "<shape type=\"sphere\"><point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/><float "
+        "name=\"radius\" value=\"{}\"/>",
         centre.x, centre.y, centre.z, radius_m);
   }
 };
@@ -38,7 +38,7 @@ struct ShapeWriter {
 }  // namespace
 
 std::string area_emitter(const Colours& colours,
-                         scene::Rgb radiance,
+                         scene::RgbColour radiance,
                          const std::optional<scene::SpectrumUse>& spectrum) {
   return fmt::format("<emitter type=\"area\">{}</emitter>", colours.radiance(radiance, spectrum));
 }

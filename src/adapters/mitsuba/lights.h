@@ -8,7 +8,7 @@ namespace orbs::adapters::mitsuba {
 
 /// `<emitter type="area">` of that radiance, to stand in a shape.
 std::string area_emitter(const Colours& colours,
-                         scene::Rgb radiance,
+                         scene::RgbColour radiance,
                          const std::optional<scene::SpectrumUse>& spectrum);
 
 /// A light as a shape that emits, and reflects, on the side of its normal; from behind black and opaque.

@@ -44,8 +44,8 @@ struct ModelLimit {
   std::string operator()(const scene::Emission& m) const {
     if (!m.texture) return "";
     return fmt::format(
-        "material '{}' emits through a texture: Mitsuba samples that by inverting the texture coordinates, "
-        "which must then be within [0, 1] and used once",
+        "material '{}' emits through a texture: Mitsuba samples that by inverting the texture "
+        "coordinates, which must then be within [0, 1] and used once",
         name);
   }
   // It is a conductor of n = 0 and k = 1, whose reflectance is 1 but whose phases differ from angle to angle.
@@ -67,9 +67,8 @@ struct ModelLimit {
   // retarder.cpp there multiplies the retardance by the cosine of the angle.
   std::string operator()(const scene::Retarder& m) const {
     return fmt::format(
-        "material '{}' retards by {} degrees at all angles: Mitsuba's retarder falls off with the cosine of "
-        "the "
-        "angle of incidence",
+        "material '{}' retards by {} degrees at all angles: Mitsuba's retarder falls off with the cosine "
+        "of the angle of incidence",
         name, m.retardance_deg);
   }
 
@@ -90,8 +89,7 @@ struct ModelLimit {
     if (!is_polarised) return "";
     return fmt::format(
         "material '{}' is a full mirror in polarised light: Mitsuba's shifts the phases of both "
-        "polarisations "
-        "as a metal would",
+        "polarisations as a metal would",
         name);
   }
 };
@@ -117,8 +115,7 @@ std::string stokes_limit(const scene::Scene& scene) {
   if (!scene.outputs.stokes || turn_deg <= mitsuba::kMostFrameTurn_deg) return "";
   return fmt::format(
       "the image holds Stokes vectors: Mitsuba measures them from the direction across ray and camera's "
-      "up, "
-      "which in the corners lies {:.1f} degrees from the camera's horizontal",
+      "up, which in the corners lies {:.1f} degrees from the camera's horizontal",
       turn_deg);
 }
 
@@ -140,7 +137,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   for (const int index : textures) {
     const auto& texture = scene.textures[static_cast<std::size_t>(index)];
     note(wrap_limit(texture, kName));
-    if (transport != scene::LightTransport::Colour) note(spectral_texture_limit(texture, kName));
+    if (transport != scene::LightTransport::Rgb) note(spectral_texture_limit(texture, kName));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(light_limit(scene.lights[i], scene::called("light", scene.lights[i].name, i), kName));

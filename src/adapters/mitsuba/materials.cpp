@@ -29,7 +29,7 @@ struct BsdfWriter {
   const std::string& id;
   const std::string& image;
 
-  std::string diffuse(scene::Rgb reflectance,
+  std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
     if (!use)
@@ -38,8 +38,8 @@ struct BsdfWriter {
     const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
     return two_sided(
         id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
-                        "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" value=\"bilinear\"/>"
-                        "<string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
+                        "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" "
+                        "value=\"bilinear\"/><string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
                         image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
   }
   // `type` with the parameters of both sorts of glass. Mitsuba's default for outside is air, 1.000277.
@@ -49,7 +49,7 @@ struct BsdfWriter {
         "value=\"{}\"/>{}</bsdf>\n",
         type, id, inside, outside, more);
   }
-  std::string tinted(scene::Rgb colour) const {
+  std::string tinted(scene::RgbColour colour) const {
     return colours.surface("specular_reflectance", colour) +
            colours.surface("specular_transmittance", colour);
   }
@@ -64,8 +64,8 @@ struct BsdfWriter {
   std::string operator()(const scene::Emission&) const { return diffuse({}, {}, {}); }
   // Material "none" reflects everything at all angles; its Fresnel factor is 1.
   std::string operator()(const scene::Mirror& m) const {
-    return two_sided(id, fmt::format("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>"
-                                     "{}</bsdf>",
+    return two_sided(id, fmt::format("<bsdf type=\"conductor\"><string name=\"material\" "
+                                     "value=\"none\"/>{}</bsdf>",
                                      colours.surface("specular_reflectance", m.reflectance, m.spectrum)));
   }
   std::string operator()(const scene::Ggx& m) const {

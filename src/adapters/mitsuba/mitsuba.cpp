@@ -53,12 +53,12 @@ std::string sensor_text(const scene::Camera& camera, double farthest) {
       "  <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n"
       "  <float name=\"near_clip\" value=\"{}\"/><float name=\"far_clip\" value=\"{}\"/>\n"
       "  <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n"
-      "  <sampler type=\"independent\"><integer name=\"sample_count\" value=\"$spp\"/>"
-      "<integer name=\"seed\" value=\"$seed\"/></sampler>\n"
+      "  <sampler type=\"independent\"><integer name=\"sample_count\" value=\"$spp\"/><integer "
+      "name=\"seed\" value=\"$seed\"/></sampler>\n"
       "  <film type=\"hdrfilm\">\n"
       "    <integer name=\"width\" value=\"{}\"/><integer name=\"height\" value=\"{}\"/>\n"
-      "    <string name=\"file_format\" value=\"openexr\"/><string name=\"pixel_format\" value=\"rgb\"/>"
-      "<string name=\"component_format\" value=\"float32\"/>\n"
+      "    <string name=\"file_format\" value=\"openexr\"/><string name=\"pixel_format\" "
+      "value=\"rgb\"/><string name=\"component_format\" value=\"float32\"/>\n"
       "    <rfilter type=\"box\"/>\n"
       "  </film>\n"
       "</sensor>\n",
@@ -112,7 +112,7 @@ class Writer {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
     text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
     text += integrator_text(scene_) + sensor_text(scene_.camera, farthest_m(scene_, parts_));
-    if (scene_.environment != scene::Rgb{})
+    if (scene_.environment != scene::RgbColour{})
       text += fmt::format("<emitter type=\"constant\">{}</emitter>\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int material : scene::visible_materials(scene_)) text += material_text(material);

@@ -8,15 +8,15 @@
 namespace orbs::adapters::pbrt {
 
 Colours::Colours(const scene::Scene& of)
-    : scene(of), is_spectral(scene::transport(of) != scene::LightTransport::Colour) {}
+    : scene(of), is_spectral(scene::transport(of) != scene::LightTransport::Rgb) {}
 
 std::string Colours::surface(const char* name,
-                             scene::Rgb colour,
+                             scene::RgbColour colour,
                              const std::optional<scene::SpectrumUse>& use) const {
   return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use))) : rgb(name, colour);
 }
 
-std::string Colours::radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const {
+std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
   if (!is_spectral) return rgb("L", colour);
   const Samples light = light_samples(scene, colour, use);
   return fmt::format("{} \"float scale\" {}", spectrum("L", light), luminance_of(light));

@@ -18,10 +18,10 @@ struct Colours {
 
   /// The parameter `name` of a surface that reflects this share.
   std::string surface(const char* name,
-                      scene::Rgb colour,
+                      scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use) const;
   /// The radiance of a light. pbrt scales a spectrum to luminance 1 by itself, so that it needs its own back.
-  std::string radiance(scene::Rgb colour, const std::optional<scene::SpectrumUse>& use) const;
+  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const;
 };
 
 /// `"spectrum name" [...]`.

@@ -42,8 +42,11 @@ struct ShapeWriter {
 
 std::string light_text(const Colours& colours, const scene::Light& light) {
   return fmt::format(
-      "# light {}\nAttributeBegin\n  Material \"diffuse\" {}\n  AreaLightSource \"diffuse\" {}\n{}"
-      "AttributeEnd\n",
+      "# light {}\n"
+      "AttributeBegin\n"
+      "  Material \"diffuse\" {}\n"
+      "  AreaLightSource \"diffuse\" {}\n"
+      "{}AttributeEnd\n",
       one_line(light.name), rgb("reflectance", {}), colours.radiance(light.radiance, light.spectrum),
       std::visit(ShapeWriter{light}, light.shape));
 }

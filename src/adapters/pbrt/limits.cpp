@@ -64,15 +64,15 @@ struct ModelLimit {
     const std::string reason = alpha_limit(name, roughness.alpha, kName, kLeastAlpha);
     return reason.empty() ? masking_limit(name, roughness, kName, false) : reason;
   }
-  std::string coloured(scene::Rgb colour, const char* what) const {
+  std::string coloured(scene::RgbColour colour, const char* what) const {
     if (scene::is_grey(colour)) return "";
     return fmt::format(
-        "material '{}' is a coloured {}: pbrt's reflectance of metals depends on the angle, and the share of "
-        "a full mirror that stands for a constant one has no colour",
+        "material '{}' is a coloured {}: pbrt's reflectance of metals depends on the angle, and the "
+        "share of a full mirror that stands for a constant one has no colour",
         name, what);
   }
-  std::string tinted(scene::Rgb colour) const {
-    if (colour == scene::Rgb{1, 1, 1}) return "";
+  std::string tinted(scene::RgbColour colour) const {
+    if (colour == scene::RgbColour{1, 1, 1}) return "";
     return fmt::format("material '{}' is tinted glass: pbrt's dielectrics have no colour", name);
   }
 };
@@ -87,7 +87,7 @@ std::string back_limit(const scene::Scene& scene, const Part& part) {
 }
 
 std::string reflecting_limit(const scene::Light& light, const std::string& called) {
-  if (light.reflectance == scene::Rgb{}) return "";
+  if (light.reflectance == scene::RgbColour{}) return "";
   return called + " reflects where it shines: pbrt's diffuse surfaces reflect on both sides";
 }
 
@@ -108,7 +108,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
-  const bool is_spectral = scene::transport(scene) != scene::LightTransport::Colour;
+  const bool is_spectral = scene::transport(scene) != scene::LightTransport::Rgb;
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];

@@ -19,7 +19,7 @@ struct MaterialWriter {
   const std::string& image;
 
   // pbrt's v runs up from the bottom row, as ours.
-  std::string diffuse(scene::Rgb reflectance,
+  std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
     if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));

@@ -38,8 +38,8 @@ std::string head_text(const scene::Scene& scene) {
       "Camera \"perspective\" \"float fov\" {}\n"
       "Sampler \"zsobol\" \"integer pixelsamples\" 64\n"
       "PixelFilter \"box\" \"float xradius\" 0.5 \"float yradius\" 0.5\n"
-      "Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"bool savefp16\" false \"float "
-      "maxcomponentvalue\" 1e30\n"
+      "Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"bool savefp16\" false "
+      "\"float maxcomponentvalue\" 1e30\n"
       "Integrator \"path\" \"integer maxdepth\" {}\n"  // counts scatterings, as trace_depth
       "WorldBegin\n",
       numbers(camera.position_m), numbers(camera.look_at_m), numbers(camera.up),
@@ -53,7 +53,7 @@ class Writer {
 
   std::string write() {
     std::string text = head_text(scene_);
-    if (scene_.environment != scene::Rgb{})
+    if (scene_.environment != scene::RgbColour{})
       text += fmt::format("LightSource \"infinite\" {}\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {

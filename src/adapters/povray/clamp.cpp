@@ -95,8 +95,8 @@ std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture) {
   if (u && v) return {{{true, kEdge, 1 - kEdge}, {true, kEdge, 1 - kEdge}}};
   if (image_type(texture.file) != "png")
     throw InputError(
-        fmt::format("texture '{}' is clamped along one axis only, which needs the image's size: expected a "
-                    "PNG, found {}",
+        fmt::format("texture '{}' is clamped along one axis only, which needs the image's size: expected "
+                    "a PNG, found {}",
                     texture.name, texture.file.string()));
   const Size size = png_size(texture.file);
   const double half_u = 0.5 / size.width;

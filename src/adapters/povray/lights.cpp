@@ -39,17 +39,22 @@ struct Panel {
 // POV-Ray's diffuse term. A panel of radiance L and area A has to give rho L A cos cos / (pi d^2): hence C =
 // L A / (2 pi f^2). Samples: POV-Ray spans a grid edge to edge; (n-1)/n moves it to the centres of n x n
 // cells.
-std::string panel_light(const Panel& panel, scene::Rgb radiance, int grid, const PovraySettings& settings) {
+std::string panel_light(const Panel& panel,
+                        scene::RgbColour radiance,
+                        int grid,
+                        const PovraySettings& settings) {
   const double fade_m = kFadePerSize * std::sqrt(panel.area_m2);
-  const scene::Rgb intensity = radiance * (panel.area_m2 / (2 * std::numbers::pi * fade_m * fade_m));
+  const scene::RgbColour intensity = radiance * (panel.area_m2 / (2 * std::numbers::pi * fade_m * fade_m));
   const double to_centres = static_cast<double>(grid - 1) / grid;
   const Vec3d axis_u = panel.axis_u * to_centres;
   const Vec3d axis_v = panel.axis_v * to_centres;
   const Vec3d centre = panel.is_round ? panel.centre - (axis_u + axis_v) * kCircularShift : panel.centre;
   return fmt::format(
-      "light_source {{ {}, {}\n  spotlight point_at {} radius 90 falloff 90 tightness 1\n"
-      "  area_light {}, {}, {}, {}{} area_illumination on adaptive {}\n  fade_distance {} fade_power "
-      "2{}\n}}\n",
+      "light_source {{ {}, {}\n"
+      "  spotlight point_at {} radius 90 falloff 90 tightness 1\n"
+      "  area_light {}, {}, {}, {}{} area_illumination on adaptive {}\n"
+      "  fade_distance {} fade_power 2{}\n"
+      "}}\n",
       vector(centre), colour(intensity), vector(centre + panel.facing), vector(axis_u), vector(axis_v), grid,
       grid, panel.is_round ? " circular" : "", settings.area_adaptive, fade_m,
       settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
@@ -102,13 +107,16 @@ std::string sphere_sources(const scene::Light& light,
                            const PovraySettings& settings) {
   const double radius_m = sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0}));
   const double fade_m = kFadePerSize * radius_m;
-  const scene::Rgb intensity = light.radiance * (radius_m * radius_m / (2 * fade_m * fade_m));
+  const scene::RgbColour intensity = light.radiance * (radius_m * radius_m / (2 * fade_m * fade_m));
   const Vec3d centre = transform_point(light.matrix, {});
   const int grid = settings.area_grid;
   const double size_m = 2 * radius_m * (grid - 1) / grid;
   return fmt::format(
-      "light_source {{ {}, {}\n  area_light <{},0,0>, <0,{},0>, {}, {} circular orient adaptive {}\n"
-      "  fade_distance {} fade_power 2\n  projected_through {{ sphere {{ {}, {} }} }}{}\n}}\n",
+      "light_source {{ {}, {}\n"
+      "  area_light <{},0,0>, <0,{},0>, {}, {} circular orient adaptive {}\n"
+      "  fade_distance {} fade_power 2\n"
+      "  projected_through {{ sphere {{ {}, {} }} }}{}\n"
+      "}}\n",
       vector(centre), colour(intensity), size_m, size_m, grid, grid, settings.area_adaptive, fade_m,
       vector(centre), radius_m * (1 + kGap),
       settings.photons > 0 ? "\n  photons { reflection on refraction on area_light }" : "");
@@ -116,8 +124,8 @@ std::string sphere_sources(const scene::Light& light,
 
 std::string bright_finish(const scene::Light& light) {
   return fmt::format(
-      "texture {{ pigment {{ {} }} finish {{ diffuse 0 emission 1 }} }} no_shadow no_radiosity photons {{ "
-      "pass_through }}",
+      "texture {{ pigment {{ {} }} finish {{ diffuse 0 emission 1 }} }} no_shadow no_radiosity photons "
+      "{{ pass_through }}",
       colour(light.radiance));
 }
 

@@ -45,7 +45,7 @@ std::string image_map(const scene::Scene& scene,
 // product of pigments: the lower one shines, the upper one is a filter of the image's colours.
 std::string tinted(const scene::Scene& scene,
                    const std::string& part,
-                   scene::Rgb tint,
+                   scene::RgbColour tint,
                    const std::optional<TextureUse>& use,
                    const std::string& stem) {
   const std::string other = part == "diffuse" ? "" : " diffuse 0";
@@ -90,10 +90,10 @@ struct TextureWriter {
   }
 
   // What refracts, the index, is a matter of the interior.
-  static std::string glass(scene::Rgb tint) {
+  static std::string glass(scene::RgbColour tint) {
     return fmt::format(
-        "texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ diffuse 0 reflection {{ rgb 0, {} fresnel on "
-        "}} conserve_energy }} }}",
+        "texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ diffuse 0 reflection {{ rgb 0, {} fresnel "
+        "on }} conserve_energy }} }}",
         tint.x, tint.y, tint.z, colour(tint));
   }
 };

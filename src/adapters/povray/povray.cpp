@@ -51,9 +51,11 @@ std::string radiosity_text(const scene::Scene& scene, const PovrayRadiosity& r) 
   const int recursions = recursions_of(scene);
   if (recursions < 1) return "";
   return fmt::format(
-      "  radiosity {{\n    count {} error_bound {} low_error_factor {} nearest_count {} recursion_limit {}\n"
+      "  radiosity {{\n"
+      "    count {} error_bound {} low_error_factor {} nearest_count {} recursion_limit {}\n"
       "    pretrace_start {} pretrace_end {} minimum_reuse {} maximum_reuse {} always_sample {}\n"
-      "    brightness 1 gray_threshold 0 adc_bailout 1e-6 normal off\n  }}\n",
+      "    brightness 1 gray_threshold 0 adc_bailout 1e-6 normal off\n"
+      "  }}\n",
       r.count, r.error_bound, r.low_error_factor, r.nearest_count, recursions, r.pretrace_start,
       r.pretrace_end, r.minimum_reuse, r.maximum_reuse, r.always_sample ? "on" : "off");
 }
@@ -87,8 +89,12 @@ std::string photons_text(const scene::Scene& scene, const PovraySettings& settin
 std::string settings_text(const scene::Scene& scene, const PovraySettings& settings) {
   // POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
   return fmt::format(
-      "#version 3.7;\nglobal_settings {{\n  assumed_gamma 1.0\n  max_trace_level {}\n  adc_bailout "
-      "1e-5\n{}{}}}\n"
+      "#version 3.7;\n"
+      "global_settings {{\n"
+      "  assumed_gamma 1.0\n"
+      "  max_trace_level {}\n"
+      "  adc_bailout 1e-5\n"
+      "{}{}}}\n"
       "#default {{ finish {{ ambient 0 diffuse 1 emission 0 specular 0 phong 0 }} }}\n",
       std::min(scene.trace_depth + 1, kMostTraceLevels), radiosity_text(scene, settings.radiosity),
       photons_text(scene, settings));

@@ -4,7 +4,7 @@ namespace orbs::tracer {
 
 PassRenderer* kernel_for(const World& world) {
   switch (world.transport) {
-    case scene::LightTransport::Colour:
+    case scene::LightTransport::Rgb:
       return world.has_interfaces ? rgb_interface_pass : rgb_pass;
     case scene::LightTransport::Spectral:
       return spectral_pass;

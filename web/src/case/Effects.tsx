@@ -26,7 +26,7 @@ function List({ effects }: { effects: Effect[] }) {
 
 const times = (ratio: number) => (ratio > 0 ? `× ${ratio.toFixed(2)}` : "–");
 
-function Prices({ scene }: { scene: Scene }) {
+function EffectCosts({ scene }: { scene: Scene }) {
   return (
     <table>
       <caption>Instead of {scene.transport} transport</caption>
@@ -39,12 +39,12 @@ function Prices({ scene }: { scene: Scene }) {
         </tr>
       </thead>
       <tbody>
-        {scene.prices.map((price) => (
-          <tr key={price.name}>
-            <th scope="row">{price.name}</th>
-            <td class="number">{times(price.time_ratio)}</td>
-            <td class="number">{times(price.error_ratio)}</td>
-            <td>{price.target}</td>
+        {scene.effect_costs.map((cost) => (
+          <tr key={cost.name}>
+            <th scope="row">{cost.name}</th>
+            <td class="number">{times(cost.time_ratio)}</td>
+            <td class="number">{times(cost.error_ratio)}</td>
+            <td>{cost.change}</td>
           </tr>
         ))}
       </tbody>
@@ -56,7 +56,7 @@ function Prices({ scene }: { scene: Scene }) {
 export function Effects({ detail }: { detail: TargetDetail }) {
   return (
     <>
-      {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.prices.length > 0).map((scene) => (
+      {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.effect_costs.length > 0).map((scene) => (
         <section key={scene.name} class="effects">
           <h2>
             {scene.name} calls for {scene.transport} light paths
@@ -68,7 +68,7 @@ export function Effects({ detail }: { detail: TargetDetail }) {
               <List effects={scene.not_called_for} />
             </>
           ) : null}
-          {scene.prices.length > 0 ? <Prices scene={scene} /> : null}
+          {scene.effect_costs.length > 0 ? <EffectCosts scene={scene} /> : null}
         </section>
       ))}
     </>

@@ -200,12 +200,12 @@ export interface Effect {
 }
 
 /** The scene rendered otherwise than it calls for. */
-export interface Price {
+export interface EffectCost {
   name: string;
   time_ratio: number;
   /** 0 where nobody knows. */
   error_ratio: number;
-  target: string;
+  change: string;
 }
 
 export interface Scene {
@@ -213,7 +213,7 @@ export interface Scene {
   transport: string;
   called_for: Effect[];
   not_called_for: Effect[];
-  prices: Price[];
+  effect_costs: EffectCost[];
 }
 
 export interface TargetDetail {

@@ -99,7 +99,7 @@ function RowHead({ row, filter }: { row: Row; filter: Filter }) {
   );
 }
 
-/** The grid of rows by renderers. Only the rows in sight are there. */
+/** The grid of rows by renderers. Only the rows in surface are there. */
 export function Grid({ session, rows, renderers, filter, show }: Props) {
   const { body, begin, end } = useWindow(rows.length);
   const [hovered, setHovered] = useState<Hovered>();

@@ -1,7 +1,7 @@
 // The harness' own answer to what a camera sees, against projections worked out by hand.
 #include "scene/generators.h"
 #include "scene/scene.h"
-#include "studies/sights.h"
+#include "studies/primary_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 using namespace orbs;
 using studies::kNoThing;
-using studies::Sight;
+using studies::VisibleSurface;
 
 namespace {
 
@@ -38,21 +38,22 @@ void add_triangle(scene::Scene& scene, std::array<Vec3f, 3> corners, std::array<
   scene.meshes.push_back(mesh);
 }
 
-std::set<int> things_in(const scene::Scene& scene, int x, int y, studies::SightGrid grid = {}) {
+std::set<int> things_in(const scene::Scene& scene, int x, int y, studies::VisibilityGrid grid = {}) {
   std::set<int> things;
-  for (const auto& sight : studies::sights_of_pixels(scene, {{x, y}}, grid, 1)) things.insert(sight.thing);
+  for (const auto& surface : studies::visible_surfaces_of_pixels(scene, {{x, y}}, grid, 1))
+    things.insert(surface.thing);
   return things;
 }
 
-double share_of(const std::vector<Sight>& sights, int thing) {
-  const auto count =
-      std::count_if(sights.begin(), sights.end(), [&](const Sight& s) { return s.thing == thing; });
-  return static_cast<double>(count) / static_cast<double>(sights.size());
+double share_of(const std::vector<VisibleSurface>& surfaces, int thing) {
+  const auto count = std::count_if(surfaces.begin(), surfaces.end(),
+                                   [&](const VisibleSurface& s) { return s.thing == thing; });
+  return static_cast<double>(count) / static_cast<double>(surfaces.size());
 }
 
 }  // namespace
 
-TEST(Sights, ATriangleCoversThePixelsThatItIsProjectedOn) {
+TEST(PrimaryVisibility, ATriangleCoversThePixelsThatItIsProjectedOn) {
   auto scene = empty_view(16);
   // At distance 8 a pixel is 1 m wide: this one reaches from pixel 4 to pixel 12 along the image's middle.
   add_triangle(scene, {Vec3f{-4, 0, -8}, Vec3f{4, 0, -8}, Vec3f{-4, 8, -8}});
@@ -64,14 +65,14 @@ TEST(Sights, ATriangleCoversThePixelsThatItIsProjectedOn) {
   EXPECT_EQ(things_in(scene, 11, 7), (std::set<int>{kNoThing, 0}));  // the diagonal
 }
 
-TEST(Sights, TheNearerOneHidesTheOther) {
+TEST(PrimaryVisibility, TheNearerOneHidesTheOther) {
   auto scene = empty_view(8);
   add_triangle(scene, {Vec3f{-90, -90, -9}, Vec3f{90, -90, -9}, Vec3f{0, 90, -9}});
   add_triangle(scene, {Vec3f{-90, -90, -8}, Vec3f{90, -90, -8}, Vec3f{0, 90, -8}});
   EXPECT_EQ(things_in(scene, 4, 4), std::set<int>{1});
 }
 
-TEST(Sights, ATriangleThatBeginsBehindTheCameraIsSeenInFrontOfIt) {
+TEST(PrimaryVisibility, ATriangleThatBeginsBehindTheCameraIsSeenInFrontOfIt) {
   auto scene = empty_view(16);
   // A floor 1 m below, from far behind to far before the camera.
   add_triangle(scene, {Vec3f{-1000, -1, 1000}, Vec3f{1000, -1, 1000}, Vec3f{0, -1, -1000}});
@@ -79,24 +80,24 @@ TEST(Sights, ATriangleThatBeginsBehindTheCameraIsSeenInFrontOfIt) {
   EXPECT_EQ(things_in(scene, 8, 4), std::set<int>{kNoThing});
 }
 
-TEST(Sights, WhatIsBehindTheCameraIsNotSeen) {
+TEST(PrimaryVisibility, WhatIsBehindTheCameraIsNotSeen) {
   auto scene = empty_view(8);
   add_triangle(scene, {Vec3f{-90, -90, 2}, Vec3f{90, -90, 2}, Vec3f{0, 90, 2}});
-  EXPECT_EQ(share_of(studies::primary_sights(scene, {}, 1), kNoThing), 1);
+  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoThing), 1);
 }
 
-TEST(Sights, CoordinatesAreInterpolatedInPerspective) {
+TEST(PrimaryVisibility, CoordinatesAreInterpolatedInPerspective) {
   auto scene = empty_view(2);
   // Its plane runs away from the camera: z = -1 where x = -1, z = -3 where x = 3. The ray through the middle
   // of the image meets it halfway between x = -1 and x = 1, at u = 1/4 of the way, not at half the image.
   add_triangle(scene, {Vec3f{-1, -9, -1}, Vec3f{3, -9, -3}, Vec3f{-1, 27, -1}},
                {Vec2f{0, 0}, Vec2f{1, 0}, Vec2f{0, 1}});
-  const auto sights = studies::sights_of_pixels(scene, {{0, 0}}, {3, 0}, 1);
-  EXPECT_NEAR(sights[8].u, 0.25, 1e-6);  // the lower right corner of the upper left pixel
-  EXPECT_NEAR(sights[8].v, 0.25, 1e-6);  // y = 0: a quarter from -9 to 27
+  const auto surfaces = studies::visible_surfaces_of_pixels(scene, {{0, 0}}, {3, 0}, 1);
+  EXPECT_NEAR(surfaces[8].u, 0.25, 1e-6);  // the lower right corner of the upper left pixel
+  EXPECT_NEAR(surfaces[8].v, 0.25, 1e-6);  // y = 0: a quarter from -9 to 27
 }
 
-TEST(Sights, AFlatLightIsSeenFromItsFrontAndIsBlackBehind) {
+TEST(PrimaryVisibility, AFlatLightIsSeenFromItsFrontAndIsBlackBehind) {
   for (const double turn_deg : {90.0, -90.0}) {
     auto scene = empty_view(8);
     add_triangle(scene, {Vec3f{-90, -90, -9}, Vec3f{90, -90, -9}, Vec3f{0, 90, -9}});
@@ -108,29 +109,29 @@ TEST(Sights, AFlatLightIsSeenFromItsFrontAndIsBlackBehind) {
   }
 }
 
-TEST(Sights, ASphereOnTheAxisCoversItsConesDisc) {
+TEST(PrimaryVisibility, ASphereOnTheAxisCoversItsConesDisc) {
   auto scene = empty_view(64);
   scene.lights.push_back(
       {"", scene::SphereShape{0.5}, {1, 1, 1}, translation({0, 0, -2}) * scaling({2, 2, 2}), {}});
   // Radius 1 at distance 2: the cone's tangent is 1 / sqrt(3), of an image whose half side is 1.
   const double expected = std::numbers::pi / 3 / 4;
-  EXPECT_NEAR(share_of(studies::primary_sights(scene, {8, -1.0 / 16}, 1), 0), expected, 2e-3);
+  EXPECT_NEAR(share_of(studies::primary_visibility(scene, {8, -1.0 / 16}, 1), 0), expected, 2e-3);
 }
 
 // It gives light outwards alone.
-TEST(Sights, ASphereIsBlackFromWithin) {
+TEST(PrimaryVisibility, ASphereIsBlackFromWithin) {
   auto scene = empty_view(4);
   scene.lights.push_back({"", scene::SphereShape{1}, {1, 1, 1}, translation({0, 0, 0.5}), {}});
-  EXPECT_EQ(share_of(studies::primary_sights(scene, {}, 1), kNoThing), 1);
+  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoThing), 1);
 }
 
-TEST(Sights, AnEllipseOfADiskStaysOne) {
+TEST(PrimaryVisibility, AnEllipseOfADiskStaysOne) {
   auto scene = empty_view(64);
   scene.lights.push_back({"",
                           scene::DiskShape{1},
                           {1, 1, 1},
                           translation({0, 0, -4}) * rotation_x(-90) * scaling({2, 1, 1}),
                           {}});
-  EXPECT_NEAR(share_of(studies::primary_sights(scene, {8, -1.0 / 16}, 1), 0), std::numbers::pi * 2 / 64,
+  EXPECT_NEAR(share_of(studies::primary_visibility(scene, {8, -1.0 / 16}, 1), 0), std::numbers::pi * 2 / 64,
               1e-3);
 }

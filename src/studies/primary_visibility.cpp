@@ -1,4 +1,4 @@
-#include "studies/sights.h"
+#include "studies/primary_visibility.h"
 
 #include "base/parallel.h"
 #include "scene/camera_frame.h"
@@ -138,12 +138,12 @@ struct MeetShape {
   }
 };
 
-struct Sighted {
-  Sight sight;
+struct VisibleSurfaces {
+  VisibleSurface surface;
   double nearness = 0;  // 1 / distance; 0 for nothing
 };
 
-void look_at_triangle(const TriangleSetup& triangle, Vec3d d, Sighted& seen) {
+void look_at_triangle(const TriangleSetup& triangle, Vec3d d, VisibleSurfaces& seen) {
   const double b0 = dot(triangle.rows[0], d);
   const double b1 = dot(triangle.rows[1], d);
   const double b2 = dot(triangle.rows[2], d);
@@ -155,16 +155,16 @@ void look_at_triangle(const TriangleSetup& triangle, Vec3d d, Sighted& seen) {
         (b0 * static_cast<double>(a) + b1 * static_cast<double>(b) + b2 * static_cast<double>(c)) / sum);
   };
   seen.nearness = sum;
-  seen.sight = {triangle.thing, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
-                mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y)};
+  seen.surface = {triangle.thing, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
+                  mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y)};
 }
 
-void look_at_light(const LightSetup& light, Vec3d world_direction, Sighted& seen) {
+void look_at_light(const LightSetup& light, Vec3d world_direction, VisibleSurfaces& seen) {
   const Vec3d d = transform_direction(light.to_local, world_direction);
   const auto hit = std::visit(MeetShape{light.origin, d}, light.light->shape);
   if (1 / hit.distance <= seen.nearness) return;
   seen.nearness = 1 / hit.distance;
-  seen.sight = {hit.is_front ? light.thing : kNoThing, 0, 0};
+  seen.surface = {hit.is_front ? light.thing : kNoThing, 0, 0};
 }
 
 struct Stage {
@@ -194,7 +194,10 @@ Stage stage_of(const scene::Scene& scene) {
   return stage;
 }
 
-void look_at_pixel(const Stage& stage, const SightGrid& grid, Pixel pixel, std::span<Sight> out) {
+void look_at_pixel(const Stage& stage,
+                   const VisibilityGrid& grid,
+                   Pixel pixel,
+                   std::span<VisibleSurface> out) {
   const auto side = static_cast<std::size_t>(grid.per_side);
   const double step = (1 + 2 * grid.margin_px) / (grid.per_side - 1);
   const auto& frame = stage.view.frame;
@@ -205,7 +208,7 @@ void look_at_pixel(const Stage& stage, const SightGrid& grid, Pixel pixel, std::
         stage.view.camera_direction(pixel.x - grid.margin_px + step * static_cast<double>(k % side),
                                     pixel.y - grid.margin_px + step * static_cast<double>(row)));
   }
-  std::vector<Sighted> seen(side * side);
+  std::vector<VisibleSurfaces> seen(side * side);
   for (const std::size_t index : stage.near_row[static_cast<std::size_t>(pixel.y)]) {
     const auto& triangle = stage.triangles[index];
     if (pixel.x < triangle.first_column || pixel.x > triangle.last_column) continue;
@@ -214,32 +217,34 @@ void look_at_pixel(const Stage& stage, const SightGrid& grid, Pixel pixel, std::
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const Vec3d world = frame.right * directions[k].x + frame.up * directions[k].y + frame.forward;
     for (const auto& light : stage.lights) look_at_light(light, world, seen[k]);
-    out[k] = seen[k].sight;
+    out[k] = seen[k].surface;
   }
 }
 
 }  // namespace
 
-std::vector<Sight> sights_of_pixels(const scene::Scene& scene,
-                                    const std::vector<Pixel>& pixels,
-                                    const SightGrid& grid,
-                                    int threads) {
+std::vector<VisibleSurface> visible_surfaces_of_pixels(const scene::Scene& scene,
+                                                       const std::vector<Pixel>& pixels,
+                                                       const VisibilityGrid& grid,
+                                                       int threads) {
   const Stage stage = stage_of(scene);
   const auto side = static_cast<std::size_t>(grid.per_side);
   const std::size_t each = side * side;
-  std::vector<Sight> sights(pixels.size() * each);
+  std::vector<VisibleSurface> surfaces(pixels.size() * each);
   for_each_index(static_cast<int>(pixels.size()), threads, [&](int i) {
     const auto index = static_cast<std::size_t>(i);
-    look_at_pixel(stage, grid, pixels[index], std::span(sights).subspan(index * each, each));
+    look_at_pixel(stage, grid, pixels[index], std::span(surfaces).subspan(index * each, each));
   });
-  return sights;
+  return surfaces;
 }
 
-std::vector<Sight> primary_sights(const scene::Scene& scene, const SightGrid& grid, int threads) {
+std::vector<VisibleSurface> primary_visibility(const scene::Scene& scene,
+                                               const VisibilityGrid& grid,
+                                               int threads) {
   std::vector<Pixel> pixels;
   for (int y = 0; y < scene.camera.height_px; ++y)
     for (int x = 0; x < scene.camera.width_px; ++x) pixels.push_back({x, y});
-  return sights_of_pixels(scene, pixels, grid, threads);
+  return visible_surfaces_of_pixels(scene, pixels, grid, threads);
 }
 
 }  // namespace orbs::studies

@@ -16,13 +16,13 @@ struct GateTrial {
   const registry::Case& one_case;
   std::string image;
   runner::Reference reference;  // there
-  image::Image honest;
+  image::Image control;
   const std::map<std::string, image::Image>& others;  // references of the suite, by name
   const std::vector<MissingLight>& dark;
   std::string no_dark;  // why `dark` is empty
 };
 
-/// Judges the honest image, all twins, and looks for the smallest faults; the rest of the record is the
+/// Judges the control image, all mutants, and looks for the smallest faults; the rest of the record is the
 /// caller's. By what judges the images of a run, and nothing else.
 results::GateRecord try_gate(const GateTrial& trial);
 

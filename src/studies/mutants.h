@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Faulty twins: what an honest image would have been had its renderer made one of the usual mistakes. Each
-/// has the noise of the honest image and says so in its variance, as the mistaken renderer would.
+/// Faulty mutants: what a control image would have been had its renderer made one of the usual mistakes. Each
+/// has the noise of the control image and says so in its variance, as the mistaken renderer would.
 namespace orbs::studies {
 
 /// A mistake as a change of a linear image with R, G, B and, where it has them, their variances.

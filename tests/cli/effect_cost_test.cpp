@@ -16,9 +16,9 @@ using cli_tests::Sandbox;
 namespace {
 
 std::vector<std::string> effects_of(const std::string& scenes) {
-  return {"effects", scenes,       "--configuration", ORBS_SOURCE_DIR "/configuration.json",
-          "--suite", "appearance", "--size",          "32",
-          "--spp",   "16",         "--rounds",        "2"};
+  return {"effect-cost", scenes,       "--configuration", ORBS_SOURCE_DIR "/configuration.json",
+          "--suite",     "appearance", "--size",          "32",
+          "--spp",       "16",         "--rounds",        "2"};
 }
 
 struct Found {
@@ -29,9 +29,9 @@ struct Found {
 };
 
 std::map<std::string, Found> alternatives_in(const std::string& text) {
-  const auto document = json::parse("prices.json", text);
-  json::ObjectReader prices(document);
-  auto scenes = prices.objects("scenes");
+  const auto document = json::parse("effect-costs.json", text);
+  json::ObjectReader effect_costs(document);
+  auto scenes = effect_costs.objects("scenes");
   std::map<std::string, Found> found;
   for (auto& way : scenes.at(0).objects("alternatives"))
     found[way.text("name")] = {way.boolean_or("is_equal", false), way.boolean_or("is_enough", false),
@@ -46,7 +46,7 @@ TEST(EffectsCommand, RicherTransportsGiveTheSameImageAndAFilmIsWorthSomething) {
   const auto answer = sandbox.orbs(effects_of("iridescent_spheres_film"));
   ASSERT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("iridescent_spheres_film: spectral"), std::string::npos) << answer.text;
-  const auto ways = alternatives_in(sandbox.read("prices.json"));
+  const auto ways = alternatives_in(sandbox.read("effect-costs.json"));
   EXPECT_TRUE(ways.at("bispectral").is_equal);
   EXPECT_TRUE(ways.at("polarised").is_enough);
   EXPECT_EQ(ways.at("polarised").bias, "");
@@ -60,7 +60,7 @@ TEST(EffectsCommand, ScenesThatMatchNothingAreAnError) {
   const auto answer = sandbox.orbs(effects_of("no_such_scene"));
   EXPECT_EQ(answer.status, 2);
   EXPECT_NE(answer.text.find("no_such_scene"), std::string::npos) << answer.text;
-  EXPECT_FALSE(sandbox.has("prices.json"));
+  EXPECT_FALSE(sandbox.has("effect-costs.json"));
 }
 
 namespace {

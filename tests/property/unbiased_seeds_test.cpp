@@ -43,11 +43,11 @@ image::Image one_percent_brighter(image::Image image) {
   return image;
 }
 
-class HonestSeeds : public testing::TestWithParam<SuiteScene> {};
+class UnbiasedSeeds : public testing::TestWithParam<SuiteScene> {};
 
 }  // namespace
 
-TEST_P(HonestSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
+TEST_P(UnbiasedSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
   auto scene = scene::load_scene(std::string(ORBS_SOURCE_DIR "/data/cases/orbs/") + GetParam().file);
   scene.camera.width_px = kSide_px;
   scene.camera.height_px = kSide_px;
@@ -66,7 +66,7 @@ TEST_P(HonestSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
 
 // Edges against a sky at the clamp: with four samples the first-order noise of the sRGB value is 0.7 dB
 // short.
-TEST(HonestSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
+TEST(UnbiasedSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/cases/orbs/g5_inst_remaplist/078.json");
   scene.camera.width_px = kSide_px;
   scene.camera.height_px = kSide_px;
@@ -80,7 +80,7 @@ TEST(HonestSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Suite,
-                         HonestSeeds,
+                         UnbiasedSeeds,
                          testing::Values(SuiteScene{"m7_oren_nayar/100.json", 32, true},
                                          SuiteScene{"g5_inst_remaplist/078.json", 16, true},
                                          SuiteScene{"a1_trace_depth/101-depth1.json", 20, false},

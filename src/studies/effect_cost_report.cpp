@@ -1,6 +1,6 @@
 #include "json/writer.h"
 #include "results/record_json.h"
-#include "studies/price_list.h"
+#include "studies/effect_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ void put(json::Writer& out, const Alternative& way) {
   write_spread(out, "time_ratio", way.time_ratio);
   out.member("error_ratio", way.error_ratio)
       .member("is_equal", change.is_equal)
-      .member("image", image_text(way));
+      .member("change", image_text(way));
   put(out, "mean_change", change.mean);
   put(out, "largest_change", change.largest);
   out.member("largest_x", change.x)
@@ -61,12 +61,11 @@ void put_definitions(json::Writer& out) {
   out.key("definitions")
       .begin_object()
       .member("time_ratio",
-              "CPU time of the samples over that of the same samples with what the scene calls for; median, "
-              "least and most of the rounds")
-      .member(
-          "error_ratio",
-          "median time ratio times the ratio of the mean variances in linear Rec.709: what the same noise "
-          "costs; 0 where nobody knows: no noise, or no light paths for the caustic")
+              "CPU time of the samples over that of the same samples with what the scene calls for; "
+              "median, least and most of the rounds")
+      .member("error_ratio",
+              "median time ratio times the ratio of the mean variances in linear Rec.709: what the same "
+              "noise costs; 0 where nobody knows: no noise, or no light paths for the caustic")
       .member("mean_change",
               "difference of the mean Rec.709 luminances over the mean of the image that the scene calls "
               "for; same random numbers, standard error over the rounds")
@@ -77,7 +76,7 @@ void put_definitions(json::Writer& out) {
 
 }  // namespace
 
-std::string price_table(const PriceList& list) {
+std::string effect_cost_table(const EffectCosts& list) {
   std::string text;
   for (const auto& scene : list.scenes) {
     text += fmt::format("{}: {}, {:.2f} million paths per CPU second{}\n", scene.scene, scene.transport,
@@ -91,7 +90,7 @@ std::string price_table(const PriceList& list) {
   return text;
 }
 
-std::string price_markdown(const PriceList& list) {
+std::string effect_cost_markdown(const EffectCosts& list) {
   std::string text =
       "| scene | calls for | instead | time | to equal noise | image |\n|---|---|---|---|---|---|\n";
   for (const auto& scene : list.scenes)
@@ -102,10 +101,10 @@ std::string price_markdown(const PriceList& list) {
   return text;
 }
 
-std::string price_json(const PriceList& list) {
+std::string effect_cost_json(const EffectCosts& list) {
   json::Writer out;
   out.begin_object()
-      .member("format", "orbs-prices/1")
+      .member("format", "orbs-effect-cost/1")
       .member("orbs_version", list.orbs_version)
       .member("suite", list.suite)
       .member("started", list.started)

@@ -1,4 +1,4 @@
-#include "studies/price_list.h"
+#include "studies/effect_cost.h"
 
 #include "base/error.h"
 #include "base/scratch_folder.h"
@@ -72,7 +72,9 @@ std::vector<Way> ways_for(const scene::Scene& scene,
 }
 
 // Nothing when stopped.
-bool render_rounds(std::vector<Way>& ways, const PriceSettings& settings, const PriceContext& context) {
+bool render_rounds(std::vector<Way>& ways,
+                   const EffectCostSettings& settings,
+                   const EffectCostContext& context) {
   for (int round = 0; round < settings.rounds; ++round)
     for (std::size_t turn = 0; turn < ways.size(); ++turn) {
       // Every other round backwards: none is always the one that comes after a rest.
@@ -97,38 +99,42 @@ Alternative compare_ways(const Way& usual, const Way& other) {
   return out;
 }
 
-ScenePrices prices_of(const std::string& name, const std::vector<Way>& ways, const PriceSettings& settings) {
+SceneEffectCosts effect_costs_of(const std::string& name,
+                                 const std::vector<Way>& ways,
+                                 const EffectCostSettings& settings) {
   const Way& usual = ways.front();
-  ScenePrices prices{name, usual.name, {}, 0, {}};
+  SceneEffectCosts effect_costs{name, usual.name, {}, 0, {}};
   const auto paths = static_cast<double>(usual.images.front().pixel_count()) * settings.spp;
-  prices.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
+  effect_costs.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
   for (const auto& finding : scene::effects(usual.subject.scene).called_for) {
     const std::string effect(effect_name(finding.effect));
-    if (prices.effects.empty() || prices.effects.back() != effect) prices.effects.push_back(effect);
+    if (effect_costs.effects.empty() || effect_costs.effects.back() != effect)
+      effect_costs.effects.push_back(effect);
   }
-  for (std::size_t i = 1; i < ways.size(); ++i) prices.alternatives.push_back(compare_ways(usual, ways[i]));
-  return prices;
+  for (std::size_t i = 1; i < ways.size(); ++i)
+    effect_costs.alternatives.push_back(compare_ways(usual, ways[i]));
+  return effect_costs;
 }
 
 }  // namespace
 
-std::optional<PriceList> make_price_list(const registry::Configuration& configuration,
-                                         const std::string& suite,
-                                         const std::string& scenes,
-                                         const PriceSettings& settings,
-                                         const PriceContext& context) {
+std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& configuration,
+                                                const std::string& suite,
+                                                const std::string& scenes,
+                                                const EffectCostSettings& settings,
+                                                const EffectCostContext& context) {
   runner::Plan plan;
   plan.root = configuration.root;
   plan.build = context.build;
   plan.settings.renderers = "orbs";
   runner::choose_renderers(configuration, plan);
-  PriceList list{settings,
-                 context.orbs_version,
-                 suite,
-                 runner::local_time_now(),
-                 runner::this_host(),
-                 runner::load_average(),
-                 {}};
+  EffectCosts list{settings,
+                   context.orbs_version,
+                   suite,
+                   runner::local_time_now(),
+                   runner::this_host(),
+                   runner::load_average(),
+                   {}};
   const auto chosen = registry::scenes_of(registry::find_suite(configuration, suite), scenes);
   for (const auto& one : chosen) {
     const ScratchFolder scratch("orbs-effects");
@@ -136,14 +142,14 @@ std::optional<PriceList> make_price_list(const registry::Configuration& configur
                                  [&] { return scaled_scene(one.file, settings.size_px); });
     auto ways = ways_for(scene, plan, scratch.path());
     if (!render_rounds(ways, settings, context)) return std::nullopt;
-    list.scenes.push_back(prices_of(one.name, ways, settings));
+    list.scenes.push_back(effect_costs_of(one.name, ways, settings));
     context.say(fmt::format("[{}/{}] {}", list.scenes.size(), chosen.size(), one.name));
   }
   return list;
 }
 
-bool all_agree(const PriceList& list) {
-  return std::all_of(list.scenes.begin(), list.scenes.end(), [](const ScenePrices& scene) {
+bool all_agree(const EffectCosts& list) {
+  return std::all_of(list.scenes.begin(), list.scenes.end(), [](const SceneEffectCosts& scene) {
     return std::all_of(scene.alternatives.begin(), scene.alternatives.end(), [](const Alternative& way) {
       return !way.is_enough || !way.change.is_comparable || way.change.bias.empty();
     });

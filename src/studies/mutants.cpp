@@ -1,4 +1,4 @@
-#include "studies/twins.h"
+#include "studies/mutants.h"
 
 #include "image/colour.h"
 

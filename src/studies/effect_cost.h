@@ -15,13 +15,13 @@
 /// the others, and without single effects, all with the same random numbers.
 namespace orbs::studies {
 
-struct PriceSettings {
+struct EffectCostSettings {
   int rounds = 4;     // each with its own seed; at least 2
   int spp = 16;       // of each render
   int size_px = 128;  // the longer side
 };
 
-struct PriceContext {
+struct EffectCostContext {
   std::filesystem::path build;  // {build}
   std::string orbs_version;
   const std::atomic<bool>* stop = nullptr;
@@ -57,7 +57,7 @@ struct Alternative {
   ImageChange change;
 };
 
-struct ScenePrices {
+struct SceneEffectCosts {
   std::string scene;
   std::string transport;  // that the scene calls for
   std::vector<std::string> effects;
@@ -65,31 +65,31 @@ struct ScenePrices {
   std::vector<Alternative> alternatives;
 };
 
-struct PriceList {
-  PriceSettings settings;
+struct EffectCosts {
+  EffectCostSettings settings;
   std::string orbs_version;
   std::string suite;
   std::string started;  // local time, ISO 8601
   results::Host host;
   double load = 0;  // when it started
-  std::vector<ScenePrices> scenes;
+  std::vector<SceneEffectCosts> scenes;
 };
 
 /// Nothing when stopped. `scenes`: patterns of names in the suite. InputError when a render fails.
-std::optional<PriceList> make_price_list(const registry::Configuration& configuration,
-                                         const std::string& suite,
-                                         const std::string& scenes,
-                                         const PriceSettings& settings,
-                                         const PriceContext& context);
+std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& configuration,
+                                                const std::string& suite,
+                                                const std::string& scenes,
+                                                const EffectCostSettings& settings,
+                                                const EffectCostContext& context);
 
 /// Whether every richer transport gave the same image.
-bool all_agree(const PriceList& list);
+bool all_agree(const EffectCosts& list);
 
 /// For people: a line for each alternative.
-std::string price_table(const PriceList& list);
+std::string effect_cost_table(const EffectCosts& list);
 /// The same as a table in Markdown.
-std::string price_markdown(const PriceList& list);
-/// All numbers, format "orbs-prices/1".
-std::string price_json(const PriceList& list);
+std::string effect_cost_markdown(const EffectCosts& list);
+/// All numbers, format "orbs-effect-cost/1".
+std::string effect_cost_json(const EffectCosts& list);
 
 }  // namespace orbs::studies
