@@ -65,9 +65,10 @@ Page read_page(const std::filesystem::path& file) {
   std::string language;
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     const auto& line = page.lines[i];
-    if (line.starts_with("```")) {
+    const auto text = trim(line);  // blocks of list items are indented
+    if (text.starts_with("```")) {
       is_code = !is_code;
-      language = line.substr(3);
+      language = text.substr(3);
     } else if (is_code) {
       page.code.push_back({i + 1, language, line});
     } else {
