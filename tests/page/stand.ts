@@ -149,7 +149,7 @@ export interface SomeOverview {
   cells: Record<string, (number | null)[]>;
   measures: Record<string, (number | null)[]>;
   infinite: Record<string, number[]>;
-  images: string[];
+  targets: string[];
   charts?: unknown[];
 }
 
