@@ -3,9 +3,10 @@
 // With --write they are formatted instead. The version of Prettier is the one in web/package-lock.json.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 
-const [source, ...options] = process.argv.slice(2);
+const [folder, ...options] = process.argv.slice(2);
+const source = resolve(folder);
 const prettier = join(source, "web/node_modules/prettier/bin/prettier.cjs");
 if (!existsSync(prettier)) {
   console.error(`${prettier} is missing: building the target orbs-page installs it.`);

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { useAnswer } from "./common/answer";
+import { useRequest } from "./common/request";
 import type { Session } from "./common/session";
 import type { News, Source } from "./data/source";
 
@@ -15,7 +15,7 @@ function troubleOf(problem: string | undefined, news: News | undefined): string 
 export function useSession(source: Source, run: number): Session | string | undefined {
   const [heard, setHeard] = useState<{ run: number; news: News; count: number }>();
   const [attempt, setAttempt] = useState(0);
-  const { value: overview, problem } = useAnswer(
+  const { value: overview, problem } = useRequest(
     String(run),
     `${heard?.count ?? 0} ${attempt}`,
     run < 0 ? undefined : () => source.overview(run),

@@ -1,4 +1,4 @@
-import { useAnswer } from "../common/answer";
+import { useRequest } from "../common/request";
 import { useActions } from "../common/keys";
 import { findCell, namesOf, reasonOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
@@ -38,7 +38,7 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   const { overview } = session;
   const index = findCell(overview, caseName, target, renderer);
   // A render that ends changes what there is to know.
-  const { value: detail, problem } = useAnswer(
+  const { value: detail, problem } = useRequest(
     `${session.run} ${index}`,
     overview.cells.state[index],
     index < 0 ? undefined : () => session.source.target(session.run, index),
@@ -64,40 +64,7 @@ export function CasePage({ session, route }: { session: Session; route: Route })
     );
   return (
     <article class="case">
-      <header class="verdict">
-        <div class="where">
-          <h1>
-            <span class="code">{one.requirement}</span> {one.title}{" "}
-            <span class="quiet">{target}</span>
-          </h1>
-          <nav aria-label="Neighbours">
-            <button
-              disabled={previous === undefined}
-              onClick={() => to(previous)}
-              title="previous target ([)"
-            >
-              ◂ Previous
-            </button>
-            <button disabled={next === undefined} onClick={() => to(next)} title="next target (])">
-              Next ▸
-            </button>
-          </nav>
-        </div>
-        <div class="renderer-tabs" role="group" aria-label="Renderer">
-          {siblings.map((cell) => (
-            <button key={cell} aria-pressed={cell === index} onClick={() => to(cell)}>
-              {namesOf(overview, cell).renderer}{" "}
-              <StateMark state={stateOf(overview, cell)} word={false} />
-            </button>
-          ))}
-        </div>
-        <p class="reason">
-          <StateMark state={stateOf(overview, index)} /> {reasonOf(overview, index)}
-        </p>
-        {one.smallest_error_seen ? (
-          <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p>
-        ) : null}
-      </header>
+      <CaseHeader session={session} index={index} one={one} target={target} onMove={to} />
       {problem !== undefined ? <p role="alert">The target cannot be shown: {problem}</p> : null}
       {detail === undefined && problem === undefined ? <p class="loading">Reading …</p> : null}
       {detail ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
@@ -105,17 +72,69 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   );
 }
 
-function Detail({
-  session,
-  route,
-  one,
-  detail,
-}: {
+interface HeaderProps {
+  session: Session;
+  /** Index of the cell that is shown. */
+  index: number;
+  one: Case;
+  target: string;
+  onMove: (cell: number | undefined) => void;
+}
+
+/** The target, its verdict with the reason, and the way to its neighbours. */
+function CaseHeader({ session, index, one, target, onMove }: HeaderProps) {
+  const { overview } = session;
+  const { previous, next, siblings } = neighbours(session, index);
+  return (
+    <header class="verdict">
+      <div class="where">
+        <h1>
+          <span class="code">{one.requirement}</span> {one.title}{" "}
+          <span class="quiet">{target}</span>
+        </h1>
+        <nav aria-label="Neighbours">
+          <button
+            disabled={previous === undefined}
+            onClick={() => onMove(previous)}
+            title="previous target ([)"
+          >
+            ◂ Previous
+          </button>
+          <button
+            disabled={next === undefined}
+            onClick={() => onMove(next)}
+            title="next target (])"
+          >
+            Next ▸
+          </button>
+        </nav>
+      </div>
+      <div class="renderer-tabs" role="group" aria-label="Renderer">
+        {siblings.map((cell) => (
+          <button key={cell} aria-pressed={cell === index} onClick={() => onMove(cell)}>
+            {namesOf(overview, cell).renderer}{" "}
+            <StateMark state={stateOf(overview, cell)} word={false} />
+          </button>
+        ))}
+      </div>
+      <p class="reason">
+        <StateMark state={stateOf(overview, index)} /> {reasonOf(overview, index)}
+      </p>
+      {one.smallest_error_seen ? (
+        <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p>
+      ) : null}
+    </header>
+  );
+}
+
+interface DetailProps {
   session: Session;
   route: Route;
   one: Case;
   detail: TargetDetail;
-}) {
+}
+
+function Detail({ session, route, one, detail }: DetailProps) {
   return (
     <>
       <Viewer

@@ -22,7 +22,34 @@ function detailText({ low, high, where }: Measure): string {
   return parts.join(", ");
 }
 
-/** Every number with what it may be and what it means, then the conditions that are no metric. */
+function MeasureRow({ measure, check }: { measure: Measure; check: Check | undefined }) {
+  return (
+    <tr class={check ? (check.passed ? "met" : "unmet") : ""}>
+      <th scope="row">
+        <details>
+          <summary title={measure.definition}>{measure.name}</summary>
+          <p class="definition">{measure.definition}</p>
+        </details>
+      </th>
+      <td class="number">
+        {withUnit(number(measure.value, measure.infinite), measure.unit)}{" "}
+        <span class="quiet">{detailText(measure)}</span>
+      </td>
+      <td>
+        {toleranceText(check)}{" "}
+        {check ? (
+          <span class={check.passed ? "tone-good" : "tone-bad"}>
+            {check.passed ? "✓ met" : "✗ not met"}
+          </span>
+        ) : (
+          <span class="quiet">{betterText(measure)}</span>
+        )}
+      </td>
+    </tr>
+  );
+}
+
+/** Every number with its tolerance and its definition, then the conditions that are no metric. */
 export function Measures({ detail }: { detail: TargetDetail }) {
   const { measures, checks, remarks = [] } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
@@ -42,33 +69,13 @@ export function Measures({ detail }: { detail: TargetDetail }) {
             </tr>
           </thead>
           <tbody>
-            {measures.map((measure) => {
-              const check = checks.find((one) => one.what === measure.name);
-              return (
-                <tr key={measure.name} class={check ? (check.passed ? "met" : "unmet") : ""}>
-                  <th scope="row">
-                    <details>
-                      <summary title={measure.definition}>{measure.name}</summary>
-                      <p class="definition">{measure.definition}</p>
-                    </details>
-                  </th>
-                  <td class="number">
-                    {withUnit(number(measure.value, measure.infinite), measure.unit)}{" "}
-                    <span class="quiet">{detailText(measure)}</span>
-                  </td>
-                  <td>
-                    {toleranceText(check)}{" "}
-                    {check ? (
-                      <span class={check.passed ? "tone-good" : "tone-bad"}>
-                        {check.passed ? "✓ met" : "✗ not met"}
-                      </span>
-                    ) : (
-                      <span class="quiet">{betterText(measure)}</span>
-                    )}
-                  </td>
-                </tr>
-              );
-            })}
+            {measures.map((measure) => (
+              <MeasureRow
+                key={measure.name}
+                measure={measure}
+                check={checks.find((one) => one.what === measure.name)}
+              />
+            ))}
           </tbody>
         </table>
       ) : null}

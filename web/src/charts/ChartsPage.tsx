@@ -7,17 +7,14 @@ import { chartByTarget, chartOfTwo, quantitiesOf, type Quantity } from "./from_r
 import { hasPoints, leftOutText } from "./drawable";
 import { Plot } from "./Plot";
 
-function Choice({
-  label,
-  param,
-  chosen,
-  quantities,
-}: {
+interface ChoiceProps {
   label: string;
   param: string;
   chosen: Quantity;
   quantities: Quantity[];
-}) {
+}
+
+function Choice({ label, param, chosen, quantities }: ChoiceProps) {
   return (
     <label>
       {label}{" "}
@@ -35,15 +32,13 @@ function Choice({
   );
 }
 
-function ChartSection({
-  chart,
-  onOpen,
-  children,
-}: {
+interface ChartSectionProps {
   chart: Chart;
   onOpen: (cell: number) => void;
   children?: preact.ComponentChildren;
-}) {
+}
+
+function ChartSection({ chart, onOpen, children }: ChartSectionProps) {
   const leftOut = leftOutText(chart);
   return (
     <section class="chart" aria-label={chart.title}>

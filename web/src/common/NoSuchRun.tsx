@@ -1,16 +1,14 @@
 import type { Source } from "../data/source";
 import { routeText, type Route } from "../route";
 
-/** Says that the run which the address names in `param` is not here, and which are. */
-export function NoSuchRun({
-  source,
-  route,
-  param,
-}: {
+interface NoSuchRunProps {
   source: Source;
   route: Route;
   param: string;
-}) {
+}
+
+/** Says that the run which the address names in `param` is not here, and which are. */
+export function NoSuchRun({ source, route, param }: NoSuchRunProps) {
   return (
     <div role="alert">
       There is no run '{route.query[param]}' here.{" "}

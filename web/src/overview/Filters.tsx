@@ -7,27 +7,25 @@ import type { Filter } from "./rows";
 interface Props {
   overview: Overview;
   filter: Filter;
+  /** Number of rows that the filter leaves. */
   count: number;
   box: RefObject<HTMLInputElement | null>;
+  /** The metric or cost that the cells show; "" for the main metric. */
   show: string;
 }
 
 const toggled = (list: string[], one: string): string =>
   (list.includes(one) ? list.filter((other) => other !== one) : [...list, one]).join("|");
 
-function Chips({
-  label,
-  names,
-  chosen,
-  param,
-  symbols,
-}: {
+interface ChipsProps {
   label: string;
   names: { name: string; count?: number }[];
   chosen: string[];
   param: string;
   symbols?: (name: string) => { symbol: string; tone: string };
-}) {
+}
+
+function Chips({ label, names, chosen, param, symbols }: ChipsProps) {
   if (names.length < 2) return null;
   return (
     <div class="chips" role="group" aria-label={label}>
@@ -87,38 +85,45 @@ export function Filters({ overview, filter, count, box, show }: Props) {
         chosen={filter.renderers}
         param="renderer"
       />
-      <div class="choices">
-        <button
-          aria-pressed={filter.failuresFirst}
-          title="Key f"
-          onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}
-        >
-          Failures first
-        </button>
-        <button
-          aria-pressed={filter.byTarget}
-          title="Key p"
-          onClick={() => note({ by: filter.byTarget ? "" : "target" })}
-        >
-          By target
-        </button>
-        <label>
-          Show{" "}
-          <select
-            value={show || overview.main_metric}
-            onChange={(event) => note({ show: event.currentTarget.value })}
-          >
-            {overview.metrics.map((metric) => (
-              <option key={metric.name}>{metric.name}</option>
-            ))}
-            <option value="wall_seconds">time</option>
-            <option value="peak_rss_bytes">peak memory</option>
-          </select>
-        </label>
-        <span class="quiet" role="status">
-          {count} {count === 1 ? "row" : "rows"}
-        </span>
-      </div>
+      <Choices overview={overview} filter={filter} count={count} show={show} />
     </section>
+  );
+}
+
+/** The order of the rows, and the number that each cell shows. */
+function Choices({ overview, filter, count, show }: Omit<Props, "box">) {
+  return (
+    <div class="choices">
+      <button
+        aria-pressed={filter.failuresFirst}
+        title="Key f"
+        onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}
+      >
+        Failures first
+      </button>
+      <button
+        aria-pressed={filter.byTarget}
+        title="Key p"
+        onClick={() => note({ by: filter.byTarget ? "" : "target" })}
+      >
+        By target
+      </button>
+      <label>
+        Show{" "}
+        <select
+          value={show || overview.main_metric}
+          onChange={(event) => note({ show: event.currentTarget.value })}
+        >
+          {overview.metrics.map((metric) => (
+            <option key={metric.name}>{metric.name}</option>
+          ))}
+          <option value="wall_seconds">time</option>
+          <option value="peak_rss_bytes">peak memory</option>
+        </select>
+      </label>
+      <span class="quiet" role="status">
+        {count} {count === 1 ? "row" : "rows"}
+      </span>
+    </div>
   );
 }

@@ -58,17 +58,14 @@ export function cellLink(session: Session, index: number): string {
   });
 }
 
-function Cell({
-  session,
-  index,
-  show,
-  onHover,
-}: {
+interface CellProps {
   session: Session;
   index: number;
   show: string;
   onHover: (hovered: Hovered | undefined) => void;
-}) {
+}
+
+function Cell({ session, index, show, onHover }: CellProps) {
   if (index < 0) return <span role="cell" class="cell none" />;
   const state = stateOf(session.overview, index);
   const look = lookOf(state);

@@ -1,6 +1,6 @@
 import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
-import type { Overview } from "../data/types";
+import type { Overview, Renderer } from "../data/types";
 
 /** By renderer, how many of its images are in each state. */
 function countsOf(overview: Overview): number[][] {
@@ -12,6 +12,52 @@ function countsOf(overview: Overview): number[][] {
     if (own) own[state] = (own[state] ?? 0) + 1;
   }
   return counts;
+}
+
+interface RowProps {
+  overview: Overview;
+  renderer: Renderer;
+  /** How many of its targets are in each state of the run. */
+  counts: number[];
+}
+
+function RendererRow({ overview, renderer, counts }: RowProps) {
+  return (
+    <tr>
+      <th scope="row">
+        {renderer.name} <span class="quiet">{renderer.version}</span>
+      </th>
+      <td data-label="Declared" class="features">
+        {renderer.declared || "–"}
+      </td>
+      <td data-label="Measured" class="features">
+        {overview.run.finished ? renderer.measured || "–" : "…"}
+      </td>
+      <td data-label="Images">
+        <ul class="counts">
+          {counts.map((count, s) => {
+            const state = overview.states[s];
+            if (count === 0 || !state) return null;
+            const look = lookOf(state);
+            return (
+              <li key={state.name} class={`tone-${look.tone}`}>
+                <span aria-hidden="true">{look.symbol}</span> {count} {state.name}
+              </li>
+            );
+          })}
+        </ul>
+      </td>
+      <td data-label="Time" class="number">
+        {renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}
+      </td>
+      <td data-label="CPU" class="number">
+        {renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}
+      </td>
+      <td data-label="Peak memory" class="number">
+        {bytes(renderer.peak_rss_bytes)}
+      </td>
+    </tr>
+  );
 }
 
 /** One line per renderer: what it claims, what was measured, what it cost. */
@@ -46,40 +92,12 @@ export function RendererTable({ overview }: { overview: Overview }) {
         </thead>
         <tbody>
           {overview.renderers.map((renderer, r) => (
-            <tr key={renderer.name}>
-              <th scope="row">
-                {renderer.name} <span class="quiet">{renderer.version}</span>
-              </th>
-              <td data-label="Declared" class="features">
-                {renderer.declared || "–"}
-              </td>
-              <td data-label="Measured" class="features">
-                {overview.run.finished ? renderer.measured || "–" : "…"}
-              </td>
-              <td data-label="Images">
-                <ul class="counts">
-                  {counts[r]?.map((count, s) => {
-                    const state = overview.states[s];
-                    if (count === 0 || !state) return null;
-                    const look = lookOf(state);
-                    return (
-                      <li key={state.name} class={`tone-${look.tone}`}>
-                        <span aria-hidden="true">{look.symbol}</span> {count} {state.name}
-                      </li>
-                    );
-                  })}
-                </ul>
-              </td>
-              <td data-label="Time" class="number">
-                {renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}
-              </td>
-              <td data-label="CPU" class="number">
-                {renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}
-              </td>
-              <td data-label="Peak memory" class="number">
-                {bytes(renderer.peak_rss_bytes)}
-              </td>
-            </tr>
+            <RendererRow
+              key={renderer.name}
+              overview={overview}
+              renderer={renderer}
+              counts={counts[r] ?? []}
+            />
           ))}
         </tbody>
       </table>

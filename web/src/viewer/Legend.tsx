@@ -36,18 +36,15 @@ export function ticksOf({
   ];
 }
 
-/** The colour scale of the image in front, with its numbers. */
-export function Legend({
-  image,
-  settings,
-  onEnd,
-  onLog,
-}: {
+interface LegendProps {
   image: ImageEntry;
   settings: PaintSettings;
   onEnd: (end: number | undefined) => void;
   onLog: () => void;
-}) {
+}
+
+/** The colour scale of the image in front, with its numbers. */
+export function Legend({ image, settings, onEnd, onLog }: LegendProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const pen = canvas.current?.getContext("2d");

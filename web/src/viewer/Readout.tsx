@@ -13,18 +13,15 @@ function columns(raster: Raster, chosen: string): number[] {
   return seen < kMost ? all.slice(0, kMost) : [...all.slice(0, kMost - 1), seen];
 }
 
-/** The raw numbers of all images at one pixel. */
-export function Readout({
-  at,
-  images,
-  rasters,
-  channel: chosen,
-}: {
+interface ReadoutProps {
   at: { x: number; y: number } | undefined;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
   channel: string;
-}) {
+}
+
+/** The raw numbers of all images at one pixel. */
+export function Readout({ at, images, rasters, channel: chosen }: ReadoutProps) {
   const x = at ? Math.floor(at.x) : -1;
   const y = at ? Math.floor(at.y) : -1;
   return (

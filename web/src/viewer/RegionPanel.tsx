@@ -2,6 +2,7 @@ import { number, rawFloat } from "../common/format";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { StatisticsTable } from "./Histogram";
+import type { RegionMetrics } from "./region_metrics";
 import { isWithin, type Region } from "./statistics";
 import { useRegionMetrics, useStatistics } from "./use_counted";
 import { isRaster, type Loaded } from "./use_rasters";
@@ -21,18 +22,35 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
   );
 }
 
-/** Statistics and metrics of the region that was drawn. */
-export function RegionPanel({
-  region,
-  images,
-  rasters,
-  onClear,
-}: {
+/** Means of the difference of result and reference. */
+function DifferenceRows({ metrics }: { metrics: RegionMetrics }) {
+  return (
+    <>
+      <tr title="mean of |result − reference| over R, G, B, linear">
+        <th scope="row">mean |Δ|</th>
+        <td class="number">{text(metrics.absolute)}</td>
+      </tr>
+      <tr title="mean of (result − reference)² over R, G, B, linear">
+        <th scope="row">mean Δ²</th>
+        <td class="number">{text(metrics.squared)}</td>
+      </tr>
+      <tr title="mean of result − reference over R, G, B, linear: the bias">
+        <th scope="row">mean Δ</th>
+        <td class="number">{text(metrics.signed)}</td>
+      </tr>
+    </>
+  );
+}
+
+interface RegionPanelProps {
   region: Region;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
   onClear: () => void;
-}) {
+}
+
+/** Statistics and metrics of the region that was drawn. */
+export function RegionPanel({ region, images, rasters, onClear }: RegionPanelProps) {
   const loaded = (kind: string): Raster | undefined => {
     const image = images.find((one) => one.kind === kind);
     const raster = image && rasters.get(image.name);
@@ -62,22 +80,7 @@ export function RegionPanel({
       ) : null}
       <table>
         <tbody>
-          {metrics ? (
-            <>
-              <tr title="mean of |result − reference| over R, G, B, linear">
-                <th scope="row">mean |Δ|</th>
-                <td class="number">{text(metrics.absolute)}</td>
-              </tr>
-              <tr title="mean of (result − reference)² over R, G, B, linear">
-                <th scope="row">mean Δ²</th>
-                <td class="number">{text(metrics.squared)}</td>
-              </tr>
-              <tr title="mean of result − reference over R, G, B, linear: the bias">
-                <th scope="row">mean Δ</th>
-                <td class="number">{text(metrics.signed)}</td>
-              </tr>
-            </>
-          ) : null}
+          {metrics ? <DifferenceRows metrics={metrics} /> : null}
           {images.map((image) => {
             const raster = rasters.get(image.name);
             return image.kind === "map" && isRaster(raster) && fitting(raster) ? (

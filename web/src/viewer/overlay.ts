@@ -2,19 +2,9 @@ import { rawFloat } from "../common/format";
 import { valueAt, type Raster } from "../data/raster";
 import { seenChannels } from "./channels";
 import { placed, type Pane, type Size } from "./geometry";
-import type { Shown } from "./Stage";
+import type { StageContent } from "./stage_content";
 import { isRaster } from "./use_rasters";
 import type { ViewState } from "./view_state";
-
-interface Scene {
-  shown: Shown[];
-  panes: Pane[];
-  view: ViewState;
-  size: Size;
-  stage: Size & { scale: number };
-  swiping: boolean;
-  marked: { x: number; y: number } | undefined;
-}
 
 const kNumbersFrom = 36; // screen pixels per pixel: below, four digits do not fit
 
@@ -99,10 +89,10 @@ function drawTitle(pen: CanvasRenderingContext2D, text: string, x: number, y: nu
 }
 
 /** What lies over the images: numbers in large pixels, the region, the marked pixel, names. */
-export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
+export function drawOverlay(canvas: HTMLCanvasElement, content: StageContent): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;
-  const { shown, panes, view, size, stage } = scene;
+  const { shown, panes, view, size, stage } = content;
   pen.setTransform(stage.scale, 0, 0, stage.scale, 0, 0);
   pen.clearRect(0, 0, stage.width, stage.height);
   let numbers = 0;
@@ -112,8 +102,8 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
     pen.save();
     pen.beginPath();
     const divider = stage.width * view.swipe;
-    if (scene.swiping && i === 0) pen.rect(0, 0, divider, stage.height);
-    else if (scene.swiping) pen.rect(divider, 0, stage.width, stage.height);
+    if (content.swiping && i === 0) pen.rect(0, 0, divider, stage.height);
+    else if (content.swiping) pen.rect(divider, 0, stage.width, stage.height);
     else pen.rect(pane.x, pane.y, pane.width, pane.height);
     pen.clip();
     if (isRaster(one.loaded) && placed(view, pane, size).zoom >= kNumbersFrom) {
@@ -121,7 +111,7 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
       ++numbers;
     }
     if (view.region) drawBox(pen, pane, view, size, view.region, "#ffd84d");
-    const { marked } = scene;
+    const { marked } = content;
     if (marked)
       drawBox(
         pen,
@@ -132,7 +122,7 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
         "#ff4dff",
       );
     pen.restore();
-    if (scene.swiping && i === 1)
+    if (content.swiping && i === 1)
       drawTitle(pen, one.image.name, Math.min(divider + 8, stage.width - 90), 8);
     else drawTitle(pen, one.image.name, pane.x + 8, pane.y + 8);
   });

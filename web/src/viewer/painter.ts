@@ -2,12 +2,17 @@ import { floatsOf, type Raster } from "../data/raster";
 import { scaleBytes } from "./colour_scales";
 import { kFragmentShader, kVertexShader } from "./shader";
 
+/** x, y, width, height. */
+export type Rectangle = [number, number, number, number];
+
 /** How one image is drawn into one pane. */
 export interface Paint {
   raster: Raster;
-  /** The pane and the part of it that is drawn, in pixels of the canvas from its top left: x, y, width, height. */
-  pane: [number, number, number, number];
-  clip: [number, number, number, number];
+  /** The pane, in pixels of the canvas from its top left corner. */
+  pane: Rectangle;
+  /** The part of the pane that is drawn. */
+  clip: Rectangle;
+  /** Position in the image of the top left corner of the pane. */
   origin: [number, number];
   zoom: number;
   gain: number;
@@ -135,7 +140,7 @@ export class Painter {
       gl.activeTexture(gl.TEXTURE0 + unit);
       this.bind(p.raster, channel);
     });
-    const [x, y, width, height] = p.clip.map(Math.round) as [number, number, number, number];
+    const [x, y, width, height] = p.clip.map(Math.round) as Rectangle;
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(x, this.canvas.height - y - height, Math.max(0, width), Math.max(0, height));
     const set = (name: string, value: number): void => gl.uniform1f(this.uniform(name), value);

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { reasonOf } from "../common/answer";
+import { messageOf } from "../common/request";
 import type { Session } from "../common/session";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
@@ -39,7 +39,7 @@ export function useRasters(
       const own = image.kind === "map" ? "" : layer;
       source
         .raster(run, image.file, own, signal)
-        .then(put, (error: unknown) => put({ problem: `${image.name}: ${reasonOf(error)}` }));
+        .then(put, (error: unknown) => put({ problem: `${image.name}: ${messageOf(error)}` }));
     }
   }, [source, run, key, layer, wanted.join("\n")]);
   return loaded;
