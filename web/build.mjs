@@ -1,6 +1,7 @@
 // Bundles the page into one folder: node build.mjs <output folder>
-//   index.html, page.js, page.css, icon.svg   what `orbs serve` answers with
-//   single.html                                the same in one file, with a mark where `orbs report` puts the data
+//   index.html, page.js, page.css, icon.svg   the files that `orbs serve` sends
+//   single.html                               the same in one file, with a placeholder for the
+//                                             data that `orbs report` inserts
 import { createHash } from "node:crypto";
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -22,7 +23,7 @@ const result = await build({
   jsx: "automatic",
   jsxImportSource: "preact",
   charset: "utf8",
-  legalComments: "inline", // of uPlot and preact: their licences ask for it
+  legalComments: "inline", // the licences of uPlot and preact require it
   logLevel: "warning",
   metafile: true,
 });
@@ -30,18 +31,18 @@ const result = await build({
 for (const file of ["index.html", "icon.svg"])
   copyFileSync(join(here, "src", file), join(output, file));
 
-// An HTML parser ends a script at "</script" wherever it stands.
+// An HTML parser ends a script at the first "</script", even within a string.
 const script = readFileSync(join(output, "page.js"), "utf8")
   .replaceAll("</script", "<\\/script")
   .trim();
 const style = readFileSync(join(output, "page.css"), "utf8").trim();
 const icon = readFileSync(join(output, "icon.svg")).toString("base64");
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-// Only these two texts run, and nothing is loaded: the file cannot ask the network for anything.
+// Only this script and this style are allowed, and nothing can be loaded from the network.
 const policy =
   `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; ` +
   `img-src data: blob:; base-uri 'none'; form-action 'none'`;
-// Replacement by functions: the texts hold "$", which a string would give a meaning.
+// Functions as replacements: in a string, "$" would have a special meaning.
 const single = readFileSync(join(output, "index.html"), "utf8")
   .replace("<!--policy-->", () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
   .replace(

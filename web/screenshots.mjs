@@ -1,6 +1,7 @@
-// Makes the images of the README from a run:
-//   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address on the page, from '#' on>...]
-// Needs Debian's chromium. The case shown is the first failure with an image. With addresses only their images are made.
+// Takes the screenshots of the documentation from a run:
+//   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address>...]
+// The case shown is the first failure with an image. An address is the part from '#' on; if any is
+// given, only these screenshots are taken. Needs Debian's chromium.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";

@@ -1,6 +1,6 @@
 // Checks that the sources of the page and of its tests are formatted as web/.prettierrc.json says:
 //   node check_format.mjs <source folder> [--write]
-// With --write they are formatted instead. The version of Prettier is the one in web/package-lock.json.
+// With --write they are formatted instead. web/package-lock.json pins the version of Prettier.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { join, resolve } from "node:path";

@@ -1,6 +1,7 @@
-// Checks that no function of the page or of its tests has a body of more than 60 lines, as clang-tidy does for C++:
+// Checks that no function of the page or of its tests has more than 60 lines between its braces, as
+// clang-tidy does for C++:
 //   node check_functions.mjs <source folder>
-// TypeScript calls its programming interface unstable; its version is the one in web/package-lock.json.
+// TypeScript calls its programming interface unstable; web/package-lock.json pins its version.
 import { existsSync } from "node:fs";
 import { join, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";

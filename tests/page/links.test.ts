@@ -1,9 +1,10 @@
-// What a link shows, tomorrow too: which run, and of two runs what changed.
+// Links name their run, so that they show the same later; and the comparison of two runs.
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, report, Scratch, serve, type Served } from "./stand";
+import { changeOverview, launch, open } from "./browser";
+import { report, Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -25,7 +26,7 @@ const linksOf = (page: Page): Promise<string[]> =>
     .locator("a[href^='#/']")
     .evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
 
-test("where there are several runs each link names its run", async () => {
+test("if there are several runs each link names its run", async () => {
   const { page, errors } = await open(browser, two.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
   await page.locator(".cell a").first().waitFor();
@@ -47,7 +48,7 @@ test("where there are several runs each link names its run", async () => {
   await page.close();
 });
 
-test("naming the run adds no step to the way back", async () => {
+test("naming the run adds no step to the history", async () => {
   const { page } = await open(browser, "about:blank");
   await page.goto(two.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
@@ -60,7 +61,7 @@ test("naming the run adds no step to the way back", async () => {
   await page.close();
 });
 
-test("a run that is not here is not taken for another one", async () => {
+test("a run that does not exist is not replaced by another one", async () => {
   const { page, errors } = await open(browser, `${two.url}#/charts?run=yesterday&of=cpu_seconds`);
   const alert = page.getByRole("alert");
   await alert.getByText("There is no run 'yesterday' here. There are:").waitFor();
@@ -77,7 +78,7 @@ test("a run that is not here is not taken for another one", async () => {
   await page.close();
 });
 
-test("a page of one run has short links, and knows no other run", async () => {
+test("a page of one run has short links and no other run", async () => {
   const file = join(scratch.folder, "page.html");
   report(join(scratch.folder, "small"), file);
   const { page } = await open(browser, `file://${file}`);
@@ -89,7 +90,7 @@ test("a page of one run has short links, and knows no other run", async () => {
   await page.close();
 });
 
-test("a run that cannot be compared says why", async () => {
+test("the page says why a run cannot be compared", async () => {
   const { page } = await open(browser, "about:blank");
   await page.route("**/data/1/overview.json", (route) =>
     route.fulfill({ status: 500, body: "the disk is gone" }),
@@ -99,7 +100,7 @@ test("a run that cannot be compared says why", async () => {
   await page.close();
 });
 
-test("images that were not rendered are neither better nor worse", async () => {
+test("targets that were not rendered are neither better nor worse", async () => {
   const { page } = await open(browser, "about:blank");
   await changeOverview(
     page,
@@ -113,7 +114,7 @@ test("images that were not rendered are neither better nor worse", async () => {
   await page.goto(`${two.url}#/compare`);
   const rows = page.locator("section[data-kind=open] tbody tr");
   await rows.first().waitFor();
-  // One was skipped in both runs.
+  // One target was skipped in both runs.
   assert.deepEqual(
     (await rows.allInnerTexts()).map((text) => /waiting|running|skipped/.exec(text)?.[0]).sort(),
     ["running", "skipped", "skipped", "waiting"],
@@ -125,7 +126,7 @@ test("images that were not rendered are neither better nor worse", async () => {
   await page.close();
 });
 
-test("a signed number that only changed its side is as good as before", async () => {
+test("a signed value that only changed its sign is unchanged", async () => {
   const { page } = await open(browser, "about:blank");
   await changeOverview(
     page,
@@ -133,7 +134,7 @@ test("a signed number that only changed its side is as good as before", async ()
     0,
   );
   await page.goto(`${two.url}#/compare?metric=lean`);
-  // Those that changed their state, and nobody else.
+  // Only targets whose state changed.
   await page.locator("section[data-kind=better] tbody tr").first().waitFor();
   assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), [
     "m1_values",

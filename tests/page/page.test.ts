@@ -2,17 +2,8 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
-import {
-  changeOverview,
-  colourAt,
-  drawn,
-  launch,
-  open,
-  report,
-  Scratch,
-  serve,
-  type Served,
-} from "./stand";
+import { changeOverview, colourAt, drawn, launch, open } from "./browser";
+import { report, Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -33,7 +24,7 @@ after(async () => {
 
 const values = "#/case/m1_values/values/one";
 
-test("the overview shows each state by symbol and word, failures first", async () => {
+test("the overview shows each state as symbol and word, failures first", async () => {
   const { page, errors } = await open(browser, `${url}#/?by=target`);
   await page.waitForSelector(".grid .row.target");
   const words = await page.locator(".cell a").allInnerTexts();
@@ -57,7 +48,7 @@ test("the overview shows each state by symbol and word, failures first", async (
   await page.close();
 });
 
-test("of images in the same state the one with the worst number speaks for the requirement", async () => {
+test("of targets in the same state the one with the worst metric represents the requirement", async () => {
   const page = await browser.newPage();
   await changeOverview(page, (overview) => {
     const { cells, measures } = overview;
@@ -78,7 +69,7 @@ test("of images in the same state the one with the worst number speaks for the r
   await page.close();
 });
 
-test("filter box, chips and the address say the same", async () => {
+test("filter box, chips and the address agree", async () => {
   const { page } = await open(browser, url);
   await page.locator(".search").waitFor();
   await page.keyboard.press("/");
@@ -93,7 +84,7 @@ test("filter box, chips and the address say the same", async () => {
   await page.close();
 });
 
-test("a cell shows a small image, opens its case, and the back button returns", async () => {
+test("a cell shows a thumbnail, opens its target, and the back button returns", async () => {
   const { page, errors } = await open(browser, `${url}#/?q=known`);
   const cell = page.locator(".cell a").first();
   await cell.hover();
@@ -109,7 +100,7 @@ test("a cell shows a small image, opens its case, and the back button returns", 
     "10 log10(255^2 / MSE)",
     "≥ 35",
     "not met",
-    "nearer to 0 is better",
+    "closer to 0 is better",
     "-0.02 to -0.005, in [8, 16, 24, 32]",
     "it leans to the left",
     "orbs run --suite alpha --case m1_values",
@@ -126,7 +117,7 @@ test("a cell shows a small image, opens its case, and the back button returns", 
   await page.close();
 });
 
-test("digits flip between the images, also one that nobody has heard of", async () => {
+test("digits flip between the images, even those of unknown maps", async () => {
   const { page, errors } = await open(browser, url + values);
   await drawn(page, "result");
   for (const [key, name] of [
@@ -168,7 +159,7 @@ test("swipe shows the result left and the reference right of the divider", async
   await page.close();
 });
 
-test("the read-out has the numbers of the EXR, also those beyond half floats", async () => {
+test("the readout has the values of the EXR, even beyond the range of half floats", async () => {
   const { page } = await open(browser, `${url}${values}?zoom=40&x=8.5&y=9.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
@@ -188,7 +179,7 @@ test("the read-out has the numbers of the EXR, also those beyond half floats", a
   assert.equal(
     await page.locator(".overlay").getAttribute("data-numbers"),
     "1",
-    "numbers stand in the pixels",
+    "values are drawn in the pixels",
   );
   await page.close();
 });
@@ -217,11 +208,11 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
       if (data[i] === 255 && data[i + 1] === 0 && data[i + 2] === 255) ++magenta;
     return magenta;
   });
-  assert.ok(small >= 1, "still seen when 16 pixels share one");
+  assert.ok(small >= 1, "visible although 16 pixels share one screen pixel");
   await page.close();
 });
 
-test("the worst pixels are found in order, and the view says where", async () => {
+test("the worst pixels are visited in order, with their positions", async () => {
   const { page } = await open(browser, `${url}${values}?img=l1`);
   await drawn(page, "l1");
   await page.getByText("2 pixels differ").waitFor();
@@ -255,7 +246,7 @@ test("a link restores the view, and changes of the view change the link", async 
   await page.close();
 });
 
-test("Stokes layers are numbers of both signs and get a diverging scale", async () => {
+test("Stokes layers have values of both signs and get a diverging scale", async () => {
   const { page, errors } = await open(
     browser,
     `${url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`,
@@ -272,7 +263,7 @@ test("Stokes layers are numbers of both signs and get a diverging scale", async 
   await page.close();
 });
 
-test("layers of result and reference have one scale", async () => {
+test("layers of result and reference share one scale", async () => {
   const { page, errors } = await open(
     browser,
     `${url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`,
@@ -294,7 +285,7 @@ test("layers of result and reference have one scale", async () => {
   await page.close();
 });
 
-test("a case says what its scene calls for, and what that costs", async () => {
+test("a target lists the effects that its scene calls for, and their cost", async () => {
   const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one`);
   const effects = page.locator(".effects");
   await effects.waitFor();
@@ -326,7 +317,7 @@ test("text of cases and logs is never markup", async () => {
   await page.close();
 });
 
-test("the one-file page works from file:// and asks for nothing", async () => {
+test("the one-file page works from file:// and requests nothing", async () => {
   const file = join(scratch.folder, "page.html");
   report(join(scratch.folder, "small"), file);
   const { page, errors } = await open(browser, `file://${file}${values}?img=wobble`);
@@ -342,7 +333,7 @@ test("the one-file page works from file:// and asks for nothing", async () => {
   await page.close();
 });
 
-test("two runs: better, worse, new and gone", async () => {
+test("two runs: better, worse, new and removed", async () => {
   const { page } = await open(browser, `${url}#/compare`);
   const rows = (kind: string) => page.locator(`section[data-kind=${kind}] tbody tr`);
   await rows("gone").waitFor();
@@ -350,21 +341,21 @@ test("two runs: better, worse, new and gone", async () => {
   assert.match(await rows("worse").innerText(), /e1_markup\s+markup\s+one/);
   assert.match(await rows("new").innerText(), /m9_new/);
   assert.match(await rows("gone").innerText(), /g9_gone/);
-  // "two" took twice as long before; "three" was rendered elsewhere.
+  // "two" took twice as long before; "three" was rendered on another machine.
   assert.match(await rows("better").innerText(), /× 0\.5$/);
   const line = await page.locator(".compare-time").innerText();
   assert.match(
     line,
-    /^Wall clock × 0\.\d+, the geometric mean of \d+ targets; load at the start 0\.25 before, 0\.25 after\./,
+    /^Wall clock × 0\.\d+, geometric mean over \d+ targets; load at the start 0\.25 before, 0\.25 after\./,
   );
   assert.match(
     line,
-    /times are of different machines \(another processor, 2 cores before, a processor, 2 cores after\)/,
+    /measured on different machines \(another processor, 2 cores before, a processor, 2 cores after\)/,
   );
   await page.locator("section[data-kind=same] summary").click();
   assert.match(
     await rows("same").filter({ hasText: "three" }).first().innerText(),
-    /times are of different machines$/,
+    /measured on different machines$/,
   );
   await page.goto(`${url}#/compare?before=small&after=small&ra=one&rb=two`);
   await page.waitForFunction(() =>
@@ -373,13 +364,13 @@ test("two runs: better, worse, new and gone", async () => {
   await page.close();
 });
 
-test("the '?' sheet lists the keys, and Escape closes it", async () => {
+test("the help lists the keys, and Escape closes it", async () => {
   const { page } = await open(browser, url + values);
   await drawn(page, "result");
   await page.keyboard.press("?");
-  assert.match(await page.getByRole("dialog").innerText(), /exposure \+½/);
+  assert.match(await page.getByRole("dialog").innerText(), /exposure \+½ stop/);
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => !document.querySelector("dialog"));
-  assert.match(page.url(), /case/, "Escape only closed the sheet");
+  assert.match(page.url(), /case/, "Escape only closed the help");
   await page.close();
 });

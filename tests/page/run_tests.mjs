@@ -1,4 +1,4 @@
-// Checks the types of the tests, bundles the tests of this folder and runs them with Node's own test runner:
+// Checks the types of the tests of this folder, bundles them and runs them with Node's test runner:
 //   node run_tests.mjs <source folder> <build folder> [names of tests, as a pattern]
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";

@@ -1,18 +1,9 @@
-// The viewer on images that the renders of the other tests do not have.
+// The viewer with images that the renders of the other tests do not contain.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import {
-  colourAt,
-  drawn,
-  launch,
-  open,
-  packedImage,
-  replaceImages,
-  Scratch,
-  serve,
-  type Served,
-} from "./stand";
+import { colourAt, drawn, launch, open, packedImage, replaceImages } from "./browser";
+import { Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -50,7 +41,7 @@ async function viewer(
 
 const channelSelect = (page: Page) => page.getByRole("combobox", { name: "Channel" });
 
-test("a fourth and a fifth channel show their own numbers", async () => {
+test("a fourth and a fifth channel show their own values", async () => {
   const five = packedImage(8, 8, {
     R: () => 1,
     G: () => 1,
@@ -78,7 +69,7 @@ test("a fourth and a fifth channel show their own numbers", async () => {
   await page.close();
 });
 
-test("an image of two channels offers these two, and shows the one that is chosen", async () => {
+test("an image of two channels offers these two and shows the chosen one", async () => {
   const two = packedImage(8, 8, { Y: () => 0.25, A: () => 0.75 });
   const { page, errors, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", {
     "result.exr": two,
@@ -93,7 +84,7 @@ test("an image of two channels offers these two, and shows the one that is chose
   assert.ok(Math.abs((await grey()) - 191.25) < 1.5, String(await grey()));
   await page.keyboard.press("x");
   await page.waitForFunction(() => !location.hash.includes("ch="));
-  // The reference has no A, and is shown in its colours.
+  // The reference has no channel A and is shown in colour.
   await page.keyboard.press("x");
   await page.keyboard.press("2");
   await drawn(page, "reference");
@@ -102,7 +93,7 @@ test("an image of two channels offers these two, and shows the one that is chose
   await page.close();
 });
 
-test("a scale that ends where the image's numbers do follows the channel that is chosen", async () => {
+test("a scale that ends at the largest value follows the chosen channel", async () => {
   const four = packedImage(8, 8, {
     R: () => 1,
     G: () => 1,
@@ -117,7 +108,7 @@ test("a scale that ends where the image's numbers do follows the channel that is
   await page.close();
 });
 
-test("the read-out follows whatever is newer: the pointer or the worst pixel", async () => {
+test("the readout follows the pointer or the worst pixel, whichever moved last", async () => {
   const { page, middle } = await viewer("zoom=8&x=20.5&y=20.5", {});
   const heading = page.locator(".readout h3");
   const box = await page.locator(".stage").boundingBox();
@@ -151,9 +142,9 @@ for (const region of ["-1000000000,0,5,5", "10,10,2,2", "0,0,1000000000,10000000
     await page.close();
   });
 
-test("a region has the numbers of its pixels alone", async () => {
+test("the statistics of a region cover only its pixels", async () => {
   const { page } = await viewer("region=32%2C16%2C48%2C24", {});
-  // 1 of 16 x 8 x 3 numbers is 1 too small.
+  // 1 of 16 x 8 x 3 values is too small by 1.
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("-0.002604").waitFor();
   assert.match(
     await page.locator(".region").innerText(),
@@ -164,7 +155,7 @@ test("a region has the numbers of its pixels alone", async () => {
   await page.close();
 });
 
-test("of many wrong pixels it says how many, and how many of these can be visited", async () => {
+test("many erroneous pixels are counted, and the worst 1000 can be visited", async () => {
   const [black, white] = [
     packedImage(64, 48, { R: () => 0, G: () => 0, B: () => 0 }),
     packedImage(64, 48, { R: () => 1, G: () => 0, B: () => 0 }),
@@ -176,7 +167,7 @@ test("of many wrong pixels it says how many, and how many of these can be visite
   await page.close();
 });
 
-test("a layer that only other images have can be left", async () => {
+test("a layer that the images do not have can be deselected", async () => {
   const { page } = await open(browser, `${values}?layer=S3`);
   await page.getByText("result: the image has no layer 'S3'").waitFor();
   await page.getByRole("combobox", { name: "Layer" }).selectOption({ label: "colour" });
@@ -184,7 +175,7 @@ test("a layer that only other images have can be left", async () => {
   await page.close();
 });
 
-test("one NaN among many pixels is seen however small the image is shown", async () => {
+test("one NaN among many pixels is visible at any zoom", async () => {
   const large = packedImage(512, 512, { Y: (x, y) => (x === 301 && y === 203 ? NaN : 0.5) });
   const { page, middle } = await viewer("zoom=0.07&x=301&y=203", { "result.exr": large });
   const colours = [];
@@ -195,7 +186,7 @@ test("one NaN among many pixels is seen however small the image is shown", async
   await page.close();
 });
 
-test("textures of images that are no longer there are freed", async () => {
+test("textures of images that are no longer shown are freed", async () => {
   const { page } = await open(browser, "about:blank");
   await page.addInitScript(() => {
     const { createTexture, deleteTexture } = WebGL2RenderingContext.prototype;
@@ -223,7 +214,7 @@ test("textures of images that are no longer there are freed", async () => {
   await page.close();
 });
 
-test("when the graphics driver starts anew the images are drawn anew", async () => {
+test("when the graphics driver restarts the images are drawn again", async () => {
   const { page, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", {
     "result.exr": packedImage(8, 8, { Y: () => 0.25 }),
   });
@@ -246,7 +237,7 @@ test("when the graphics driver starts anew the images are drawn anew", async () 
   await page.close();
 });
 
-test("Space on a checkbox ticks it, and on a log scrolls it", async () => {
+test("Space toggles a checkbox that has the focus, and scrolls a log", async () => {
   const { page } = await viewer("", {});
   await page.evaluate(() =>
     addEventListener(
@@ -276,9 +267,9 @@ test("Space on a checkbox ticks it, and on a log scrolls it", async () => {
   await page.close();
 });
 
-test("a command is selected where the browser lets nobody copy", async () => {
+test("a command is selected if the browser offers no clipboard", async () => {
   const { page, errors } = await open(browser, "about:blank");
-  // As on a page that came by plain http from another machine.
+  // As on a page loaded by plain http from another machine.
   await page.addInitScript(() =>
     Object.defineProperty(navigator, "clipboard", { value: undefined }),
   );

@@ -22,8 +22,8 @@ export function App({ source }: { source: Source }) {
     if (source.runs.length > 1 && !route.query["run"]) note(query);
   }, [route]);
   const actions: Action[] = [
-    { key: "?", label: "this sheet", group: "Page", run: () => setHelp(true) },
-    { key: "Escape", label: "to the overview", group: "Page", run: () => go({ path: [], query }) },
+    { key: "?", label: "list of keys", group: "Page", run: () => setHelp(true) },
+    { key: "Escape", label: "overview", group: "Page", run: () => go({ path: [], query }) },
     {
       key: "t",
       label: "time and memory",

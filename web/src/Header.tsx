@@ -5,7 +5,7 @@ import { go, routeText, type Route } from "./route";
 
 interface Props {
   source: Source;
-  /** -1 when the address names one that is not here. */
+  /** Index of the run; -1 if the address names a run that does not exist. */
   run: number;
   session: Session | string | undefined;
   route: Route;
@@ -68,26 +68,26 @@ function runText({ overview: { run } }: Session): string {
   return parts.join(" · ");
 }
 
-/** What a run that goes on has done, or why that is not known; for one that was killed, that it was. */
+/** Progress of a live run, or why it is unknown; a note if the run was killed. */
 function LiveBar({ session }: { session: Session }) {
   const { run } = session.overview;
-  const { progress, trouble } = session;
+  const { progress, connectionProblem: problem } = session;
   if (!run.live)
     return (
       <p class="live ended" role="status">
-        This run was not finished: what it had rendered until then is shown.
+        This run did not finish. The page shows what it had rendered.
       </p>
     );
-  if (trouble !== undefined)
+  if (problem !== undefined)
     return (
       <p class="live ended" role="status">
-        What was known last is shown, and asked for again: {trouble}.
+        The page shows the last known state and keeps trying: {problem}.
       </p>
     );
   if (!progress)
     return (
       <p class="live" role="status">
-        The run goes on …
+        The run is in progress …
       </p>
     );
   const left = progress.total - progress.done - progress.running.length;

@@ -12,7 +12,7 @@ import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Provenance } from "./Provenance";
 
-/** Cells of the same renderer before and after this one, and the others of the same image. */
+/** The previous and the next cell of the same renderer, and the cells of the same target. */
 function neighbours(session: Session, index: number) {
   const { cells } = session.overview;
   const same = cells.renderer.flatMap((renderer, i) =>
@@ -25,8 +25,8 @@ function neighbours(session: Session, index: number) {
   return { previous: same[at - 1], next: same[at + 1], siblings };
 }
 
-/** The address of another case that keeps how images are looked at, but not where. */
-function keepLook(link: string): void {
+/** Opens another target with the same appearance settings, but not the same zoom and region. */
+function openLike(link: string): void {
   const { query } = parseRoute(location.hash);
   const { x: _x, y: _y, zoom: _zoom, region: _region, ...look } = query;
   const target = parseRoute(link);
@@ -37,7 +37,7 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   const [, caseName = "", target = "", renderer = ""] = route.path;
   const { overview } = session;
   const index = findCell(overview, caseName, target, renderer);
-  // A render that ends changes what there is to know.
+  // The detail is requested again when the state of the cell changes.
   const { value: detail, problem } = useRequest(
     `${session.run} ${index}`,
     overview.cells.state[index],
@@ -45,21 +45,21 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   );
   const { previous, next, siblings } = neighbours(session, index);
   const to = (cell: number | undefined): void => {
-    if (cell !== undefined) keepLook(cellLink(session, cell));
+    if (cell !== undefined) openLike(cellLink(session, cell));
   };
   const sibling = (step: number) =>
     siblings[(siblings.indexOf(index) + step + siblings.length) % siblings.length];
   useActions([
-    { key: "[", label: "previous target", group: "Case", run: () => to(previous) },
-    { key: "]", label: "next target", group: "Case", run: () => to(next) },
-    { key: "j", label: "next renderer", group: "Case", run: () => to(sibling(1)) },
-    { key: "k", label: "previous renderer", group: "Case", run: () => to(sibling(-1)) },
+    { key: "[", label: "previous target", group: "Target", run: () => to(previous) },
+    { key: "]", label: "next target", group: "Target", run: () => to(next) },
+    { key: "j", label: "next renderer", group: "Target", run: () => to(sibling(1)) },
+    { key: "k", label: "previous renderer", group: "Target", run: () => to(sibling(-1)) },
   ]);
   const one = overview.cases[overview.cells.case[index] ?? -1];
   if (index < 0 || !one)
     return (
       <p role="alert">
-        This run has no target '{target}' of the case '{caseName}' by '{renderer}'.
+        This run has no target '{target}' of the case '{caseName}' by the renderer '{renderer}'.
       </p>
     );
   return (
@@ -81,7 +81,7 @@ interface HeaderProps {
   onMove: (cell: number | undefined) => void;
 }
 
-/** The target, its verdict with the reason, and the way to its neighbours. */
+/** The target, its verdict with the reason, and links to its neighbours. */
 function CaseHeader({ session, index, one, target, onMove }: HeaderProps) {
   const { overview } = session;
   const { previous, next, siblings } = neighbours(session, index);
@@ -121,7 +121,7 @@ function CaseHeader({ session, index, one, target, onMove }: HeaderProps) {
         <StateMark state={stateOf(overview, index)} /> {reasonOf(overview, index)}
       </p>
       {one.smallest_error_seen ? (
-        <p class="quiet">Smallest error that this gate sees: {one.smallest_error_seen}</p>
+        <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
       ) : null}
     </header>
   );
@@ -146,10 +146,10 @@ function Detail({ session, route, one, detail }: DetailProps) {
       <div class="facts">
         <section class="about">
           <h2>What is tested</h2>
-          <p>{one.tests || "The case says nothing about it."}</p>
+          <p>{one.tests || "The case has no description."}</p>
           {one.typical_mistake ? (
             <>
-              <h2>A typical mistake</h2>
+              <h2>Typical mistake</h2>
               <p>{one.typical_mistake}</p>
             </>
           ) : null}

@@ -1,7 +1,7 @@
 import type { Session } from "../common/session";
 import type { TargetDetail } from "../data/types";
 
-/** The ends of the logs. They are text, whatever they hold. */
+/** The ends of the logs, always shown as plain text. */
 export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {
   const jobs = detail.jobs.filter((job) => job.log !== "" || job.reason !== "");
   if (jobs.length === 0) return null;
@@ -18,8 +18,8 @@ export function Logs({ session, detail }: { session: Session; detail: TargetDeta
               {job.scene}: {job.signal ? `killed by ${job.signal}` : `exit code ${job.exit_code}`}
               {job.reason ? ` · ${job.reason}` : ""}
             </summary>
-            <pre tabIndex={0}>{job.log || "(it wrote nothing)"}</pre>
-            {address ? <a href={address}>the whole log</a> : null}
+            <pre tabIndex={0}>{job.log || "(no output)"}</pre>
+            {address ? <a href={address}>Whole log</a> : null}
           </details>
         );
       })}

@@ -1,7 +1,7 @@
 import { number, withUnit } from "../common/format";
 import type { Check, Measure, TargetDetail } from "../data/types";
 
-function toleranceText(check: Check | undefined): string {
+function limitsText(check: Check | undefined): string {
   if (!check) return "";
   const parts = [];
   if (check.min !== undefined) parts.push(`≥ ${number(check.min)}`);
@@ -10,11 +10,11 @@ function toleranceText(check: Check | undefined): string {
 }
 
 function betterText(measure: Measure): string {
-  if (measure.signed) return "nearer to 0 is better";
+  if (measure.signed) return "closer to 0 is better";
   return measure.lower_is_better ? "lower is better" : "higher is better";
 }
 
-/** The interval of a number, then the pixels that it is of. */
+/** The confidence interval of a value, then the pixels that it covers. */
 function detailText({ low, high, where }: Measure): string {
   const parts = [];
   if (low !== undefined && high !== undefined) parts.push(`${number(low)} to ${number(high)}`);
@@ -36,7 +36,7 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
         <span class="quiet">{detailText(measure)}</span>
       </td>
       <td>
-        {toleranceText(check)}{" "}
+        {limitsText(check)}{" "}
         {check ? (
           <span class={check.passed ? "tone-good" : "tone-bad"}>
             {check.passed ? "✓ met" : "✗ not met"}
@@ -49,14 +49,14 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
   );
 }
 
-/** Every number with its tolerance and its definition, then the conditions that are no metric. */
+/** Every metric with its gate and its definition, then the checks that are no metric. */
 export function Measures({ detail }: { detail: TargetDetail }) {
   const { measures, checks, remarks = [] } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;
   return (
     <section class="measures">
-      <h2>Numbers</h2>
+      <h2>Metrics</h2>
       {measures.length > 0 ? (
         <table>
           <thead>
@@ -65,7 +65,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
               <th scope="col" class="number">
                 Value
               </th>
-              <th scope="col">Tolerance</th>
+              <th scope="col">Gate</th>
             </tr>
           </thead>
           <tbody>

@@ -28,20 +28,20 @@ function hostPairs(host: Host, load: number): [string, string][] {
   return [
     ["host", `${host.name}, ${host.cpu}, ${host.cores} cores`],
     ["memory", bytes(host.memory_bytes)],
-    ["limits of its container", limits.filter((text) => text !== "").join(", ")],
+    ["container limits", limits.filter((text) => text !== "").join(", ")],
     ["governor", host.governor],
-    ["load when it started", load.toFixed(2)],
+    ["load at the start", load.toFixed(2)],
     ["system", [host.distribution, host.system].filter((text) => text !== "").join(", ")],
-    ["orbs compiled by", host.compiler],
+    ["orbs compiled with", host.compiler],
   ];
 }
 
-/** Who made the images, and how. */
+/** The provenance of the result and of the reference. */
 export function Provenance({ session, detail }: { session: Session; detail: TargetDetail }) {
   const { run } = session.overview;
   return (
-    <section class="provenances">
-      <h2>Where the targets come from</h2>
+    <section class="provenance">
+      <h2>Provenance</h2>
       <div class="columns">
         {detail.jobs.map((job) => (
           <Pairs
@@ -54,7 +54,7 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
               [
                 "seed",
                 job.seeds > 1
-                  ? `${job.seed} to ${job.seed + job.seeds - 1}, together`
+                  ? `${job.seed} to ${job.seed + job.seeds - 1}, averaged`
                   : String(job.seed),
               ],
               ["threads", String(job.threads)],

@@ -46,12 +46,12 @@ function ChartSection({ chart, onOpen, children }: ChartSectionProps) {
       <div class="chart-choices">{children}</div>
       {hasPoints(chart) ? <Plot chart={chart} onOpen={onOpen} /> : null}
       {leftOut ? <p class="quiet left-out">{leftOut}</p> : null}
-      {!hasPoints(chart) && !leftOut ? <p class="quiet">The run has no numbers for this.</p> : null}
+      {!hasPoints(chart) && !leftOut ? <p class="quiet">The run has no values for this.</p> : null}
     </section>
   );
 }
 
-/** Time, memory and error of all images, and the curves that the run holds. */
+/** Time, memory and error of all targets, and the curves that studies added to the run. */
 export function ChartsPage({ session, route }: { session: Session; route: Route }) {
   const { overview } = session;
   const quantities = useMemo(() => quantitiesOf(overview), [overview]);
@@ -68,13 +68,13 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
   const ofTwo = useMemo(() => x && y && chartOfTwo(overview, x, y), [overview, x, y]);
   const open = (cell: number): void => go(parseRoute(cellLink(session, cell)));
   if (!one || !x || !y || !byTarget || !ofTwo)
-    return <p class="quiet">Nothing was rendered yet, so there is nothing to draw.</p>;
+    return <p class="quiet">Nothing was rendered yet, so there is nothing to plot.</p>;
   return (
     <>
       <h1 class="unseen">Time and memory</h1>
       {overview.machines.length > 1 ? (
         <p class="quiet">
-          Not all times are of one machine, so they cannot be compared:{" "}
+          The times were measured on different machines and cannot be compared:{" "}
           {overview.machines.join("; ")}.
         </p>
       ) : null}
@@ -82,8 +82,8 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
         <Choice label="Show" param="of" chosen={one} quantities={quantities} />
       </ChartSection>
       <ChartSection chart={ofTwo} onOpen={open}>
-        <Choice label="Up" param="cy" chosen={y} quantities={quantities} />
-        <Choice label="Right" param="cx" chosen={x} quantities={quantities} />
+        <Choice label="y axis" param="cy" chosen={y} quantities={quantities} />
+        <Choice label="x axis" param="cx" chosen={x} quantities={quantities} />
       </ChartSection>
       {(overview.charts ?? []).map((chart) => (
         <ChartSection key={chart.title} chart={chart} onOpen={open} />

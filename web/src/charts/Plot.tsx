@@ -33,11 +33,11 @@ function axisOf(axis: Chart["x"], colour: string, line: string, isX: boolean): u
 
 interface Nearest {
   point: ChartPoint;
-  /** Index of its series in uPlot, which counts from 1. */
+  /** Index of its series in uPlot; series 0 holds the x. */
   series: number;
 }
 
-const kReach_px = 24; // a point farther from the pointer is not meant
+const kReach_px = 24; // points farther from the pointer are ignored
 
 /** The visible point nearest to the pointer. */
 function nearestPoint(plot: uPlot, { points, data }: Columns): Nearest | undefined {
@@ -90,7 +90,7 @@ function optionsOf(
   };
 }
 
-/** A chart of any number of series, with logarithmic axes, lines and bands where its data has them. */
+/** A chart of any number of series; its data decides about logarithmic axes, lines and bands. */
 export function Plot({ chart, onOpen }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const tip = useRef<HTMLParagraphElement>(null);
@@ -137,5 +137,6 @@ function tipText(chart: Chart, series: uPlot.Series | undefined, point: ChartPoi
   const label = point.label ? ` · ${point.label}` : "";
   const x = chart.x.ticks ? "" : `${chart.x.label} ${number(point.x)}, `;
   const y = `${chart.y.label} ${number(point.y)}`;
-  return `${name}${label}: ${x}${y}${point.cell === undefined ? "" : " · click to open the target"}`;
+  const hint = point.cell === undefined ? "" : " · click to open the target";
+  return `${name}${label}: ${x}${y}${hint}`;
 }

@@ -5,16 +5,16 @@ import { seriesColour } from "./palette";
 
 export interface Columns {
   data: uPlot.AlignedData;
-  /** By series, then x: the point that stands there. */
+  /** The point at each x of each series. */
   points: (ChartPoint | undefined)[][];
   bands: uPlot.Band[];
   series: uPlot.Series[];
 }
 
-/** All series over the union of their x, as uPlot wants them; a band is two series more. */
+/** All series over the union of their x, as uPlot expects them; a band adds two series. */
 export function columnsOf(chart: Chart, dark: boolean): Columns {
   const kept = chart.series.map((one) => one.points.filter((point) => isDrawable(chart, point)));
-  // Two points of one series at the same x must both be seen: x of the second is moved by the least that keeps them apart.
+  // uPlot takes one point per x and series: a second one is shifted by an invisible amount.
   const xs = new Set<number>();
   const placed = kept.map((points) => {
     const own = new Map<number, ChartPoint>();

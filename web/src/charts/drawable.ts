@@ -9,7 +9,7 @@ export const isDrawable = (chart: Chart, { x, y }: ChartPoint): boolean =>
 export const hasPoints = (chart: Chart): boolean =>
   chart.series.some(({ points }) => points.some((point) => isDrawable(chart, point)));
 
-/** Which points have no place in the chart, and why; "" when all have one. */
+/** How many points the chart cannot show, and why; "" if it shows all. */
 export function leftOutText(chart: Chart): string {
   const points = chart.series.flatMap((one) => one.points);
   const left = points.filter((point) => !isDrawable(chart, point));
@@ -22,9 +22,10 @@ export function leftOutText(chart: Chart): string {
   const count = (number: number, what: string): string[] =>
     number > 0 ? [`${number} ${number === 1 ? "is" : "are"} ${what}`] : [];
   const reasons = [
-    ...count(zero, "0, which has no place on a logarithmic axis"),
-    ...count(left.length - zero - infinite, "negative, which has no place on a logarithmic axis"),
+    ...count(zero, "0, which a logarithmic axis cannot show"),
+    ...count(left.length - zero - infinite, "negative, which a logarithmic axis cannot show"),
     ...count(infinite, "infinite"),
   ];
-  return `${left.length} of ${points.length} points ${left.length === 1 ? "is" : "are"} not shown: ${reasons.join("; ")}.`;
+  const verb = left.length === 1 ? "is" : "are";
+  return `${left.length} of ${points.length} points ${verb} not shown: ${reasons.join("; ")}.`;
 }

@@ -1,5 +1,5 @@
-// Okabe and Ito's colours, which people with any kind of colour vision tell apart; darkened for white paper where the
-// originals are too light.
+// The palette of Okabe and Ito, distinguishable with any colour vision deficiency. Colours that are
+// too light on white are darkened.
 const light = [
   "#0072b2",
   "#b85600",

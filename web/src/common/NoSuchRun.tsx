@@ -7,7 +7,7 @@ interface NoSuchRunProps {
   param: string;
 }
 
-/** Says that the run which the address names in `param` is not here, and which are. */
+/** Message that the run named by `param` of the address does not exist, with those that do. */
 export function NoSuchRun({ source, route, param }: NoSuchRunProps) {
   return (
     <div role="alert">

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
-/** The message of whatever was thrown. */
+/** The message of a thrown value. */
 export const messageOf = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
 
@@ -11,8 +11,9 @@ export interface Received<T> {
 }
 
 /**
- * The result of `request`; nothing is requested while it is undefined. Results for another `key` are discarded. When
- * `revision` changes the request is repeated, and the last result stays until a newer one arrives.
+ * The result of `request`; nothing is requested while it is undefined. Results for another `key`
+ * are discarded. When `revision` changes the request is repeated, and the last result stays until a
+ * newer one arrives.
  */
 export function useRequest<T>(
   key: string,

@@ -7,12 +7,12 @@ import { timesOf, timeSummary } from "./times";
 export const kHeadings: Record<Kind, string> = {
   worse: "Became worse",
   better: "Became better",
-  open: "Not rendered (yet) before or after",
+  open: "Not rendered before or after",
   new: "New",
-  gone: "Gone",
-  same: "As before",
+  gone: "Removed",
+  same: "Unchanged",
 };
-const kMostRows = 500; // of one heading
+const kMostRows = 500; // per heading
 
 interface CellProps {
   overview: Overview;
@@ -34,7 +34,7 @@ function Cell({ overview, cell, metric, link }: CellProps) {
   );
 }
 
-const kApart = "times are of different machines";
+const kApart = "measured on different machines";
 const apartText = ([before, after]: [string, string]): string =>
   `${before || "unknown"} before, ${after || "unknown"} after`;
 
@@ -49,7 +49,7 @@ function TimeCell({ a, b, change }: { a: Overview; b: Overview; change: Change }
   );
 }
 
-/** What became of the time, where that can be said. */
+/** The change of the render time, as far as the times can be compared. */
 export function TimeLine({ a, b, changes }: { a: Overview; b: Overview; changes: Change[] }) {
   const { ratio, targets, apart, machines } = timeSummary(a, b, changes);
   const loads = `load at the start ${a.run.load.toFixed(2)} before, ${b.run.load.toFixed(2)} after`;
@@ -57,12 +57,12 @@ export function TimeLine({ a, b, changes }: { a: Overview; b: Overview; changes:
     <p class="compare-time quiet">
       {targets > 0 ? (
         <span>
-          Wall clock × {number(ratio)}, the geometric mean of {targets} targets; {loads}.{" "}
+          Wall clock × {number(ratio)}, geometric mean over {targets} targets; {loads}.{" "}
         </span>
       ) : null}
       {machines ? (
         <span>
-          Not compared for {apart} targets: {kApart} ({apartText(machines)}).
+          Times of {apart} targets are not compared: {kApart} ({apartText(machines)}).
         </span>
       ) : null}
     </p>
@@ -96,7 +96,7 @@ export function ChangeTable({ kind, changes, a, b, metric, links }: ChangeTableP
               <th scope="col">Renderer</th>
               <th scope="col">Before</th>
               <th scope="col">After</th>
-              <th scope="col" class="number" title="wall clock, after over before">
+              <th scope="col" class="number" title="wall-clock time, after divided by before">
                 Time
               </th>
             </tr>

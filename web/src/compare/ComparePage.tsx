@@ -111,7 +111,7 @@ function Problems({ session, route, sides }: Omit<ComparedProps, "metric"> & { r
   );
 }
 
-/** Two runs, or two renderers: what is better, worse, new and gone. */
+/** Two runs, or two renderers: which targets became better, worse, new or were removed. */
 export function ComparePage({ session, route }: { session: Session; route: Route }) {
   const sides = useSides(session, route);
   const metric = route.query["metric"] || session.overview.main_metric;

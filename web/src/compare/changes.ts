@@ -2,7 +2,7 @@ import { isInfinite, namesOf, stateOf, type CellNames } from "../common/session"
 import { isOpen } from "../common/states";
 import type { Overview } from "../data/types";
 
-/** "open": not rendered before or after, so that nothing can be said. */
+/** "open" means not rendered before or not rendered after, so that nothing can be compared. */
 export type Kind = "worse" | "better" | "open" | "new" | "gone" | "same";
 
 export interface Change {
@@ -17,7 +17,7 @@ const rankOf = (overview: Overview, cell: number): number => overview.cells.stat
 const valueOf = (overview: Overview, metric: string, cell: number): number | undefined =>
   isInfinite(overview, metric, cell) ? Infinity : (overview.measures[metric]?.[cell] ?? undefined);
 
-// A change of the number counts from a hundredth of it: less is another seed, another machine.
+// A relative change of 1 % or less counts as none: another seed or machine causes as much.
 function kindOf(a: Overview, before: number, b: Overview, after: number, metric: string): Kind {
   if (isOpen(stateOf(a, before)) || isOpen(stateOf(b, after))) return "open";
   const step = rankOf(b, after) - rankOf(a, before);
@@ -47,11 +47,11 @@ function byKey(
 
 export interface Side {
   overview: Overview;
-  /** Only this renderer; "" for all, each with its namesake. */
+  /** Only this renderer; "" compares every renderer with the one of the same name. */
   renderer: string;
 }
 
-/** What became of each target from one side to the other. */
+/** The change of each target from one side to the other. */
 export function changesOf(a: Side, b: Side, metric: string): Change[] {
   const common = a.renderer && b.renderer ? "both" : "";
   const before = byKey(a.overview, a.renderer, common);

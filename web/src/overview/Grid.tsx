@@ -8,7 +8,7 @@ import { Preview, type Hovered } from "./Preview";
 import type { Filter, Row } from "./rows";
 
 const kRowHeight = 34;
-const kSpare = 12; // rows kept beyond the edges, so that tabbing and quick scrolling find them there
+const kSpare = 12; // rows kept beyond the edges of the window for the Tab key and fast scrolling
 
 interface Props {
   session: Session;
@@ -18,7 +18,7 @@ interface Props {
   show: string;
 }
 
-/** First and last row that can be seen. */
+/** The range of rows within the window. */
 function useWindow(count: number) {
   const body = useRef<HTMLDivElement>(null);
   const [span, setSpan] = useState({ begin: 0, end: 60 });
@@ -94,7 +94,7 @@ function Cell({ session, index, show, onHover }: CellProps) {
 function RowHead({ row, filter }: { row: Row; filter: Filter }) {
   if (row.kind === "target")
     return (
-      <span role="rowheader" class="rowhead image">
+      <span role="rowheader" class="rowhead target">
         <b>{filter.byTarget ? row.requirement : ""}</b>{" "}
         <span class="title" title={row.title}>
           {row.title}
@@ -128,13 +128,14 @@ function RowHead({ row, filter }: { row: Row; filter: Filter }) {
   );
 }
 
-/** The grid of rows by renderers. Only the rows in surface are there. */
+/** The grid of rows by renderers. Only visible rows are in the document. */
 export function Grid({ session, rows, renderers, filter, show }: Props) {
   const { body, begin, end } = useWindow(rows.length);
   const [hovered, setHovered] = useState<Hovered>();
   useEffect(() => setHovered(undefined), [rows]);
   const { overview } = session;
-  const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, minmax(var(--column), 1fr))`;
+  const column = "minmax(var(--column), 1fr)";
+  const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, ${column})`;
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;
   return (
     <div
@@ -145,7 +146,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
       style={{ "--columns": columns }}
     >
       <div role="row" class="row head" aria-rowindex={1}>
-        <span role="columnheader">{filter.byTarget ? "Image" : "Requirement"}</span>
+        <span role="columnheader">{filter.byTarget ? "Target" : "Requirement"}</span>
         {renderers.map((r) => (
           <span role="columnheader" key={r}>
             {overview.renderers[r]?.name}

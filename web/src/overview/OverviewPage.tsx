@@ -34,7 +34,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
     { key: "/", label: "filter", group: "Overview", run: () => box.current?.focus() },
     {
       key: "p",
-      label: "by requirement or by image",
+      label: "by requirement or by target",
       group: "Overview",
       run: () => note({ by: filter.byTarget ? "" : "target" }),
     },

@@ -7,7 +7,7 @@ export interface Hovered {
   box: DOMRect;
 }
 
-/** A small image of the cell under the pointer or the focus, and what is said about it. */
+/** The thumbnail, the reason and the cost of the cell under the pointer or the focus. */
 export function Preview({ session, hovered }: { session: Session; hovered: Hovered }) {
   const { overview, source, run } = session;
   const { index, box } = hovered;
@@ -20,7 +20,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
         .thumbnail(run, index, () => source.target(run, index))
         .then(
           (address) => wanted && setImage(address),
-          () => undefined, // the reason says enough
+          () => undefined, // the reason of the verdict is shown without it
         );
     return () => void (wanted = false);
   }, [index, run]);

@@ -2,7 +2,7 @@ import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
 import type { Overview, Renderer } from "../data/types";
 
-/** By renderer, how many of its images are in each state. */
+/** How many targets of each renderer are in each state. */
 function countsOf(overview: Overview): number[][] {
   const counts = overview.renderers.map(() => overview.states.map(() => 0));
   const { cells } = overview;
@@ -33,7 +33,7 @@ function RendererRow({ overview, renderer, counts }: RowProps) {
       <td data-label="Measured" class="features">
         {overview.run.finished ? renderer.measured || "–" : "…"}
       </td>
-      <td data-label="Images">
+      <td data-label="Targets">
         <ul class="counts">
           {counts.map((count, s) => {
             const state = overview.states[s];
@@ -60,7 +60,7 @@ function RendererRow({ overview, renderer, counts }: RowProps) {
   );
 }
 
-/** One line per renderer: what it claims, what was measured, what it cost. */
+/** One row per renderer: its declared and measured features, and its cost. */
 export function RendererTable({ overview }: { overview: Overview }) {
   const counts = countsOf(overview);
   return (
@@ -71,11 +71,11 @@ export function RendererTable({ overview }: { overview: Overview }) {
             <th scope="col">Renderer</th>
             <th
               scope="col"
-              title="Feature number of ORB.S: the levels that the renderer claims, L4-(2) is L1 to L4 without L2"
+              title="ORB.S feature number: the levels that it claims; L4-(2) means L1 to L4 without L2"
             >
               Declared
             </th>
-            <th scope="col" title="The levels whose images all pass in this run">
+            <th scope="col" title="The levels of which all targets pass in this run">
               Measured
             </th>
             <th scope="col">Targets</th>
@@ -85,7 +85,7 @@ export function RendererTable({ overview }: { overview: Overview }) {
             <th scope="col" class="number" title="Sum of user and system time of its renders">
               CPU
             </th>
-            <th scope="col" class="number" title="Largest resident set of one of its renders">
+            <th scope="col" class="number" title="Largest resident set of any of its renders">
               Peak memory
             </th>
           </tr>
@@ -103,7 +103,7 @@ export function RendererTable({ overview }: { overview: Overview }) {
       </table>
       {overview.left_out.map(({ renderer, reason }) => (
         <p class="quiet" key={renderer}>
-          Left out: {renderer}: {reason}
+          {renderer} was left out: {reason}
         </p>
       ))}
     </section>

@@ -8,12 +8,12 @@ const kCurveNames: Record<Curve, string> = {
   false: "false colour",
 };
 
-/** How the numbers of an image become colours. */
+/** The tools that decide how the values of an image become colours. */
 export function AppearanceTools({ controls: c, actions }: ToolsProps) {
   const { view } = c;
   const set = (change: Partial<ViewState>): void => c.setView({ ...view, ...change });
   return (
-    <span class="group" role="group" aria-label="How numbers look">
+    <span class="group" role="group" aria-label="Appearance">
       <NumberField
         label="EV"
         value={view.exposure}

@@ -4,7 +4,7 @@ import type { Statistics } from "./statistics";
 
 const kColours = ["#e5484d", "#30a46c", "#4a8df0", "#9a9a9a"];
 
-/** Counts on a square-root axis, so that rare values are seen; values on an axis that is logarithmic for both signs. */
+/** Counts on a square-root axis, which shows rare values, over a symmetric logarithmic axis. */
 export function HistogramPlot({ statistics }: { statistics: Statistics }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { edges, counts } = statistics.histogram;

@@ -4,9 +4,9 @@ import type { ImageEntry } from "../data/types";
 import { scaleBytes } from "./colour_scales";
 import type { PaintSettings } from "./paint_settings";
 
-const kDecades = 4; // as in the shader
+const kDecades = 4; // of a logarithmic scale, as in the shader
 
-/** Numbers of the scale with their places between 0 and 1. */
+/** The labels of the scale with their positions, from 0 to 1. */
 export function ticksOf({
   diverging,
   log,
@@ -43,7 +43,7 @@ interface LegendProps {
   onLog: () => void;
 }
 
-/** The colour scale of the image in front, with its numbers. */
+/** The colour scale of the image in front, with its labels. */
 export function Legend({ image, settings, onEnd, onLog }: LegendProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {

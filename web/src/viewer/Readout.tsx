@@ -4,9 +4,9 @@ import type { ImageEntry } from "../data/types";
 import { seenChannels } from "./channels";
 import { isRaster, type Loaded } from "./use_rasters";
 
-const kMost = 4; // columns that there is room for
+const kMost = 4; // more columns do not fit
 
-/** The first channels of an image, and the chosen one wherever it stands. */
+/** The first channels of an image, always with the chosen one. */
 function columns(raster: Raster, chosen: string): number[] {
   const all = raster.channels.map((_, c) => c);
   const [seen = 0] = seenChannels(raster, chosen);
@@ -20,12 +20,12 @@ interface ReadoutProps {
   channel: string;
 }
 
-/** The raw numbers of all images at one pixel. */
+/** The raw values of all images at one pixel. */
 export function Readout({ at, images, rasters, channel: chosen }: ReadoutProps) {
   const x = at ? Math.floor(at.x) : -1;
   const y = at ? Math.floor(at.y) : -1;
   return (
-    <section class="readout" aria-label="Numbers of the pixel">
+    <section class="readout" aria-label="Values of the pixel">
       <h3>Pixel {at ? `${x}, ${y}` : ""}</h3>
       <table>
         <tbody>

@@ -7,7 +7,7 @@ import { isWithin, type Region } from "./statistics";
 import { useRegionMetrics, useStatistics } from "./use_counted";
 import { isRaster, type Loaded } from "./use_rasters";
 
-// One NaN in the region makes its means NaN, which is not the same as none.
+// A NaN in the region makes its means NaN, which must not look like a missing value.
 const text = (value: number): string => (Number.isFinite(value) ? number(value) : rawFloat(value));
 
 function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster; region: Region }) {
@@ -22,7 +22,7 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
   );
 }
 
-/** Means of the difference of result and reference. */
+/** Mean differences of result and reference. */
 function DifferenceRows({ metrics }: { metrics: RegionMetrics }) {
   return (
     <>
@@ -49,7 +49,7 @@ interface RegionPanelProps {
   onClear: () => void;
 }
 
-/** Statistics and metrics of the region that was drawn. */
+/** Statistics and metrics of the selected region. */
 export function RegionPanel({ region, images, rasters, onClear }: RegionPanelProps) {
   const loaded = (kind: string): Raster | undefined => {
     const image = images.find((one) => one.kind === kind);
@@ -91,7 +91,7 @@ export function RegionPanel({ region, images, rasters, onClear }: RegionPanelPro
       </table>
       {statistics ? (
         <>
-          <h4>result in the region</h4>
+          <h4>Result in the region</h4>
           <StatisticsTable statistics={statistics} />
         </>
       ) : null}

@@ -35,7 +35,11 @@ function ZoomTools({ controls: c, actions }: ToolsProps) {
   return (
     <span class="group" role="group" aria-label="Zoom">
       <ActionButton actions={actions} action="f" text="Fit" pressed={c.view.zoom === 0} />
-      <button aria-pressed={c.view.zoom === 1} onClick={() => zoomTo(c, 1)} title="one to one (0)">
+      <button
+        aria-pressed={c.view.zoom === 1}
+        onClick={() => zoomTo(c, 1)}
+        title="one screen pixel per pixel (0)"
+      >
         1:1
       </button>
       <ActionButton actions={actions} action="-" text="−" />
@@ -44,7 +48,7 @@ function ZoomTools({ controls: c, actions }: ToolsProps) {
   );
 }
 
-/** The rank and the error of a pixel. If there are many errors, only the worst pixels can be visited. */
+/** The rank and the error of a pixel; of many erroneous pixels only the worst can be visited. */
 function worstText({ pixels, count }: Worst, index: number, error: number): string {
   const all = count > pixels.length ? `the ${pixels.length} worst` : String(count);
   return `${index + 1} of ${all}: ${number(error, error === Infinity)}`;

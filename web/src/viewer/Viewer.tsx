@@ -98,7 +98,7 @@ export function Viewer({ session, images, route }: ViewerProps) {
   const actions = viewActions(controls);
   useActions(actions);
   if (images.length === 0)
-    return <p class="quiet no-images">There is no image: nothing was rendered.</p>;
+    return <p class="quiet no-images">There are no images: nothing was rendered.</p>;
   const marked = data.worst?.pixels[controls.worstIndex];
   const shown = inFront.visible.map((image) => ({
     image,
@@ -136,7 +136,7 @@ export function Viewer({ session, images, route }: ViewerProps) {
   );
 }
 
-/** The ends of the colour scales after that of one image was set; without a positive number it is the image's own again. */
+/** Sets the end of the colour scale of one image; without a positive number it is reset. */
 function endsWith(
   ends: Record<string, number>,
   name: string,
@@ -153,7 +153,7 @@ interface SideProps {
   at: Point | undefined;
 }
 
-/** The numbers beside the images. */
+/** The values and statistics beside the images. */
 function Side({ controls, data, at }: SideProps) {
   const { images, view, setView, front } = controls;
   const { rasters, statistics } = data;

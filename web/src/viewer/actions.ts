@@ -22,24 +22,26 @@ function imageActions(c: Controls): Action[] {
   const maps = c.images.filter((image) => image.kind === "map");
   return [
     ...c.images.slice(0, 9).map((image, i) =>
-      act(String(i + 1), image.name, () => {
+      act(String(i + 1), `show ${image.name}`, () => {
         c.setBlinking(false);
         set({ image: image.name });
       }),
     ),
-    // Listed for the help only: the key acts while it is held, which is no action.
-    act("Shift", "reference", () => undefined, "hold Shift"),
+    // For the help only: useFront shows the reference while the key is held.
+    act("Shift", "show the reference", () => undefined, "hold Shift"),
     act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
-    act("s", "swipe", () => set({ mode: view.mode === "swipe" ? "flip" : "swipe" })),
+    act("s", "swipe between image and reference", () =>
+      set({ mode: view.mode === "swipe" ? "flip" : "swipe" }),
+    ),
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
-    act("d", "next map of the error", () => {
+    act("d", "next error map", () => {
       const current = maps.findIndex((image) => image.name === view.image);
       set({ image: maps[(current + 1) % maps.length]?.name ?? view.image });
     }),
   ];
 }
 
-/** How the numbers of an image become colours. */
+/** How the values of an image become colours. */
 function appearanceActions(c: Controls): Action[] {
   const { view } = c;
   const set = setter(c);
@@ -48,16 +50,16 @@ function appearanceActions(c: Controls): Action[] {
   const channels = c.channels.map(({ value }) => value);
   const { exposure, offset, curve, gamma, channel, layer, log, zebra, ends } = kDefaultView;
   return [
-    act("e", "exposure +½", () => set({ exposure: view.exposure + 0.5 })),
-    act("Shift+E", "exposure −½", () => set({ exposure: view.exposure - 0.5 })),
+    act("e", "exposure +½ stop", () => set({ exposure: view.exposure + 0.5 })),
+    act("Shift+E", "exposure −½ stop", () => set({ exposure: view.exposure - 0.5 })),
     act("o", "offset +0.05", () => addOffset(0.05)),
     act("Shift+O", "offset −0.05", () => addOffset(-0.05)),
     act("g", "sRGB, gamma, linear, false colour", () => set({ curve: next(kCurves, view.curve) })),
     act("n", "normalise to the image's range", () => normalise(c)),
     act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
-    act("z", "zebra on clipped values", () => set({ zebra: !view.zebra })),
+    act("z", "zebra stripes on clipped values", () => set({ zebra: !view.zebra })),
     act("x", "next channel", () => set({ channel: next(channels, c.channel) })),
-    act("r", "reset how it looks", () =>
+    act("r", "reset the appearance", () =>
       set({ exposure, offset, curve, gamma, channel, layer, log, zebra, ends }),
     ),
   ];
@@ -70,10 +72,10 @@ function zoomActions(c: Controls): Action[] {
   const arrow = (key: string, dx: number, dy: number): Action =>
     act(key, "move by a pixel", () => nudge(c, dx, dy), "← → ↑ ↓");
   return [
-    act("f", "fit", () => set({ zoom: 0 })),
-    act("0", "one to one", () => zoomTo(c, 1)),
-    act("+", "closer", () => zoomTo(c, Math.min(256, zoom * 2))),
-    act("-", "further away", () => zoomTo(c, Math.max(1 / 16, zoom / 2))),
+    act("f", "fit to the window", () => set({ zoom: 0 })),
+    act("0", "one screen pixel per pixel", () => zoomTo(c, 1)),
+    act("+", "zoom in", () => zoomTo(c, Math.min(256, zoom * 2))),
+    act("-", "zoom out", () => zoomTo(c, Math.max(1 / 16, zoom / 2))),
     arrow("ArrowLeft", -1, 0),
     arrow("ArrowRight", 1, 0),
     arrow("ArrowUp", 0, -1),

@@ -1,5 +1,6 @@
-// The colour scales of src/image/false_colour.cpp, so that the page and the PNGs of a run look alike: sequential with
-// lightness even in the value, diverging with equal magnitudes equally light.
+// The colour scales of src/image/false_colour.cpp, so that the page and the PNGs of a run agree. In
+// the sequential scale lightness is linear in the value; in the diverging scale values of equal
+// magnitude are equally light.
 
 type Rgb = [number, number, number];
 
@@ -24,7 +25,7 @@ function bytesOf(rgb: Rgb): number[] {
   return [...rgb.map((v) => Math.round(255 * srgbEncode(Math.min(1, Math.max(0, v))))), 255];
 }
 
-/** RGBA of a scale in 256 steps: from 0 to its end, or for a diverging one from minus to plus its end. */
+/** 256 RGBA colours, from 0 to the end of the scale; a diverging scale starts at minus its end. */
 export function scaleBytes(diverging: boolean): Uint8Array {
   const out: number[] = [];
   for (let i = 0; i < 256; ++i) {

@@ -56,7 +56,10 @@ export function toWorstTile(c: Controls): void {
   c.setView({ ...c.view, region: tile, zoom: 8, x: (x0 + x1) / 2, y: (y0 + y1) / 2 });
 }
 
-/** Maps the range of the image to 0..1 by exposure and offset; in false colour ends the scale at its largest magnitude. */
+/**
+ * Chooses exposure and offset so that the range of the image becomes 0 to 1; in false colour ends
+ * the scale at its largest magnitude.
+ */
 export function normalise(c: Controls): void {
   if (!c.range || !c.front) return;
   const { min, max } = c.range;

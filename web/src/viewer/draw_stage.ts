@@ -6,7 +6,8 @@ import type { Paint, Painter, Rectangle } from "./painter";
 import type { Shown, StageContent, StageSize } from "./stage_content";
 import { isRaster } from "./use_rasters";
 
-const kSurround = 0.18; // neutral: a coloured or bright surround changes how colours are judged
+// A neutral dark grey: a coloured or bright surround changes the perception of colours.
+const kSurround = 0.18;
 
 /** The part of the stage that image `index` of a swipe fills, in device pixels. */
 function swipeClip(index: number, stage: StageSize, swipe: number): Rectangle {

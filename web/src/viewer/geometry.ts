@@ -13,7 +13,7 @@ export interface Pane {
   height: number;
 }
 
-/** Panes of the stage in its pixels: one, or for side by side a grid that leaves the images largest. */
+/** Divides the stage into panes, in CSS pixels: the grid in which the images are largest. */
 export function panesOf(names: string[], stage: Size, image: Size): Pane[] {
   const gap = 4;
   let best: { columns: number; rows: number; zoom: number } = {
@@ -40,7 +40,7 @@ export function panesOf(names: string[], stage: Size, image: Size): Pane[] {
 export const fitZoom = (pane: Size, image: Size): number =>
   Math.min(pane.width / image.width, pane.height / image.height);
 
-/** Zoom and middle as they are, with "fit" resolved. */
+/** Zoom and centre of the view; a zoom of 0 is resolved to the one that fits. */
 export function placed(
   view: ViewState,
   pane: Size,
@@ -50,7 +50,7 @@ export function placed(
   return { zoom: fitZoom(pane, image), x: image.width / 2, y: image.height / 2 };
 }
 
-/** Position in the image of a point of the pane. */
+/** Position in the image of a point of the stage. */
 export function imageAt(
   view: ViewState,
   pane: Pane,
@@ -65,7 +65,7 @@ export function imageAt(
   };
 }
 
-/** The view after a zoom by `factor` that leaves the point of the image under (x, y) where it is. */
+/** The view after a zoom by `factor`; the point (x, y) of the stage keeps its place. */
 export function zoomedAt(
   view: ViewState,
   pane: Pane,

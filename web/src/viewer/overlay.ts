@@ -6,9 +6,9 @@ import type { StageContent } from "./stage_content";
 import { isRaster } from "./use_rasters";
 import type { ViewState } from "./view_state";
 
-const kNumbersFrom = 36; // screen pixels per pixel: below, four digits do not fit
+const kNumbersFrom = 36; // screen pixels per pixel; below that four digits do not fit
 
-/** Numbers as short as they can be in a small square. */
+/** A value with few characters, to fit into one pixel. */
 function tiny(value: number): string {
   if (!Number.isFinite(value)) return rawFloat(value);
   if (value === 0) return "0";
@@ -47,7 +47,7 @@ function drawNumbers(
         const text = tiny(valueAt(raster, c, y * raster.width + x));
         const tx = left + (x + 0.5) * at.zoom;
         const ty = top + (y + 0.5) * at.zoom + (i - (channels.length - 1) / 2) * line;
-        // Readable on any colour: light letters with a dark rim.
+        // Light text with a dark outline is readable on any colour.
         pen.strokeStyle = "rgba(0,0,0,.75)";
         pen.strokeText(text, tx, ty);
         pen.fillStyle =
@@ -88,7 +88,7 @@ function drawTitle(pen: CanvasRenderingContext2D, text: string, x: number, y: nu
   pen.fillText(text, x + 6, y + 4);
 }
 
-/** What lies over the images: numbers in large pixels, the region, the marked pixel, names. */
+/** Draws over the images: values in large pixels, the region, the marked pixel, names. */
 export function drawOverlay(canvas: HTMLCanvasElement, content: StageContent): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;

@@ -4,13 +4,13 @@ import { isLuminance, seenChannels } from "./channels";
 import type { Range } from "./statistics";
 import { kCurves, type ViewState } from "./view_state";
 
-/** What of the view decides how the numbers of one image become colours. */
+/** How the values of one image become colours. */
 export interface PaintSettings {
   falseColour: boolean;
   diverging: boolean;
   log: boolean;
   scaleEnd: number;
-  /** Indices of the channels that are seen: three of a colour, else one. */
+  /** Indices of the channels that are shown: three for colour, otherwise one. */
   channels: number[];
   luminance: boolean;
   gain: number;
@@ -22,8 +22,9 @@ export interface PaintSettings {
 export const isMap = (image: ImageEntry): boolean => image.kind === "map";
 
 /**
- * Maps, and layers beyond the colour itself, are numbers and get false colours; what holds both signs a diverging scale.
- * `range` is that of the channels that are seen, where it has been counted.
+ * The settings of an image in a view. Maps and layers other than colour are shown in false colour,
+ * with a diverging scale if they hold both signs. `range` is the range of the channels that are
+ * shown; undefined until it is counted.
  */
 export function paintSettings(
   image: ImageEntry,

@@ -28,9 +28,9 @@ export interface Paint {
   zebra: boolean;
 }
 
-const kScales = 3; // the texture unit of the colour scales, behind those of the channels
+const kScales = 3; // texture unit of the colour scales, after those of three channels
 
-/** Draws images with WebGL2. The numbers stay what they are: all that is changed is how they look. */
+/** Draws images with WebGL2. The values stay as they are; only their display is changed. */
 export class Painter {
   private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
@@ -38,14 +38,14 @@ export class Painter {
   private readonly textures = new Map<Raster, Map<number, WebGLTexture>>();
   private readonly scales: WebGLTexture;
 
-  /** Fails with an Error that says what the browser lacks. */
+  /** Throws an Error that says what the browser lacks. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     const gl = canvas.getContext("webgl2", {
       antialias: false,
       alpha: false,
       preserveDrawingBuffer: true,
     });
-    if (!gl) throw new Error("this browser has no WebGL2, which the viewer draws with");
+    if (!gl) throw new Error("this browser has no WebGL2, which the viewer needs");
     this.gl = gl;
     this.program = this.link();
     gl.useProgram(this.program);
@@ -69,7 +69,7 @@ export class Painter {
       [gl.FRAGMENT_SHADER, kFragmentShader],
     ] as const) {
       const shader = gl.createShader(type);
-      if (!shader) throw new Error("the graphics driver is gone");
+      if (!shader) throw new Error("the graphics driver has stopped");
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
@@ -134,7 +134,7 @@ export class Painter {
 
   paint(p: Paint, surround: number): void {
     const { gl } = this;
-    // A single channel stands for all three, so that no texture unit is without one.
+    // A single channel is bound to all three texture units, because none may be unbound.
     const channels = [0, 1, 2].map((i) => p.channels[i] ?? p.channels[0] ?? 0);
     channels.forEach((channel, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);

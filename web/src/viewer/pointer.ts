@@ -59,7 +59,7 @@ function useWheel(options: RefObject<Options>): void {
   }, []);
 }
 
-/** Whether the key C is held, without rendering anew when that changes. */
+/** Whether the key C is held; a change does not render the component again. */
 function useHeldC(): RefObject<boolean> {
   const held = useRef(false);
   useEffect(() => {
@@ -86,7 +86,7 @@ function pinch(options: Options, before: Point, at: Point, other: Point): void {
   options.zoomBy(other.x, other.y, distance(at) / Math.max(1, distance(before)));
 }
 
-/** Mouse, pen and fingers on the stage: dragging pans, wheel and two fingers zoom, C or the button draw regions. */
+/** Pointers on the stage: dragging pans or draws a region, the wheel and two fingers zoom. */
 export function usePointer(options: Options) {
   const now = useRef(options);
   now.current = options;

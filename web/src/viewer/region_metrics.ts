@@ -1,5 +1,5 @@
 import { floatsOf, type Raster } from "../data/raster";
-import { forPieces, type Region } from "./statistics";
+import { forEachRow, type Region } from "./statistics";
 
 export interface RegionMetrics {
   absolute: number;
@@ -7,7 +7,7 @@ export interface RegionMetrics {
   signed: number;
 }
 
-/** Means of the difference of two images in a region that lies within both, in the linear values of the images. */
+/** Mean differences of the linear values of two images in a region that lies within both. */
 export async function regionMetrics(
   result: Raster,
   reference: Raster,
@@ -18,7 +18,7 @@ export async function regionMetrics(
   let count = 0;
   const channels = Math.min(3, result.planes.length, reference.planes.length);
   for (let c = 0; c < channels; ++c)
-    await forPieces(result, region, signal, (begin, end) => {
+    await forEachRow(result, region, signal, (begin, end) => {
       const a = floatsOf(result, c, begin, end);
       const row = Math.floor(begin / result.width);
       const column = begin % result.width;

@@ -53,7 +53,7 @@ export function NumberField({ label, value, step, onChange }: NumberProps) {
 }
 
 interface ChoiceProps {
-  /** For screen readers only: what is chosen says enough to the eye. */
+  /** For screen readers only: the visible choice explains itself. */
   label: string;
   title: string;
   value: string;

@@ -4,13 +4,13 @@ import { regionMetrics, type RegionMetrics } from "./region_metrics";
 import { statisticsOf, type Region, type Statistics } from "./statistics";
 import { worstOf, type Worst } from "./worst";
 
-// Counting an image again would give the same.
+// Images do not change, so that each is counted once.
 const statistics = new WeakMap<Raster, Statistics>();
 const worsts = new WeakMap<Raster, Map<Raster | undefined, Worst>>();
 
 export const knownStatistics = (raster: Raster): Statistics | undefined => statistics.get(raster);
 
-/** What `count` finds, as soon as it has; it counts anew when one of `of` changes. */
+/** The result of `count`, undefined until then; it is counted again if one of `of` changes. */
 function useCounted<T>(
   of: readonly unknown[],
   count: ((signal: AbortSignal) => Promise<T>) | undefined,
@@ -23,7 +23,7 @@ function useCounted<T>(
       (value) => {
         if (!abort.signal.aborted) setFound({ of, value });
       },
-      () => undefined, // nobody waits any more
+      () => undefined, // aborted: the result is no longer wanted
     );
     return () => abort.abort();
   }, of);
@@ -48,7 +48,7 @@ export function useStatistics(
   return known ?? counted;
 }
 
-/** Where the errors are largest: of a map itself, or of an image against its reference. */
+/** The largest errors: of a map itself, or of an image against its reference. */
 export function useWorst(
   raster: Raster | undefined,
   reference: Raster | undefined,
@@ -66,7 +66,7 @@ export function useWorst(
   return known ?? counted;
 }
 
-/** Numbers of the difference of two images in a region that lies within both. */
+/** Mean differences of two images in a region that lies within both. */
 export const useRegionMetrics = (
   result: Raster | undefined,
   reference: Raster | undefined,

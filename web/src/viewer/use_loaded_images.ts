@@ -34,7 +34,7 @@ function unionOf(ranges: Range[]): Range | undefined {
   };
 }
 
-/** The largest errors: of a map itself, otherwise of the result against a reference of the same size. */
+/** The largest errors: of a map itself, otherwise of a result and a reference of equal size. */
 function useErrors(
   map: Raster | undefined,
   result: Raster | undefined,
@@ -74,7 +74,7 @@ export function useLoadedImages(
   const rangeFor = (image: ImageEntry): Range | undefined => {
     const own = rasterOf(image);
     if (!own) return undefined;
-    // Result and reference of a layer share one colour scale: side by side, a colour means the same number in both.
+    // Result and reference of a layer share one scale: a colour means the same value in both.
     const alike = layered && !isMap(image) ? [own, result, reference] : [own];
     const ranges = alike.map((one) => {
       const known = one && knownStatistics(one);

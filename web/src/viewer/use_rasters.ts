@@ -9,7 +9,7 @@ export type Loaded = Raster | { problem: string } | undefined;
 export const isRaster = (loaded: Loaded): loaded is Raster =>
   loaded !== undefined && "planes" in loaded;
 
-/** The images among `images` that are `wanted`, each loaded when it is wanted first. */
+/** The images that are `wanted`, by name; each is requested when it is first wanted. */
 export function useRasters(
   session: Session,
   images: ImageEntry[],
@@ -17,25 +17,25 @@ export function useRasters(
   layer: string,
 ): Map<string, Loaded> {
   const [loaded, setLoaded] = useState(new Map<string, Loaded>());
-  const asked = useRef(new Set<string>());
+  const requested = useRef(new Set<string>());
   const abort = useRef(new AbortController());
   const { source, run } = session;
   const key = images.map((image) => image.file).join("\n");
   useEffect(() => {
     abort.current = new AbortController();
-    asked.current = new Set();
+    requested.current = new Set();
     setLoaded(new Map());
     return () => abort.current.abort();
   }, [source, run, key, layer]);
   useEffect(() => {
     const { signal } = abort.current;
     for (const image of images) {
-      if (!wanted.includes(image.name) || asked.current.has(image.name)) continue;
-      asked.current.add(image.name);
+      if (!wanted.includes(image.name) || requested.current.has(image.name)) continue;
+      requested.current.add(image.name);
       const put = (value: Loaded): void => {
         if (!signal.aborted) setLoaded((old) => new Map(old).set(image.name, value));
       };
-      // Only images have layers; a map has one, whatever is chosen.
+      // A map has no layers, whichever layer is chosen for the images.
       const own = image.kind === "map" ? "" : layer;
       source
         .raster(run, image.file, own, signal)

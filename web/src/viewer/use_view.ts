@@ -4,7 +4,7 @@ import { parseView, viewQuery, type ViewState } from "./view_state";
 
 const kWriteDelay_ms = 250; // browsers allow about a hundred changes of the address in 30 seconds
 
-/** The view. It is written to the address shortly after it changed, and read when the address changed otherwise. */
+/** The view, kept equal to the address: its own changes are written there after a short delay. */
 export function useView(route: Route): [ViewState, (view: ViewState) => void] {
   const [view, setView] = useState(() => parseView(route.query));
   const written = useRef(JSON.stringify(viewQuery(view)));

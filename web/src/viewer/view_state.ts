@@ -1,4 +1,4 @@
-// How the images of a case are looked at: all of it stands in the address.
+// How the images of a target are shown. The address holds all of it.
 
 export type Mode = "flip" | "swipe" | "side";
 export type Curve = "srgb" | "gamma" | "linear" | "false";
@@ -6,21 +6,21 @@ export type Curve = "srgb" | "gamma" | "linear" | "false";
 export interface ViewState {
   image: string; // name of the image in front
   mode: Mode;
-  zoom: number; // screen pixels per pixel; 0: the whole image fits
-  x: number; // the pixel in the middle
+  zoom: number; // screen pixels per pixel; 0 fits the whole image
+  x: number; // position in the image at the centre of a pane
   y: number;
-  swipe: number; // where the divider stands, 0 to 1
+  swipe: number; // position of the divider, 0 to 1
   exposure: number; // stops
   offset: number;
   curve: Curve;
   gamma: number;
-  channel: string; // "" for colour, "luminance", or a channel's name
+  channel: string; // "" for colour, "luminance", or the name of a channel
   layer: string;
   log: boolean;
   zebra: boolean;
-  ticked: string[]; // images of blink and side by side
-  region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are outside
-  ends: Record<string, number>; // end of the colour scale by image, where it is not the image's own
+  ticked: string[]; // names of the images of blink and side by side
+  region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are exclusive
+  ends: Record<string, number>; // by image: end of its colour scale, if it was changed
 }
 
 export const kDefaultView: ViewState = {
@@ -87,7 +87,7 @@ export function parseView(query: Record<string, string>): ViewState {
 
 const short = (value: number): string => String(Number(value.toPrecision(7)));
 
-/** The members of a query that say `view`; "" for what is as always. */
+/** The query that describes `view`; "" for defaults. */
 export function viewQuery(view: ViewState): Record<string, string> {
   const unless = (value: number, usual: number): string => (value === usual ? "" : short(value));
   return {

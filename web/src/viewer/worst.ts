@@ -1,5 +1,5 @@
 import { floatsOf, type Raster } from "../data/raster";
-import { forPieces } from "./statistics";
+import { forEachRow } from "./statistics";
 
 export interface WorstPixel {
   x: number;
@@ -8,18 +8,18 @@ export interface WorstPixel {
 }
 
 export interface Worst {
-  /** The largest errors, the largest first. */
+  /** The pixels with the largest errors, in descending order. */
   pixels: WorstPixel[];
-  /** Pixels with any error. */
+  /** Number of pixels with an error above 0. */
   count: number;
-  /** The tile whose mean error is largest: x0, y0, x1, y1. */
+  /** The tile with the largest mean error: x0, y0, x1, y1, the ends exclusive. */
   tile: [number, number, number, number] | undefined;
 }
 
 const kMost = 1000;
 const kTile = 32;
 
-/** The kMost largest of many: a heap with the smallest of them on top. */
+/** The kMost largest errors, in a binary heap with the smallest of them at the root. */
 class Largest {
   private readonly errors = new Float64Array(kMost);
   private readonly places = new Float64Array(kMost);
@@ -72,7 +72,10 @@ class Largest {
   }
 }
 
-/** Largest |number| of a pixel: of a map itself, or of the difference to `reference`. What is not a number is worst. */
+/**
+ * For each pixel, the largest magnitude of its first three channels, or of their difference to the
+ * reference.
+ */
 function errorsOf(
   raster: Raster,
   reference: Raster | undefined,
@@ -86,7 +89,7 @@ function errorsOf(
     const b = reference ? floatsOf(reference, c, begin, end) : undefined;
     for (let i = 0; i < out.length; ++i) {
       const error = Math.abs((a[i] ?? 0) - (b?.[i] ?? 0));
-      // NaN in a map means that there is no value, in an image that the number is wrong.
+      // NaN in a map means that there is no value; NaN in an image is the worst error.
       if (Number.isNaN(error) ? reference : error > (out[i] ?? 0))
         out[i] = Number.isNaN(error) ? Infinity : error;
     }
@@ -103,7 +106,7 @@ export async function worstOf(
   const columns = Math.ceil(raster.width / kTile);
   const sums = new Float64Array(columns * Math.ceil(raster.height / kTile));
   let count = 0;
-  await forPieces(raster, undefined, signal, (begin, end) => {
+  await forEachRow(raster, undefined, signal, (begin, end) => {
     const errors = errorsOf(raster, reference, begin, end);
     const row = Math.floor(begin / raster.width / kTile) * columns;
     for (let i = 0; i < errors.length; ++i) {
@@ -120,7 +123,7 @@ export async function worstOf(
   for (let tile = 0; tile < sums.length; ++tile) {
     const x = (tile % columns) * kTile;
     const y = Math.floor(tile / columns) * kTile;
-    // Tiles at the edges are smaller.
+    // Tiles at the right and bottom edges are smaller.
     const mean =
       (sums[tile] ?? 0) / (Math.min(kTile, raster.width - x) * Math.min(kTile, raster.height - y));
     if (mean > most) [best, most] = [tile, mean];

@@ -1,81 +1,14 @@
-// What the tests stand on: runs made once, orbs serving them, a browser.
-import { spawn, spawnSync, type ChildProcess } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+// The page in a real browser.
+import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
-import type { Socket } from "node:net";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import type { Browser, Page } from "playwright-core";
 
 const source = process.env["ORBS_SOURCE_DIR"] ?? "";
-export const build = process.env["ORBS_BINARY_DIR"] ?? "";
 const { chromium } = createRequire(join(source, "web/package.json"))(
   "playwright-core",
 ) as typeof import("playwright-core");
-
-/** Folders that are gone when the tests end. */
-export class Scratch {
-  readonly folder = mkdtempSync(join(tmpdir(), "orbs-page-"));
-  run(kind: string): string {
-    const folder = join(this.folder, kind);
-    const made = spawnSync(join(build, "orbs-page-fixture"), [kind, folder]);
-    if (made.status !== 0) throw new Error(`orbs-page-fixture ${kind}: ${made.stderr}`);
-    return folder;
-  }
-  remove(): void {
-    rmSync(this.folder, { recursive: true, force: true });
-  }
-}
-
-// A test that fails ends before it can end its server: Node must not wait for that, but end it.
-const children: ChildProcess[] = [];
-process.on("exit", () => children.forEach((child) => child.kill("SIGKILL")));
-
-/** Starts a program of the build and waits for the first line that it writes. */
-async function startChild(
-  program: string,
-  args: string[],
-  stdin: "pipe" | "ignore",
-): Promise<{ child: ChildProcess; line: string }> {
-  const child = spawn(join(build, program), args, { stdio: [stdin, "pipe", "inherit"] });
-  children.push(child);
-  const line = await firstLine(child);
-  child.unref();
-  for (const pipe of [child.stdin, child.stdout]) (pipe as Socket | null)?.unref();
-  return { child, line };
-}
-
-function firstLine(process: ChildProcess): Promise<string> {
-  return new Promise((resolve, reject) => {
-    let text = "";
-    process.stdout?.on("data", (bytes: Buffer) => {
-      text += bytes.toString();
-      if (text.includes("\n")) resolve(text.slice(0, text.indexOf("\n")));
-    });
-    process.on("exit", (code) => reject(new Error(`ended with ${code}: ${text}`)));
-  });
-}
-
-export interface Served {
-  url: string;
-  process: ChildProcess;
-}
-
-export async function serve(...runs: string[]): Promise<Served> {
-  const { child, line } = await startChild("orbs", ["serve", ...runs], "ignore");
-  return { url: /http:\S+\//.exec(line)?.[0] ?? "", process: child };
-}
-
-/** A run that goes on; a line on its stdin ends a render. */
-export async function playLive(folder: string): Promise<ChildProcess> {
-  return (await startChild("orbs-page-fixture", ["live", folder], "pipe")).child;
-}
-
-export function report(run: string, output: string): void {
-  const made = spawnSync(join(build, "orbs"), ["report", run, "-o", output, "--exact"]);
-  if (made.status !== 0) throw new Error(`orbs report: ${made.stderr}`);
-}
 
 export async function launch(): Promise<Browser> {
   const executablePath = [
@@ -83,8 +16,9 @@ export async function launch(): Promise<Browser> {
     "/usr/bin/chromium-browser",
     "/usr/bin/google-chrome",
   ].find(existsSync);
-  if (!executablePath) throw new Error("there is no Chromium; './bootstrap test' installs it");
-  // Drawn in software: the same image on every machine. Chromium's sandbox does not run as root in a container.
+  if (!executablePath) throw new Error("Chromium was not found; './bootstrap test' installs it");
+  // Software rendering gives the same image on every machine. The sandbox of Chromium does not run
+  // as root in a container.
   const args = [
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
@@ -93,7 +27,7 @@ export async function launch(): Promise<Browser> {
   return chromium.launch({ executablePath, args });
 }
 
-/** A page that makes its test fail on every error in the console, and on every request to elsewhere. */
+/** A page; `errors` collects errors in its console and requests to other hosts. */
 export async function open(
   browser: Browser,
   url: string,
@@ -109,13 +43,13 @@ export async function open(
   page.on("request", (request) => {
     const { hostname, protocol } = new URL(request.url());
     if (!["file:", "data:", "blob:"].includes(protocol) && hostname !== "127.0.0.1")
-      errors.push(`asked ${request.url()}`);
+      errors.push(`requested ${request.url()}`);
   });
   await page.goto(url);
   return { page, errors };
 }
 
-/** Waits until the stage shows exactly these images. */
+/** Waits until the stage shows exactly these images, by name. */
 export async function drawn(page: Page, names: string): Promise<void> {
   await page.waitForFunction(
     (wanted) =>
@@ -125,7 +59,7 @@ export async function drawn(page: Page, names: string): Promise<void> {
   await settled(page);
 }
 
-/** Colour of the stage at a point of it, 0 to 255. */
+/** Colour of the stage at a point, in CSS pixels; 0 to 255. */
 export function colourAt(page: Page, x: number, y: number): Promise<number[]> {
   return page.evaluate(
     ([px, py]) => {
@@ -142,7 +76,7 @@ export function colourAt(page: Page, x: number, y: number): Promise<number[]> {
   );
 }
 
-/** What the tests change of an overview. */
+/** The members of an overview that tests change. */
 export interface SomeOverview {
   run: { name: string; live: boolean; finished: boolean };
   states: { name: string }[];
@@ -153,28 +87,28 @@ export interface SomeOverview {
   charts?: unknown[];
 }
 
-/** Answers for overviews with what `change` makes of the run's own; `run` counts as the server counts. */
+/** Lets `change` modify the overviews that the server sends; `run` is the index of the run. */
 export async function changeOverview(
   page: Page,
-  change: (overview: SomeOverview, asked: number) => void,
+  change: (overview: SomeOverview, request: number) => void,
   run: number | "*" = "*",
 ): Promise<void> {
-  let asked = 0;
+  let requests = 0;
   await page.route(`**/data/${run}/overview.json`, async (route) => {
     const overview = (await (await route.fetch()).json()) as SomeOverview;
-    change(overview, ++asked);
+    change(overview, ++requests);
     await route.fulfill({ json: overview });
   });
 }
 
-/** Waits until the page has shown what it was told before. */
+/** Waits until the page has rendered pending changes. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );
 }
 
-/** An image as the server packs it (src/report/packed_image.h), each channel with its number at (x, y). */
+/** An image in the format of src/report/packed_image.h; each channel is a function of (x, y). */
 export function packedImage(
   width: number,
   height: number,
@@ -202,7 +136,7 @@ export function packedImage(
   return gzipSync(Buffer.concat([length, text, ...planes]));
 }
 
-/** Shows these images, by the names of their files, in place of the run's own. */
+/** Replaces images of the run, by the names of their files. */
 export async function replaceImages(page: Page, images: Record<string, Buffer>): Promise<void> {
   for (const [file, body] of Object.entries(images))
     await page.route(`**/image/**/${file}*`, (route) => route.fulfill({ body }));
