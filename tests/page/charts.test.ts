@@ -1,8 +1,9 @@
-// Charts: what they show, and what they say that they cannot show.
+// Charts: the points that they show, and the notes about those that they cannot show.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, Scratch, serve, type Served, type SomeOverview } from "./stand";
+import { changeOverview, launch, open, type SomeOverview } from "./browser";
+import { Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -19,8 +20,13 @@ after(async () => {
   scratch.remove();
 });
 
-/** The charts of a run whose `metric` has these numbers, by the index of the image, and no others. */
-async function charts(query: string, metric: string, values: Record<number, number>, change: (overview: SomeOverview) => void = () => undefined): Promise<{ page: Page; errors: string[] }> {
+/** The charts of a run whose `metric` has only these values, by the index of the cell. */
+async function charts(
+  query: string,
+  metric: string,
+  values: Record<number, number>,
+  change: (overview: SomeOverview) => void = () => undefined,
+): Promise<{ page: Page; errors: string[] }> {
   const { page, errors } = await open(browser, "about:blank");
   await changeOverview(page, (overview) => {
     const column = overview.measures[metric];
@@ -36,14 +42,14 @@ async function charts(query: string, metric: string, values: Record<number, numb
 
 const first = (page: Page) => page.locator(".chart").first();
 
-test("a click on a point opens the image that made it", async () => {
-  // Images 0, 2 and 3 are of "one"; the middle of -1, 0 and 1 is in the middle of the chart.
+test("a click on a point opens its target", async () => {
+  // Cells 0, 2 and 3 are of "one"; 0 is halfway between -1 and 1, in the middle of the chart.
   const { page, errors } = await charts("of=lean", "lean", { 0: -1, 2: 0, 3: 1 });
   const over = first(page).locator(".u-over");
   await over.waitFor();
   const box = await over.boundingBox();
   assert.ok(box);
-  // The middle of three places along the axis; of three renderers side by side on half a place "one" is the left.
+  // The second of three targets on the axis; of its three renderers "one" is the left.
   await page.mouse.click(box.x + (box.width * (1.5 - 1 / 6)) / 3, box.y + box.height / 2);
   await page.waitForSelector(".case");
   assert.match(page.url(), /#\/case\/a1_stokes\/stokes\/one$/);
@@ -51,11 +57,16 @@ test("a click on a point opens the image that made it", async () => {
   await page.close();
 });
 
-test("curves with bands are drawn when the data has some", async () => {
+test("curves with bands are drawn if the data has them", async () => {
   const { page, errors } = await open(browser, "about:blank");
   await changeOverview(page, (overview) => {
     const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
-    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
+    const chart = {
+      title: "error over time",
+      x: { label: "time", log: true },
+      y: { label: "error", log: true },
+      series: [{ name: "one", line: true, points }],
+    };
     overview.charts = [chart];
   });
   await page.goto(`${small.url}#/charts`);
@@ -64,7 +75,7 @@ test("curves with bands are drawn when the data has some", async () => {
   await page.close();
 });
 
-test("quantities that are nowhere above zero are offered, on an axis that has a place for them", async () => {
+test("quantities without positive values are offered, on a linear axis", async () => {
   const { page } = await charts("of=l1&cx=lean", "l1", { 0: -2, 2: -1, 3: 0 });
   assert.match(await first(page).locator("h2").innerText(), /l1/);
   await first(page).locator(".plot canvas").waitFor();
@@ -72,22 +83,41 @@ test("quantities that are nowhere above zero are offered, on an axis that has a 
   await page.close();
 });
 
-test("points that have no place in a chart are counted below it", async () => {
+test("points that a chart cannot show are counted below it", async () => {
   const { page } = await charts("of=l1", "l1", { 0: 0, 1: 0, 2: 0.25, 3: 4 });
-  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 4 points are not shown: 2 are 0, which has no place on a logarithmic axis.");
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "2 of 4 points are not shown: 2 are 0, which a logarithmic axis cannot show.",
+  );
   await page.close();
 });
 
-test("numbers that are infinite are counted below the chart", async () => {
-  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", { 2: 30 }, (overview) => (overview.infinite = { psnr_srgb8: [0] }));
-  assert.equal(await first(page).locator(".left-out").innerText(), "1 of 2 points is not shown: 1 is infinite.");
+test("infinite values are counted below the chart", async () => {
+  const { page } = await charts(
+    "of=psnr_srgb8",
+    "psnr_srgb8",
+    { 2: 30 },
+    (overview) => (overview.infinite = { psnr_srgb8: [0] }),
+  );
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "1 of 2 points is not shown: 1 is infinite.",
+  );
   await page.close();
 });
 
-test("a quantity that is infinite everywhere is offered, and said to be", async () => {
-  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", {}, (overview) => (overview.infinite = { psnr_srgb8: [0, 2] }));
+test("a quantity with only infinite values is offered, with a note", async () => {
+  const { page } = await charts(
+    "of=psnr_srgb8",
+    "psnr_srgb8",
+    {},
+    (overview) => (overview.infinite = { psnr_srgb8: [0, 2] }),
+  );
   assert.match(await first(page).locator("h2").innerText(), /psnr_srgb8/);
-  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 2 points are not shown: 2 are infinite.");
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "2 of 2 points are not shown: 2 are infinite.",
+  );
   assert.equal(await first(page).locator(".plot").count(), 0);
   await page.close();
 });

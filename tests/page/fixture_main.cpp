@@ -1,8 +1,7 @@
 // Makes the runs that the browser tests look at:
 //   orbs-page-fixture small|before|many|huge <folder>   a finished run
-//   orbs-page-fixture live <folder>                      a run that goes on: each line on stdin ends one
-//   render, the
-//                                                        end of stdin ends the run
+//   orbs-page-fixture live <folder>                      a live run: each line on stdin completes a
+//                                                        render, the end of stdin the run
 #include "base/error.h"
 #include "page/fixture_runs.h"
 

@@ -1,9 +1,10 @@
-// What a link shows, tomorrow too: which run, and of two runs what changed.
+// Links name their run, so that they show the same later; and the comparison of two runs.
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, report, Scratch, serve, type Served } from "./stand";
+import { changeOverview, launch, open } from "./browser";
+import { report, Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -21,9 +22,11 @@ after(async () => {
 });
 
 const linksOf = (page: Page): Promise<string[]> =>
-  page.locator("a[href^='#/']").evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
+  page
+    .locator("a[href^='#/']")
+    .evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
 
-test("where there are several runs each link names its run", async () => {
+test("if there are several runs each link names its run", async () => {
   const { page, errors } = await open(browser, two.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
   await page.locator(".cell a").first().waitFor();
@@ -32,15 +35,20 @@ test("where there are several runs each link names its run", async () => {
   await page.waitForFunction(() => location.hash === "#/charts?run=small");
   await page.goto(`${two.url}#/compare`);
   await page.locator(".compare td a").first().waitFor();
-  await page.waitForFunction(() => location.hash.includes("before=before") && location.hash.includes("after=small"));
+  await page.waitForFunction(
+    () => location.hash.includes("before=before") && location.hash.includes("after=small"),
+  );
   const links = await linksOf(page);
-  assert.ok(links.every((link) => /[?&]run=(small|before)/.test(link)), links.join(" "));
+  assert.ok(
+    links.every((link) => /[?&]run=(small|before)/.test(link)),
+    links.join(" "),
+  );
   assert.ok(links.some((link) => link.includes("run=before")));
   assert.deepEqual(errors, []);
   await page.close();
 });
 
-test("naming the run adds no step to the way back", async () => {
+test("naming the run adds no step to the history", async () => {
   const { page } = await open(browser, "about:blank");
   await page.goto(two.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
@@ -53,7 +61,7 @@ test("naming the run adds no step to the way back", async () => {
   await page.close();
 });
 
-test("a run that is not here is not taken for another one", async () => {
+test("a run that does not exist is not replaced by another one", async () => {
   const { page, errors } = await open(browser, `${two.url}#/charts?run=yesterday&of=cpu_seconds`);
   const alert = page.getByRole("alert");
   await alert.getByText("There is no run 'yesterday' here. There are:").waitFor();
@@ -70,7 +78,7 @@ test("a run that is not here is not taken for another one", async () => {
   await page.close();
 });
 
-test("a page of one run has short links, and knows no other run", async () => {
+test("a page of one run has short links and no other run", async () => {
   const file = join(scratch.folder, "page.html");
   report(join(scratch.folder, "small"), file);
   const { page } = await open(browser, `file://${file}`);
@@ -82,36 +90,57 @@ test("a page of one run has short links, and knows no other run", async () => {
   await page.close();
 });
 
-test("a run that cannot be compared says why", async () => {
+test("the page says why a run cannot be compared", async () => {
   const { page } = await open(browser, "about:blank");
-  await page.route("**/data/1/overview.json", (route) => route.fulfill({ status: 500, body: "the disk is gone" }));
+  await page.route("**/data/1/overview.json", (route) =>
+    route.fulfill({ status: 500, body: "the disk is gone" }),
+  );
   await page.goto(`${two.url}#/compare`);
   await page.getByText("The run before cannot be shown: the disk is gone").waitFor();
   await page.close();
 });
 
-test("images that were not rendered are neither better nor worse", async () => {
+test("targets that were not rendered are neither better nor worse", async () => {
   const { page } = await open(browser, "about:blank");
-  await changeOverview(page, ({ cells, states }) => {
-    ["waiting", "running", "skipped"].forEach((name, i) => (cells["state"]![i] = states.findIndex((state) => state.name === name)));
-  }, 0);
+  await changeOverview(
+    page,
+    ({ cells, states }) => {
+      ["waiting", "running", "skipped"].forEach(
+        (name, i) => (cells["state"]![i] = states.findIndex((state) => state.name === name)),
+      );
+    },
+    0,
+  );
   await page.goto(`${two.url}#/compare`);
   const rows = page.locator("section[data-kind=open] tbody tr");
   await rows.first().waitFor();
-  // One was skipped in both runs.
-  assert.deepEqual((await rows.allInnerTexts()).map((text) => /waiting|running|skipped/.exec(text)?.[0]).sort(), ["running", "skipped", "skipped", "waiting"]);
-  for (const text of await page.locator("section[data-kind=worse], section[data-kind=better]").allInnerTexts())
+  // One target was skipped in both runs.
+  assert.deepEqual(
+    (await rows.allInnerTexts()).map((text) => /waiting|running|skipped/.exec(text)?.[0]).sort(),
+    ["running", "skipped", "skipped", "waiting"],
+  );
+  for (const text of await page
+    .locator("section[data-kind=worse], section[data-kind=better]")
+    .allInnerTexts())
     assert.doesNotMatch(text, /waiting|running|skipped/);
   await page.close();
 });
 
-test("a signed number that only changed its side is as good as before", async () => {
+test("a signed value that only changed its sign is unchanged", async () => {
   const { page } = await open(browser, "about:blank");
-  await changeOverview(page, ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)), 0);
+  await changeOverview(
+    page,
+    ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)),
+    0,
+  );
   await page.goto(`${two.url}#/compare?metric=lean`);
-  // Those that changed their state, and nobody else.
+  // Only targets whose state changed.
   await page.locator("section[data-kind=better] tbody tr").first().waitFor();
-  assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), ["m1_values"]);
-  assert.deepEqual(await page.locator("section[data-kind=worse] tbody th").allInnerTexts(), ["e1_markup"]);
+  assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), [
+    "m1_values",
+  ]);
+  assert.deepEqual(await page.locator("section[data-kind=worse] tbody th").allInnerTexts(), [
+    "e1_markup",
+  ]);
   await page.close();
 });

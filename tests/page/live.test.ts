@@ -1,10 +1,11 @@
-// Runs that go on, and answers that come late or not at all.
+// Live runs, and responses that are late or missing.
 import assert from "node:assert/strict";
 import type { ChildProcess } from "node:child_process";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, playLive, Scratch, serve, settled, type Served } from "./stand";
+import { changeOverview, launch, open, settled } from "./browser";
+import { playLive, Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -21,8 +22,14 @@ after(async () => {
   scratch.remove();
 });
 
-/** A run of three renders that goes on, and a page that is not there yet. */
-async function live(name: string): Promise<{ run: ChildProcess; served: Served; page: Page; errors: string[]; end: () => Promise<void> }> {
+/** A live run of three renders, and a page that has not opened it yet. */
+async function live(name: string): Promise<{
+  run: ChildProcess;
+  served: Served;
+  page: Page;
+  errors: string[];
+  end: () => Promise<void>;
+}> {
   const folder = join(scratch.folder, name);
   const run = await playLive(folder);
   const served = await serve(folder);
@@ -37,9 +44,12 @@ async function live(name: string): Promise<{ run: ChildProcess; served: Served; 
 
 const overview = "#/?by=target&order=given";
 const passed = (page: Page, count: number) =>
-  page.waitForFunction((wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted, count);
+  page.waitForFunction(
+    (wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted,
+    count,
+  );
 
-test("a run that goes on fills its cells as renders end", async () => {
+test("a live run fills its cells as renders end", async () => {
   const { run, served, page, errors, end } = await live("fills");
   await page.goto(served.url + overview);
   await page.getByText("0 of 3 renders done").waitFor();
@@ -56,10 +66,12 @@ test("a run that goes on fills its cells as renders end", async () => {
   await end();
 });
 
-test("a run that goes on stays when it cannot be read once, and is read again", async () => {
+test("a live run stays visible if one request fails, and is requested again", async () => {
   const { run, served, page, end } = await live("breaks");
   let isBroken = false;
-  await page.route("**/overview.json", (route) => (isBroken ? route.fulfill({ status: 500, body: "the disk is gone" }) : route.continue()));
+  await page.route("**/overview.json", (route) =>
+    isBroken ? route.fulfill({ status: 500, body: "the disk is gone" }) : route.continue(),
+  );
   await page.goto(served.url + overview);
   await page.getByText("0 of 3 renders done").waitFor();
   isBroken = true;
@@ -72,16 +84,16 @@ test("a run that goes on stays when it cannot be read once, and is read again", 
   await end();
 });
 
-test("of two answers about a run that goes on the one that was asked for later is shown", async () => {
+test("of two responses the page shows the one that was requested later", async () => {
   const { run, served, page, end } = await live("overlaps");
   let release = (): void => undefined;
   const released = new Promise<void>((resolve) => (release = resolve));
-  let asked = 0;
+  let requests = 0;
   let oldGiven: Promise<void> | undefined;
   await page.route("**/overview.json", async (route) => {
-    const number = ++asked;
+    const number = ++requests;
     const response = await route.fetch();
-    if (number === 2) await released; // the first news of the run made the page ask for this
+    if (number === 2) await released; // requested after the first update of the run
     const given = route.fulfill({ response });
     if (number === 2) oldGiven = given;
     await given;
@@ -99,7 +111,7 @@ test("of two answers about a run that goes on the one that was asked for later i
   await end();
 });
 
-test("when the server is gone the page says so and keeps what it knows", async () => {
+test("without the server the page says so and keeps its data", async () => {
   const { served, page, end } = await live("ends");
   await page.goto(served.url + overview);
   await page.getByText("0 of 3 renders done").waitFor();
@@ -109,10 +121,10 @@ test("when the server is gone the page says so and keeps what it knows", async (
   await end();
 });
 
-test("a run that ends just before the page could follow it is shown as it ended", async () => {
+test("a run that ends before the page follows it is shown as finished", async () => {
   const { page, errors } = await open(browser, "about:blank");
-  // The server answers 204 to whoever wants to follow a run that has ended.
-  await changeOverview(page, ({ run }, asked) => (run.live = asked === 1));
+  // The server responds with 204 to a request to follow a finished run.
+  await changeOverview(page, ({ run }, request) => (run.live = request === 1));
   await page.goto(`${two.url}#/`);
   await page.locator(".grid .row").first().waitFor();
   await page.waitForFunction(() => !document.querySelector(".live"));
@@ -120,7 +132,7 @@ test("a run that ends just before the page could follow it is shown as it ended"
   await page.close();
 });
 
-test("an answer about a run that was left for another one is not waited for, nor shown", async () => {
+test("a late response about a run that is no longer shown is ignored", async () => {
   const { page, errors } = await open(browser, "about:blank");
   let release = (): void => undefined;
   const released = new Promise<void>((resolve) => (release = resolve));
@@ -132,7 +144,9 @@ test("an answer about a run that was left for another one is not waited for, nor
   await page.getByText("Reading the run").waitFor();
   await page.getByRole("combobox", { name: "Run" }).selectOption("before");
   await page.locator(".grid .row").first().waitFor();
-  const finished = page.waitForEvent("requestfinished", (request) => request.url().endsWith("/data/0/overview.json"));
+  const finished = page.waitForEvent("requestfinished", (request) =>
+    request.url().endsWith("/data/0/overview.json"),
+  );
   release();
   await finished;
   await settled(page);
@@ -142,7 +156,7 @@ test("an answer about a run that was left for another one is not waited for, nor
   await page.close();
 });
 
-test("a server that was started anew with other runs is found out", async () => {
+test("a server that was restarted with other runs is detected", async () => {
   const { page } = await open(browser, "about:blank");
   await changeOverview(page, ({ run }) => (run.name = "another"));
   await page.goto(`${two.url}#/`);

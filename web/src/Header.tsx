@@ -5,7 +5,7 @@ import { go, routeText, type Route } from "./route";
 
 interface Props {
   source: Source;
-  /** -1 when the address names one that is not here. */
+  /** Index of the run; -1 if the address names a run that does not exist. */
   run: number;
   session: Session | string | undefined;
   route: Route;
@@ -16,7 +16,10 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
   const [view = ""] = route.path;
   const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
-    <a href={routeText({ path, query })} aria-current={view === (path[0] ?? "") ? "page" : undefined}>
+    <a
+      href={routeText({ path, query })}
+      aria-current={view === (path[0] ?? "") ? "page" : undefined}
+    >
       {label}
     </a>
   );
@@ -35,7 +38,9 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
             <span class="unseen">Run</span>
             <select
               value={source.runs[index] ?? ""}
-              onChange={(event) => go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })}
+              onChange={(event) =>
+                go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })
+              }
             >
               {source.runs.map((name) => (
                 <option key={name}>{name}</option>
@@ -63,36 +68,37 @@ function runText({ overview: { run } }: Session): string {
   return parts.join(" · ");
 }
 
-/** What a run that goes on has done, or why that is not known; for one that was killed, that it was. */
+/** Progress of a live run, or why it is unknown; a note if the run was killed. */
 function LiveBar({ session }: { session: Session }) {
   const { run } = session.overview;
-  const { progress, trouble } = session;
+  const { progress, connectionProblem: problem } = session;
   if (!run.live)
     return (
       <p class="live ended" role="status">
-        This run was not finished: what it had rendered until then is shown.
+        This run did not finish. The page shows what it had rendered.
       </p>
     );
-  if (trouble !== undefined)
+  if (problem !== undefined)
     return (
       <p class="live ended" role="status">
-        What was known last is shown, and asked for again: {trouble}.
+        The page shows the last known state and keeps trying: {problem}.
       </p>
     );
   if (!progress)
     return (
       <p class="live" role="status">
-        The run goes on …
+        The run is in progress …
       </p>
     );
   const left = progress.total - progress.done - progress.running.length;
-  const estimate = progress.seconds_left === null ? "" : `, about ${seconds(progress.seconds_left)} to go`;
+  const estimate =
+    progress.seconds_left === null ? "" : `, about ${seconds(progress.seconds_left)} to go`;
   return (
     <div class="live" role="status">
       <progress max={progress.total} value={progress.done} aria-label="Renders done" />
       <span>
-        <b>{progress.done}</b> of {progress.total} renders done, {progress.running.length} running, {Math.max(0, left)}{" "}
-        left{estimate}
+        <b>{progress.done}</b> of {progress.total} renders done, {progress.running.length} running,{" "}
+        {Math.max(0, left)} left{estimate}
       </span>
       <span class="quiet">{progress.running.slice(0, 4).join(", ")}</span>
     </div>

@@ -1,7 +1,7 @@
 import { render } from "preact";
 import "uplot/dist/uPlot.min.css";
 import { App } from "./App";
-import { reasonOf } from "./common/answer";
+import { messageOf } from "./common/request";
 import { openSource } from "./data/source";
 import "./style/base.css";
 import "./style/overview.css";
@@ -17,6 +17,6 @@ if (root)
       render(<App source={source} />, root);
     },
     (error: unknown) => {
-      root.textContent = `The run cannot be shown: ${reasonOf(error)}`;
+      root.textContent = `The run cannot be shown: ${messageOf(error)}`;
     },
   );

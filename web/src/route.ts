@@ -1,8 +1,8 @@
-// The whole state of a view stands in the part of the address behind '#': a link shows what its sender saw.
+// The fragment of the address (after '#') holds the whole state of a view: a link reproduces it.
 import { useEffect, useState } from "preact/hooks";
 
 export interface Route {
-  /** Parts of the path: ["case", "m1_lambert", "101", "orbs"]; [] for the overview. */
+  /** Parts of the path, e.g. ["case", "m1_lambert", "101", "orbs"]; [] is the overview. */
   path: string[];
   query: Record<string, string>;
 }
@@ -13,7 +13,7 @@ export function parseRoute(hash: string): Route {
     try {
       return decodeURIComponent(text);
     } catch {
-      return text; // a broken code in a link that somebody typed
+      return text; // a malformed %-escape in a link that was typed by hand
     }
   };
   return {
@@ -23,26 +23,35 @@ export function parseRoute(hash: string): Route {
 }
 
 export function routeText(route: Route): string {
-  const query = new URLSearchParams(Object.entries(route.query).filter(([, value]) => value !== "")).toString();
+  const query = new URLSearchParams(
+    Object.entries(route.query).filter(([, value]) => value !== ""),
+  ).toString();
   return `#/${route.path.map(encodeURIComponent).join("/")}${query ? `?${query}` : ""}`;
 }
 
 const listeners = new Set<() => void>();
-const tell = (): void => listeners.forEach((listener) => listener());
-addEventListener("popstate", tell);
-addEventListener("hashchange", tell);
+const notify = (): void => listeners.forEach((listener) => listener());
+addEventListener("popstate", notify);
+addEventListener("hashchange", notify);
 
-/** Goes to another view; the back button returns. */
+/** Opens another view; the back button returns to this one. */
 export function go(route: Route): void {
   history.pushState(null, "", routeText(route));
-  tell();
+  notify();
 }
 
-/** Notes a change within the view: the back button leaves the view, not each step in it. Empty values are dropped. */
+/**
+ * Records a change within the view in the address. The back button leaves the view instead of
+ * undoing the change. Empty values are removed from the address.
+ */
 export function note(changes: Record<string, string>): void {
   const route = parseRoute(location.hash);
-  history.replaceState(null, "", routeText({ path: route.path, query: { ...route.query, ...changes } }));
-  tell();
+  history.replaceState(
+    null,
+    "",
+    routeText({ path: route.path, query: { ...route.query, ...changes } }),
+  );
+  notify();
 }
 
 export function useRoute(): Route {

@@ -1,36 +1,53 @@
 import { useEffect, useState } from "preact/hooks";
-import { useAnswer } from "./common/answer";
+import { useRequest } from "./common/request";
 import type { Session } from "./common/session";
-import type { News, Source } from "./data/source";
+import type { Update, Source } from "./data/source";
 
 const kRetry_ms = 3000;
 
-function troubleOf(problem: string | undefined, news: News | undefined): string | undefined {
+function connectionProblemOf(
+  problem: string | undefined,
+  update: Update | undefined,
+): string | undefined {
   if (problem !== undefined) return problem;
-  if (news === "lost") return "the server does not answer";
-  return news === "silent" ? "the server tells nothing more about this run" : undefined;
+  if (update === "disconnected") return "the server does not answer";
+  return update === "closed" ? "the server sends no more updates of this run" : undefined;
 }
 
-/** A run, kept up to date while it goes on; a text when it cannot be shown, undefined while it is read. */
+/** A run, updated while it is live; a message if it cannot be shown, undefined while it loads. */
 export function useSession(source: Source, run: number): Session | string | undefined {
-  const [heard, setHeard] = useState<{ run: number; news: News; count: number }>();
+  const [last, setLast] = useState<{ run: number; update: Update; count: number }>();
   const [attempt, setAttempt] = useState(0);
-  const { value: overview, problem } = useAnswer(String(run), `${heard?.count ?? 0} ${attempt}`, 
-    run < 0 ? undefined : () => source.overview(run));
+  const { value: overview, problem } = useRequest(
+    String(run),
+    `${last?.count ?? 0} ${attempt}`,
+    run < 0 ? undefined : () => source.overview(run),
+  );
   const live = overview?.run.live ?? false;
   useEffect(() => {
     if (!live) return undefined;
-    return source.follow(run, (news) =>
-      setHeard((last) => ({ run, news, count: (last?.count ?? 0) + (news === "lost" ? 0 : 1) })));
+    return source.follow(run, (update) =>
+      setLast((old) => ({
+        run,
+        update,
+        count: (old?.count ?? 0) + (update === "disconnected" ? 0 : 1),
+      })),
+    );
   }, [source, run, live, attempt]);
-  const news = heard?.run === run ? heard.news : undefined;
-  // Nothing that comes by itself ends these two: the last news may be what could not be read.
-  const isStuck = live && (problem !== undefined || news === "silent");
+  const update = last?.run === run ? last.update : undefined;
+  // No event of the server ends these two states: the failed request may follow the last update.
+  const isStuck = live && (problem !== undefined || update === "closed");
   useEffect(() => {
     if (!isStuck) return undefined;
     const timer = setTimeout(() => setAttempt((n) => n + 1), kRetry_ms);
     return () => clearTimeout(timer);
   }, [isStuck, attempt]);
   if (!overview) return problem;
-  return { source, run, overview, progress: typeof news === "object" ? news : undefined, trouble: troubleOf(problem, news) };
+  return {
+    source,
+    run,
+    overview,
+    progress: typeof update === "object" ? update : undefined,
+    connectionProblem: connectionProblemOf(problem, update),
+  };
 }

@@ -2,7 +2,7 @@ import { bytes, seconds } from "../common/format";
 import { Copyable } from "../common/Copyable";
 import type { TargetDetail } from "../data/types";
 
-/** What the renders cost, and how to do them again. */
+/** Time and memory of the renders, and the commands that repeat them. */
 export function Cost({ detail }: { detail: TargetDetail }) {
   return (
     <section class="cost">
@@ -12,10 +12,22 @@ export function Cost({ detail }: { detail: TargetDetail }) {
           <thead>
             <tr>
               <th scope="col">Render</th>
-              <th scope="col" class="number" title="wall-clock time of the whole process">Wall</th>
-              <th scope="col" class="number" title="user and system time of the process and its children">CPU</th>
-              <th scope="col" class="number" title="what the renderer itself says about its rendering">Its own</th>
-              <th scope="col" class="number" title="largest resident set of one of its processes">Peak memory</th>
+              <th scope="col" class="number" title="wall-clock time of the whole process">
+                Wall
+              </th>
+              <th
+                scope="col"
+                class="number"
+                title="user and system time of the process and its children"
+              >
+                CPU
+              </th>
+              <th scope="col" class="number" title="render time that the renderer itself reports">
+                Reported
+              </th>
+              <th scope="col" class="number" title="largest resident set of any of its processes">
+                Peak memory
+              </th>
             </tr>
           </thead>
           <tbody>
@@ -31,10 +43,18 @@ export function Cost({ detail }: { detail: TargetDetail }) {
           </tbody>
         </table>
       ) : (
-        <p class="quiet">Nothing was rendered for this.</p>
+        <p class="quiet">Nothing was rendered for this target.</p>
       )}
-      <Copyable label="Render and judge it again" text={detail.command} />
-      {detail.jobs.map((job) => job.command ? <Copyable key={job.id} label={`The renderer alone, ${job.scene}`} text={job.command} /> : null)}
+      <Copyable label="Render and judge this target again" text={detail.command} />
+      {detail.jobs.map((job) =>
+        job.command ? (
+          <Copyable
+            key={job.id}
+            label={`Run the renderer alone, ${job.scene}`}
+            text={job.command}
+          />
+        ) : null,
+      )}
     </section>
   );
 }

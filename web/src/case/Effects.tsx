@@ -1,6 +1,6 @@
 import type { Effect, TargetDetail, Scene } from "../data/types";
 
-/** The first thing speaks for the others that call for the same effect. */
+/** The effects, each with the first object that calls for it and the number of others that do. */
 function grouped(effects: Effect[]): { first: Effect; others: number }[] {
   const groups = new Map<string, { first: Effect; others: number }>();
   for (const one of effects) {
@@ -29,13 +29,25 @@ const times = (ratio: number) => (ratio > 0 ? `× ${ratio.toFixed(2)}` : "–");
 function EffectCosts({ scene }: { scene: Scene }) {
   return (
     <table>
-      <caption>Instead of {scene.transport} transport</caption>
+      <caption>Effect cost, relative to {scene.transport} transport</caption>
       <thead>
         <tr>
           <th scope="col">Transport</th>
-          <th scope="col" class="number" title="CPU time per sample, over that of what the scene calls for">Time</th>
-          <th scope="col" class="number" title="CPU time to the same noise, over that of what the scene calls for">To equal noise</th>
-          <th scope="col">Target</th>
+          <th
+            scope="col"
+            class="number"
+            title="CPU time per sample, relative to the transport that the scene calls for"
+          >
+            Time
+          </th>
+          <th
+            scope="col"
+            class="number"
+            title="CPU time to equal noise, relative to the transport that the scene calls for"
+          >
+            To equal noise
+          </th>
+          <th scope="col">Change of the image</th>
         </tr>
       </thead>
       <tbody>
@@ -52,25 +64,27 @@ function EffectCosts({ scene }: { scene: Scene }) {
   );
 }
 
-/** What the scene calls for, what that costs, and what would be lost without. */
+/** The effects that the scene calls for, their cost, and how the image changes without them. */
 export function Effects({ detail }: { detail: TargetDetail }) {
   return (
     <>
-      {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.effect_costs.length > 0).map((scene) => (
-        <section key={scene.name} class="effects">
-          <h2>
-            {scene.name} calls for {scene.transport} light paths
-          </h2>
-          <List effects={scene.called_for} />
-          {scene.not_called_for.length > 0 ? (
-            <>
-              <p class="quiet">What looks like an effect and is none:</p>
-              <List effects={scene.not_called_for} />
-            </>
-          ) : null}
-          {scene.effect_costs.length > 0 ? <EffectCosts scene={scene} /> : null}
-        </section>
-      ))}
+      {detail.scenes
+        .filter((scene) => scene.called_for.length > 0 || scene.effect_costs.length > 0)
+        .map((scene) => (
+          <section key={scene.name} class="effects">
+            <h2>
+              {scene.name} calls for {scene.transport} light paths
+            </h2>
+            <List effects={scene.called_for} />
+            {scene.not_called_for.length > 0 ? (
+              <>
+                <p class="quiet">Not needed, although the scene names it:</p>
+                <List effects={scene.not_called_for} />
+              </>
+            ) : null}
+            {scene.effect_costs.length > 0 ? <EffectCosts scene={scene} /> : null}
+          </section>
+        ))}
     </>
   );
 }

@@ -1,7 +1,7 @@
 import type { Session } from "../common/session";
 import type { TargetDetail } from "../data/types";
 
-/** The ends of the logs. They are text, whatever they hold. */
+/** The ends of the logs, always shown as plain text. */
 export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {
   const jobs = detail.jobs.filter((job) => job.log !== "" || job.reason !== "");
   if (jobs.length === 0) return null;
@@ -9,15 +9,17 @@ export function Logs({ session, detail }: { session: Session; detail: TargetDeta
     <section class="logs">
       <h2>Output of the renderer</h2>
       {jobs.map((job) => {
-        const address = job.log_file ? session.source.fileAddress(session.run, job.log_file) : undefined;
+        const address = job.log_file
+          ? session.source.fileAddress(session.run, job.log_file)
+          : undefined;
         return (
           <details key={job.id} open={job.exit_code !== 0 || job.signal !== ""}>
             <summary>
               {job.scene}: {job.signal ? `killed by ${job.signal}` : `exit code ${job.exit_code}`}
               {job.reason ? ` · ${job.reason}` : ""}
             </summary>
-            <pre tabIndex={0}>{job.log || "(it wrote nothing)"}</pre>
-            {address ? <a href={address}>the whole log</a> : null}
+            <pre tabIndex={0}>{job.log || "(no output)"}</pre>
+            {address ? <a href={address}>Whole log</a> : null}
           </details>
         );
       })}

@@ -1,6 +1,6 @@
 import { useRef, useState } from "preact/hooks";
 
-/** A command that can be copied. */
+/** A command with a button that copies it. */
 export function Copyable({ label, text }: { label: string; text: string }) {
   const [done, setDone] = useState("Copy");
   const code = useRef<HTMLElement>(null);
@@ -9,7 +9,7 @@ export function Copyable({ label, text }: { label: string; text: string }) {
       await navigator.clipboard.writeText(text);
       setDone("Copied");
     } catch {
-      // Browsers have no clipboard for pages that came by plain http from another machine.
+      // Browsers offer no clipboard to pages loaded by plain http from another machine.
       if (code.current) getSelection()?.selectAllChildren(code.current);
       setDone("Selected: press Ctrl+C");
     }
@@ -18,7 +18,9 @@ export function Copyable({ label, text }: { label: string; text: string }) {
   return (
     <div class="copyable">
       <span class="label">{label}</span>
-      <code ref={code} tabIndex={0}>{text}</code>
+      <code ref={code} tabIndex={0}>
+        {text}
+      </code>
       <button onClick={() => void copy()} aria-label={done === "Copy" ? `Copy: ${label}` : done}>
         {done}
       </button>

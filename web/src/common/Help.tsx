@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { allActions } from "./keys";
 
-/** The '?' sheet: every key there is now, by group. */
+/** The help: every key of the current view, by group. */
 export function Help({ onClose }: { onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
@@ -9,8 +9,9 @@ export function Help({ onClose }: { onClose: () => void }) {
   for (const action of allActions()) {
     const list = groups.get(action.group) ?? [];
     const keys = action.keyName ?? action.key;
-    // The four arrows are one line.
-    if (!list.some((known) => known.keys === keys && known.label === action.label)) list.push({ keys, label: action.label });
+    // The four arrow keys share one line.
+    if (!list.some((known) => known.keys === keys && known.label === action.label))
+      list.push({ keys, label: action.label });
     groups.set(action.group, list);
   }
   return (

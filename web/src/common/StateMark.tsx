@@ -1,7 +1,7 @@
 import type { State } from "../data/types";
 import { lookOf } from "./states";
 
-/** State by symbol, word and colour. */
+/** A state as symbol, word and colour. */
 export function StateMark({ state, word = true }: { state: State | undefined; word?: boolean }) {
   const look = lookOf(state);
   return (

@@ -13,7 +13,7 @@ export function bytes(value: number | null | undefined): string {
   return value < 1e9 ? `${(value / 1e6).toPrecision(3)} MB` : `${(value / 1e9).toPrecision(3)} GB`;
 }
 
-/** A number as it stands in a table: four digits, "∞", "–" for none. */
+/** A number in a table: four significant digits, "∞" if it is infinite, "–" if there is none. */
 export function number(value: number | null | undefined, infinite = false): string {
   if (infinite) return "∞";
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -22,11 +22,12 @@ export function number(value: number | null | undefined, infinite = false): stri
   return size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(4))) : value.toExponential(3);
 }
 
-/** All digits that a float holds, and no more. */
+/** The nine significant digits that identify a 32-bit float. */
 export function rawFloat(value: number): string {
   if (Number.isNaN(value)) return "NaN";
   if (!Number.isFinite(value)) return value > 0 ? "+Inf" : "−Inf";
   return String(Number(value.toPrecision(9)));
 }
 
-export const withUnit = (text: string, unit: string): string => (unit && unit !== "1" ? `${text} ${unit}` : text);
+export const withUnit = (text: string, unit: string): string =>
+  unit && unit !== "1" ? `${text} ${unit}` : text;

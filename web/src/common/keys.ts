@@ -1,12 +1,12 @@
 import { useLayoutEffect } from "preact/hooks";
 
-/** One thing that can be done: by its key, by its button, and listed on the '?' sheet. */
+/** What the user can do, by key or by button; the help lists all actions. */
 export interface Action {
   key: string;
   label: string;
   run: () => void;
   group: string;
-  /** Shown instead of the key, for keys without a readable name. */
+  /** Shown instead of `key` if that is not readable. */
   keyName?: string;
 }
 
@@ -20,19 +20,23 @@ function isTyping(target: EventTarget | null): boolean {
     : target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
-// What is pressed, ticked, moved or scrolled by these keys when it has the focus.
+// Elements that use Space, Enter and the arrow keys themselves while they have the focus.
 const kWithKeys = "button, a, summary, [role=slider], input, pre, code";
 
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
-  if (document.querySelector("dialog[open]")) return; // its own keys are the browser's
+  if (document.querySelector("dialog[open]")) return; // the browser handles its keys
   const hasKeys = event.target instanceof HTMLElement && event.target.closest(kWithKeys);
-  if (hasKeys && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow"))) return;
-  const name = event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
+  if (hasKeys && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow")))
+    return;
+  const name =
+    event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
   for (const set of [...sets].reverse()) {
-    // Without Shift a capital comes from Caps Lock, which means nothing here.
+    // A capital without Shift comes from Caps Lock, which is ignored.
     const plain = event.shiftKey ? event.key : event.key.toLowerCase();
-    const action = set.find((one) => one.key === name || one.key === event.key || one.key === plain);
+    const action = set.find(
+      (one) => one.key === name || one.key === event.key || one.key === plain,
+    );
     if (!action) continue;
     event.preventDefault();
     action.run();
@@ -40,9 +44,9 @@ addEventListener("keydown", (event) => {
   }
 });
 
-/** Makes actions reachable by key while the component is there. */
+/** Binds actions to their keys while the component is mounted. */
 export function useActions(actions: Action[]): void {
-  // Before the next key can come: an action of an earlier render would act on what was true then.
+  // A layout effect runs before the next key event: actions of an earlier render hold old state.
   useLayoutEffect(() => {
     sets.push(actions);
     return () => void sets.splice(sets.indexOf(actions), 1);

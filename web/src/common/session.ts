@@ -1,33 +1,41 @@
 import type { Source } from "../data/source";
 import type { Overview, Progress } from "../data/types";
 
-/** The run that is shown, and how to get at the rest. */
+/** The run that is shown, and the source of the others. */
 export interface Session {
   source: Source;
   run: number;
   overview: Overview;
-  /** Of a run that goes on, once it has been told. */
+  /** Progress of a live run, once the server has sent it. */
   progress: Progress | undefined;
-  /** Why nothing newer is known of a run that goes on. */
-  trouble: string | undefined;
+  /** Why the state of a live run is not up to date. */
+  connectionProblem: string | undefined;
 }
 
-/** The run that a member of a query names; without a name the usual one, -1 when there is no such run. */
+/** Index of the run of that name; `usual` without a name, -1 if there is no such run. */
 export const runNamed = (source: Source, name: string | undefined, usual: number): number =>
   name ? source.runs.indexOf(name) : usual;
 
-/** The member of a query that names a run. Without it a link would show another run as soon as there is a newer one. */
+/** Query that names a run: without it a link would open whichever run is the newest by then. */
 export const runQuery = (source: Source, run: number, param = "run"): Record<string, string> =>
   source.runs.length > 1 ? { [param]: source.runs[run] ?? "" } : {};
 
-/** Index of the image of a case by a renderer, -1 when the run has none. */
-export function findCell(overview: Overview, caseName: string, target: string, renderer: string): number {
+/** Index of the cell of a target by a renderer; -1 if the run has none. */
+export function findCell(
+  overview: Overview,
+  caseName: string,
+  target: string,
+  renderer: string,
+): number {
   const { cells } = overview;
   const wantedCase = overview.cases.findIndex((one) => one.name === caseName);
   const wantedTarget = overview.targets.indexOf(target);
   const wantedRenderer = overview.renderers.findIndex((one) => one.name === renderer);
   return cells.case.findIndex(
-    (one, i) => one === wantedCase && cells.target[i] === wantedTarget && cells.renderer[i] === wantedRenderer,
+    (one, i) =>
+      one === wantedCase &&
+      cells.target[i] === wantedTarget &&
+      cells.renderer[i] === wantedRenderer,
   );
 }
 
@@ -46,7 +54,8 @@ export function namesOf(overview: Overview, index: number): CellNames {
   };
 }
 
-export const stateOf = (overview: Overview, index: number) => overview.states[overview.cells.state[index] ?? -1];
+export const stateOf = (overview: Overview, index: number) =>
+  overview.states[overview.cells.state[index] ?? -1];
 
 export const reasonOf = (overview: Overview, index: number): string =>
   overview.reasons[overview.cells.reason[index] ?? -1] ?? "";

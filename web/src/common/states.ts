@@ -1,12 +1,12 @@
 import type { State } from "../data/types";
 
-/** What a state looks like. Words and symbols carry the meaning; colour only repeats it. */
+/** Appearance of a state. Word and symbol carry the meaning; the colour only repeats it. */
 export interface Look {
   symbol: string;
   tone: "good" | "quiet" | "unsure" | "bad" | "broken" | "active";
 }
 
-// Looks that read better than those that follow from the data alone. A state that is not here gets one of those.
+// States with a symbol of their own. The appearance of any other follows from `failure` alone.
 const known: Record<string, Look> = {
   pass: { symbol: "✓", tone: "good" },
   unsupported: { symbol: "–", tone: "quiet" },
@@ -19,12 +19,16 @@ const known: Record<string, Look> = {
   timeout: { symbol: "◔", tone: "broken" },
 };
 
-// Of images that nobody has rendered: neither better nor worse than any other.
+// States of targets that were not rendered: neither better nor worse than any other state.
 const open = ["waiting", "running", "skipped"];
 
-export const isOpen = (state: State | undefined): boolean => state === undefined || open.includes(state.name);
+export const isOpen = (state: State | undefined): boolean =>
+  state === undefined || open.includes(state.name);
 
 export function lookOf(state: State | undefined): Look {
   if (!state) return { symbol: " ", tone: "quiet" };
-  return known[state.name] ?? (state.failure ? { symbol: "✗", tone: "bad" } : { symbol: "·", tone: "quiet" });
+  return (
+    known[state.name] ??
+    (state.failure ? { symbol: "✗", tone: "bad" } : { symbol: "·", tone: "quiet" })
+  );
 }

@@ -1,13 +1,19 @@
 import type { Overview } from "../data/types";
 import type { Change } from "./changes";
 
-const machineOf = (overview: Overview, cell: number): string => overview.machines[overview.cells.machine[cell] ?? -1] ?? "";
+const machineOf = (overview: Overview, cell: number): string =>
+  overview.machines[overview.cells.machine[cell] ?? -1] ?? "";
 
-/** Times of one kind of machine, or the kinds that they are of. */
+/** The ratio of two times of one kind of machine, or the two kinds that they were measured on. */
 export type Times = { ratio: number } | { machines: [string, string] };
 
-/** Wall clock after over before; undefined where one of them was not rendered. */
-export function timesOf(a: Overview, before: number, b: Overview, after: number): Times | undefined {
+/** Wall-clock time, after divided by before; undefined if one of them was not rendered. */
+export function timesOf(
+  a: Overview,
+  before: number,
+  b: Overview,
+  after: number,
+): Times | undefined {
   const [old, now] = [a.cells.wall_seconds[before] ?? null, b.cells.wall_seconds[after] ?? null];
   if (old === null || now === null || old <= 0 || now <= 0) return undefined;
   const machines: [string, string] = [machineOf(a, before), machineOf(b, after)];
@@ -15,10 +21,10 @@ export function timesOf(a: Overview, before: number, b: Overview, after: number)
 }
 
 export interface TimeSummary {
-  /** Geometric mean over the images: twice as fast here and half as fast there is as before. */
+  /** Geometric mean over the targets: twice as fast and half as fast cancel. */
   ratio: number;
   targets: number;
-  /** Images whose times are of different machines, and those of the first of them. */
+  /** Number of targets timed on different machines, and the machines of the first of them. */
   apart: number;
   machines?: [string, string];
 }

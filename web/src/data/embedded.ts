@@ -4,7 +4,7 @@ import type { Overview, TargetDetail } from "./types";
 
 function textOf(id: string): string {
   const element = document.getElementById(id);
-  if (!element) throw new Error("it is not in this file, which was written without");
+  if (!element) throw new Error("this file was written without it");
   return element.textContent ?? "";
 }
 
@@ -15,10 +15,10 @@ function bytesOf(id: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** The page written by `orbs report`: all data stands in script elements of the file. */
+/** The page written by `orbs report`: script elements of the file hold all data. */
 export function embeddedSource(): Source {
   const written = JSON.parse(textOf("orbs-overview")) as Overview;
-  // In a file no run goes on.
+  // The run in a file is never live.
   const overview = { ...written, run: { ...written.run, live: false } };
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
   let targets: TargetDetail[] | undefined;
@@ -34,8 +34,12 @@ export function embeddedSource(): Source {
     raster: async (_run, file, layer) => {
       const element = elements[file];
       if (!element)
-        throw new Error("it is not in this file, which was kept small; 'orbs serve' shows it from the run's folder");
-      if (layer) throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
+        throw new Error(
+          "this file was kept small and does not hold it; " +
+            "'orbs serve' shows it from the folder of the run",
+        );
+      if (layer)
+        throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
       return unpack(new Blob([bytesOf(element)]).stream());
     },
     thumbnail: async (_run, index) => {

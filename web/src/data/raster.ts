@@ -1,4 +1,4 @@
-// Images as src/report/packed_image.h packs them (orbs-image/1).
+// Images in the format of src/report/packed_image.h (orbs-image/1).
 
 export interface ChannelInfo {
   name: string;
@@ -23,7 +23,7 @@ export interface Raster {
   layers: string[];
   channels: ChannelInfo[];
   attributes: Record<string, string>;
-  /** One per channel, rows from the top; halves as their 16 bits. */
+  /** One plane per channel, rows from top to bottom; half floats as their 16 bits. */
   planes: (Uint16Array | Float32Array)[];
 }
 
@@ -42,7 +42,7 @@ function halfTable(): Float32Array {
 
 let halves: Float32Array | undefined;
 
-/** The number of one pixel of one channel. */
+/** The value of one channel of one pixel. */
 export function valueAt(raster: Raster, channel: number, index: number): number {
   const plane = raster.planes[channel];
   if (!plane) return NaN;
@@ -52,8 +52,13 @@ export function valueAt(raster: Raster, channel: number, index: number): number 
   return halves[stored] ?? NaN;
 }
 
-/** Floats of a run of pixels of one channel: for loops over many pixels. */
-export function floatsOf(raster: Raster, channel: number, begin: number, end: number): Float32Array {
+/** The values of one channel of the pixels [begin, end): faster than `valueAt` in loops. */
+export function floatsOf(
+  raster: Raster,
+  channel: number,
+  begin: number,
+  end: number,
+): Float32Array {
   const plane = raster.planes[channel];
   if (!plane) return new Float32Array(0);
   if (plane instanceof Float32Array) return plane.subarray(begin, end);
@@ -63,24 +68,29 @@ export function floatsOf(raster: Raster, channel: number, begin: number, end: nu
   return out;
 }
 
-/** Unpacks what the server or the one-file page holds. Throws an Error with the reason when it is torn. */
+/** Unpacks an image. Throws an Error with a message if it is truncated or of another format. */
 export async function unpack(gzipped: ReadableStream<Uint8Array<ArrayBuffer>>): Promise<Raster> {
   const stream = gzipped.pipeThrough(new DecompressionStream("gzip"));
   const bytes = await new Response(stream).arrayBuffer();
-  if (bytes.byteLength < 4) throw new Error("the image is torn");
+  if (bytes.byteLength < 4) throw new Error("the image is truncated");
   const headerLength = new DataView(bytes).getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength))) as Header;
-  if (header.format !== "orbs-image/1") throw new Error(`the image has the format '${header.format}'`);
+  const header = JSON.parse(
+    new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength)),
+  ) as Header;
+  if (header.format !== "orbs-image/1")
+    throw new Error(`expected an image in the format 'orbs-image/1' and found '${header.format}'`);
   const count = header.width * header.height;
   let at = 4 + headerLength;
   const planes = header.channels.map((channel) => {
     const size = channel.type === "half" ? 2 : 4;
     const begin = at;
     at += size * count;
-    // A plane of floats behind an odd number of halves may start between two multiples of 4.
+    // Typed arrays must start at a multiple of their element size; a plane may not.
     const aligned = begin % size === 0 ? bytes : bytes.slice(begin, at);
     const offset = begin % size === 0 ? begin : 0;
-    return channel.type === "half" ? new Uint16Array(aligned, offset, count) : new Float32Array(aligned, offset, count);
+    return channel.type === "half"
+      ? new Uint16Array(aligned, offset, count)
+      : new Float32Array(aligned, offset, count);
   });
   const { width, height, layer, layers, channels, attributes } = header;
   return { width, height, layer, layers, channels, attributes, planes };

@@ -3,12 +3,13 @@ import type { Source } from "./source";
 import type { Overview, TargetDetail, Progress } from "./types";
 
 async function get(address: string, signal?: AbortSignal): Promise<Response> {
-  const answer = await fetch(address, signal ? { signal } : {}).catch((error: unknown) => {
+  const response = await fetch(address, signal ? { signal } : {}).catch((error: unknown) => {
     if (signal?.aborted) throw error;
-    throw new Error("the server does not answer"); // each browser has its own words for that
+    throw new Error("the server does not answer"); // the message of the error differs by browser
   });
-  if (!answer.ok) throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
-  return answer;
+  if (!response.ok)
+    throw new Error((await response.text()).trim() || `the server answered ${response.status}`);
+  return response;
 }
 
 const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
@@ -22,28 +23,34 @@ export async function servedSource(): Promise<Source> {
       const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
       const expected = runs[run]?.name ?? "";
       if (overview.run.name === expected) return overview;
-      throw new Error(`expected the run '${expected}' and found '${overview.run.name}': the server was started anew; reload the page`);
+      throw new Error(
+        `expected the run '${expected}' and found '${overview.run.name}': ` +
+          "the server was restarted; reload the page",
+      );
     },
-    target: async (run, index) => (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
+    target: async (run, index) =>
+      (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
     raster: async (run, file, layer, signal) => {
       const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
-      const answer = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
-      if (!answer.body) throw new Error("the server sent nothing");
-      return unpack(answer.body);
+      const response = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
+      if (!response.body) throw new Error("the server sent an empty response");
+      return unpack(response.body);
     },
     thumbnail: async (run, _index, detail) => {
       const result = (await detail()).images.find((image) => image.kind === "result");
       return result ? fileAddress(run, result.file.replace(/[^/]*$/, "result.png")) : undefined;
     },
     fileAddress,
-    follow: (run, onNews) => {
+    follow: (run, onUpdate) => {
       const events = new EventSource(`/data/${run}/events`);
       events.addEventListener("progress", (event) => {
         const progress = JSON.parse((event as MessageEvent<string>).data) as Progress;
         if (!progress.live) events.close();
-        onNews(progress);
+        onUpdate(progress);
       });
-      events.addEventListener("error", () => onNews(events.readyState === EventSource.CLOSED ? "silent" : "lost"));
+      events.addEventListener("error", () =>
+        onUpdate(events.readyState === EventSource.CLOSED ? "closed" : "disconnected"),
+      );
       return () => events.close();
     },
   };

@@ -1,4 +1,5 @@
-// What src/report writes for the page (orbs-page/1). No metric, map, suite or state is known here by name.
+// The page data that src/report writes (orbs-page/1). The page knows no metric, map, suite or state
+// by name.
 
 export interface Host {
   name: string;
@@ -9,7 +10,7 @@ export interface Host {
   system: string;
   distribution: string;
   compiler: string;
-  /** Of the container, in cores. */
+  /** Limit of the container in cores; null without a limit. */
   cpu_limit: number | null;
   memory_limit_bytes: number | null;
 }
@@ -24,7 +25,7 @@ export interface RunInfo {
   interrupted: boolean;
   finished: boolean;
   live: boolean;
-  /** Processes that wanted to run when it started. */
+  /** Load average of the machine at the start of the run. */
   load: number;
   host: Host;
 }
@@ -36,7 +37,7 @@ export interface State {
 
 export interface Renderer {
   name: string;
-  /** Of all its renders: sums, and the largest. */
+  /** Sums over all its renders; the memory is the largest of them. */
   wall_seconds: number;
   cpu_seconds: number;
   peak_rss_bytes: number;
@@ -52,7 +53,7 @@ export interface Case {
   title: string;
   tests: string;
   typical_mistake: string;
-  /** The smallest error that the gate of the case is known to see, in words. */
+  /** The smallest error that the gate of the case is known to detect, in words. */
   smallest_error_seen?: string;
 }
 
@@ -61,11 +62,11 @@ export interface Metric {
   unit: string;
   definition: string;
   lower_is_better: boolean;
-  /** Nearer to zero is better. */
+  /** Closer to zero is better. */
   signed?: boolean;
 }
 
-/** One number per image of the run; null where there is none. */
+/** One value per cell of the run; null if it has none. */
 export type Column = (number | null)[];
 
 export interface Cells {
@@ -76,7 +77,7 @@ export interface Cells {
   declared: number[];
   reason: number[];
   thumbnail: number[];
-  /** Of Overview.machines; null where the times say nothing about one machine. */
+  /** Index into Overview.machines; null if the times are not of a single machine. */
   machine: Column;
   wall_seconds: Column;
   cpu_seconds: Column;
@@ -90,7 +91,7 @@ export interface ChartPoint {
   y: number;
   low?: number;
   high?: number;
-  /** Index of the image that a click opens. */
+  /** Index of the cell that a click opens. */
   cell?: number;
   label?: string;
 }
@@ -98,14 +99,14 @@ export interface ChartPoint {
 export interface ChartSeries {
   name: string;
   points: ChartPoint[];
-  /** Points are joined by a line in the order of x. */
+  /** A line joins the points in the order of x. */
   line?: boolean;
 }
 
 export interface Axis {
   label: string;
   log: boolean;
-  /** Names of the positions 0, 1, 2, ... of an axis without numbers. */
+  /** Names of the positions 0, 1, 2, ... of a categorical axis. */
   ticks?: string[];
 }
 
@@ -119,33 +120,33 @@ export interface Chart {
 export interface Overview {
   format: string;
   run: RunInfo;
-  /** From best to worst, then those of renders that are not done. */
+  /** Verdicts from best to worst, then the states of renders that are not done. */
   states: State[];
   renderers: Renderer[];
   left_out: { renderer: string; reason: string }[];
   cases: Case[];
   requirements: { code: string; title: string }[];
   metrics: Metric[];
-  /** The metric that most gates look at; "" when no image was measured. */
+  /** The metric of most gates; "" if no target was measured. */
   main_metric: string;
   targets: string[];
   reasons: string[];
-  /** What times depend on: those of two different texts are not compared. */
+  /** Descriptions of the machines; times of two different machines are not compared. */
   machines: string[];
   cells: Cells;
   measures: Record<string, Column>;
   infinite: Record<string, number[]>;
-  /** Curves that studies add. */
+  /** Curves that studies added. */
   charts?: Chart[];
 }
 
 export interface Measure extends Metric {
   value: number | null;
   infinite?: boolean;
-  /** Ends of its interval. */
+  /** Ends of the confidence interval. */
   low?: number;
   high?: number;
-  /** x0, y0, x1, y1 of the pixels that it is of, where it is not of all. */
+  /** x0, y0, x1, y1 of the pixels that the value covers, if not all. */
   where?: number[];
 }
 
@@ -170,13 +171,13 @@ export interface Job {
   id: string;
   scene: string;
   folder: string;
-  /** Written by hand for this renderer; "" when it was exported. */
+  /** The scene file written by hand for this renderer; "" if it was exported. */
   native_scene: string;
   renderer_version: string;
   command: string;
   spp: number;
   seed: number;
-  seeds: number; // from `seed` on; they share the samples
+  seeds: number; // number of seeds, from `seed` on, that share the samples
   threads: number;
   started: string;
   load: number;
@@ -192,18 +193,18 @@ export interface Job {
   log: string;
 }
 
-/** An effect of light, and what in the scene calls for it. */
+/** An effect of light, and the object of the scene that calls for it. */
 export interface Effect {
   effect: string;
   thing: string;
   reason: string;
 }
 
-/** The scene rendered otherwise than it calls for. */
+/** The cost of rendering the scene with another transport than it calls for. */
 export interface EffectCost {
   name: string;
   time_ratio: number;
-  /** 0 where nobody knows. */
+  /** 0 if it is unknown. */
   error_ratio: number;
   change: string;
 }
@@ -223,14 +224,14 @@ export interface TargetDetail {
   requirement: string;
   reason: string;
   reference: string;
-  /** What changes no verdict and yet must be known. */
+  /** Facts that change no verdict but that the reader must know. */
   remarks?: string[];
   measures: Measure[];
   checks: Check[];
   images: ImageEntry[];
   reference_provenance: Record<string, string>;
   jobs: Job[];
-  /** Those that its renders show. */
+  /** The scenes of its renders. */
   scenes: Scene[];
   command: string;
 }

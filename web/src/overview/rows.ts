@@ -1,15 +1,15 @@
 import type { Overview } from "../data/types";
 
-/** A row of the grid: a requirement with the worst of its images, or one image. */
+/** A row of the grid: a requirement with the worst of its targets, or one target. */
 export interface Row {
   key: string;
   kind: "requirement" | "target";
   requirement: string;
   title: string;
   suite: string;
-  /** By renderer: the index of the cell that speaks for the row, -1 for none. */
+  /** By renderer: the index of the cell that represents the row; -1 if there is none. */
   cells: number[];
-  /** Images below a requirement. */
+  /** Number of targets of a requirement. */
   below: number;
   /** Everything that the filter box searches, in lower case. */
   text: string;
@@ -27,18 +27,20 @@ export interface Filter {
 
 const rank = (overview: Overview, cell: number): number => {
   const state = overview.cells.state[cell] ?? 0;
-  // A failure that nobody promised counts less than any that somebody did.
-  return (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state;
+  // A failure of a declared feature ranks above all failures of features that are not declared.
+  return (
+    (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state
+  );
 };
 
-/** Of two images the one that speaks for the requirement: the worse state, then the worse number, as in the terminal. */
+/** The cell that represents the requirement: the worse state, then the worse main metric. */
 function worseOf(overview: Overview, a: number, b: number): number {
   if (a < 0) return b;
   const difference = rank(overview, b) - rank(overview, a);
   if (difference !== 0) return difference > 0 ? b : a;
   const name = overview.main_metric;
   const metric = overview.metrics.find((one) => one.name === name);
-  const best = metric?.lower_is_better ? -Infinity : Infinity; // of a number that is infinite, or that is not there
+  const best = metric?.lower_is_better ? -Infinity : Infinity; // if infinite or missing
   const value = (cell: number): number => overview.measures[name]?.[cell] ?? best;
   return (metric?.lower_is_better ? value(b) > value(a) : value(b) < value(a)) ? b : a;
 }
@@ -48,7 +50,7 @@ interface Group {
   targets: Map<string, Row>;
 }
 
-/** All rows of a run, grouped by requirement, in the order of the run. */
+/** All rows of a run by requirement, in the order of the run. */
 export function groupsOf(overview: Overview): Group[] {
   const { cells, cases } = overview;
   const titles = new Map(overview.requirements.map(({ code, title }) => [code, title]));
@@ -63,17 +65,32 @@ export function groupsOf(overview: Overview): Group[] {
     let group = groups.get(groupKey);
     if (!group) {
       const title = titles.get(one.requirement) ?? one.title;
-      const row: Row = { key: groupKey, kind: "requirement", requirement: one.requirement, title, suite: one.suite,
-        cells: emptyCells(), below: 0, text: `${one.requirement} ${title} ${one.suite}`.toLowerCase() };
+      const row: Row = {
+        key: groupKey,
+        kind: "requirement",
+        requirement: one.requirement,
+        title,
+        suite: one.suite,
+        cells: emptyCells(),
+        below: 0,
+        text: `${one.requirement} ${title} ${one.suite}`.toLowerCase(),
+      };
       group = { row, targets: new Map() };
       groups.set(groupKey, group);
     }
     const targetKey = `${one.name}\n${target}`;
     let row = group.targets.get(targetKey);
     if (!row) {
-      row = { key: `${groupKey}\n${targetKey}`, kind: "target", requirement: one.requirement,
-        title: target === one.name ? target : `${target}`, suite: one.suite, cells: emptyCells(), below: 0,
-        text: `${one.requirement} ${one.title} ${one.name} ${target} ${one.suite}`.toLowerCase() };
+      row = {
+        key: `${groupKey}\n${targetKey}`,
+        kind: "target",
+        requirement: one.requirement,
+        title: target,
+        suite: one.suite,
+        cells: emptyCells(),
+        below: 0,
+        text: `${one.requirement} ${one.title} ${one.name} ${target} ${one.suite}`.toLowerCase(),
+      };
       group.targets.set(targetKey, row);
       ++group.row.below;
       group.row.text += ` ${one.name} ${target}`.toLowerCase();
@@ -85,10 +102,13 @@ export function groupsOf(overview: Overview): Group[] {
 }
 
 function worstRank(overview: Overview, row: Row, renderers: number[]): number {
-  return Math.max(-1, ...renderers.map((r) => (row.cells[r] ?? -1) < 0 ? -1 : rank(overview, row.cells[r] ?? 0)));
+  return Math.max(
+    -1,
+    ...renderers.map((r) => ((row.cells[r] ?? -1) < 0 ? -1 : rank(overview, row.cells[r] ?? 0))),
+  );
 }
 
-/** The rows that the filter leaves, in the order of the grid. */
+/** The rows that pass the filter, in the order of the grid. */
 export function visibleRows(overview: Overview, groups: Group[], filter: Filter): Row[] {
   const renderers = visibleRenderers(overview, filter);
   const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean);
@@ -98,14 +118,18 @@ export function visibleRows(overview: Overview, groups: Group[], filter: Filter)
     (filter.states.length === 0 ||
       renderers.some((r) => {
         const cell = row.cells[r] ?? -1;
-        return cell >= 0 && filter.states.includes(overview.states[overview.cells.state[cell] ?? -1]?.name ?? "");
+        return (
+          cell >= 0 &&
+          filter.states.includes(overview.states[overview.cells.state[cell] ?? -1]?.name ?? "")
+        );
       }));
   const sorted = (rows: Row[]): Row[] => {
     if (!filter.failuresFirst) return rows;
     const ranks = new Map(rows.map((row) => [row, worstRank(overview, row, renderers)]));
     return [...rows].sort((a, b) => (ranks.get(b) ?? 0) - (ranks.get(a) ?? 0));
   };
-  if (filter.byTarget) return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));
+  if (filter.byTarget)
+    return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));
   const kept = new Map(groups.map((group) => [group.row, group]));
   return sorted([...kept.keys()].filter(keeps)).flatMap((row) => {
     if (!filter.open.includes(row.requirement)) return [row];

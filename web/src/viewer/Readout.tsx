@@ -4,26 +4,28 @@ import type { ImageEntry } from "../data/types";
 import { seenChannels } from "./channels";
 import { isRaster, type Loaded } from "./use_rasters";
 
-const kMost = 4; // columns that there is room for
+const kMost = 4; // more columns do not fit
 
-/** The first channels of an image, and the chosen one wherever it stands. */
+/** The first channels of an image, always with the chosen one. */
 function columns(raster: Raster, chosen: string): number[] {
   const all = raster.channels.map((_, c) => c);
   const [seen = 0] = seenChannels(raster, chosen);
   return seen < kMost ? all.slice(0, kMost) : [...all.slice(0, kMost - 1), seen];
 }
 
-/** The raw numbers of all images at one pixel. */
-export function Readout({ at, images, rasters, channel: chosen }: {
+interface ReadoutProps {
   at: { x: number; y: number } | undefined;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
   channel: string;
-}) {
+}
+
+/** The raw values of all images at one pixel. */
+export function Readout({ at, images, rasters, channel: chosen }: ReadoutProps) {
   const x = at ? Math.floor(at.x) : -1;
   const y = at ? Math.floor(at.y) : -1;
   return (
-    <section class="readout" aria-label="Numbers of the pixel">
+    <section class="readout" aria-label="Values of the pixel">
       <h3>Pixel {at ? `${x}, ${y}` : ""}</h3>
       <table>
         <tbody>
@@ -33,12 +35,20 @@ export function Readout({ at, images, rasters, channel: chosen }: {
             const inside = at && x >= 0 && y >= 0 && x < loaded.width && y < loaded.height;
             return (
               <tr key={image.name}>
-                <th scope="row" title={image.name}>{image.name}</th>
+                <th scope="row" title={image.name}>
+                  {image.name}
+                </th>
                 {columns(loaded, chosen).map((c) => {
                   const { name = "", exact = true } = loaded.channels[c] ?? {};
                   return (
-                    <td key={c} class="number" title={exact ? name : `${name}, rounded to 11 bits in this file`}>
-                      {inside ? (exact ? "" : "≈ ") + rawFloat(valueAt(loaded, c, y * loaded.width + x)) : "–"}
+                    <td
+                      key={c}
+                      class="number"
+                      title={exact ? name : `${name}, rounded to 11 bits in this file`}
+                    >
+                      {inside
+                        ? (exact ? "" : "≈ ") + rawFloat(valueAt(loaded, c, y * loaded.width + x))
+                        : "–"}
                     </td>
                   );
                 })}

@@ -2,11 +2,12 @@ import { number, rawFloat } from "../common/format";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { StatisticsTable } from "./Histogram";
+import type { RegionMetrics } from "./region_metrics";
 import { isWithin, type Region } from "./statistics";
 import { useRegionMetrics, useStatistics } from "./use_counted";
 import { isRaster, type Loaded } from "./use_rasters";
 
-// One NaN in the region makes its means NaN, which is not the same as none.
+// A NaN in the region makes its means NaN, which must not look like a missing value.
 const text = (value: number): string => (Number.isFinite(value) ? number(value) : rawFloat(value));
 
 function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster; region: Region }) {
@@ -21,13 +22,35 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
   );
 }
 
-/** Statistics and metrics of the region that was drawn. */
-export function RegionPanel({ region, images, rasters, onClear }: {
+/** Mean differences of result and reference. */
+function DifferenceRows({ metrics }: { metrics: RegionMetrics }) {
+  return (
+    <>
+      <tr title="mean of |result − reference| over R, G, B, linear">
+        <th scope="row">mean |Δ|</th>
+        <td class="number">{text(metrics.absolute)}</td>
+      </tr>
+      <tr title="mean of (result − reference)² over R, G, B, linear">
+        <th scope="row">mean Δ²</th>
+        <td class="number">{text(metrics.squared)}</td>
+      </tr>
+      <tr title="mean of result − reference over R, G, B, linear: the bias">
+        <th scope="row">mean Δ</th>
+        <td class="number">{text(metrics.signed)}</td>
+      </tr>
+    </>
+  );
+}
+
+interface RegionPanelProps {
   region: Region;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
   onClear: () => void;
-}) {
+}
+
+/** Statistics and metrics of the selected region. */
+export function RegionPanel({ region, images, rasters, onClear }: RegionPanelProps) {
   const loaded = (kind: string): Raster | undefined => {
     const image = images.find((one) => one.kind === kind);
     const raster = image && rasters.get(image.name);
@@ -35,7 +58,8 @@ export function RegionPanel({ region, images, rasters, onClear }: {
   };
   const result = loaded("result");
   const reference = loaded("reference");
-  const fitting = (raster: Raster | undefined): Raster | undefined => (raster && isWithin(region, raster) ? raster : undefined);
+  const fitting = (raster: Raster | undefined): Raster | undefined =>
+    raster && isWithin(region, raster) ? raster : undefined;
   const statistics = useStatistics(fitting(result), region);
   const metrics = useRegionMetrics(fitting(result), fitting(reference), region);
   const image = result ?? reference;
@@ -43,21 +67,20 @@ export function RegionPanel({ region, images, rasters, onClear }: {
   return (
     <section class="region" aria-label="Region">
       <h3>
-        Region {x0}, {y0} – {x1}, {y1} <span class="quiet">{x1 - x0} × {y1 - y0}</span>{" "}
+        Region {x0}, {y0} – {x1}, {y1}{" "}
+        <span class="quiet">
+          {x1 - x0} × {y1 - y0}
+        </span>{" "}
         <button onClick={onClear}>Clear</button>
       </h3>
       {image && !fitting(image) ? (
-        <p role="alert">The region does not lie within the image, which has {image.width} × {image.height} pixels.</p>
+        <p role="alert">
+          The region does not lie within the image, which has {image.width} × {image.height} pixels.
+        </p>
       ) : null}
       <table>
         <tbody>
-          {metrics ? (
-            <>
-              <tr title="mean of |result − reference| over R, G, B, linear"><th scope="row">mean |Δ|</th><td class="number">{text(metrics.absolute)}</td></tr>
-              <tr title="mean of (result − reference)² over R, G, B, linear"><th scope="row">mean Δ²</th><td class="number">{text(metrics.squared)}</td></tr>
-              <tr title="mean of result − reference over R, G, B, linear: the bias"><th scope="row">mean Δ</th><td class="number">{text(metrics.signed)}</td></tr>
-            </>
-          ) : null}
+          {metrics ? <DifferenceRows metrics={metrics} /> : null}
           {images.map((image) => {
             const raster = rasters.get(image.name);
             return image.kind === "map" && isRaster(raster) && fitting(raster) ? (
@@ -66,7 +89,12 @@ export function RegionPanel({ region, images, rasters, onClear }: {
           })}
         </tbody>
       </table>
-      {statistics ? <><h4>result in the region</h4><StatisticsTable statistics={statistics} /></> : null}
+      {statistics ? (
+        <>
+          <h4>Result in the region</h4>
+          <StatisticsTable statistics={statistics} />
+        </>
+      ) : null}
     </section>
   );
 }

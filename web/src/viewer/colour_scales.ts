@@ -1,5 +1,6 @@
-// The colour scales of src/image/false_colour.cpp, so that the page and the PNGs of a run look alike: sequential with
-// lightness even in the value, diverging with equal magnitudes equally light.
+// The colour scales of src/image/false_colour.cpp, so that the page and the PNGs of a run agree. In
+// the sequential scale lightness is linear in the value; in the diverging scale values of equal
+// magnitude are equally light.
 
 type Rgb = [number, number, number];
 
@@ -13,23 +14,26 @@ function linearRgb(lightness: number, chroma: number, hueDegrees: number): Rgb {
   return [
     4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
     -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-    -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s,
+    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
   ];
 }
 
-export const srgbEncode = (v: number): number => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+export const srgbEncode = (v: number): number =>
+  v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055;
 
 function bytesOf(rgb: Rgb): number[] {
   return [...rgb.map((v) => Math.round(255 * srgbEncode(Math.min(1, Math.max(0, v))))), 255];
 }
 
-/** RGBA of a scale in 256 steps: from 0 to its end, or for a diverging one from minus to plus its end. */
+/** 256 RGBA colours, from 0 to the end of the scale; a diverging scale starts at minus its end. */
 export function scaleBytes(diverging: boolean): Uint8Array {
   const out: number[] = [];
   for (let i = 0; i < 256; ++i) {
     if (diverging) {
       const t = (i / 255) * 2 - 1;
-      out.push(...bytesOf(linearRgb(0.12 + 0.63 * Math.abs(t), 0.13 * Math.abs(t), t < 0 ? 255 : 50)));
+      out.push(
+        ...bytesOf(linearRgb(0.12 + 0.63 * Math.abs(t), 0.13 * Math.abs(t), t < 0 ? 255 : 50)),
+      );
     } else {
       const t = i / 255;
       out.push(...bytesOf(linearRgb(0.15 + 0.83 * t, 0.045 + 0.52 * t * (1 - t), 290 + 175 * t)));

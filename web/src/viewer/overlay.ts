@@ -2,32 +2,32 @@ import { rawFloat } from "../common/format";
 import { valueAt, type Raster } from "../data/raster";
 import { seenChannels } from "./channels";
 import { placed, type Pane, type Size } from "./geometry";
-import type { Shown } from "./Stage";
+import type { StageContent } from "./stage_content";
 import { isRaster } from "./use_rasters";
 import type { ViewState } from "./view_state";
 
-interface Scene {
-  shown: Shown[];
-  panes: Pane[];
-  view: ViewState;
-  size: Size;
-  stage: Size & { scale: number };
-  swiping: boolean;
-  marked: { x: number; y: number } | undefined;
-}
+const kNumbersFrom = 36; // screen pixels per pixel; below that four digits do not fit
 
-const kNumbersFrom = 36; // screen pixels per pixel: below, four digits do not fit
-
-/** Numbers as short as they can be in a small square. */
+/** A value with few characters, to fit into one pixel. */
 function tiny(value: number): string {
   if (!Number.isFinite(value)) return rawFloat(value);
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e-3 && size < 1e4) return value.toPrecision(3).slice(0, 7).replace(/^(-?)0\./, "$1.");
+  if (size >= 1e-3 && size < 1e4)
+    return value
+      .toPrecision(3)
+      .slice(0, 7)
+      .replace(/^(-?)0\./, "$1.");
   return value.toExponential(1).replace("e+", "e");
 }
 
-function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, view: ViewState, size: Size): void {
+function drawNumbers(
+  pen: CanvasRenderingContext2D,
+  raster: Raster,
+  pane: Pane,
+  view: ViewState,
+  size: Size,
+): void {
   const at = placed(view, pane, size);
   const left = pane.x + pane.width / 2 - at.x * at.zoom;
   const top = pane.y + pane.height / 2 - at.y * at.zoom;
@@ -47,16 +47,23 @@ function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, 
         const text = tiny(valueAt(raster, c, y * raster.width + x));
         const tx = left + (x + 0.5) * at.zoom;
         const ty = top + (y + 0.5) * at.zoom + (i - (channels.length - 1) / 2) * line;
-        // Readable on any colour: light letters with a dark rim.
+        // Light text with a dark outline is readable on any colour.
         pen.strokeStyle = "rgba(0,0,0,.75)";
         pen.strokeText(text, tx, ty);
-        pen.fillStyle = channels.length === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
+        pen.fillStyle =
+          channels.length === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
         pen.fillText(text, tx, ty);
       });
 }
 
-function drawBox(pen: CanvasRenderingContext2D, pane: Pane, view: ViewState, size: Size,
-                 [x0, y0, x1, y1]: [number, number, number, number], colour: string): void {
+function drawBox(
+  pen: CanvasRenderingContext2D,
+  pane: Pane,
+  view: ViewState,
+  size: Size,
+  [x0, y0, x1, y1]: [number, number, number, number],
+  colour: string,
+): void {
   const at = placed(view, pane, size);
   const left = pane.x + pane.width / 2 + (x0 - at.x) * at.zoom;
   const top = pane.y + pane.height / 2 + (y0 - at.y) * at.zoom;
@@ -81,11 +88,11 @@ function drawTitle(pen: CanvasRenderingContext2D, text: string, x: number, y: nu
   pen.fillText(text, x + 6, y + 4);
 }
 
-/** What lies over the images: numbers in large pixels, the region, the marked pixel, names. */
-export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
+/** Draws over the images: values in large pixels, the region, the marked pixel, names. */
+export function drawOverlay(canvas: HTMLCanvasElement, content: StageContent): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;
-  const { shown, panes, view, size, stage } = scene;
+  const { shown, panes, view, size, stage } = content;
   pen.setTransform(stage.scale, 0, 0, stage.scale, 0, 0);
   pen.clearRect(0, 0, stage.width, stage.height);
   let numbers = 0;
@@ -95,8 +102,8 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
     pen.save();
     pen.beginPath();
     const divider = stage.width * view.swipe;
-    if (scene.swiping && i === 0) pen.rect(0, 0, divider, stage.height);
-    else if (scene.swiping) pen.rect(divider, 0, stage.width, stage.height);
+    if (content.swiping && i === 0) pen.rect(0, 0, divider, stage.height);
+    else if (content.swiping) pen.rect(divider, 0, stage.width, stage.height);
     else pen.rect(pane.x, pane.y, pane.width, pane.height);
     pen.clip();
     if (isRaster(one.loaded) && placed(view, pane, size).zoom >= kNumbersFrom) {
@@ -104,10 +111,18 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
       ++numbers;
     }
     if (view.region) drawBox(pen, pane, view, size, view.region, "#ffd84d");
-    const { marked } = scene;
-    if (marked) drawBox(pen, pane, view, size, [marked.x - 0.5, marked.y - 0.5, marked.x + 1.5, marked.y + 1.5], "#ff4dff");
+    const { marked } = content;
+    if (marked)
+      drawBox(
+        pen,
+        pane,
+        view,
+        size,
+        [marked.x - 0.5, marked.y - 0.5, marked.x + 1.5, marked.y + 1.5],
+        "#ff4dff",
+      );
     pen.restore();
-    if (scene.swiping && i === 1)
+    if (content.swiping && i === 1)
       drawTitle(pen, one.image.name, Math.min(divider + 8, stage.width - 90), 8);
     else drawTitle(pen, one.image.name, pane.x + 8, pane.y + 8);
   });

@@ -2,12 +2,17 @@ import { floatsOf, type Raster } from "../data/raster";
 import { scaleBytes } from "./colour_scales";
 import { kFragmentShader, kVertexShader } from "./shader";
 
+/** x, y, width, height. */
+export type Rectangle = [number, number, number, number];
+
 /** How one image is drawn into one pane. */
 export interface Paint {
   raster: Raster;
-  /** The pane and the part of it that is drawn, in pixels of the canvas from its top left: x, y, width, height. */
-  pane: [number, number, number, number];
-  clip: [number, number, number, number];
+  /** The pane, in pixels of the canvas from its top left corner. */
+  pane: Rectangle;
+  /** The part of the pane that is drawn. */
+  clip: Rectangle;
+  /** Position in the image of the top left corner of the pane. */
   origin: [number, number];
   zoom: number;
   gain: number;
@@ -23,9 +28,9 @@ export interface Paint {
   zebra: boolean;
 }
 
-const kScales = 3; // the texture unit of the colour scales, behind those of the channels
+const kScales = 3; // texture unit of the colour scales, after those of three channels
 
-/** Draws images with WebGL2. The numbers stay what they are: all that is changed is how they look. */
+/** Draws images with WebGL2. The values stay as they are; only their display is changed. */
 export class Painter {
   private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
@@ -33,10 +38,14 @@ export class Painter {
   private readonly textures = new Map<Raster, Map<number, WebGLTexture>>();
   private readonly scales: WebGLTexture;
 
-  /** Fails with an Error that says what the browser lacks. */
+  /** Throws an Error that says what the browser lacks. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
-    if (!gl) throw new Error("this browser has no WebGL2, which the viewer draws with");
+    const gl = canvas.getContext("webgl2", {
+      antialias: false,
+      alpha: false,
+      preserveDrawingBuffer: true,
+    });
+    if (!gl) throw new Error("this browser has no WebGL2, which the viewer needs");
     this.gl = gl;
     this.program = this.link();
     gl.useProgram(this.program);
@@ -46,7 +55,8 @@ export class Painter {
     gl.bindTexture(gl.TEXTURE_2D, this.scales);
     const rows = new Uint8Array([...scaleBytes(false), ...scaleBytes(true)]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     ["first", "second", "third"].forEach((name, unit) => gl.uniform1i(this.uniform(name), unit));
     gl.uniform1i(this.uniform("scaleColours"), kScales);
   }
@@ -54,22 +64,29 @@ export class Painter {
   private link(): WebGLProgram {
     const { gl } = this;
     const program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, kVertexShader], [gl.FRAGMENT_SHADER, kFragmentShader]] as const) {
+    for (const [type, text] of [
+      [gl.VERTEX_SHADER, kVertexShader],
+      [gl.FRAGMENT_SHADER, kFragmentShader],
+    ] as const) {
       const shader = gl.createShader(type);
-      if (!shader) throw new Error("the graphics driver is gone");
+      if (!shader) throw new Error("the graphics driver has stopped");
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
-        throw new Error(`the viewer's shader does not compile here: ${gl.getShaderInfoLog(shader) ?? ""}`);
+        throw new Error(
+          `the viewer's shader does not compile here: ${gl.getShaderInfoLog(shader) ?? ""}`,
+        );
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error("the viewer's shader does not link here");
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw new Error("the viewer's shader does not link here");
     return program;
   }
 
   private uniform(name: string): WebGLUniformLocation | null {
-    if (!this.uniforms.has(name)) this.uniforms.set(name, this.gl.getUniformLocation(this.program, name));
+    if (!this.uniforms.has(name))
+      this.uniforms.set(name, this.gl.getUniformLocation(this.program, name));
     return this.uniforms.get(name) ?? null;
   }
 
@@ -87,13 +104,23 @@ export class Painter {
     if (known) return gl.bindTexture(gl.TEXTURE_2D, known);
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
     const { width, height } = raster;
     const half = isHalf(raster, channel);
     gl.texStorage2D(gl.TEXTURE_2D, 1, half ? gl.R16UI : gl.R32UI, width, height);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED_INTEGER, half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
-      half ? (raster.planes[channel] as Uint16Array) : floatBits(raster, channel));
+    gl.texSubImage2D(
+      gl.TEXTURE_2D,
+      0,
+      0,
+      0,
+      width,
+      height,
+      gl.RED_INTEGER,
+      half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
+      half ? (raster.planes[channel] as Uint16Array) : floatBits(raster, channel),
+    );
     own.set(channel, texture);
   }
 
@@ -107,13 +134,13 @@ export class Painter {
 
   paint(p: Paint, surround: number): void {
     const { gl } = this;
-    // A single channel stands for all three, so that no texture unit is without one.
+    // A single channel is bound to all three texture units, because none may be unbound.
     const channels = [0, 1, 2].map((i) => p.channels[i] ?? p.channels[0] ?? 0);
     channels.forEach((channel, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       this.bind(p.raster, channel);
     });
-    const [x, y, width, height] = p.clip.map(Math.round) as [number, number, number, number];
+    const [x, y, width, height] = p.clip.map(Math.round) as Rectangle;
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(x, this.canvas.height - y - height, Math.max(0, width), Math.max(0, height));
     const set = (name: string, value: number): void => gl.uniform1f(this.uniform(name), value);
@@ -129,7 +156,10 @@ export class Painter {
     set("inverseGamma", 1 / p.gamma);
     set("scaleEnd", p.scaleEnd);
     setInt("curve", p.curve);
-    gl.uniform3iv(this.uniform("areHalf"), channels.map((channel) => (isHalf(p.raster, channel) ? 1 : 0)));
+    gl.uniform3iv(
+      this.uniform("areHalf"),
+      channels.map((channel) => (isHalf(p.raster, channel) ? 1 : 0)),
+    );
     setInt("isColour", p.channels.length === 3 ? 1 : 0);
     setInt("isLuminance", p.luminance ? 1 : 0);
     setInt("falseColour", p.falseColour ? 1 : 0);
@@ -154,7 +184,8 @@ export class Painter {
   }
 }
 
-const isHalf = (raster: Raster, channel: number): boolean => raster.planes[channel] instanceof Uint16Array;
+const isHalf = (raster: Raster, channel: number): boolean =>
+  raster.planes[channel] instanceof Uint16Array;
 
 function floatBits(raster: Raster, channel: number): Uint32Array {
   const floats = floatsOf(raster, channel, 0, raster.width * raster.height);

@@ -1,5 +1,5 @@
 import { floatsOf, type Raster } from "../data/raster";
-import { forPieces, type Region } from "./statistics";
+import { forEachRow, type Region } from "./statistics";
 
 export interface RegionMetrics {
   absolute: number;
@@ -7,13 +7,18 @@ export interface RegionMetrics {
   signed: number;
 }
 
-/** Means of the difference of two images in a region that lies within both, in the linear values of the images. */
-export async function regionMetrics(result: Raster, reference: Raster, region: Region, signal: AbortSignal): Promise<RegionMetrics> {
+/** Mean differences of the linear values of two images in a region that lies within both. */
+export async function regionMetrics(
+  result: Raster,
+  reference: Raster,
+  region: Region,
+  signal: AbortSignal,
+): Promise<RegionMetrics> {
   const sum: RegionMetrics = { absolute: 0, squared: 0, signed: 0 };
   let count = 0;
   const channels = Math.min(3, result.planes.length, reference.planes.length);
   for (let c = 0; c < channels; ++c)
-    await forPieces(result, region, signal, (begin, end) => {
+    await forEachRow(result, region, signal, (begin, end) => {
       const a = floatsOf(result, c, begin, end);
       const row = Math.floor(begin / result.width);
       const column = begin % result.width;
@@ -27,5 +32,9 @@ export async function regionMetrics(result: Raster, reference: Raster, region: R
         ++count;
       }
     });
-  return { absolute: sum.absolute / count, squared: sum.squared / count, signed: sum.signed / count };
+  return {
+    absolute: sum.absolute / count,
+    squared: sum.squared / count,
+    signed: sum.signed / count,
+  };
 }

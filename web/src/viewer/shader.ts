@@ -1,5 +1,5 @@
-// One pass that turns raw numbers into what is seen. Images are integer textures: whether a number is NaN or infinite
-// is read from its bits, because GLSL's isnan may be compiled to "false".
+// One pass that turns raw values into colours. Images are integer textures: NaN and infinity are
+// read from the bits of a value, because a compiler may reduce isnan of GLSL to "false".
 
 export const kVertexShader = `#version 300 es
 void main() {
@@ -13,7 +13,7 @@ precision highp float;
 precision highp int;
 precision highp usampler2D;
 
-// The channels that are seen; of a single one only the first is looked at.
+// The channels that are shown; a single channel is the first.
 uniform usampler2D first;
 uniform usampler2D second;
 uniform usampler2D third;
@@ -22,9 +22,9 @@ uniform bool isColour;
 uniform bool isLuminance;
 uniform sampler2D scaleColours;
 uniform ivec2 size;
-uniform vec2 paneOrigin;      // of the pane on the canvas, pixels, from the top left
+uniform vec2 paneOrigin;      // top left corner of the pane on the canvas, pixels
 uniform float canvasHeight;
-uniform vec2 origin;          // position in the image at the pane's top left
+uniform vec2 origin;          // position in the image of the pane's top left corner
 uniform float zoom;           // screen pixels per pixel
 uniform float gain;
 uniform float offset;
@@ -50,7 +50,9 @@ float numberAt(uint bits, bool isHalf, inout bool bad) {
 vec3 pixelAt(ivec2 at, inout bool bad) {
   float one = numberAt(texelFetch(first, at, 0).r, areHalf.x, bad);
   if (!isColour) return vec3(one);
-  return vec3(one, numberAt(texelFetch(second, at, 0).r, areHalf.y, bad), numberAt(texelFetch(third, at, 0).r, areHalf.z, bad));
+  float two = numberAt(texelFetch(second, at, 0).r, areHalf.y, bad);
+  float three = numberAt(texelFetch(third, at, 0).r, areHalf.z, bad);
+  return vec3(one, two, three);
 }
 
 float scalarOf(vec3 v) {
@@ -72,7 +74,8 @@ bool stripes() { return mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0; }
 vec3 colouredScalar(float s) {
   float t = scaleEnd > 0.0 ? s / scaleEnd : 0.0;
   bool beyond = abs(t) > 1.0 || (!isDiverging && t < 0.0);
-  if (isLog) t = abs(t) > 0.0 ? sign(t) * max(0.0, 1.0 + log(abs(t)) / (log(10.0) * kDecades)) : 0.0;
+  if (isLog && abs(t) > 0.0)
+    t = sign(t) * max(0.0, 1.0 + log(abs(t)) / (log(10.0) * kDecades));
   if (zebra && beyond && stripes()) return vec3(t > 0.0 ? 0.0 : 1.0);
   float place = isDiverging ? 0.5 + 0.5 * clamp(t, -1.0, 1.0) : clamp(t, 0.0, 1.0);
   return texture(scaleColours, vec2((place * 255.0 + 0.5) / 256.0, isDiverging ? 0.75 : 0.25)).rgb;
@@ -81,9 +84,12 @@ vec3 colouredScalar(float s) {
 void main() {
   vec2 onPane = vec2(gl_FragCoord.x, canvasHeight - gl_FragCoord.y) - paneOrigin;
   vec2 place = origin + onPane / zoom;
-  if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) { seen = vec4(surround, 1.0); return; }
-  // Shown smaller than it is, a pixel of the screen is the mean of the pixels that it covers, magenta if one of them is
-  // bad. 64 x 64 is more than the smallest zoom of the largest images that drivers take asks for.
+  if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, vec2(size)))) {
+    seen = vec4(surround, 1.0);
+    return;
+  }
+  // Below a zoom of 1 a screen pixel is the mean of the pixels that it covers, and magenta if one
+  // of them is bad. 64 x 64 taps suffice for the largest textures at the smallest zoom.
   int taps = zoom < 1.0 ? int(min(64.0, ceil(1.0 / zoom))) : 1;
   bool bad = false;
   vec3 sum = vec3(0.0);
@@ -97,7 +103,10 @@ void main() {
   if (falseColour) { seen = vec4(colouredScalar(scalarOf(v)), 1.0); return; }
   if (isLuminance) v = vec3(scalarOf(v));
   v = v * gain + offset;
-  if (zebra && any(greaterThan(v, vec3(1.0))) && stripes()) { seen = vec4(0.0, 0.0, 0.0, 1.0); return; }
+  if (zebra && any(greaterThan(v, vec3(1.0))) && stripes()) {
+    seen = vec4(0.0, 0.0, 0.0, 1.0);
+    return;
+  }
   if (zebra && any(lessThan(v, vec3(0.0))) && stripes()) { seen = vec4(1.0); return; }
   seen = vec4(encoded(v.r), encoded(v.g), encoded(v.b), 1.0);
 }`;

@@ -12,9 +12,9 @@ export interface ChannelStatistics {
 }
 
 export interface Histogram {
-  /** Where bin i begins; one more than there are bins. */
+  /** Lower edge of each bin, then the upper edge of the last. */
   edges: number[];
-  /** By channel, then bin. */
+  /** Pixels by channel, then by bin. */
   counts: number[][];
 }
 
@@ -26,7 +26,7 @@ export interface Statistics {
 
 export type Region = [number, number, number, number];
 
-/** The region has pixels, and all of them are in the image: links hold whatever somebody typed. */
+/** Whether the region is not empty and lies within the image; links may hold any region. */
 export const isWithin = ([x0, y0, x1, y1]: Region, { width, height }: Raster): boolean =>
   0 <= x0 && x0 < x1 && x1 <= width && 0 <= y0 && y0 < y1 && y1 <= height;
 
@@ -35,24 +35,33 @@ export interface Range {
   max: number;
 }
 
-/** Of the finite numbers of some channels; undefined when they have none. */
+/** Range of the finite values of some channels; undefined if there are none. */
 export function rangeOf(statistics: Statistics, channels: number[]): Range | undefined {
-  const counted = statistics.channels.filter((one, c) => channels.includes(c) && one.min <= one.max);
+  const counted = statistics.channels.filter(
+    (one, c) => channels.includes(c) && one.min <= one.max,
+  );
   if (counted.length === 0) return undefined;
-  return { min: Math.min(...counted.map((one) => one.min)), max: Math.max(...counted.map((one) => one.max)) };
+  return {
+    min: Math.min(...counted.map((one) => one.min)),
+    max: Math.max(...counted.map((one) => one.max)),
+  };
 }
 
-const kPixelsAtOnce = 1 << 20; // about 10 ms: the page stays quick while large images are counted
+const kPixelsAtOnce = 1 << 20; // takes about 10 ms, so that the page stays responsive
 
-/** Lets the browser paint and answer keys; throws when nobody waits for the result any more. */
-export async function breathe(signal: AbortSignal): Promise<void> {
+/** Lets the browser paint and handle events; throws if the result is no longer wanted. */
+async function yieldToBrowser(signal: AbortSignal): Promise<void> {
   await new Promise((resolve) => setTimeout(resolve));
   signal.throwIfAborted();
 }
 
-/** Calls work with the begin and end index of pieces of the region's rows. */
-export async function forPieces(raster: Raster, region: Region | undefined, signal: AbortSignal,
-                                work: (begin: number, end: number) => void): Promise<void> {
+/** Calls `work` with the index range [begin, end) of each row of the region. */
+export async function forEachRow(
+  raster: Raster,
+  region: Region | undefined,
+  signal: AbortSignal,
+  work: (begin: number, end: number) => void,
+): Promise<void> {
   const [x0, y0, x1, y1] = region ?? [0, 0, raster.width, raster.height];
   let since = 0;
   for (let y = y0; y < y1; ++y) {
@@ -60,22 +69,34 @@ export async function forPieces(raster: Raster, region: Region | undefined, sign
     since += x1 - x0;
     if (since < kPixelsAtOnce) continue;
     since = 0;
-    await breathe(signal);
+    await yieldToBrowser(signal);
   }
 }
 
-// Bins even in asinh: linear around 0, logarithmic beyond, both signs alike.
+// Bins have equal width in asinh: linear around 0, logarithmic beyond, for both signs.
 const kLinear = 1e-3;
 const squeezed = (v: number): number => Math.asinh(v / kLinear);
 const kBins = 160;
 
-async function channelStatistics(raster: Raster, c: number, region: Region | undefined,
-                                 signal: AbortSignal): Promise<ChannelStatistics> {
-  const out: ChannelStatistics = { name: raster.channels[c]?.name ?? "", min: Infinity, max: -Infinity, mean: NaN,
-    nan: 0, infinite: 0, aboveOne: 0, belowZero: 0 };
+async function channelStatistics(
+  raster: Raster,
+  c: number,
+  region: Region | undefined,
+  signal: AbortSignal,
+): Promise<ChannelStatistics> {
+  const out: ChannelStatistics = {
+    name: raster.channels[c]?.name ?? "",
+    min: Infinity,
+    max: -Infinity,
+    mean: NaN,
+    nan: 0,
+    infinite: 0,
+    aboveOne: 0,
+    belowZero: 0,
+  };
   let sum = 0;
   let count = 0;
-  await forPieces(raster, region, signal, (begin, end) => {
+  await forEachRow(raster, region, signal, (begin, end) => {
     for (const v of floatsOf(raster, c, begin, end)) {
       if (Number.isNaN(v)) ++out.nan;
       else if (v === Infinity || v === -Infinity) ++out.infinite;
@@ -93,17 +114,26 @@ async function channelStatistics(raster: Raster, c: number, region: Region | und
   return out;
 }
 
-/** Counts an image, or a region of it, in pieces. */
-export async function statisticsOf(raster: Raster, region: Region | undefined, signal: AbortSignal): Promise<Statistics> {
+/** Statistics of an image, or of a region of it. */
+export async function statisticsOf(
+  raster: Raster,
+  region: Region | undefined,
+  signal: AbortSignal,
+): Promise<Statistics> {
   const channels: ChannelStatistics[] = [];
-  for (let c = 0; c < raster.planes.length; ++c) channels.push(await channelStatistics(raster, c, region, signal));
-  const low = squeezed(Math.min(...channels.map((one) => (Number.isFinite(one.min) ? one.min : 0))));
-  const high = squeezed(Math.max(...channels.map((one) => (Number.isFinite(one.max) ? one.max : 0))));
+  for (let c = 0; c < raster.planes.length; ++c)
+    channels.push(await channelStatistics(raster, c, region, signal));
+  const low = squeezed(
+    Math.min(...channels.map((one) => (Number.isFinite(one.min) ? one.min : 0))),
+  );
+  const high = squeezed(
+    Math.max(...channels.map((one) => (Number.isFinite(one.max) ? one.max : 0))),
+  );
   const width = (high - low || 1) / kBins;
   const counts: number[][] = [];
   for (let c = 0; c < raster.planes.length; ++c) {
     const bins = new Array<number>(kBins).fill(0);
-    await forPieces(raster, region, signal, (begin, end) => {
+    await forEachRow(raster, region, signal, (begin, end) => {
       for (const v of floatsOf(raster, c, begin, end)) {
         if (!Number.isFinite(v)) continue;
         const bin = Math.min(kBins - 1, Math.max(0, Math.floor((squeezed(v) - low) / width)));

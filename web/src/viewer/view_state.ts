@@ -1,4 +1,4 @@
-// How the images of a case are looked at: all of it stands in the address.
+// How the images of a target are shown. The address holds all of it.
 
 export type Mode = "flip" | "swipe" | "side";
 export type Curve = "srgb" | "gamma" | "linear" | "false";
@@ -6,26 +6,41 @@ export type Curve = "srgb" | "gamma" | "linear" | "false";
 export interface ViewState {
   image: string; // name of the image in front
   mode: Mode;
-  zoom: number; // screen pixels per pixel; 0: the whole image fits
-  x: number; // the pixel in the middle
+  zoom: number; // screen pixels per pixel; 0 fits the whole image
+  x: number; // position in the image at the centre of a pane
   y: number;
-  swipe: number; // where the divider stands, 0 to 1
+  swipe: number; // position of the divider, 0 to 1
   exposure: number; // stops
   offset: number;
   curve: Curve;
   gamma: number;
-  channel: string; // "" for colour, "luminance", or a channel's name
+  channel: string; // "" for colour, "luminance", or the name of a channel
   layer: string;
   log: boolean;
   zebra: boolean;
-  ticked: string[]; // images of blink and side by side
-  region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are outside
-  ends: Record<string, number>; // end of the colour scale by image, where it is not the image's own
+  ticked: string[]; // names of the images of blink and side by side
+  region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are exclusive
+  ends: Record<string, number>; // by image: end of its colour scale, if it was changed
 }
 
 export const kDefaultView: ViewState = {
-  image: "result", mode: "flip", zoom: 0, x: 0, y: 0, swipe: 0.5, exposure: 0, offset: 0, curve: "srgb", gamma: 2.2,
-  channel: "", layer: "", log: false, zebra: false, ticked: [], region: undefined, ends: {},
+  image: "result",
+  mode: "flip",
+  zoom: 0,
+  x: 0,
+  y: 0,
+  swipe: 0.5,
+  exposure: 0,
+  offset: 0,
+  curve: "srgb",
+  gamma: 2.2,
+  channel: "",
+  layer: "",
+  log: false,
+  zebra: false,
+  ticked: [],
+  region: undefined,
+  ends: {},
 };
 
 const finite = (text: string | undefined, fallback: number): number => {
@@ -62,14 +77,17 @@ export function parseView(query: Record<string, string>): ViewState {
     log: query["log"] === "1",
     zebra: query["zebra"] === "1",
     ticked: query["tick"] ? query["tick"].split("|") : [],
-    region: region.length === 4 && region.every(Number.isInteger) ? (region as [number, number, number, number]) : undefined,
+    region:
+      region.length === 4 && region.every(Number.isInteger)
+        ? (region as [number, number, number, number])
+        : undefined,
     ends,
   };
 }
 
 const short = (value: number): string => String(Number(value.toPrecision(7)));
 
-/** The members of a query that say `view`; "" for what is as always. */
+/** The query that describes `view`; "" for defaults. */
 export function viewQuery(view: ViewState): Record<string, string> {
   const unless = (value: number, usual: number): string => (value === usual ? "" : short(value));
   return {
@@ -89,6 +107,8 @@ export function viewQuery(view: ViewState): Record<string, string> {
     zebra: view.zebra ? "1" : "",
     tick: view.ticked.join("|"),
     region: view.region ? view.region.join(",") : "",
-    ends: Object.entries(view.ends).map(([name, end]) => `${name}:${short(end)}`).join("|"),
+    ends: Object.entries(view.ends)
+      .map(([name, end]) => `${name}:${short(end)}`)
+      .join("|"),
   };
 }

@@ -1,0 +1,102 @@
+import type { Action } from "../common/keys";
+import { nudge, normalise, toWorst, toWorstTile, zoomTo, type Controls } from "./controls";
+import { fitZoom } from "./geometry";
+import { kCurves, kDefaultView, kModes, type ViewState } from "./view_state";
+
+function next<T>(list: readonly T[], now: T): T {
+  return list[(list.indexOf(now) + 1) % list.length] ?? now;
+}
+
+const act = (key: string, label: string, run: () => void, keyName?: string): Action =>
+  keyName ? { key, label, run, group: "Images", keyName } : { key, label, run, group: "Images" };
+
+const setter =
+  ({ view, setView }: Controls) =>
+  (change: Partial<ViewState>): void =>
+    setView({ ...view, ...change });
+
+/** Which images are shown, and how they are arranged. */
+function imageActions(c: Controls): Action[] {
+  const { view } = c;
+  const set = setter(c);
+  const maps = c.images.filter((image) => image.kind === "map");
+  return [
+    ...c.images.slice(0, 9).map((image, i) =>
+      act(String(i + 1), `show ${image.name}`, () => {
+        c.setBlinking(false);
+        set({ image: image.name });
+      }),
+    ),
+    // For the help only: useFront shows the reference while the key is held.
+    act("Shift", "show the reference", () => undefined, "hold Shift"),
+    act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
+    act("s", "swipe between image and reference", () =>
+      set({ mode: view.mode === "swipe" ? "flip" : "swipe" }),
+    ),
+    act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
+    act("d", "next error map", () => {
+      const current = maps.findIndex((image) => image.name === view.image);
+      set({ image: maps[(current + 1) % maps.length]?.name ?? view.image });
+    }),
+  ];
+}
+
+/** How the values of an image become colours. */
+function appearanceActions(c: Controls): Action[] {
+  const { view } = c;
+  const set = setter(c);
+  const addOffset = (step: number): void =>
+    set({ offset: Number((view.offset + step).toFixed(3)) });
+  const channels = c.channels.map(({ value }) => value);
+  const { exposure, offset, curve, gamma, channel, layer, log, zebra, ends } = kDefaultView;
+  return [
+    act("e", "exposure +½ stop", () => set({ exposure: view.exposure + 0.5 })),
+    act("Shift+E", "exposure −½ stop", () => set({ exposure: view.exposure - 0.5 })),
+    act("o", "offset +0.05", () => addOffset(0.05)),
+    act("Shift+O", "offset −0.05", () => addOffset(-0.05)),
+    act("g", "sRGB, gamma, linear, false colour", () => set({ curve: next(kCurves, view.curve) })),
+    act("n", "normalise to the image's range", () => normalise(c)),
+    act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
+    act("z", "zebra stripes on clipped values", () => set({ zebra: !view.zebra })),
+    act("x", "next channel", () => set({ channel: next(channels, c.channel) })),
+    act("r", "reset the appearance", () =>
+      set({ exposure, offset, curve, gamma, channel, layer, log, zebra, ends }),
+    ),
+  ];
+}
+
+/** Which part of the images is shown. */
+function zoomActions(c: Controls): Action[] {
+  const set = setter(c);
+  const zoom = c.view.zoom || fitZoom({ width: 600, height: 500 }, c.size);
+  const arrow = (key: string, dx: number, dy: number): Action =>
+    act(key, "move by a pixel", () => nudge(c, dx, dy), "← → ↑ ↓");
+  return [
+    act("f", "fit to the window", () => set({ zoom: 0 })),
+    act("0", "one screen pixel per pixel", () => zoomTo(c, 1)),
+    act("+", "zoom in", () => zoomTo(c, Math.min(256, zoom * 2))),
+    act("-", "zoom out", () => zoomTo(c, Math.max(1 / 16, zoom / 2))),
+    arrow("ArrowLeft", -1, 0),
+    arrow("ArrowRight", 1, 0),
+    arrow("ArrowUp", 0, -1),
+    arrow("ArrowDown", 0, 1),
+  ];
+}
+
+/** Where the errors are. */
+function errorActions(c: Controls): Action[] {
+  return [
+    act("u", "next worst pixel", () => toWorst(c, 1)),
+    act("y", "previous worst pixel", () => toWorst(c, -1)),
+    act("w", "worst tile", () => toWorstTile(c)),
+    act("a", "draw a region (or hold C and drag)", () => c.setSelecting(!c.selecting)),
+  ];
+}
+
+/** Everything that the viewer can do, by key; the toolbar has a button for each. */
+export const viewActions = (c: Controls): Action[] => [
+  ...imageActions(c),
+  ...appearanceActions(c),
+  ...zoomActions(c),
+  ...errorActions(c),
+];

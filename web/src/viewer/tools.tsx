@@ -1,0 +1,77 @@
+import type { Action } from "../common/keys";
+import type { Controls } from "./controls";
+
+/** A group of the toolbar's buttons. */
+export interface ToolsProps {
+  controls: Controls;
+  actions: Action[];
+}
+
+interface ButtonProps {
+  actions: Action[];
+  /** The key of the action that the button runs. */
+  action: string;
+  text: string;
+  pressed?: boolean;
+}
+
+export function ActionButton({ actions, action: key, text, pressed }: ButtonProps) {
+  const action = actions.find((one) => one.key === key);
+  return (
+    <button
+      onClick={action?.run}
+      aria-pressed={pressed}
+      title={`${action?.label ?? text} (${action?.keyName ?? key})`}
+    >
+      {text}
+    </button>
+  );
+}
+
+interface NumberProps {
+  label: string;
+  value: number;
+  step: number;
+  onChange: (value: number) => void;
+}
+
+export function NumberField({ label, value, step, onChange }: NumberProps) {
+  return (
+    <label class="field">
+      {label}
+      <input
+        type="number"
+        step={step}
+        value={Number(value.toFixed(3))}
+        onChange={(event) =>
+          Number.isFinite(event.currentTarget.valueAsNumber) &&
+          onChange(event.currentTarget.valueAsNumber)
+        }
+      />
+    </label>
+  );
+}
+
+interface ChoiceProps {
+  /** For screen readers only: the visible choice explains itself. */
+  label: string;
+  title: string;
+  value: string;
+  choices: { value: string; label: string }[];
+  onChange: (value: string) => void;
+}
+
+export function ChoiceField({ label, title, value, choices, onChange }: ChoiceProps) {
+  return (
+    <label class="field">
+      <span class="unseen">{label}</span>
+      <select value={value} title={title} onChange={(event) => onChange(event.currentTarget.value)}>
+        {choices.map((one) => (
+          <option key={one.value} value={one.value}>
+            {one.label}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

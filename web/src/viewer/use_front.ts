@@ -1,0 +1,63 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { ImageEntry } from "../data/types";
+import type { ViewState } from "./view_state";
+
+const kBlink_ms = 1000;
+
+/** True while Shift is held. */
+function useShift(): boolean {
+  const [held, setHeld] = useState(false);
+  useEffect(() => {
+    const update = (event: KeyboardEvent): void => {
+      if (event.key === "Shift") setHeld(event.type === "keydown");
+    };
+    const release = (): void => setHeld(false);
+    addEventListener("keydown", update);
+    addEventListener("keyup", update);
+    addEventListener("blur", release);
+    return () => {
+      removeEventListener("keydown", update);
+      removeEventListener("keyup", update);
+      removeEventListener("blur", release);
+    };
+  }, []);
+  return held;
+}
+
+/** The name that blinking shows now; undefined while it is off. */
+function useBlink(on: boolean, names: string[]): string | undefined {
+  const [step, setStep] = useState(0);
+  useEffect(() => {
+    if (!on) return undefined;
+    const timer = setInterval(() => setStep((n) => n + 1), kBlink_ms);
+    return () => clearInterval(timer);
+  }, [on]);
+  return on ? names[step % names.length] : undefined;
+}
+
+export interface Front {
+  /** The image in front; undefined if there are no images. */
+  front: ImageEntry | undefined;
+  /** The images on the stage: one, two of a swipe, or all that are side by side. */
+  visible: ImageEntry[];
+  /** Names of the images of blink and side by side. */
+  ticked: string[];
+}
+
+/** Which images are shown: Shift comes before blinking, and blinking before the chosen image. */
+export function useFront(images: ImageEntry[], view: ViewState, blinking: boolean): Front {
+  const shift = useShift();
+  const reference = images.find((image) => image.kind === "reference");
+  const chosen = images.find((image) => image.name === view.image) ?? images[0];
+  const names = view.ticked.filter((name) => images.some((image) => image.name === name));
+  const ticked = names.length > 0 ? names : images.slice(0, 2).map((image) => image.name);
+  const blink = useBlink(blinking, ticked);
+  const front = (shift && reference) || images.find((image) => image.name === blink) || chosen;
+  const other = front?.kind === "reference" ? images[0] : reference;
+  const visible = useMemo((): ImageEntry[] => {
+    if (!front) return [];
+    if (view.mode === "side") return images.filter((image) => ticked.includes(image.name));
+    return view.mode === "swipe" && other && other !== front ? [front, other] : [front];
+  }, [images, view.mode, front, other, ticked.join()]);
+  return { front, visible, ticked };
+}

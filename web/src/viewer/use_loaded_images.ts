@@ -1,0 +1,88 @@
+import type { Session } from "../common/session";
+import type { Raster } from "../data/raster";
+import type { ImageEntry } from "../data/types";
+import { seenChannels } from "./channels";
+import type { Size } from "./geometry";
+import { isMap } from "./paint_settings";
+import { rangeOf, type Range, type Statistics } from "./statistics";
+import type { Front } from "./use_front";
+import { knownStatistics, useStatistics, useWorst } from "./use_counted";
+import { isRaster, useRasters, type Loaded } from "./use_rasters";
+import type { ViewState } from "./view_state";
+import type { Worst } from "./worst";
+
+/** The pixels of the images of a target, and what is counted from them. */
+export interface LoadedImages {
+  rasters: Map<string, Loaded>;
+  /** The image in front, once it is loaded. */
+  raster: Raster | undefined;
+  /** Size of the images; a guess until one of them is loaded. */
+  size: Size;
+  layers: string[];
+  /** Statistics of the image in front. */
+  statistics: Statistics | undefined;
+  worst: Worst | undefined;
+  /** Range of an image in the channels that are seen; undefined until it is loaded and counted. */
+  rangeFor: (image: ImageEntry) => Range | undefined;
+}
+
+function unionOf(ranges: Range[]): Range | undefined {
+  if (ranges.length === 0) return undefined;
+  return {
+    min: Math.min(...ranges.map((one) => one.min)),
+    max: Math.max(...ranges.map((one) => one.max)),
+  };
+}
+
+/** The largest errors: of a map itself, otherwise of a result and a reference of equal size. */
+function useErrors(
+  map: Raster | undefined,
+  result: Raster | undefined,
+  reference: Raster | undefined,
+  isMapInFront: boolean,
+): Worst | undefined {
+  const sameSize =
+    result && reference && result.width === reference.width && result.height === reference.height;
+  return useWorst(
+    isMapInFront ? map : sameSize ? result : undefined,
+    isMapInFront ? undefined : reference,
+  );
+}
+
+/** Loads the images that are visible, the result and the reference, and counts them. */
+export function useLoadedImages(
+  session: Session,
+  images: ImageEntry[],
+  view: ViewState,
+  { front, visible }: Front,
+): LoadedImages {
+  const ofKind = (kind: string): ImageEntry[] => images.filter((image) => image.kind === kind);
+  const wanted = [...ofKind("result"), ...ofKind("reference"), ...visible].map(({ name }) => name);
+  const rasters = useRasters(session, images, [...new Set(wanted)], view.layer);
+  const rasterOf = (image: ImageEntry | undefined): Raster | undefined => {
+    const loaded = image && rasters.get(image.name);
+    return isRaster(loaded) ? loaded : undefined;
+  };
+  const raster = rasterOf(front);
+  const result = rasterOf(ofKind("result")[0]);
+  const reference = rasterOf(ofKind("reference")[0]);
+  const worst = useErrors(raster, result, reference, front !== undefined && isMap(front));
+  const statistics = useStatistics(raster, undefined);
+  const layered = view.layer !== "";
+  useStatistics(layered ? result : undefined, undefined);
+  useStatistics(layered ? reference : undefined, undefined);
+  const rangeFor = (image: ImageEntry): Range | undefined => {
+    const own = rasterOf(image);
+    if (!own) return undefined;
+    // Result and reference of a layer share one scale: a colour means the same value in both.
+    const alike = layered && !isMap(image) ? [own, result, reference] : [own];
+    const ranges = alike.map((one) => {
+      const known = one && knownStatistics(one);
+      return known && rangeOf(known, seenChannels(one, view.channel));
+    });
+    return unionOf(ranges.filter((range) => range !== undefined));
+  };
+  const size = raster ?? reference ?? result ?? { width: 512, height: 512 };
+  const layers = (result ?? reference)?.layers ?? [""];
+  return { rasters, raster, size, layers, statistics, worst, rangeFor };
+}
