@@ -12,7 +12,8 @@ namespace orbs {
 /// the ends of a line, and no class of characters holds a line break.
 class Pattern {
  public:
-  /// InputError with the reason when the text is none.
+  /// InputError with the reason when the text is none, refers back to a group, nests more than 50 groups or
+  /// has more than 10,000 characters with every bound "{m,n}" written out.
   explicit Pattern(const std::string& text);
 
   /// How many groups in parentheses it has.

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::image {
 
@@ -73,6 +75,7 @@ class Reader {
     return value;
   }
   std::int32_t number() { return static_cast<std::int32_t>(word()); }
+  float real() { return std::bit_cast<float>(word()); }
   std::string_view name() {
     const auto text = bytes_.substr(0, bytes_.find('\0'));
     if (text.empty() || text.size() > kLongestName || text.size() == bytes_.size())
@@ -146,6 +149,29 @@ void check_attribute(std::string_view name, std::string_view type, std::string_v
   if (type == "idmanifest") throw InputError("the EXR file has an id manifest, which is not read");
 }
 
+// Numbers of other primaries mean other colours. They are refused and not converted, since a conversion would
+// correlate the noise of the channels, and what the renderer states of their variances would no longer hold.
+void check_chromaticities(std::string_view value) {
+  // x and y of red, green, blue and white of ITU-R BT.709. Programs write them with three or four digits.
+  constexpr std::array kRec709{0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
+  constexpr float kLastDigit = 0.001F;
+  Reader in(value);
+  std::array<float, 8> found{};
+  for (float& coordinate : found) coordinate = in.real();
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!(std::fabs(found.at(i) - kRec709.at(i)) <= kLastDigit))
+      throw InputError(
+          fmt::format("its chromaticities (red, green, blue, white) are {:.4g}, expected those of Rec.709, "
+                      "{:.4g}; write linear Rec.709",
+                      fmt::join(found, " "), fmt::join(kRec709, " ")));
+}
+
+void check_pixel_aspect(std::string_view value) {
+  const float ratio = Reader(value).real();
+  if (ratio != 1)
+    throw InputError(fmt::format("its pixelAspectRatio is {}, expected square pixels (1)", ratio));
+}
+
 void note_attribute(Part& part, std::string_view name, std::string_view type, std::string_view value) {
   const auto is = [&](std::string_view wanted_name, std::string_view wanted_type) {
     if (name == wanted_name && type != wanted_type)
@@ -163,6 +189,8 @@ void note_attribute(Part& part, std::string_view name, std::string_view type, st
     const double width = in.word();
     part.tile = Window{width, static_cast<double>(in.word())};
   }
+  if (is("chromaticities", "chromaticities")) check_chromaticities(value);
+  if (is("pixelAspectRatio", "float")) check_pixel_aspect(value);
   if (is("type", "string") && value.starts_with("deep"))
     throw InputError("holds deep pixels, expected a flat image");
 }

@@ -5,7 +5,8 @@
 namespace orbs::image {
 
 /// Throws InputError (the problem alone, without the file's name) unless the header of this OpenEXR file
-/// holds together and asks for no more memory than a file of this length can be about. OpenEXR 3.1 believes
+/// holds together, asks for no more memory than a file of this length can be about, and states no other
+/// primaries than Rec.709's and no other pixels than square ones. OpenEXR 3.1 believes
 /// every length that it reads, and each takes part in an allocation.
 void check_exr(std::string_view bytes);
 

@@ -236,6 +236,14 @@ Image read_image(const std::filesystem::path& file) {
   return guarded(file, [&] { return read_pixels(*open_image(file), file); });
 }
 
+Header read_header(const std::filesystem::path& file) {
+  return guarded(file, [&] {
+    const auto input = open_image(file);
+    const auto& spec = input->spec();
+    return Header{spec.width, spec.height, text_attributes(spec)};
+  });
+}
+
 Image read_exr(const std::string& name, std::string_view bytes) {
   return guarded(name, [&] {
     if (bytes.empty()) refuse(name, "is empty, expected an image");

@@ -3,6 +3,7 @@
 #include "image/image.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,15 @@ enum class Precision { Half, Float };
 /// the file is missing, torn, too large to be meant, cropped, or no image, or has colours that are 32-bit
 /// integers; nothing is printed.
 Image read_image(const std::filesystem::path& file);
+
+struct Header {
+  int width_px = 0;
+  int height_px = 0;
+  std::map<std::string, std::string> attributes;  // those that are text and not empty
+};
+
+/// What the file's header states, without decoding a pixel. InputError as read_image.
+Header read_header(const std::filesystem::path& file);
 
 /// An EXR file whose bytes are at hand, read as read_image does; `name` is for messages.
 Image read_exr(const std::string& name, std::string_view bytes);

@@ -119,10 +119,12 @@ Outcome file_outcome(const adapters::Job& job, const std::string& name) {
 }
 
 // What the image says about itself must be about this render. Most renderers say nothing.
-Outcome provenance_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
+Outcome provenance_outcome(const adapters::Job& job,
+                           const std::map<std::string, std::string>& attributes,
+                           const std::string& name) {
   const auto differs = [&](const char* key, const std::string& expected) {
-    const auto said = image.attributes.find(key);
-    return !expected.empty() && said != image.attributes.end() && said->second != expected;
+    const auto said = attributes.find(key);
+    return !expected.empty() && said != attributes.end() && said->second != expected;
   };
   if (differs("orbs.scene_hash", job.scene_file_hash))
     return {
@@ -132,16 +134,30 @@ Outcome provenance_outcome(const adapters::Job& job, const image::Image& image, 
   return {};
 }
 
+Outcome size_outcome(const adapters::Job& job, int width_px, int height_px, const std::string& name) {
+  if (width_px == job.width_px && height_px == job.height_px) return {};
+  return {Verdict::WrongSize,
+          fmt::format("{} is {} x {} pixels, expected {} x {}", name, width_px, height_px, job.width_px,
+                      job.height_px),
+          {}};
+}
+
 Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
   if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
   image::Image image;
   try {
+    // Before a pixel is decoded: two megabytes can stand for two gigabytes.
+    const auto header = image::read_header(job.image);
+    if (auto outcome = provenance_outcome(job, header.attributes, name); outcome.verdict != Verdict::Pass)
+      return outcome;
+    if (auto outcome = size_outcome(job, header.width_px, header.height_px, name);
+        outcome.verdict != Verdict::Pass)
+      return outcome;
     image = image::read_image(job.image);
   } catch (const InputError& e) {
     return {Verdict::Unreadable, named_within(job.folder, e.what()), {}};
   }
-  if (auto outcome = provenance_outcome(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
   if (auto outcome = check_pixels(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
   return {Verdict::Pass, "", std::move(image)};
 }
@@ -149,11 +165,8 @@ Outcome image_outcome(const adapters::Job& job) {
 }  // namespace
 
 Outcome check_pixels(const adapters::Job& job, const image::Image& image, const std::string& name) {
-  if (image.width != job.width_px || image.height != job.height_px)
-    return {Verdict::WrongSize,
-            fmt::format("{} is {} x {} pixels, expected {} x {}", name, image.width, image.height,
-                        job.width_px, job.height_px),
-            {}};
+  if (auto outcome = size_outcome(job, image.width, image.height, name); outcome.verdict != Verdict::Pass)
+    return outcome;
   for (const char* channel : {"R", "G", "B"})
     if (image::channel_index(image, channel) < 0)
       return {Verdict::WrongChannels,

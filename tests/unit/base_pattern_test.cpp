@@ -33,3 +33,23 @@ TEST(Pattern, ThatIsNoneIsRefusedWithTheReason) {
     EXPECT_TRUE(std::string(e.what()).starts_with("'took ([0-9' is no regular expression: ")) << e.what();
   }
 }
+
+TEST(Pattern, ThatWouldOverflowTheLibraryOrNeverEndIsRefused) {
+  const auto problem_of = [](const std::string& text) -> std::string {
+    try {
+      Pattern pattern(text);
+    } catch (const orbs::InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  std::string deep;
+  for (int i = 0; i < 20000; ++i) deep += '(';
+  EXPECT_NE(problem_of(deep).find("more than 50 groups"), std::string::npos);
+  EXPECT_NE(problem_of("(a{1,255}){1,255}{1,255}").find("more than 10000 characters"), std::string::npos);
+  EXPECT_NE(problem_of("((a{1,255}){1,255}){3}").find("more than 10000 characters"), std::string::npos);
+  EXPECT_NE(problem_of("(a*)*\\1").find("refers back"), std::string::npos);
+  EXPECT_EQ(problem_of("[]{}({]{255}"), "");
+  EXPECT_EQ(problem_of("[[:digit:]{]+ \\((a{1,20}){1,20}\\)"), "");
+  EXPECT_EQ(problem_of("a{2,}b{,3}|^c?"), "");
+}

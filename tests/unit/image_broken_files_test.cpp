@@ -247,3 +247,42 @@ TEST(ImageBrokenFiles, AFileThatIsLargerThanAnyImageIsNotRead) {
     }
   }
 }
+
+// An attribute of an EXR header: its name, its type's name, the length of its value in four bytes, the value.
+std::string with_attribute(std::string exr,
+                           const std::string& name,
+                           const std::string& type,
+                           const std::vector<float>& values) {
+  std::string attribute = name + '\0' + type + '\0';
+  const auto length = static_cast<std::uint32_t>(values.size() * sizeof(float));
+  attribute.append(reinterpret_cast<const char*>(&length), sizeof length);
+  attribute.append(reinterpret_cast<const char*>(values.data()), length);
+  return exr.insert(8, attribute);  // behind magic and version
+}
+
+TEST(ImageBrokenFiles, ColoursOfOtherPrimariesAreRefusedByName) {
+  const TestFolder folder("image-primaries");
+  const auto exr = exr_bytes(folder, 4, 4);
+  const std::string type = "chromaticities";
+  const auto aces = outcome_of(
+      folder, "aces.exr",
+      with_attribute(exr, type, type, {0.7347F, 0.2653F, 0, 1, 0.0001F, -0.077F, 0.32168F, 0.33767F}));
+  EXPECT_NE(aces.find("expected those of Rec.709"), std::string::npos) << aces;
+  EXPECT_NE(aces.find("0.7347"), std::string::npos) << aces;
+  const auto rec709 =
+      outcome_of(folder, "rec709.exr",
+                 with_attribute(exr, type, type, {0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F}));
+  EXPECT_EQ(rec709.find("chromaticities"), std::string::npos) << rec709;
+}
+
+TEST(ImageBrokenFiles, PixelsThatAreNotSquareAreRefused) {
+  const TestFolder folder("image-aspect");
+  auto exr = exr_bytes(folder, 4, 4);
+  const std::string key = std::string("pixelAspectRatio") + '\0' + "float" + '\0';
+  const auto at = exr.find(key);
+  ASSERT_NE(at, std::string::npos);
+  const float two = 2;
+  std::memcpy(&exr[at + key.size() + 4], &two, sizeof two);
+  const auto said = outcome_of(folder, "wide.exr", exr);
+  EXPECT_NE(said.find("pixelAspectRatio is 2, expected square pixels"), std::string::npos) << said;
+}

@@ -56,6 +56,21 @@ TEST(JsonDocument, TextForTheSystemHoldsNoZeroByte) {
   EXPECT_THROW(in.system_texts("words"), InputError);
 }
 
+TEST(JsonDocument, EachValueIsWhereItsKeysSay) {
+  const auto document = json::parse(
+      "a.json",
+      R"({"a": {"b": [[1, 2], {"c": {}, "d": [3, {"e": "x"}]}], "f": null}, "g": [{}, {"h": true}]})");
+  json::ObjectReader in(document);
+  auto a = in.object("a");
+  EXPECT_FALSE(a.holds_number("f"));
+  EXPECT_FALSE(a.holds_objects("b"));
+  EXPECT_THROW(a.objects("b"), InputError);
+  auto g = in.objects("g");
+  ASSERT_EQ(g.size(), 2U);
+  EXPECT_TRUE(g[0].keys().empty());
+  EXPECT_TRUE(g[1].boolean_or("h", false));
+}
+
 // Comparing them letter by letter would take hours.
 TEST(Text, NobodyIsAskedWhetherHeMeantAWordOfAMegabyte) {
   EXPECT_EQ(closest("radios", {"radius", std::string(1 << 20, 'a')}), " (did you mean 'radius'?)");
