@@ -111,6 +111,32 @@ std::vector<std::string> breaches(const fs::path& src) {
   return found;
 }
 
+// The folders that the files of a module or a program include, by the name that the USES list stands under.
+std::map<std::string, std::set<std::string>> included_folders(const fs::path& src, const Rules& rules) {
+  std::map<std::string, std::set<std::string>> included;
+  for (const auto& file : orbs::structure::files_below(src, {".h", ".cpp", ".inc"})) {
+    const fs::path relative = fs::relative(file, src);
+    const bool is_program = rules.uses.contains(relative.string());
+    auto& folders = included[is_program ? relative.string() : relative.begin()->string()];
+    for (const auto& line : orbs::structure::lines_of(file))
+      if (const auto path = included_path(line); path.find('/') != std::string::npos)
+        folders.insert(path.substr(0, path.find('/')));
+  }
+  return included;
+}
+
+// A USES entry that no #include needs lets the next breach pass unseen.
+std::vector<std::string> unused_edges(const fs::path& src) {
+  const Rules rules = read_rules(src);
+  auto included = included_folders(src, rules);
+  std::vector<std::string> found;
+  for (const auto& [name, uses] : rules.uses)
+    for (const auto& used : uses)
+      if (!included[name].contains(used))
+        found.push_back(fmt::format("{} lists {} in its USES and includes nothing of it", name, used));
+  return found;
+}
+
 // A house of three rooms for showing that a breach is seen.
 void write_small_house(const TestFolder& scratch) {
   scratch.write("CMakeLists.txt",
@@ -140,6 +166,19 @@ TEST(IncludeRules, EveryModuleIsListedAfterTheModulesItUses) {
           << module << " uses " << used << ", which stands below it or nowhere";
     listed.insert(module);
   }
+}
+
+TEST(IncludeRules, EveryUsesListNamesOnlyWhatIsIncluded) {
+  const auto found = unused_edges(fs::path(ORBS_SOURCE_DIR) / "src");
+  EXPECT_TRUE(found.empty()) << orbs::structure::joined(found);
+}
+
+TEST(IncludeRules, AnUnusedEdgeIsNamed) {
+  const TestFolder scratch("include-rules-unused");
+  write_small_house(scratch);
+  EXPECT_EQ(orbs::structure::joined(unused_edges(scratch.path())),
+            "tracer lists base in its USES and includes nothing of it\n"
+            "tracer/p_main.cpp lists base in its USES and includes nothing of it\n");
 }
 
 TEST(IncludeRules, AHouseThatKeepsTheRulesHasNoBreach) {
