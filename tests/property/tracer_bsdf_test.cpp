@@ -1,7 +1,7 @@
 // What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf,
 // light is not created, and paths may be walked backwards.
 #include "base/random.h"
-#include "tracer/scatter/interface_bsdf.h"
+#include "tracer/bsdf/boundary_bsdf.h"
 
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace {
 using namespace orbs;
 using namespace orbs::tracer;
 using Rgb = Vec3f;
-using AnyBsdf = InterfaceBsdf<Rgb, 1>;
+using AnyBsdf = BoundaryBsdf<Rgb, 1>;
 
 struct NamedBsdf {
   const char* name;
@@ -25,9 +25,9 @@ constexpr Microfacets kGgx{0.4F, false, false};
 constexpr Microfacets kGgxCorrelated{0.4F, false, true};
 constexpr Microfacets kBeckmann{0.4F, true, false};
 
-Interface<1> boundary(std::complex<float> index) { return {.index = {index}, .film_index = {}, .nm = {}}; }
+Boundary<1> boundary(std::complex<float> index) { return {.index = {index}, .film_index = {}, .nm = {}}; }
 
-Interface<1> filmed(std::complex<float> index) {
+Boundary<1> filmed(std::complex<float> index) {
   return {.index = {index}, .film_index = {1.8F}, .film_height_nm = 300, .nm = {550}};
 }
 
@@ -188,7 +188,7 @@ TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
 // Some wavelengths of a path may be reflected well where others are not: whatever the first of them does, all
 // carry on, and on average each with its own reflectance.
 TEST(Bsdf, ADielectricGivesEachWavelengthItsOwnReflectance) {
-  Interface<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
+  Boundary<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
                      .film_index = {1.9F, 1.9F, 1.9F, 1.9F},
                      .film_height_nm = 150,
                      .nm = {400, 480, 560, 640}};

@@ -14,13 +14,13 @@ import sys
 SPECTRAL = "HeroWavelengths|spectra::"
 POLARISED = "StokesRows|ElementShape|polarisation_"
 FLUORESCENT = "reradiate|absorbed_before|sample_absorbed"
-INTERFACE = "Interface|Mueller|ThinFilm|Microfacets"
+BOUNDARY = "Boundary|Mueller|ThinFilm|Microfacets"
 
 # Kernel: what it must hold, each; what it must not.
 KERNELS = {
-    "rgb": ([], [SPECTRAL, POLARISED, FLUORESCENT, INTERFACE, "Stokes|polaris|reradiat"]),
-    "rgb_interface": ([INTERFACE], ["HeroWavelengths", POLARISED, FLUORESCENT]),
-    "spectral": ([SPECTRAL, INTERFACE], [POLARISED, FLUORESCENT]),
+    "rgb": ([], [SPECTRAL, POLARISED, FLUORESCENT, BOUNDARY, "Stokes|polaris|reradiat"]),
+    "rgb_boundary": ([BOUNDARY], ["HeroWavelengths", POLARISED, FLUORESCENT]),
+    "spectral": ([SPECTRAL, BOUNDARY], [POLARISED, FLUORESCENT]),
     "bispectral": ([SPECTRAL, FLUORESCENT], [POLARISED]),
     "polarised": ([SPECTRAL, POLARISED], [FLUORESCENT]),
     "stokes": ([SPECTRAL, POLARISED], [FLUORESCENT]),

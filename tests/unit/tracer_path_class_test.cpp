@@ -1,4 +1,4 @@
-#include "tracer/path_class.h"
+#include "tracer/integrator/path_class.h"
 
 #include <set>
 

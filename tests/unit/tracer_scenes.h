@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/load_scene.h"
-#include "tracer/render.h"
+#include "tracer/render/render.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@ namespace orbs::tracer {
 PassRenderer* kernel_for(const World& world) {
   switch (world.transport) {
     case scene::LightTransport::Rgb:
-      return world.has_interfaces ? rgb_interface_pass : rgb_pass;
+      return world.has_appearance_materials ? rgb_boundary_pass : rgb_pass;
     case scene::LightTransport::Spectral:
       return spectral_pass;
     case scene::LightTransport::Bispectral:

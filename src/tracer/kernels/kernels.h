@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tracer/passes.h"
-#include "tracer/render.h"
+#include "tracer/render/passes.h"
+#include "tracer/render/render.h"
 
 #include <functional>
 
@@ -16,7 +16,7 @@ using PassRenderer = void(const World& world,
                           const std::function<void()>& tile_done);
 
 PassRenderer rgb_pass;
-PassRenderer rgb_interface_pass;  // RGB with materials beyond ORB.S
+PassRenderer rgb_boundary_pass;  // RGB with materials beyond ORB.S
 PassRenderer spectral_pass;
 PassRenderer bispectral_pass;
 PassRenderer polarised_pass;

@@ -1,6 +1,6 @@
 #include "tracer/kernels/kernels.h"
-#include "tracer/render_with.h"
-#include "tracer/rgb_transport.h"
+#include "tracer/render/render_pass.h"
+#include "tracer/transport/rgb_transport.h"
 
 namespace orbs::tracer {
 

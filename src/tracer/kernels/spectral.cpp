@@ -1,6 +1,6 @@
 #include "tracer/kernels/kernels.h"
-#include "tracer/render_with.h"
-#include "tracer/spectral_transport.h"
+#include "tracer/render/render_pass.h"
+#include "tracer/transport/spectral_transport.h"
 
 namespace orbs::tracer {
 

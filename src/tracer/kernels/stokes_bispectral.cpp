@@ -1,6 +1,6 @@
 #include "tracer/kernels/kernels.h"
-#include "tracer/polarised_transport.h"
-#include "tracer/render_with.h"
+#include "tracer/transport/polarised_transport.h"
+#include "tracer/render/render_pass.h"
 
 namespace orbs::tracer {
 
