@@ -5,6 +5,7 @@
 #include "scene/load_scene.h"
 #include "tracer/render/choose_light_paths.h"
 #include "tracer/render/render.h"
+#include "tracer/world/build_world.h"
 
 #include <atomic>
 #include <csignal>

@@ -1,7 +1,7 @@
 // Reflectances of films as the paths see them, in float, against characteristic matrices in double.
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
-#include "tracer/integrator/make_boundary.h"
+#include "tracer/bsdf/boundary.h"
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 // Light sampling: the density that a sample carries is the density at its point, and 1/pdf summed over
 // samples is the solid angle.
 #include "base/random.h"
-#include "tracer/light/emitter.h"
+#include "tracer/light/emitter_sampling.h"
 
 #include <gtest/gtest.h>
 

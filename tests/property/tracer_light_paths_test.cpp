@@ -1,5 +1,6 @@
 // Paths from the lights against camera paths alone, and against the mirrored light.
 #include "tracer/render/choose_light_paths.h"
+#include "tracer/world/build_world.h"
 #include "unit/tracer_scenes.h"
 
 #include <numbers>

@@ -2,6 +2,7 @@
 
 #include "scene/load_scene.h"
 #include "tracer/render/render.h"
+#include "tracer/world/build_world.h"
 
 #include <string>
 

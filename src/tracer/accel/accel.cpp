@@ -1,10 +1,11 @@
 #include "tracer/accel/accel.h"
 
-#include "tracer/world/world.h"
-
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::size_t kPacket = 16;
 
-// Distances along the ray at which it meets the unit disk y = 0 or the unit sphere in the shape's own space;
-// in double, since the ray's origin may be far away in units of the shape. Nothing beyond [near, far].
+// Distance along the ray to the unit disk y = 0 or the unit sphere in the local space of the shape, in double
+// precision because the origin may be far away in units of the shape. Nothing outside (near, far).
 std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
   const double t = -o.y / d.y;
   if (!(t > near && t < far)) return std::nullopt;
@@ -27,8 +28,8 @@ std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
 }
 
 std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far) {
-  // From the point of closest approach: b^2 - 4ac would cancel for a small sphere far away (Haines et al.,
-  // Ray Tracing Gems, 7).
+  // Solved from the point of closest approach, as b^2 - 4ac cancels for small distant spheres (Haines et al.
+  // 2019, Ray Tracing Gems, ch. 7).
   const double dd = dot(d, d);
   const double middle = -dot(o, d) / dd;
   const Vec3d nearest = o + d * middle;
@@ -74,8 +75,8 @@ std::optional<double> distance_to(const CurvedSurface& surface,
 
 void curved_bounds(const RTCBoundsFunctionArguments* args) {
   const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
-  // The map's columns are what the inverse rows are dual to. The image of the unit ball reaches as far along
-  // a world axis as the length of the map's row for that axis. One float step more for rounding.
+  // The columns of the map are dual to the rows of its inverse. The image of the unit ball extends along a
+  // world axis by the length of the row of the map for that axis. One float step is added for rounding.
   const auto columns =
       inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
   const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
@@ -123,7 +124,7 @@ void curved_occluded(const RTCOccludedFunctionNArguments* args) {
 CurvedSurface surface_of(const DiskEmitter& disk) {
   const Vec3d a = cast<double>(disk.a);
   const Vec3d b = cast<double>(disk.b);
-  // The middle axis only completes the basis; the disk has no extent along it.
+  // The normal only completes the basis; the disk has no extent along it.
   return {cast<double>(disk.centre),
           inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
 }
@@ -181,8 +182,7 @@ struct Accel::State {
 
   void add_mesh(RTCScene scene, const TriangleMesh& mesh, unsigned int id) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes at the last vertex, so the shared buffer must not end exactly there: copy
-    // instead.
+    // The vertices are copied because Embree reads 16 bytes at the last one, past the end of a shared buffer.
     auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.positions.size()));
     std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
@@ -235,15 +235,17 @@ struct Accel::State {
   }
 };
 
-Accel::Accel(const World& world) : state_(std::make_unique<State>()) {
-  state_->curved.reserve(world.objects.size());
-  for (unsigned int id = 0; id < world.objects.size(); ++id) {
-    const RenderObject& object = world.objects[id];
-    if (object.kind == ObjectKind::WorldMesh) state_->add_mesh(state_->top, world.meshes[object.mesh], id);
-    if (object.kind == ObjectKind::InstancedMesh) state_->add_instance(object, world.meshes[object.mesh], id);
-    if (object.kind == ObjectKind::Sphere) state_->add_curved(surface_of(world.spheres[object.sphere]), id);
+Accel::Accel(const AccelGeometry& geometry) : state_(std::make_unique<State>()) {
+  state_->curved.reserve(geometry.objects.size());
+  for (unsigned int id = 0; id < geometry.objects.size(); ++id) {
+    const RenderObject& object = geometry.objects[id];
+    if (object.kind == ObjectKind::WorldMesh) state_->add_mesh(state_->top, geometry.meshes[object.mesh], id);
+    if (object.kind == ObjectKind::InstancedMesh)
+      state_->add_instance(object, geometry.meshes[object.mesh], id);
+    if (object.kind == ObjectKind::Sphere)
+      state_->add_curved(surface_of(geometry.spheres[object.sphere]), id);
     if (object.kind != ObjectKind::Light) continue;
-    const auto& shape = world.lights[object.light].shape;
+    const auto& shape = geometry.lights[object.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape)) state_->add_rect(*rect, id);
     if (const auto* disk = std::get_if<DiskEmitter>(&shape)) state_->add_curved(surface_of(*disk), id);
     if (const auto* sphere = std::get_if<SphereEmitter>(&shape)) state_->add_curved(surface_of(*sphere), id);
@@ -271,8 +273,7 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.flags[lane] = 0;
 }
 
-// Lanes beyond the rays are switched off, but Embree may still compute with their numbers: repeat the last
-// ray.
+// Inactive lanes repeat the last ray, because Embree may still compute with their values.
 template <typename Packet>
 void load_packet(Packet& packet, std::array<int, kPacket>& valid, std::span<const Ray> rays) {
   for (std::size_t lane = 0; lane < kPacket; ++lane) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "tracer/geometry/ray.h"
+#include "tracer/geometry/render_object.h"
+#include "tracer/light/emitter.h"
 
 #include <cstdint>
 #include <memory>
@@ -9,24 +11,29 @@
 
 namespace orbs::tracer {
 
-struct World;
+/// What rays can hit. The arrays must outlive the accelerator and must not move.
+struct AccelGeometry {
+  const std::vector<RenderObject>& objects;
+  const std::vector<TriangleMesh>& meshes;
+  const std::vector<SphereSurface>& spheres;
+  const std::vector<AreaLight>& lights;
+};
 
-/// Embree behind two calls. Rays go through in packets of 16: on small scenes packets cost two thirds of
-/// single rays, and the traversal itself falls back to single rays where a packet falls apart. Robust mode:
-/// no leaks between triangles.
+/// Ray traversal by Embree, in robust mode: no ray passes between adjacent triangles. Rays are traced in
+/// packets of 16, which take two thirds of the time of single rays on small scenes; Embree itself falls back
+/// to single rays where a packet diverges.
 class Accel {
  public:
-  /// Builds over the parts of the world, whose arrays must outlive this and must not move.
-  explicit Accel(const World& world);
+  explicit Accel(const AccelGeometry& geometry);
   ~Accel();
   Accel(const Accel&) = delete;
   Accel& operator=(const Accel&) = delete;
   Accel(Accel&&) = delete;
   Accel& operator=(Accel&&) = delete;
 
-  /// The nearest hit of each ray, part = kNoHit where there is none.
+  /// The nearest hit of each ray; object = kNoHit if there is none.
   void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
-  /// 1 where something lies within the ray's reach.
+  /// 1 for rays that hit anything within their reach, else 0.
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
 
  private:

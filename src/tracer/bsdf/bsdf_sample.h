@@ -18,8 +18,8 @@ struct BsdfSample {
   Value weight{};  // f |cos| / pdf
   float pdf = 0;   // per solid angle; meaningless for delta functions
   bool is_transmitted = false;
-  /// The part of `weight` that is the compression of radiance by 1 / eta^2, which refraction out of the medium
-  /// undoes. Russian roulette divides it out (pbrt's etaScale).
+  /// The part of `weight` that is the compression of radiance by 1 / eta^2, which refraction out of the
+  /// medium undoes. Russian roulette divides it out (pbrt's etaScale).
   float radiance_scale = 1;
 };
 

@@ -1,22 +1,27 @@
 #pragma once
 
-#include "tracer/bsdf/bsdf_sample.h"
+#include "scene/effects.h"
 #include "tracer/bsdf/boundary.h"
-#include "tracer/bsdf/microfacets.h"
-#include "tracer/bsdf/refraction.h"
 #include "tracer/bsdf/broadcast.h"
+#include "tracer/bsdf/bsdf_sample.h"
+#include "tracer/bsdf/microfacets.h"
+#include "tracer/bsdf/polarisation.h"
+#include "tracer/bsdf/refraction.h"
+#include "tracer/colour/scene_colours.h"
 
 #include <array>
 #include <optional>
 
-/// Both sides of glass and its like. Light of all wavelengths takes the direction of the first: where they
-/// differ, the path has dropped the others before (make_bsdf). Whether it is reflected is decided by the
-/// mean reflectance of the wavelengths, so that no weight exceeds their number.
+/// Dielectric boundaries by their indices of refraction. All wavelengths of a path take the direction of the
+/// hero wavelength; where their directions differ, make_bsdf terminates the secondary wavelengths first.
+/// Reflection is chosen with the mean reflectance of the wavelengths as its probability, so that no weight
+/// exceeds their number.
 namespace orbs::tracer {
 
 template <typename Value, std::size_t N>
 struct DielectricBsdf {
   static constexpr bool kIsDelta = true;
+  static constexpr bool kDepolarises = false;
   static constexpr Event kEvent = Event::Specular;
   Boundary<N> boundary;
 };
@@ -40,7 +45,7 @@ std::optional<BsdfSample<Value>> sample(const DielectricBsdf<Value, N>& bsdf,
   }
   const float eta = bsdf.boundary.index[0].real();
   const auto wi = refracted(wo, {0, 0, 1}, eta);
-  if (!wi) return std::nullopt;  // grazing by rounding: Fresnel said less than total reflection
+  if (!wi) return std::nullopt;  // at grazing angles rounding can take Fresnel's term below 1
   out.wi = *wi;
   out.is_transmitted = true;
   out.radiance_scale = 1 / (eta * eta);
@@ -48,10 +53,16 @@ std::optional<BsdfSample<Value>> sample(const DielectricBsdf<Value, N>& bsdf,
   return out;
 }
 
-/// Walter et al. 2007, eq. 20 and 21, with one kind of masking for both reflection and transmission.
+template <typename Value, std::size_t N>
+std::optional<Polarisation> polarisation_by(const DielectricBsdf<Value, N>& bsdf, const auto& scattering) {
+  return facet_polarisation(bsdf.boundary, kUp, scattering);
+}
+
+/// Walter et al. 2007, eq. 20 and 21, with the same masking-shadowing model for reflection and transmission.
 template <typename Value, std::size_t N>
 struct RoughDielectricBsdf {
   static constexpr bool kIsDelta = false;
+  static constexpr bool kDepolarises = false;
   static constexpr Event kEvent = Event::Glossy;
   Boundary<N> boundary;
   Microfacets facets;
@@ -66,10 +77,11 @@ BsdfValue<Value> evaluate(const RoughDielectricBsdf<Value, N>& bsdf, Vec3f wo, V
   const auto reflected = reflectances(bsdf.boundary, cos_o);
   const float probability = mean_of(reflected);
   const float visible = facet_pdf(bsdf.facets, wo, *m);
-  // G2 D cos_o / (wo.z) over the density of the facet: what sample() has for a weight, too.
+  // G2 D cos_o / wo.z over the pdf of the microfacet, in the same form as the weight of sample().
   const float seen =
       facet_g2(bsdf.facets, wo, wi) / snippets::smith_g1(facet_lambda(bsdf.facets, wo)) * visible;
-  if (wi.z > 0) return {broadcast<Value>(reflected) * (seen / (4 * cos_o)), probability * visible / (4 * cos_o)};
+  if (wi.z > 0)
+    return {broadcast<Value>(reflected) * (seen / (4 * cos_o)), probability * visible / (4 * cos_o)};
   const float jacobian = refraction_jacobian(cos_o, dot(wi, *m), eta);
   return {broadcast<Value>(one_minus(reflected)) * (seen * jacobian / (eta * eta)),
           (1 - probability) * visible * jacobian};
@@ -104,6 +116,41 @@ std::optional<BsdfSample<Value>> sample(const RoughDielectricBsdf<Value, N>& bsd
                (facet_g2(bsdf.facets, wo, *wi) * out.radiance_scale / (g1 * (1 - probability)));
   out.pdf = (1 - probability) * visible * refraction_jacobian(cos_o, dot(*wi, m), eta);
   return out;
+}
+
+template <typename Value, std::size_t N>
+std::optional<Polarisation> polarisation_by(const RoughDielectricBsdf<Value, N>& bsdf,
+                                            const auto& scattering) {
+  return facet_polarisation_between(bsdf.boundary, scattering);
+}
+
+struct DielectricMaterial {
+  static constexpr bool kIsAppearance = true;
+  template <typename Value, std::size_t N>
+  using Bsdfs = BsdfList<DielectricBsdf<Value, N>, RoughDielectricBsdf<Value, N>>;
+  scene::Dielectric glass;
+  bool is_dispersive = false;
+};
+
+inline DielectricMaterial make_material(const scene::Dielectric& m, const SceneColours&) {
+  return {m, scene::is_dispersive(m)};
+}
+
+inline float lobe_alpha(const DielectricMaterial& material) { return lobe_alpha(material.glass.roughness); }
+
+template <typename Context>
+void make_bsdf(typename Context::Bsdf& out, const DielectricMaterial& material, const Context& at) {
+  using Value = typename Context::Value;
+  constexpr auto kN = Context::kWavelengths;
+  if (material.is_dispersive) at.terminate_secondary();
+  const scene::Dielectric& glass = material.glass;
+  const auto& here = at.is_outside ? glass.outside : glass.index;
+  const auto& beyond = at.is_outside ? glass.index : glass.outside;
+  const auto boundary = boundary_between<kN>(at.wavelengths_nm(), here, beyond, glass.film);
+  if (glass.roughness)
+    out = RoughDielectricBsdf<Value, kN>{boundary, microfacets(*glass.roughness)};
+  else
+    out = DielectricBsdf<Value, kN>{boundary};
 }
 
 }  // namespace orbs::tracer

@@ -7,9 +7,9 @@
 
 namespace orbs::tracer {
 
-/// Unpolarised reflectance of a smooth dielectric (ORB.S eq. 7 with sin_t = sin_i / eta; the printed form has
-/// the division under the root). cos_i in (0, 1]; eta = index of the transmitted over the incident side. 1
-/// beyond the critical angle.
+/// Unpolarised Fresnel reflectance of a smooth dielectric (ORB.S eq. 7 with sin_t = sin_i / eta; the printed
+/// form has the division under the root). cos_i in (0, 1]; eta = index of the transmitted over the incident
+/// side. 1 at total internal reflection.
 inline float fresnel_dielectric(float cos_i, float eta) {
   const float sin2_t = (1 - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1) return 1;
@@ -19,8 +19,8 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   return 0.5F * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// Direction of `wo` after refraction at a surface with normal m on the side of wo (dot(wo, m) > 0); nothing
-/// at total reflection. Snell's law in vector form, ORB.S eq. 9.
+/// Direction of `wo` refracted at a surface with normal m on the side of wo (dot(wo, m) > 0), by Snell's law
+/// in vector form (ORB.S eq. 9); nothing at total internal reflection.
 inline std::optional<Vec3f> refracted(Vec3f wo, Vec3f m, float eta) {
   const float cos_o = dot(wo, m);
   const float sin2_t = (1 - cos_o * cos_o) / (eta * eta);

@@ -1,15 +1,21 @@
 #pragma once
 
-#include "tracer/bsdf/boundary_bsdf.h"
+#include "snippets/fresnel_mueller.h"
+#include "tracer/bsdf/boundary.h"
+#include "tracer/bsdf/broadcast.h"
+#include "tracer/bsdf/refraction.h"
 #include "tracer/bsdf/scattering.h"
 
 #include <optional>
+#include <type_traits>
+#include <variant>
 
-/// How the surfaces polarise the light that they scatter.
+/// How BSDFs polarise the light that they scatter. A BSDF says kDepolarises, or its file has
+/// polarisation_by(bsdf, scattering); conventions as in data/snippets/fresnel_mueller.h.
 namespace orbs::tracer {
 
-/// A Mueller matrix over its first entry, which the factor of the scattering has already: entries of
-/// snippets::AlignedMueller at four wavelengths, `mean` being 1.
+/// A Mueller matrix divided by its first element, which the scattering factor contains already: entries of
+/// snippets::AlignedMueller with `mean` = 1, at four wavelengths.
 struct ElementShape {
   Float4 half{};
   Float4 real{};
@@ -18,19 +24,19 @@ struct ElementShape {
 
 struct Polarisation {
   ElementShape element;
-  Vec3f x_leaving;   // the element's x across the light that leaves towards the viewer, in the world
-  Vec3f x_arriving;  // and across the light that arrives
+  Vec3f x_leaving;   // x axis of the element across the light that leaves towards the viewer, in the world
+  Vec3f x_arriving;  // the same across the arriving light
 };
 
 inline void set_shape(ElementShape& out, std::size_t i, const snippets::AlignedMueller<float>& element) {
-  if (element.mean == 0) return;  // no light, hence none that is polarised
+  if (element.mean == 0) return;  // no light leaves, hence none that is polarised
   out.half[i] = element.half / element.mean;
   out.real[i] = element.real / element.mean;
   out.imaginary[i] = element.imaginary / element.mean;
 }
 
-/// Across the plane of incidence at a facet m: what s-polarised light has for x. At normal incidence any
-/// direction across will do, the two amplitudes being equal but for the sign that stands for the mirror.
+/// Unit vector across the plane of incidence at a microfacet m: the x axis of s-polarised light. At normal
+/// incidence every direction across the ray will do, as |r_s| = |r_p| there.
 inline Vec3f across_incidence(Vec3f wo, Vec3f m) {
   const Vec3f across = cross(wo, m);
   const float squared = dot(across, across);
@@ -45,80 +51,42 @@ ElementShape shape_of(const Boundary<N>& at, float cos_o, bool is_transmitted) {
   return out;
 }
 
-/// Nothing for surfaces that forget polarisation: those that scatter light more than once within.
-template <typename B>
-std::optional<Polarisation> polarisation_by(const B&, const auto&) {
-  return std::nullopt;
+/// Polarisation by reflection or transmission at a microfacet m.
+template <std::size_t N>
+Polarisation facet_polarisation(const Boundary<N>& at, Vec3f m, const auto& scattering) {
+  const Vec3f x = scattering.frame.to_world(across_incidence(scattering.wo, m));
+  return {shape_of(at, dot(scattering.wo, m), scattering.wi.z < 0), x, x};
 }
 
-/// Of light that a facet m has reflected or transmitted.
+/// The same at the microfacet that takes wo to wi; nothing if there is none.
 template <std::size_t N>
-Polarisation facet_polarisation(const Boundary<N>& at, Vec3f m, const auto& where) {
-  const Vec3f x = where.frame.to_world(across_incidence(where.wo, m));
-  return {shape_of(at, dot(where.wo, m), where.wi.z < 0), x, x};
-}
-
-template <std::size_t N>
-std::optional<Polarisation> facet_polarisation_between(const Boundary<N>& at, const auto& where) {
-  const auto m = facet_between(where.wo, where.wi, at.index[0].real());
+std::optional<Polarisation> facet_polarisation_between(const Boundary<N>& at, const auto& scattering) {
+  const auto m = facet_between(scattering.wo, scattering.wi, at.index[0].real());
   if (!m) return std::nullopt;
-  return facet_polarisation(at, *m, where);
+  return facet_polarisation(at, *m, scattering);
 }
 
+/// Normal of a smooth surface in the local frame.
 constexpr Vec3f kUp{0, 0, 1};
 
-template <typename V, std::size_t N>
-std::optional<Polarisation> polarisation_by(const ConductorBsdf<V, N>& b, const auto& where) {
-  return facet_polarisation(b.boundary, kUp, where);
-}
-template <typename V, std::size_t N>
-std::optional<Polarisation> polarisation_by(const RoughConductorBsdf<V, N>& b, const auto& where) {
-  return facet_polarisation(b.boundary, normalised(where.wo + where.wi), where);
-}
-template <typename V, std::size_t N>
-std::optional<Polarisation> polarisation_by(const DielectricBsdf<V, N>& b, const auto& where) {
-  return facet_polarisation(b.boundary, kUp, where);
-}
-template <typename V, std::size_t N>
-std::optional<Polarisation> polarisation_by(const RoughDielectricBsdf<V, N>& b, const auto& where) {
-  return facet_polarisation_between(b.boundary, where);
-}
-template <typename V, std::size_t N>
-std::optional<Polarisation> polarisation_by(const ThinElementBsdf<V, N>& b, const auto& where) {
-  Polarisation out;
-  for (std::size_t i = 0; i < N; ++i) set_shape(out.element, i, b.element);
-  const Vec3f within = b.axis - where.frame.z * dot(where.frame.z, b.axis);
-  out.x_leaving = normalised(within - where.to_viewer * dot(where.to_viewer, within));
-  out.x_arriving = out.x_leaving;  // the light goes straight on
-  return out;
-}
-
+/// The boundary of ORB.S's glass, whose index is the same at all wavelengths.
 inline Boundary<4> boundary_of(float eta) {
   Boundary<4> at;
   at.index.fill(eta);
   return at;
 }
-template <typename V>
-std::optional<Polarisation> polarisation_by(const GlassBsdf<V>& b, const auto& where) {
-  return facet_polarisation(boundary_of(b.eta), kUp, where);
-}
-template <typename V>
-std::optional<Polarisation> polarisation_by(const RoughGlassBsdf<V>& b, const auto& where) {
-  return facet_polarisation_between(boundary_of(b.eta), where);
-}
-/// ORB.S's perfect mirror has no index; it turns the field over as a perfect conductor does.
-template <typename V>
-std::optional<Polarisation> polarisation_by(const MirrorBsdf<V>&, const auto& where) {
-  constexpr snippets::AlignedMueller<float> kTurnedOver{1, 0, -1, 0};
-  const Vec3f x = where.frame.to_world(across_incidence(where.wo, kUp));
-  Polarisation out{{}, x, x};
-  for (std::size_t i = 0; i < 4; ++i) set_shape(out.element, i, kTurnedOver);
-  return out;
-}
 
+/// Nothing if the BSDF depolarises.
 template <typename Bsdf>
-std::optional<Polarisation> polarisation_of(const Scattering<Bsdf>& where) {
-  return std::visit([&](const auto& b) { return polarisation_by(b, where); }, where.bsdf);
+std::optional<Polarisation> polarisation_of(const Scattering<Bsdf>& scattering) {
+  return std::visit(
+      [&](const auto& bsdf) -> std::optional<Polarisation> {
+        if constexpr (std::decay_t<decltype(bsdf)>::kDepolarises)
+          return std::nullopt;
+        else
+          return polarisation_by(bsdf, scattering);
+      },
+      scattering.bsdf);
 }
 
 }  // namespace orbs::tracer

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "snippets/ggx.h"
-#include "tracer/bsdf/fresnel.h"
-#include "tracer/sampling/warps.h"
 #include "tracer/bsdf/bsdf_sample.h"
+#include "tracer/bsdf/fresnel.h"
 #include "tracer/bsdf/ggx.h"
+#include "tracer/bsdf/polarisation.h"
 #include "tracer/bsdf/refraction.h"
+#include "tracer/colour/scene_colours.h"
+#include "tracer/sampling/warps.h"
 
 #include <array>
 #include <optional>
@@ -13,12 +15,13 @@
 namespace orbs::tracer {
 
 /// Rough dielectric of Walter et al. 2007 (eq. 20 and 21) with GGX. Reflection uses height-correlated
-/// masking; in transmission the two directions see the facets from opposite sides, where the separable
-/// product G1 G1 (Walter eq. 23) is the usual model. `eta` = index beyond the surface over the index on the
-/// viewer's side.
+/// masking; in transmission the two directions are on opposite sides of the microsurface, for which the
+/// separable product G1 G1 (Walter eq. 23) is the usual model. `eta` is the index beyond the surface over the
+/// index on the viewer's side.
 template <typename Value>
 struct RoughGlassBsdf {
   static constexpr bool kIsDelta = false;
+  static constexpr bool kDepolarises = false;
   static constexpr Event kEvent = Event::Glossy;
   Value colour{};
   float eta = 1;
@@ -66,6 +69,32 @@ std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
   out.weight = bsdf.colour * (snippets::ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
   out.pdf = (1 - fresnel) * visible * refraction_jacobian(cos_o, dot(*wi, m), bsdf.eta);
   return out;
+}
+
+template <typename Value>
+std::optional<Polarisation> polarisation_by(const RoughGlassBsdf<Value>& bsdf, const auto& scattering) {
+  return facet_polarisation_between(boundary_of(bsdf.eta), scattering);
+}
+
+struct RoughGlassMaterial {
+  static constexpr bool kIsAppearance = false;
+  template <typename Value, std::size_t N>
+  using Bsdfs = BsdfList<RoughGlassBsdf<Value>>;
+  Colour colour;
+  float ior = 1;  // inside over outside
+  float alpha = 0;
+};
+
+inline RoughGlassMaterial make_material(const scene::RoughGlass& m, const SceneColours& colours) {
+  return {make_colour(colours, m.colour), static_cast<float>(m.ior), static_cast<float>(m.alpha)};
+}
+
+inline float lobe_alpha(const RoughGlassMaterial& material) { return material.alpha; }
+
+template <typename Context>
+void make_bsdf(typename Context::Bsdf& out, const RoughGlassMaterial& material, const Context& at) {
+  out = RoughGlassBsdf<typename Context::Value>{
+      at.reflectance(material.colour), at.is_outside ? material.ior : 1 / material.ior, material.alpha};
 }
 
 }  // namespace orbs::tracer

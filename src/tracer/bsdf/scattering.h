@@ -4,15 +4,15 @@
 
 namespace orbs::tracer {
 
-/// Where and how a path scatters, for what looks at more than the factor. Directions point away from the
-/// surface.
+/// One scattering event of a path, for transports that need more than its factor. All directions point away
+/// from the surface.
 template <typename Bsdf>
 struct Scattering {
   const Bsdf& bsdf;
-  Frame frame;  // the local one of the BSDF, in the world
+  Frame frame;  // from the local frame of the BSDF to the world
   Vec3f to_viewer;
-  Vec3f wo;  // to_viewer, local
-  Vec3f wi;  // towards the light, local
+  Vec3f wo;  // to_viewer in the local frame
+  Vec3f wi;  // towards the light, in the local frame
 };
 
 }  // namespace orbs::tracer

@@ -1,19 +1,27 @@
 #pragma once
 
 #include "base/vec.h"
+#include "tracer/colour/texture.h"
 
 namespace orbs::tracer {
 
-/// A share of the light as the scene gives it: linear Rec.709 and, where the scene says so wavelength by
-/// wavelength, the spectrum behind it (of World::spectra; -1: none). RGB paths look at `rgb` alone, spectral
-/// ones at the spectrum where there is one.
+/// A reflectance or tint of the scene in linear Rec.709 and, where the scene gives it wavelength by
+/// wavelength, as a spectrum (index into World::spectra; -1: none). RGB paths read `rgb` alone, spectral
+/// paths read the spectrum where there is one.
 struct Colour {
   Vec3f rgb;
   int spectrum = -1;
 };
 
-/// Light likewise. `share` of the spectrum is meant (what an IES profile leaves in this direction); `rgb` has
-/// it already.
+/// A colour that a texture multiplies (index into World::textures; -1: none).
+struct TexturedColour {
+  Colour colour;
+  int texture = -1;
+  UvMap uv{};
+};
+
+/// Emitted radiance in the same two forms. Only `share` of the spectrum is emitted (the value of the IES
+/// profile in this direction); `rgb` contains that factor already.
 struct Radiance {
   Vec3f rgb;
   int spectrum = -1;

@@ -36,11 +36,11 @@ struct Neighbours {
 };
 
 Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
-  // Whole turns are taken off before scaling: u = 1000.25 keeps the digits of its fraction.
+  // Whole periods are subtracted before scaling, so that u = 1000.25 keeps the digits of its fraction.
   const float local = wrap == scene::Wrap::Repeat ? coordinate - std::floor(coordinate) : coordinate;
   const float at = local * static_cast<float>(size) - 0.5F;
-  const float bounded =
-      std::min(std::max(at, -1.0F), static_cast<float>(size));  // beyond it clamping decides anyway
+  // Beyond these bounds the result is clamped anyway.
+  const float bounded = std::min(std::max(at, -1.0F), static_cast<float>(size));
   const float floor = std::floor(bounded);
   const int low = static_cast<int>(floor);
   if (wrap == scene::Wrap::Clamp)
@@ -51,8 +51,8 @@ Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
 }  // namespace
 
 Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
-  // A matrix can move coordinates beyond what floats hold. There is no texel there, and the sample counts as
-  // bad.
+  // A texture matrix can move coordinates out of the range of floats. There is no texel then, and the sample
+  // is counted as bad.
   if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     return {kNone, kNone, kNone};

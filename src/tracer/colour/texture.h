@@ -8,7 +8,7 @@
 
 namespace orbs::tracer {
 
-/// An image ready for lookups: linear RGB texels, row 0 at the bottom (v = 0).
+/// A texture in memory: linear RGB texels, row 0 at the bottom (v = 0).
 struct TexelGrid {
   int width = 0;
   int height = 0;
@@ -18,11 +18,11 @@ struct TexelGrid {
   Vec3f average;
 };
 
-/// Loads the file; sRGB values of LDR files become linear per texel, float files stay as they are; one
-/// channel is grey.
+/// Loads a texture file; throws InputError. sRGB values of LDR files are decoded to linear per texel, float
+/// files are linear; a single channel is grey.
 TexelGrid load_texels(const scene::Texture& texture);
 
-/// Bilinear between texel centres at +0.5.
+/// Bilinear interpolation between texel centres at +0.5.
 Vec3f lookup(const TexelGrid& grid, Vec2f uv);
 
 /// Affine map of texture coordinates: u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5].

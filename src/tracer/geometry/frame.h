@@ -17,8 +17,8 @@ struct FrameOf {
 
 using Frame = FrameOf<Vec3f>;
 
-/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3: no branch, and no pole where
-/// digits get lost.
+/// Frame around a unit normal, without branches and without a singularity (Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited", listing 3).
 template <typename V>
 FrameOf<V> frame_around(V n) {
   using Real = decltype(n.x);

@@ -7,9 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Eight paths at a time in vector registers: the geometry of scattering is the same for all of them.
-/// Functions that are templates over the vector type V take Vec3f or Vec8; a lane gets, to the bit, what a
-/// single path gets.
+/// Eight vectors at a time in SIMD registers. Function templates over the vector type V take Vec3f or Vec8,
+/// with bit-identical results per lane.
 namespace orbs::tracer {
 
 constexpr std::size_t kLanes = 8;

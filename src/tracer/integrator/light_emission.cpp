@@ -1,5 +1,6 @@
 #include "tracer/integrator/light_emission.h"
 
+#include "tracer/light/emitter_sampling.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"
 
@@ -10,7 +11,7 @@ namespace {
 struct EmittingPoint {
   Vec3f position;
   Vec3f normal;        // unit, on the bright side
-  float pdf_area = 0;  // per m^2, without the choice of the emitter
+  float pdf_area = 0;  // per m^2, without the selection of the emitter
   float position_error = 0;
   Vec2f texture_uv;
 };
@@ -43,7 +44,7 @@ EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
           {}};
 }
 
-// Both sides emit: each is taken with chance 1/2, which the density carries.
+// Both sides emit. Each is sampled with probability 1/2, which is part of the pdf.
 EmittingPoint point_on(const TriangleEmitter& t, float u, float v, float side) {
   const Vec2f b = triangle_point({u, v});
   return {t.corner + t.edge1 * b.x + t.edge2 * b.y, side < 0.5F ? t.normal : -t.normal, 0.5F / t.area,
@@ -64,7 +65,7 @@ EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::a
       sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
   out.position = from.position;
   out.texture_uv = from.texture_uv;
-  // Beyond the rounding of the point and of the light's own surface as the accelerator has it.
+  // The origin is offset by the rounding error of the point and of the emitter's surface in the accelerator.
   out.ray = {from.position + from.normal * (2 * from.position_error), to.direction};
   const float cosine = dot(from.normal, to.direction);
   if (cosine > 0) out.weight = cosine / (world.emitters.probability(out.emitter) * from.pdf_area * to.pdf);
@@ -75,8 +76,7 @@ Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f ta
   if (emitted.emitter < world.emitters.light_count())
     return radiance_towards(world.lights[emitted.emitter], emitted.position, target);
   const TriangleEmitter& triangle = world.emitters.triangle(emitted.emitter);
-  return emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)],
-                          emitted.texture_uv);
+  return emitted_radiance(world, emission_of(world, triangle), emitted.texture_uv);
 }
 
 }  // namespace orbs::tracer

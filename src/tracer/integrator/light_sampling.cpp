@@ -1,12 +1,14 @@
 #include "tracer/integrator/light_sampling.h"
 
+#include "tracer/light/emitter_sampling.h"
+
 namespace orbs::tracer {
 
 namespace {
 
-// The shadow ray ends short of the light's own surface by the bound of both points' rounding, and of what
-// grows with the length of the ray: 1 half unit in the last place for its direction, 1 for the corners as
-// seen from its origin, 3 each for the two dot products of the accelerator's own test, all twice.
+// The shadow ray ends before the surface of the emitter by a bound of the rounding errors: of both points,
+// and of what grows with the length of the ray, which is 1 half ulp for its direction, 1 for the corners
+// relative to its origin, 3 for each of the two dot products of the intersection test, all twice.
 Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
   constexpr float kRayRounding = 16 * 0x1p-24F;
   const float along_ray = kRayRounding * length(point.position - from);
@@ -15,7 +17,7 @@ Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
 
 }  // namespace
 
-std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v) {
+std::optional<LightSample> sample_light(const World& world, Vec3f from, float pick, float u, float v) {
   const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
   const float probability = world.emitters.probability(chosen);
   std::optional<EmitterPoint> point;
@@ -28,11 +30,11 @@ std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pi
     const TriangleEmitter& triangle = world.emitters.triangle(chosen);
     Vec2f uv;
     point = sample_towards(triangle, from, {u, v}, uv);
-    if (point)
-      radiance = emitted_radiance(world, world.materials[static_cast<std::size_t>(triangle.material)], uv);
+    if (point) radiance = emitted_radiance(world, emission_of(world, triangle), uv);
   }
   if (!point || is_dark(radiance) || !(point->pdf > 0)) return std::nullopt;
-  return DirectLight{radiance, point->position, end_of_shadow_ray(*point, from), point->pdf * probability, chosen};
+  return LightSample{radiance, point->position, end_of_shadow_ray(*point, from), point->pdf * probability,
+                     chosen};
 }
 
 EmissionHit emission_at_light(
@@ -46,15 +48,16 @@ EmissionHit emission_at_light(
 }
 
 EmissionHit emission_at_surface(const World& world,
-                                 const SurfaceHit& surface,
-                                 const Ray& ray,
-                                 Vec3f sampled_from) {
-  const auto& [point, material, hit] = surface;
-  const Vec3f d = point.position - sampled_from;
-  const float cosine = std::abs(dot(point.geometric_normal, ray.direction));
-  // Only triangles are asked for light.
-  const bool is_emitter = material.emitter_pdf_per_area > 0 && world.objects[hit.object].kind != ObjectKind::Sphere;
-  return {emitted_radiance(world, material, apply(material.uv, texture_coordinates(world, surface))),
+                                const SurfaceHit& surface,
+                                const EmissionMaterial& material,
+                                const Ray& ray,
+                                Vec3f sampled_from) {
+  const Vec3f d = surface.point.position - sampled_from;
+  const float cosine = std::abs(dot(surface.point.geometric_normal, ray.direction));
+  // Only triangles are in the table of emitters.
+  const bool is_emitter =
+      material.emitter_pdf_per_area > 0 && world.objects[surface.hit.object].kind != ObjectKind::Sphere;
+  return {emitted_radiance(world, material, apply(material.radiance.uv, texture_coordinates(world, surface))),
           is_emitter && cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0, is_emitter};
 }
 

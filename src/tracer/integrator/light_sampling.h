@@ -4,30 +4,36 @@
 
 #include <optional>
 
-/// Light that a path meets, and light that it asks for.
+/// Light that a path hits, and light sampling for next-event estimation.
 namespace orbs::tracer {
 
-/// Radiance that the surface met by the path's ray sends back along it, and the chance per solid angle that
-/// light sampling at `sampled_from` would have picked that direction: at the ray's origin, or at its image
-/// behind a flat mirror.
+/// Radiance that the surface hit by a ray emits back along it, and what MIS needs: the pdf per solid angle
+/// with which light sampling at `sampled_from` picks that direction. `sampled_from` is the origin of the ray,
+/// or its mirror image.
 struct EmissionHit {
   Radiance radiance;
   float light_pdf = 0;
-  bool is_emitter = false;  // light sampling and light paths know it; emissive spheres are found by chance
+  bool is_emitter = false;  // false for emissive spheres, which light sampling and light paths do not sample
 };
 
-EmissionHit emission_at_light(const World& world, const RenderObject& object, const Ray& ray, const Hit& hit, Vec3f sampled_from);
-EmissionHit emission_at_surface(const World& world, const SurfaceHit& surface, const Ray& ray, Vec3f sampled_from);
+EmissionHit emission_at_light(
+    const World& world, const RenderObject& object, const Ray& ray, const Hit& hit, Vec3f sampled_from);
+EmissionHit emission_at_surface(const World& world,
+                                const SurfaceHit& surface,
+                                const EmissionMaterial& material,
+                                const Ray& ray,
+                                Vec3f sampled_from);
 
-/// A light sample as the shading point sees it.
-struct DirectLight {
-  Radiance radiance;
-  Vec3f position;  // on the light
-  Vec3f target;    // end of the shadow ray, off the light's surface
-  float pdf = 0;   // per solid angle, choice of the light included
+/// A point sampled on an emitter.
+struct LightSample {
+  Radiance radiance;  // towards the shading point
+  Vec3f position;
+  Vec3f target;   // end of the shadow ray, off the surface of the emitter
+  float pdf = 0;  // per solid angle, selection of the emitter included
   std::size_t emitter = 0;
 };
 
-std::optional<DirectLight> sample_light(const World& world, Vec3f from, float pick, float u, float v);
+/// Nothing if the sampled emitter does not shine on `from`. pick, u and v in [0, 1).
+std::optional<LightSample> sample_light(const World& world, Vec3f from, float pick, float u, float v);
 
 }  // namespace orbs::tracer

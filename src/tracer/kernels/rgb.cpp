@@ -4,13 +4,6 @@
 
 namespace orbs::tracer {
 
-void rgb_pass(const World& world,
-              const RenderSettings& settings,
-              const NumberedPass& pass,
-              Film& film,
-              Rendering& out,
-              const std::function<void()>& tile_done) {
-  render_pass<RgbTransport>(world, settings, pass, film, out, tile_done);
-}
+template PassRenderer render_pass<RgbTransport>;
 
 }  // namespace orbs::tracer

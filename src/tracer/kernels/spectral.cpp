@@ -4,13 +4,6 @@
 
 namespace orbs::tracer {
 
-void spectral_pass(const World& world,
-                   const RenderSettings& settings,
-                   const NumberedPass& pass,
-                   Film& film,
-                   Rendering& out,
-                   const std::function<void()>& tile_done) {
-  render_pass<SpectralTransport>(world, settings, pass, film, out, tile_done);
-}
+template PassRenderer render_pass<SpectralTransport>;
 
 }  // namespace orbs::tracer

@@ -26,16 +26,14 @@ std::optional<SphericalRectangle> make_spherical_rectangle(const RectEmitter& re
   r.y0 = dot(d, r.y);
   r.x1 = r.x0 + width;
   r.y1 = r.y0 + height;
-  // Normals of the four side planes have one component each besides z: nz = -coordinate / hypot(z0,
-  // coordinate).
+  // z components of the normals of the four side planes: -coordinate / hypot(z0, coordinate).
   const auto plane = [&](float coordinate) { return coordinate / std::hypot(r.z0, coordinate); };
   const float n0 = -plane(r.y0);
   const float n1 = plane(r.x1);
   const float n2 = plane(r.y1);
   const float n3 = -plane(r.x0);
-  const auto angle = [](float a, float b) {
-    return std::acos(std::clamp(-a * b, -1.0F, 1.0F));
-  };  // clamp: rounding only
+  // The clamp is for rounding only.
+  const auto angle = [](float a, float b) { return std::acos(std::clamp(-a * b, -1.0F, 1.0F)); };
   const float g0 = angle(n0, n1);
   const float g1 = angle(n1, n2);
   const float g2 = angle(n2, n3);
@@ -51,8 +49,7 @@ std::optional<SphericalRectangle> make_spherical_rectangle(const RectEmitter& re
 Vec3f sample_point(const SphericalRectangle& r, float u, float v) {
   const float au = u * r.solid_angle + r.k;
   const float fu = (std::cos(au) * r.b0 - r.b1) / std::sin(au);
-  // Clamps below: rounding only, the exact values lie within the rectangle's edges (Urena et al.,
-  // section 4.1).
+  // The clamps below are for rounding only: the exact values lie within the edges (Urena et al. 2013, 4.1).
   const float cu = std::clamp(std::copysign(1 / std::sqrt(fu * fu + r.b0 * r.b0), fu), -1.0F, 1.0F);
   const float xu = std::clamp(-(cu * r.z0) / std::sqrt(std::max(1e-12F, 1 - cu * cu)), r.x0, r.x1);
   const float d2 = xu * xu + r.z0 * r.z0;

@@ -7,8 +7,8 @@
 
 namespace orbs::tracer {
 
-/// A rectangle as one point sees it, for sampling uniformly by solid angle: Urena, Fajardo, King 2013, "An
-/// Area-Preserving Parametrization for Spherical Rectangles".
+/// A rectangle projected on the unit sphere around `from`, for uniform sampling by solid angle (Urena,
+/// Fajardo, King 2013, "An Area-Preserving Parametrization for Spherical Rectangles").
 struct SphericalRectangle {
   Vec3f from;
   Vec3f x;  // unit axes: along width, along length, and away from `from`
@@ -25,8 +25,8 @@ struct SphericalRectangle {
   float solid_angle = 0;
 };
 
-/// Nothing when the solid angle is below 1e-2 sr, where the sum of four angles minus 2 pi keeps fewer than
-/// four digits in float.
+/// Nothing if the solid angle is below 1e-2 sr, where the sum of four angles minus 2 pi has fewer than four
+/// significant digits in float.
 std::optional<SphericalRectangle> make_spherical_rectangle(const RectEmitter& rect, Vec3f from);
 
 /// World position for (u, v) in [0, 1)^2.

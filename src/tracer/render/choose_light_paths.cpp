@@ -14,25 +14,26 @@ namespace {
 
 constexpr int kSide = 64;     // pixels of the trial image's longer side
 constexpr int kSamples = 16;  // per pixel
-// Light paths take a fifth to a half of a render's time (measured on mirrors and glass of the ORB.S scenes),
-// so the noise has to fall by more.
+// Light paths take a fifth to a half of the rendering time (measured on the mirror and glass scenes of
+// ORB.S), so they must reduce noise by more.
 constexpr double kWorthwhile = 0.78;
-// A caustic that camera paths find once in a thousand samples is as good as absent from the pixels of a
-// trial; the means over blocks of them stand for pixels with 1024 samples, where it is the noise. Scenes
-// without one have about the same noise with and without light paths there.
+// A caustic that camera paths find once in a thousand samples is practically absent from the pixels of a
+// trial. Means over blocks of them represent pixels with 1024 samples, where it dominates the noise. Scenes
+// without caustics have about the same block noise with and without light paths.
 constexpr int kBlockSide = 8;
 constexpr double kBlocksWorthwhile = 0.5;
 
-// Where the camera sees a corner of what the lamps light, hardly any light path arrives: the trial then shows
-// no noise because it shows no light. So many contributions per pixel of it, at least, make it believable.
-constexpr double kFewestArrivals = 0.25;
-// Unless the camera paths find even less.
+// If the camera sees only a corner of what the emitters illuminate, hardly any light path contributes, and
+// the trial shows no noise because it shows no light. It is believed from this many contributions per pixel
+// on.
+constexpr double kFewestContributions = 0.25;
+// An exception is made if the camera paths miss more than this part of the light.
 constexpr double kMostOfLightMissed = 0.5;
 
 float on_display(float radiance) { return image::srgb_encode(std::clamp(radiance, 0.0F, 1.0F)); }
 
 struct Trial {
-  std::array<image::Image, 2> images;  // with different random numbers
+  std::array<image::Image, 2> images;  // with different seeds
   bool is_believable = false;
 };
 
@@ -43,7 +44,7 @@ double sum_over(const image::Image& image, int x0, int y0, int side, std::size_t
   return sum;
 }
 
-// The means over squares of pixels, as a display shows them.
+// Means over squares of side x side pixels, display-encoded.
 std::vector<double> shown(const image::Image& image, int side) {
   std::vector<double> values;
   const double area = side * side;
@@ -64,15 +65,15 @@ double product_of_differences(const std::vector<double>& a,
   return sum;
 }
 
-// Variance of one image: mean square times number of values.
+// Variance of one image, summed over its values.
 double noise_of(const Trial& trial, int side) {
   const auto first = shown(trial.images[0], side);
   const auto second = shown(trial.images[1], side);
   return product_of_differences(first, second, first, second) / 2;
 }
 
-// Likewise of what differs between the means of both: the noise of different random numbers averages out of
-// the product.
+// Squared difference of the means of both, summed likewise. Its factors have independent noise, which
+// averages out of the product.
 double squared_bias(const Trial& a, const Trial& b, int side) {
   return product_of_differences(shown(a.images[0], side), shown(b.images[0], side), shown(a.images[1], side),
                                 shown(b.images[1], side));
@@ -95,13 +96,13 @@ Trial trial_of(const World& world, int threads) {
   };
   auto a = rendered(1);
   auto b = rendered(2);
-  const bool is_believable = static_cast<double>(a.arrived_light_paths) >=
-                             kFewestArrivals * static_cast<double>(a.image.pixel_count());
+  const bool is_believable = static_cast<double>(a.light_path_contributions) >=
+                             kFewestContributions * static_cast<double>(a.image.pixel_count());
   return {{std::move(a.image), std::move(b.image)}, is_believable};
 }
 
-// Of a caustic that camera paths hardly ever find, nearly all pixels show nothing and so no noise; that it is
-// missing is an error like noise.
+// If camera paths hardly ever find a caustic, most pixels show neither light nor noise. The missing light is
+// then an error like noise.
 bool is_better(const Trial& with, const Trial& without) {
   if (light_of(without) < (1 - kMostOfLightMissed) * light_of(with)) return true;
   if (!with.is_believable) return false;

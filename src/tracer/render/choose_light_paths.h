@@ -4,9 +4,10 @@
 
 namespace orbs::tracer {
 
-/// Tries light paths on a small image and empties world.caustic_casters where they are not worth their
-/// time: a broad light by way of a large flat mirror is better found from the camera. Always decides alike
-/// for the same world. `threads` as in RenderSettings. Returns the decision.
+/// Renders small trial images with and without light paths, and empties world.caustic_casters if light paths
+/// do not reduce noise by more than their time costs: camera paths find a large light in a large flat mirror
+/// better. The decision is deterministic. `threads` as in RenderSettings. Returns true if light paths are
+/// kept.
 bool choose_light_paths(World& world, int threads = 0);
 
 }  // namespace orbs::tracer

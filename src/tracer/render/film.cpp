@@ -68,7 +68,8 @@ void store(image::Image& image, std::size_t pixel, std::size_t channel, Vec3d va
 
 image::Image resolve(const Film& film) {
   std::vector<std::string> channels;
-  // Sums to divide by the number of samples, in the order of the channels behind R, G, B and their variance.
+  // Sums to be divided by the number of samples, in the order of the channels after R, G, B and their
+  // variance.
   std::vector<const std::vector<Vec3d>*> layers;
   const auto add_layer = [&](const std::string& prefix) {
     for (const char* colour : {"R", "G", "B"}) channels.push_back(prefix + colour);

@@ -8,9 +8,9 @@
 
 namespace orbs::tracer {
 
-/// Sums of one pixel, in double and in the order of the samples. Samples come in replicates, independently
-/// scrambled blocks, because the points within one block are correlated on purpose: their own scatter would
-/// overstate the noise of the mean by up to a factor of ten.
+/// Sums of one pixel, in double precision and in the order of the samples. The variance is estimated from
+/// replicates, which are independently scrambled blocks of samples: the points within one block are
+/// stratified, and their own scatter would overestimate the noise of the mean by up to a factor of ten.
 struct PixelSums {
   Vec3d finished;          // sum of the samples of finished replicates
   Vec3d weighted_squares;  // sum over finished replicates of (sum of its samples)^2 / its count
@@ -20,17 +20,17 @@ struct PixelSums {
   double current_count = 0;
 };
 
-/// Adds a sample that is known to be finite.
+/// Adds a finite sample.
 void add_sample(PixelSums& pixel, Vec3d radiance);
-/// Ends the current replicate; without samples this does nothing.
+/// Ends the current replicate; does nothing if it has no samples.
 void end_replicate(PixelSums& pixel);
 Vec3d mean_of(const PixelSums& pixel);
-/// Variance of the mean, from the scatter of the replicates' means weighted by their counts; zero below two
-/// replicates.
+/// Variance of the mean, estimated from the means of the replicates weighted by their counts; zero with less
+/// than two replicates.
 Vec3d variance_of_mean(const PixelSums& pixel);
 
-/// Samples that were not finite: they are left out of the image, counted, and reported with the uppermost,
-/// leftmost place.
+/// Samples that were not finite. They are excluded from the image, counted, and reported with the first pixel
+/// in scanline order.
 struct BadSamples {
   std::uint64_t count = 0;
   int first_x = -1;
@@ -43,8 +43,8 @@ struct Film {
   int width = 0;
   int height = 0;
   std::vector<PixelSums> pixels;
-  std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty where a class never occurred
-  std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3, or nothing
+  std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty if the class never occurred
+  std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3; empty without Stokes output
 };
 
 Film make_film(int width, int height);

@@ -2,18 +2,18 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "tracer/render/film.h"
 #include "tracer/integrator/trace_light_batch.h"
+#include "tracer/render/film.h"
 
 #include <algorithm>
 #include <cstdint>
 
 namespace orbs::tracer {
 
-/// A pass's worth of light paths: as many as the image has pixels, times `samples_per_pixel`.
+/// Light paths of one pass: proportional in number to the pixels times `samples_per_pixel`.
 struct LightPass {
   std::uint64_t seed = 0;
-  std::uint32_t number = 0;  // tells the passes of a render apart
+  std::uint32_t number = 0;  // of the pass within the rendering
   int samples_per_pixel = 0;
   int threads = 0;
 };
@@ -21,15 +21,16 @@ struct LightPass {
 struct LightPassResult {
   BadSamples bad_samples;
   double traversal_seconds = 0;
-  std::uint64_t arrived = 0;  // contributions to pixels
+  std::uint64_t contributions = 0;  // splats to pixels
 };
 
-constexpr std::uint32_t kLightPathsPerBatch = 1024;     // as for camera paths
-constexpr std::uint64_t kLightSeed = 0x11947;  // keeps light paths off the camera paths' numbers
+constexpr std::uint32_t kLightPathsPerBatch = 1024;  // as for camera paths
+constexpr std::uint64_t kLightSeed = 0x11947;  // separates their random numbers from those of camera paths
 constexpr std::size_t kSamplesPerLightPath = 4;
-constexpr int kChunksAtOnce = 256;  // their splats wait in memory: about a million paths'
+constexpr int kChunksAtOnce = 256;  // whose splats wait in memory: those of about a million paths
 
-/// One block of jointly stratified paths: the unit of work, so that the order of sums is fixed.
+/// The result of one block of jointly stratified paths, which is the unit of work: so the order of summation
+/// is fixed.
 struct LightChunk {
   std::vector<Splat> splats;
   double traversal_seconds = 0;
@@ -43,12 +44,12 @@ LightChunk trace_light_chunk(const World& world, SampleBlock block, std::uint32_
   return {std::move(batch.splats), batch.traversal_seconds};
 }
 
-/// Adds the splats to their pixels. `share`: what turns the mean over the light paths into a sum over the
-/// camera samples.
+/// Adds the splats to their pixels. `share` converts the mean over the light paths into a sum over the camera
+/// samples.
 void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadSamples& bad);
 
-/// Adds what the light paths bring to the current replicates of the film's pixels, in an order that does not
-/// depend on the threads. Does nothing where the world has no caustic_casters.
+/// Adds the contributions of light paths to the current replicates of the film's pixels, in an order that
+/// does not depend on the number of threads. Does nothing if the world has no caustic_casters.
 template <TracesFromLights T>
 LightPassResult add_light_paths(const World& world, const LightPass& pass, Film& film) {
   LightPassResult result;
@@ -72,7 +73,7 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
       const LightChunk& chunk = done[static_cast<std::size_t>(i)];
       add_splats(chunk.splats, share, film, result.bad_samples);
       result.traversal_seconds += chunk.traversal_seconds;
-      result.arrived += chunk.splats.size();
+      result.contributions += chunk.splats.size();
     }
   }
   return result;

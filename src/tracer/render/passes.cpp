@@ -10,8 +10,8 @@ namespace orbs::tracer {
 namespace {
 
 constexpr int kTile = 16;            // pixels a side
-constexpr int kReplicates = 4;       // fewest independent blocks that an image's variance rests on
-constexpr int kSamplesPerPass = 32;  // between two looks at the stop flag
+constexpr int kReplicates = 4;       // least number of independent replicates for the variance of the image
+constexpr int kSamplesPerPass = 32;  // between two checks of the stop flag
 
 int tiles_across(int length) { return (length + kTile - 1) / kTile; }
 

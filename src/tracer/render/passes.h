@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The pieces that a render is cut into.
+/// Passes and tiles, the units of work of a rendering.
 namespace orbs::tracer {
 
 /// Samples [first, first + count) of replicate `replicate` of every pixel.
@@ -17,12 +17,12 @@ struct Pass {
 };
 
 struct NumberedPass {
-  std::uint32_t number = 0;  // tells the passes of a render apart
+  std::uint32_t number = 0;  // of the pass within the rendering
   Pass pass;
 };
 
-/// Replicates are powers of two, the lengths at which the points are stratified, so that at least four of
-/// them fit.
+/// Passes of at most 32 samples. The length of a replicate is a power of two, for which the points are
+/// stratified, chosen so that there are at least four replicates.
 std::vector<Pass> plan_passes(int samples_per_pixel);
 
 struct Tile {

@@ -1,7 +1,7 @@
 #include "tracer/render/render.h"
 
-#include "tracer/kernels/kernels.h"
 #include "tracer/integrator/path_class.h"
+#include "tracer/kernels/kernels.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 
 double cpu_seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Class sums exist for all classes while rendering; those that stayed black are no layers of the image.
+// All classes have sums while rendering; classes that stay black get no layer in the image.
 void drop_unused_classes(Film& film) {
   for (auto& sums : film.class_sums)
     if (std::all_of(sums.begin(), sums.end(), [](Vec3d v) { return v == Vec3d{}; })) sums.clear();

@@ -1,19 +1,21 @@
 #pragma once
 
 #include "base/parallel.h"
-#include "tracer/render/light_pass.h"
-#include "tracer/render/render.h"
 #include "tracer/integrator/trace_batch.h"
+#include "tracer/render/light_pass.h"
+#include "tracer/render/passes.h"
+#include "tracer/render/rendering.h"
 
+#include <functional>
 #include <mutex>
 
-/// A render with one transport. Each has a file of its own in kernels/.
+/// Rendering with one transport; src/tracer/kernels instantiates it.
 namespace orbs::tracer {
 
-constexpr int kPathsPerBatch =
-    1024;  // paths under way per thread: full packets, and their state stays in the L2 cache
+/// Enough for full packets of rays, few enough that the state of a thread's paths stays in the L2 cache.
+constexpr int kPathsPerBatch = 1024;
 
-/// Traces the samples of one tile after the other.
+/// Traces the samples of one tile.
 template <Transport T>
 class TileWorker {
  public:
@@ -79,7 +81,8 @@ class TileWorker {
   BadSamples bad_;
 };
 
-/// One pass over the whole film; `tile_done` is called from one thread at a time.
+/// Renders one pass over the whole film and adds its counts to `out`; `tile_done` is called from one thread
+/// at a time.
 template <Transport T>
 void render_pass(const World& world,
                  const RenderSettings& settings,
@@ -87,13 +90,13 @@ void render_pass(const World& world,
                  Film& film,
                  Rendering& out,
                  const std::function<void()>& tile_done) {
-  // First, because the tiles end the replicate that this pass belongs to.
+  // Light paths come first, because the tiles end the replicate that this pass belongs to.
   if constexpr (TracesFromLights<T>) {
     const auto light = add_light_paths<T>(
         world, {settings.seed, pass.number, static_cast<int>(pass.pass.count), settings.threads}, film);
     merge(out.bad_samples, light.bad_samples);
     out.traversal_seconds += light.traversal_seconds;
-    out.arrived_light_paths += light.arrived;
+    out.light_path_contributions += light.contributions;
   }
   std::mutex mutex;
   for_each_index(tile_count(film), settings.threads, [&](int index) {

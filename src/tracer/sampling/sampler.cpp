@@ -6,7 +6,7 @@ namespace orbs::tracer {
 
 namespace {
 
-// Shifts and masks alone, so that the compiler handles the four dimensions of a point in one vector register.
+// Only shifts and masks, so that the compiler keeps the four dimensions of a point in one vector register.
 template <typename Word>
 constexpr Word reverse_bits(Word x) {
   x = (x << 16) | (x >> 16);
@@ -16,8 +16,8 @@ constexpr Word reverse_bits(Word x) {
   return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
 }
 
-// Owen scrambling of a bit-reversed number: each bit is flipped by a hash of the bits below it, which are the
-// more significant ones before reversal.
+// Owen scrambling of a bit-reversed number: a hash of the lower bits, which are the more significant ones
+// before the reversal, decides whether each bit is flipped.
 template <typename Word>
 constexpr Word scramble_reversed(Word x, Word seed) {
   x ^= x * 0x3d20adeaU;
@@ -40,7 +40,7 @@ constexpr Word hash(Word x) {
   return x;
 }
 
-// The seed is well mixed already; one multiplication tells the dimensions apart.
+// The seed is well mixed already, so one multiplication suffices to decorrelate the dimensions.
 template <typename Word>
 constexpr Word seed_of_dimension(Word seed, std::uint32_t dimension) {
   const Word x = (seed + (dimension + 1U) * 0x9e3779b9U) * 0x2c1b3c6dU;
@@ -49,8 +49,8 @@ constexpr Word seed_of_dimension(Word seed, std::uint32_t dimension) {
 
 using Table = std::array<std::array<std::uint32_t, 4>, kBlock>;
 
-// Direction numbers of dimensions 1 to 4 by the recurrence of Joe and Kuo: degree s, coefficients a, initial
-// m.
+// Direction numbers of dimensions 1 to 4 by the recurrence of Joe and Kuo 2008, with degree s, coefficients a
+// and initial numbers m.
 constexpr std::array<std::array<std::uint32_t, 32>, 4> direction_numbers() {
   struct Polynomial {
     std::uint32_t s;
@@ -97,14 +97,18 @@ SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t 
   return {static_cast<std::uint32_t>(mix(seed, (std::uint64_t{pixel} << 32) | replicate))};
 }
 
-std::array<float, 4> draw(SampleBlock block, std::uint32_t index, std::uint32_t bounce, SampleDimension dimension) {
-  const std::uint32_t seed = hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(dimension) + 1U));
+std::array<float, 4> draw(SampleBlock block,
+                          std::uint32_t index,
+                          std::uint32_t bounce,
+                          SampleDimension dimension) {
+  const std::uint32_t seed =
+      hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(dimension) + 1U));
   const std::uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed));
   std::array<std::uint32_t, 4> bits = kTable[shuffled & (kBlock - 1)];
   for (std::uint32_t d = 0; d < 4; ++d)
     bits[d] = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
   std::array<float, 4> out{};
-  // 24 bits: more would round to 1.0f at the top.
+  // 24 bits, because more could round to 1.0f.
   for (std::uint32_t d = 0; d < 4; ++d)
     out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
   return out;

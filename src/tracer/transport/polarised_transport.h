@@ -7,20 +7,19 @@
 
 namespace orbs::tracer {
 
-/// What the path so far makes of a Stokes vector that arrives at its end, for each of the Stokes parameters
-/// that the camera sees: rows of the product of the Mueller matrices (the light at the end is unpolarised, so
-/// the columns of that product, sixteen numbers more, are not needed). Each entry holds four wavelengths.
+/// Maps the Stokes vector of the light at the end of the path to the Stokes parameters that the camera
+/// records: rows of the product of the Mueller matrices. The light is unpolarised, so the last three columns
+/// of the product are not needed. Each entry holds four wavelengths.
 template <std::size_t kRows>
 struct StokesRows {
   std::array<std::array<Float4, 4>, kRows> row{};
   Vec3f x;  // reference direction of the arriving light, across the ray
-  /// After a surface that forgets polarisation, only row[.][0] counts: the path goes on as if there were
-  /// none until it meets a surface that polarises.
+  /// After a depolarising surface only row[.][0] counts, until the path hits a surface that polarises.
   bool is_scalar = true;
 };
 
-/// Polarised light on spectral paths `S`; conventions in data/snippets/fresnel_mueller.h. With one row the
-/// camera sees S0, with four all.
+/// Adds polarisation to the spectral transport `S`; conventions as in data/snippets/fresnel_mueller.h. With
+/// one row the camera records S0, with four rows S0 to S3.
 template <typename S, std::size_t kRows>
 struct PolarisedTransport : S {
   using Value = typename S::Value;
@@ -29,7 +28,7 @@ struct PolarisedTransport : S {
   using Contribution = std::array<Float4, kRows>;
   static constexpr bool kHasStokes = kRows == 4;
 
-  /// In the frame of the image: x to the right, for who looks at the oncoming light.
+  /// The camera's reference frame: x points to the right of the image, seen by a viewer who faces the source.
   static Throughput start(const PinholeCamera& camera, const Ray& ray) {
     Throughput out;
     for (std::size_t k = 0; k < kRows; ++k) out.row[k][k] = Float4{1, 1, 1, 1};
@@ -38,18 +37,18 @@ struct PolarisedTransport : S {
     return out;
   }
 
-  template <typename Where>
-  static Throughput chain(const Throughput& path, Value factor, const Where& where) {
-    const auto scattering = where();
+  template <typename F>
+  static Throughput chain(const Throughput& path, Value factor, const F& make_scattering) {
+    const auto scattering = make_scattering();
     const auto polarisation = polarisation_of(scattering);
     return polarisation ? polarised(path, factor, *polarisation, scattering.to_viewer)
                         : depolarised(path, factor);
   }
 
-  static Throughput scaled(Throughput weight, float factor) {
-    for (auto& row : weight.row)
+  static Throughput scaled(Throughput path, float factor) {
+    for (auto& row : path.row)
       for (auto& entry : row) entry *= factor;
-    return weight;
+    return path;
   }
   static Contribution contribute(const Throughput& path, Value light) {
     Contribution out;
@@ -60,18 +59,18 @@ struct PolarisedTransport : S {
     for (std::size_t k = 0; k < kRows; ++k) a[k] += b[k];
     return a;
   }
-  /// The first row outweighs the others: no light has more than all of itself polarised. Rounding only:
-  /// behind crossed polarisers what is zero may come out below it.
-  static float magnitude(const Throughput& weight) { return std::max(0.0F, S::magnitude(weight.row[0][0])); }
+  /// The first row bounds the others, as the degree of polarisation is at most 1. The maximum is for rounding
+  /// only: behind crossed polarisers an exact zero may come out negative.
+  static float magnitude(const Throughput& path) { return std::max(0.0F, S::magnitude(path.row[0][0])); }
   static Vec3f to_rgb(const Contribution& light, const Lambda& lambda) { return S::to_rgb(light[0], lambda); }
   /// Stokes parameter k in linear Rec.709.
   static Vec3f stokes(const Contribution& light, std::size_t k, const Lambda& lambda) {
     return S::to_rgb(light[k], lambda);
   }
-  static void terminate_secondary(Lambda& lambda, Throughput& weight) {
+  static void terminate_secondary(Lambda& lambda, Throughput& path) {
     Float4 shares{1, 1, 1, 1};
     S::terminate_secondary(lambda, shares);
-    for (auto& row : weight.row)
+    for (auto& row : path.row)
       for (auto& entry : row) entry *= shares;
   }
 
@@ -82,11 +81,14 @@ struct PolarisedTransport : S {
     return out;
   }
 
-  static Throughput polarised(const Throughput& path, Value factor, const Polarisation& surface, Vec3f to_viewer) {
+  static Throughput polarised(const Throughput& path,
+                              Value factor,
+                              const Polarisation& surface,
+                              Vec3f to_viewer) {
     Throughput out;
     out.x = surface.x_arriving;
     out.is_scalar = false;
-    const auto turn = snippets::frame_turn_between(surface.x_leaving, path.x, to_viewer);
+    const auto rotation = snippets::frame_turn_between(surface.x_leaving, path.x, to_viewer);
     for (std::size_t k = 0; k < kRows; ++k) {
       const auto& row = path.row[k];
       const auto& e = surface.element;
@@ -95,8 +97,8 @@ struct PolarisedTransport : S {
         out.row[k] = {r0, r0 * e.half, Float4{}, Float4{}};
         continue;
       }
-      const Float4 r1 = (row[1] * turn.cos2 - row[2] * turn.sin2) * factor;
-      const Float4 r2 = (row[2] * turn.cos2 + row[1] * turn.sin2) * factor;
+      const Float4 r1 = (row[1] * rotation.cos2 - row[2] * rotation.sin2) * factor;
+      const Float4 r2 = (row[2] * rotation.cos2 + row[1] * rotation.sin2) * factor;
       const Float4 r3 = row[3] * factor;
       out.row[k] = {r0 + r1 * e.half, r0 * e.half + r1, r2 * e.real + r3 * e.imaginary,
                     r3 * e.real - r2 * e.imaginary};

@@ -16,17 +16,17 @@ inline Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
          mesh.normals[corners[2]] * b2;
 }
 
-// Opposite vertex normals can cancel in between; the face then speaks for them.
+// Opposite vertex normals can cancel in between; the geometric normal then replaces them.
 Vec3f unit_or(Vec3f normal, Vec3f geometric_normal) {
   const float squared = dot(normal, normal);
   return squared > 0 ? normal / std::sqrt(squared) : geometric_normal;
 }
 
-// Rounding off the plane, in half units in the last place of the corners' size: about 6 for the sum of corner
-// and edges, and 6 for the differences corner - origin in the next ray's own test. (Error analysis as in
-// Physically Based Rendering, 4th ed., 6.8.5; errors along the plane do no harm.)
-constexpr float kFaceRounding = 12 * 0x1p-24F;
-// The transform of an instance adds 4 for each of the corner and the edges' ends.
+// Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
+// corner and edges, and 6 for the differences corner - origin in the intersection test of the next ray.
+// (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm.)
+constexpr float kTriangleRounding = 12 * 0x1p-24F;
+// The transform of an instance adds 4 for the corner and for the end of each edge.
 constexpr float kInstanceRounding = 20 * 0x1p-24F;
 
 SurfacePoint point_on_instance(const World& world, const RenderObject& object, const Hit& hit) {
@@ -46,9 +46,8 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   return out;
 }
 
-// A point that the ray has met, moved onto the sphere along its normal. What is left is the rounding of the
-// sum, of the division that makes the normal unit, and of the centre and the radius in the next ray's own
-// test: below 8 half units in the last place.
+// The hit point is projected onto the sphere along its normal. What remains is the rounding of the sum, of
+// the normalisation, and of centre and radius in the intersection test of the next ray: less than 8 half ulp.
 constexpr float kSphereRounding = 8 * 0x1p-24F;
 
 SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const Hit& hit) {
@@ -98,7 +97,7 @@ SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit)
   out.geometric_normal =
       std::visit([&](const auto& shape) { return normal_of(shape, out.position); }, light.shape);
   out.shading_normal = out.geometric_normal;
-  // The distance is rounded, too, and the ray's origin with it.
+  // The hit distance and the origin of the ray are rounded as well.
   out.position_error = std::visit([](const auto& shape) { return rounding_of(shape); }, light.shape) +
                        4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
   return out;
@@ -108,16 +107,17 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   const RenderObject& object = world.objects[hit.object];
   if (object.kind != ObjectKind::WorldMesh)
     return object.kind == ObjectKind::Sphere ? point_on_sphere(world.spheres[object.sphere], ray, hit)
-                                         : point_on_instance(world, object, hit);
+                                             : point_on_instance(world, object, hit);
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
   SurfacePoint out;
   out.material = object.material_of[static_cast<std::size_t>(triangle.material)];
   out.position = triangle.corner + triangle.edge1 * hit.barycentric.x + triangle.edge2 * hit.barycentric.y;
   out.geometric_normal = triangle.geometric_normal;
-  out.shading_normal = triangle.has_one_normal ? triangle.shading_normal
-                                           : unit_or(interpolated_normal(mesh, hit), triangle.geometric_normal);
-  out.position_error = kFaceRounding * triangle.size;
+  out.shading_normal = triangle.has_one_normal
+                           ? triangle.shading_normal
+                           : unit_or(interpolated_normal(mesh, hit), triangle.geometric_normal);
+  out.position_error = kTriangleRounding * triangle.size;
   return out;
 }
 
@@ -141,10 +141,10 @@ Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
   return {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
 }
 
-Radiance emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv) {
-  const Colour& colour = material.colour;
-  if (material.texture < 0) return {colour.rgb, colour.spectrum};
-  return {colour.rgb * lookup(world.textures[static_cast<std::size_t>(material.texture)], uv)};
+Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv) {
+  const auto& [colour, texture, uv_map] = material.radiance;
+  if (texture < 0) return {colour.rgb, colour.spectrum};
+  return {colour.rgb * lookup(world.textures[static_cast<std::size_t>(texture)], uv)};
 }
 
 }  // namespace orbs::tracer

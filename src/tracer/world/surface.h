@@ -3,52 +3,66 @@
 #include "tracer/geometry/lanes.h"
 #include "tracer/world/world.h"
 
-/// Where rays meet meshes.
+/// Hit points.
 namespace orbs::tracer {
 
 /// A point on a surface. All vectors are in world space.
 struct SurfacePoint {
   Vec3f position;
-  float position_error =
-      0;  // bound of the distance between `position` and the plane that Embree met, in metres
-  Vec3f geometric_normal;  // unit, either side
-  Vec3f shading_normal;    // interpolated as given, unit, not turned to the viewer
+  /// Bound of the distance between `position` and the surface that Embree intersected, in metres.
+  float position_error = 0;
+  Vec3f geometric_normal;  // unit, on either side
+  Vec3f shading_normal;    // unit, interpolated as given, not flipped to the viewer
   int material = 0;
 };
 
-/// Works out `faces`.
+/// Fills mesh.triangle_cache.
 void fill_triangle_cache(TriangleMesh& mesh);
 
-/// Where the ray has met a mesh or a sphere.
+/// The point where the ray hits a mesh or a sphere.
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
 
-/// Where it has met a light, whose bright side it must see. There is no material.
+/// The point where the ray hits a light, on its bright side. It has no material.
 SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit);
 
-/// What a ray has met.
+/// A hit on a surface with a material.
 struct SurfaceHit {
   const SurfacePoint& point;
   const SurfaceMaterial& material;
   const Hit& hit;
 };
 
-/// Texture coordinates as the mesh gives them; of a sphere as scene::Sphere says.
+/// Texture coordinates given by the mesh; those of a sphere are defined at scene::Sphere.
 Vec2f texture_coordinates(const World& world, const SurfaceHit& surface);
 
-/// Radiance that an emissive material sends out at these coordinates.
-Radiance emitted_radiance(const World& world, const SurfaceMaterial& material, Vec2f uv);
+/// Radiance that an emissive material emits at these texture coordinates, to which its UV matrix is applied
+/// already.
+Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv);
 
-/// `position` moved off the surface to the side of `direction`, beyond the error of the position.
+/// Material of a triangle in the table of emitters.
+inline const EmissionMaterial& emission_of(const World& world, const TriangleEmitter& triangle) {
+  return std::get<EmissionMaterial>(world.materials[static_cast<std::size_t>(triangle.material)].model);
+}
+
+/// Index of the mirror plane that contains the triangle of the object, or -1.
+inline int mirror_plane_of(const World& world, std::uint32_t object, std::uint32_t triangle) {
+  const auto& planes = world.objects[object].mirror_planes;
+  return planes.empty() ? -1 : planes[triangle];
+}
+
+/// Origin of a ray that leaves `position` in this direction: offset along the normal beyond the position
+/// error.
 template <typename V, typename Real>
 V offset_origin(V position, Real position_error, V geometric_normal, V direction) {
-  // The bound holds for each coordinate; along the normal it adds up to the normal's 1-norm.
+  // The bound holds for each coordinate; its component along the normal is scaled by the 1-norm of the
+  // normal.
   const V n = geometric_normal;
   const Real offset = position_error * (magnitude(n.x) + magnitude(n.y) + magnitude(n.z));
   return position + n * with_sign_of(offset, dot(n, direction));
 }
 
-/// True where a direction lies on the same side of the real surface as of the shading normal: the others
-/// would pass through an opaque surface, or count as reflection what goes through. For eight paths a mask.
+/// True if a direction is on the same side of the geometric as of the shading normal. Other directions would
+/// leak light through the surface (Veach 1997, 5.3.5). Returns a mask for eight paths.
 template <typename V>
 auto sides_agree(V geometric_normal, V shading_normal, V direction) {
   using Real = decltype(direction.x);

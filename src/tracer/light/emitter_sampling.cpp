@@ -1,18 +1,18 @@
-#include "tracer/light/emitter.h"
+#include "tracer/light/emitter_sampling.h"
 
 #include "scene/ies.h"
 #include "tracer/geometry/frame.h"
-#include "tracer/sampling/warps.h"
 #include "tracer/light/spherical_rectangle.h"
+#include "tracer/sampling/warps.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace orbs::tracer {
 
 namespace {
 
-/// Density per solid angle of a point picked uniformly by area.
+// Pdf per solid angle of a point sampled uniformly by area.
 float area_to_solid_angle(Vec3f from, Vec3f position, Vec3f normal, float area) {
   const Vec3f d = position - from;
   const float distance2 = dot(d, d);
@@ -25,8 +25,8 @@ std::optional<EmitterPoint> point_by_area(Vec3f from, Vec3f position, Vec3f norm
   return EmitterPoint{position, normal, area_to_solid_angle(from, position, normal, area), error};
 }
 
-// Nearer than two side lengths, area sampling wastes most samples on the far end: 1/d^2 varies by more than a
-// factor of 4 there.
+// Closer than two side lengths 1/d^2 varies by more than a factor of 4 over the rectangle, and area sampling
+// spends most samples on its far end.
 std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f from) {
   const Vec3f d = rect.centre - from;
   if (!rect.is_orthogonal || dot(d, d) > 4 * rect.area) return std::nullopt;
@@ -65,14 +65,14 @@ Vec3f to_world(const SphereEmitter& sphere, Vec3f v) {
   return sphere.axes[0] * v.x + sphere.axes[1] * v.y + sphere.axes[2] * v.z;
 }
 
-// A linear map A takes a cone of directions w of solid angle dw to one of |det A| / |A w|^3 dw (volume and
-// radius of the cone).
+// A linear map A takes a cone of directions w with solid angle dw to one with |det A| / |A w|^3 dw, by the
+// volume and radius of the cone.
 float stretched_pdf(const SphereEmitter& sphere, Vec3f local_unit_direction, float local_pdf) {
   const float stretch = length(to_world(sphere, local_unit_direction));
   return local_pdf * stretch * stretch * stretch / sphere.determinant;
 }
 
-// 1 - cos of the cone that the unit sphere fills at distance d > 1, without cancellation far away.
+// 1 - cos of the half angle that the unit sphere subtends at distance d > 1, without cancellation far away.
 float cone_height(float distance2) {
   const float sin2 = 1 / distance2;
   return sin2 / (1 + std::sqrt(1 - sin2));
@@ -82,10 +82,10 @@ std::optional<EmitterPoint> sample_shape(const SphereEmitter& sphere, Vec3f from
   const Vec3f view = to_local(sphere, from - sphere.centre);
   const float distance2 = dot(view, view);
   const float error = rounding_of(sphere);
-  if (distance2 <= 1) return std::nullopt;  // inside, where the light is dark
-  // Uniform over the visible cone (Shirley et al. 1996); the point follows from the angle: its cosine by the
-  // law of sines, which keeps its digits for small spheres (Pharr, Jakob, Humphreys, Physically Based
-  // Rendering, 4th ed., 6.2.4), its sine by the distance along the ray, without cancellation close to them.
+  if (distance2 <= 1) return std::nullopt;  // from inside the light is dark
+  // Uniform over the visible cone (Shirley et al. 1996). The cosine of the point's angle follows from the law
+  // of sines, which is accurate for small spheres (Pharr, Jakob, Humphreys 2023, Physically Based Rendering,
+  // 4th ed., 6.2.4), its sine from the distance along the ray, which is accurate close to the sphere.
   const float height = cone_height(distance2);
   const float one_minus_cos = u * height;
   const float sin2_theta = one_minus_cos * (2 - one_minus_cos);
@@ -121,7 +121,7 @@ bool shows_bright_side(const DiskEmitter& disk, Vec3f, Vec3f to_viewer) {
   return dot(disk.normal, to_viewer) > 0;
 }
 bool shows_bright_side(const SphereEmitter& sphere, Vec3f position, Vec3f to_viewer) {
-  // Outwards: the ray to the viewer leaves the ball. A point of the surface p has the local normal p.
+  // The ray to the viewer must leave the ball; a surface point p has the local normal p.
   return dot(to_local(sphere, position - sphere.centre), to_local(sphere, to_viewer)) > 0;
 }
 
@@ -158,44 +158,6 @@ Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
       static_cast<float>(scene::candela_towards(profile, cast<double>(local)) / profile.max_candela);
   if (share == 0) return {};
   return {light.radiance.rgb * share, light.radiance.spectrum, share};
-}
-
-void EmitterTable::build(const std::vector<float>& powers,
-                         std::vector<TriangleEmitter> triangles,
-                         std::size_t light_count) {
-  light_count_ = light_count;
-  triangles_ = std::move(triangles);
-  const double total = std::accumulate(powers.begin(), powers.end(), 0.0);
-  probability_.clear();
-  if (total <= 0) return;
-  std::vector<double> scaled;
-  for (const float power : powers) {
-    probability_.push_back(static_cast<float>(power / total));
-    scaled.push_back(power / total * static_cast<double>(powers.size()));
-  }
-  keep_.assign(powers.size(), 1.0F);
-  alias_.resize(powers.size());
-  std::iota(alias_.begin(), alias_.end(), 0U);
-  std::vector<std::uint32_t> small;
-  std::vector<std::uint32_t> large;
-  for (std::uint32_t i = 0; i < scaled.size(); ++i) (scaled[i] < 1 ? small : large).push_back(i);
-  while (!small.empty() && !large.empty()) {
-    const std::uint32_t s = small.back();
-    const std::uint32_t l = large.back();
-    small.pop_back();
-    keep_[s] = static_cast<float>(scaled[s]);
-    alias_[s] = l;
-    scaled[l] -= 1 - scaled[s];
-    if (scaled[l] >= 1) continue;
-    large.pop_back();
-    small.push_back(l);
-  }
-}
-
-std::size_t EmitterTable::pick(float u) const {
-  const float at = u * static_cast<float>(probability_.size());
-  const auto slot = std::min(static_cast<std::size_t>(at), probability_.size() - 1);
-  return at - static_cast<float>(slot) < keep_[slot] ? slot : alias_[slot];
 }
 
 }  // namespace orbs::tracer

@@ -1,7 +1,4 @@
-#include "tracer/world/mirror_planes.h"
-
-#include "tracer/world/surface.h"
-#include "tracer/world/world.h"
+#include "tracer/world/find_mirror_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,24 +10,26 @@ namespace {
 
 constexpr std::size_t kMostPlanes = 16;
 
-// The plane of a triangle whose vertex normals are its own; the sign is that of the vertex normals.
+// The plane of a triangle whose vertex normals equal its geometric normal, facing the side of the vertex
+// normals.
 std::optional<MirrorPlane> plane_of(const RenderObject& object, const TriangleCache& triangle) {
   if (!triangle.has_one_normal || triangle.geometric_normal == Vec3f{}) return std::nullopt;
   const bool instanced = object.kind == ObjectKind::InstancedMesh;
   const Vec3f corner = instanced ? apply_to_point(object.to_world, triangle.corner) : triangle.corner;
   const Vec3f edge1 = instanced ? apply_to_direction(object.to_world, triangle.edge1) : triangle.edge1;
   const Vec3f edge2 = instanced ? apply_to_direction(object.to_world, triangle.edge2) : triangle.edge2;
-  const Vec3f shading = normalised(instanced ? apply_to_direction(object.normal_to_world, triangle.shading_normal)
-                                             : triangle.shading_normal);
+  const Vec3f shading =
+      normalised(instanced ? apply_to_direction(object.normal_to_world, triangle.shading_normal)
+                           : triangle.shading_normal);
   Vec3f normal = normalised(cross(edge1, edge2));
   if (dot(normal, shading) < 0) normal = -normal;
   const Vec3f apart = normal - shading;
-  if (dot(apart, apart) > 1e-10F)
-    return std::nullopt;  // 1e-5 rad: what rounding of unit vectors makes of equal ones
+  // Equal unit vectors differ by up to 1e-5 rad after rounding.
+  if (dot(apart, apart) > 1e-10F) return std::nullopt;
   return MirrorPlane{normal, dot(normal, corner)};
 }
 
-// Triangles of one flat face agree to rounding; two faces that agree so well may as well be one.
+// Triangles of one flat face agree up to rounding. Two faces that agree as well may be treated as one.
 bool same_plane(const MirrorPlane& a, const MirrorPlane& b) {
   const Vec3f apart = a.normal - b.normal;
   return dot(apart, apart) < 1e-10F && std::abs(a.offset - b.offset) <= 1e-5F * (1 + std::abs(a.offset));
@@ -49,13 +48,14 @@ int index_of(std::vector<MirrorPlane>& planes, const MirrorPlane& plane) {
   return index;
 }
 
-// Stops at the first plane too many.
+// Stops once there are too many planes.
 void find_in_object(World& world, RenderObject& object) {
   if (object.kind == ObjectKind::Light || object.kind == ObjectKind::Sphere) return;
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangle_cache.size() && world.mirror_planes.size() <= kMostPlanes; ++i) {
     const int material = object.material_of[static_cast<std::size_t>(mesh.triangle_cache[i].material)];
-    if (world.materials[static_cast<std::size_t>(material)].model != Model::Mirror) continue;
+    if (!std::holds_alternative<MirrorMaterial>(world.materials[static_cast<std::size_t>(material)].model))
+      continue;
     const auto plane = plane_of(object, mesh.triangle_cache[i]);
     if (!plane) continue;
     object.mirror_planes.resize(mesh.triangle_cache.size(), -1);
@@ -71,22 +71,6 @@ void find_mirror_planes(World& world) {
   if (world.mirror_planes.size() <= kMostPlanes) return;
   world.mirror_planes.clear();
   for (RenderObject& object : world.objects) object.mirror_planes.clear();
-}
-
-int mirror_plane_of(const World& world, std::uint32_t object, std::uint32_t triangle) {
-  const auto& planes = world.objects[object].mirror_planes;
-  return planes.empty() ? -1 : planes[triangle];
-}
-
-int planes_before(const std::vector<MirrorPlane>& planes, Vec3f point) {
-  return static_cast<int>(
-      std::count_if(planes.begin(), planes.end(), [&](const auto& p) { return is_before(p, point); }));
-}
-
-int plane_before(const std::vector<MirrorPlane>& planes, Vec3f point, int n) {
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (is_before(planes[i], point) && n-- == 0) return static_cast<int>(i);
-  return -1;
 }
 
 }  // namespace orbs::tracer
