@@ -3,8 +3,9 @@
 #include "image/image_io.h"
 #include "scene/effects.h"
 #include "scene/load_scene.h"
-#include "tracer/choose_light_paths.h"
-#include "tracer/render.h"
+#include "tracer/render/choose_light_paths.h"
+#include "tracer/render/render.h"
+#include "tracer/world/build_world.h"
 
 #include <atomic>
 #include <csignal>
@@ -133,7 +134,7 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.spp"] = std::to_string(rendering.samples_per_pixel);
   header["orbs.seed"] = std::to_string(options.render.seed);
   header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
-  header["orbs.light_paths"] = world.light_path_targets.empty() ? "no" : "yes";
+  header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =

@@ -4,7 +4,7 @@
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 #include "spectra/wavelengths.h"
-#include "tracer/spectral_transport.h"
+#include "tracer/transport/spectral_transport.h"
 #include "unit/spectra_tables.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using tracer::SpectralTransport;
 Vec3d estimate(const Spectrum& reflectance, const Spectrum& light, float u, bool drops = false) {
   auto lambda = SpectralTransport::sample_lambda([&] { return u; });
   Float4 weight{1, 1, 1, 1};
-  if (drops) SpectralTransport::drop_companions(lambda, weight);
+  if (drops) SpectralTransport::terminate_secondary(lambda, weight);
   Float4 seen{};
   for (std::size_t i = 0; i < 4; ++i)
     seen[i] = static_cast<float>(value_at(reflectance, lambda.nm[i]) * value_at(light, lambda.nm[i]));
@@ -78,7 +78,7 @@ TEST(Wavelengths, TheEstimateOfEveryPatchIsUnbiasedWithAndWithoutCompanions) {
 TEST(Wavelengths, CompanionsAreDroppedOnce) {
   auto lambda = SpectralTransport::sample_lambda([] { return 0.3F; });
   Float4 weight{2, 1, 1, 1};
-  for (int i = 0; i < 2; ++i) SpectralTransport::drop_companions(lambda, weight);
+  for (int i = 0; i < 2; ++i) SpectralTransport::terminate_secondary(lambda, weight);
   EXPECT_EQ(weight[0], 8);
   EXPECT_EQ(weight[1] + weight[2] + weight[3], 0);
 }

@@ -1,7 +1,7 @@
 // Reflectances of films as the paths see them, in float, against characteristic matrices in double.
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
-#include "tracer/place_interface.h"
+#include "tracer/bsdf/boundary.h"
 
 #include <numbers>
 
@@ -20,7 +20,7 @@ struct Stack {
   Complex base = 1;
 };
 
-// Normal component of the wave vector over that in vacuum.
+// Normal component of the batch vector over that in vacuum.
 Complex normal_component(Complex index, double across) {
   const Complex root = std::sqrt(index * index - across * across);
   return root.imag() < 0 ? -root : root;
@@ -60,10 +60,10 @@ double largest_difference(const Stack& stack) {
     const scene::Film film{spectra::constant(stack.film), stack.height_nm};
     const spectra::MetalIndex metal{spectra::constant(stack.base.real()),
                                     spectra::constant(stack.base.imag())};
-    const auto interface = tracer::interface_between<4>(nm, spectra::constant(stack.outside), metal, film);
+    const auto boundary = tracer::boundary_between<4>(nm, spectra::constant(stack.outside), metal, film);
     for (const float degrees : kDegrees) {
       const float cos_i = std::cos(degrees * std::numbers::pi_v<float> / 180);
-      const auto found = tracer::reflectances(interface, cos_i);
+      const auto found = tracer::reflectances(boundary, cos_i);
       for (std::size_t i = 0; i < 4; ++i)
         largest = std::max(largest, std::abs(static_cast<double>(found[i]) -
                                              reflectance_by_matrix(stack, static_cast<double>(cos_i),
@@ -112,8 +112,8 @@ TEST(ThinFilmLight, FilmsReflectByAirysSumFromWithin) {
 TEST(ThinFilmLight, AFilmOfTheBasesIndexChangesNothing) {
   const spectra::RefractiveIndex glass = spectra::constant(1.5);
   const spectra::RefractiveIndex air = spectra::constant(1);
-  const auto with = tracer::interface_between<4>(kWavelengths[0], air, glass, scene::Film{glass, 300});
-  const auto without = tracer::interface_between<4>(kWavelengths[0], air, glass, std::nullopt);
+  const auto with = tracer::boundary_between<4>(kWavelengths[0], air, glass, scene::Film{glass, 300});
+  const auto without = tracer::boundary_between<4>(kWavelengths[0], air, glass, std::nullopt);
   for (const float cos_i : {1.0F, 0.7F, 0.2F})
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(tracer::reflectances(with, cos_i)[i], tracer::reflectances(without, cos_i)[i], 1e-6);

@@ -1,7 +1,7 @@
 // What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf,
 // light is not created, and paths may be walked backwards.
 #include "base/random.h"
-#include "tracer/scatter/interface_bsdf.h"
+#include "tracer/bsdf/materials.h"
 
 #include <numbers>
 
@@ -12,11 +12,11 @@ namespace {
 using namespace orbs;
 using namespace orbs::tracer;
 using Rgb = Vec3f;
-using AnyBsdf = InterfaceBsdf<Rgb, 1>;
+using TestedBsdf = tracer::AnyBsdf<Rgb, 1>;
 
 struct NamedBsdf {
   const char* name;
-  AnyBsdf bsdf;
+  TestedBsdf bsdf;
 };
 
 const Rgb kWhite{1, 1, 1};
@@ -25,9 +25,9 @@ constexpr Microfacets kGgx{0.4F, false, false};
 constexpr Microfacets kGgxCorrelated{0.4F, false, true};
 constexpr Microfacets kBeckmann{0.4F, true, false};
 
-Interface<1> boundary(std::complex<float> index) { return {.index = {index}, .film_index = {}, .nm = {}}; }
+Boundary<1> boundary(std::complex<float> index) { return {.index = {index}, .film_index = {}, .nm = {}}; }
 
-Interface<1> filmed(std::complex<float> index) {
+Boundary<1> filmed(std::complex<float> index) {
   return {.index = {index}, .film_index = {1.8F}, .film_height_nm = 300, .nm = {550}};
 }
 
@@ -140,8 +140,8 @@ TEST(Bsdf, ReflectionIsReciprocal) {
 // surface has the inverse relative index, and the frame is turned so that the viewer's side is up.
 TEST(Bsdf, TransmissionIsReciprocalUpToTheSquaredIndex) {
   const float eta = 1.5F;
-  const AnyBsdf from_outside = RoughGlassBsdf<Rgb>{kWhite, eta, 0.4F};
-  const AnyBsdf from_inside = RoughGlassBsdf<Rgb>{kWhite, 1 / eta, 0.4F};
+  const TestedBsdf from_outside = RoughGlassBsdf<Rgb>{kWhite, eta, 0.4F};
+  const TestedBsdf from_inside = RoughGlassBsdf<Rgb>{kWhite, 1 / eta, 0.4F};
   const auto turned = [](Vec3f w) { return Vec3f{w.x, -w.y, -w.z}; };
   int compared = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -166,16 +166,16 @@ TEST(Bsdf, OrenNayarFollowsEquation5) {
   const Vec3f wi = direction(std::cos(0.5F), 0);
   const double expected =
       (0.67427 + 0.39270 * std::sin(1.0) * std::tan(0.5)) * std::cos(0.5) / std::numbers::pi;
-  EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, wi).f_cos.x, expected, 1e-5);
+  EXPECT_NEAR(evaluate(TestedBsdf{bsdf}, wo, wi).f_cos.x, expected, 1e-5);
   const Vec3f opposite = direction(std::cos(0.5F), std::numbers::pi_v<float>);
-  EXPECT_NEAR(evaluate(AnyBsdf{bsdf}, wo, opposite).f_cos.x, 0.67427 * std::cos(0.5) / std::numbers::pi,
+  EXPECT_NEAR(evaluate(TestedBsdf{bsdf}, wo, opposite).f_cos.x, 0.67427 * std::cos(0.5) / std::numbers::pi,
               1e-5);
 }
 
 // Both mask separably there; in reflection ORB.S's correlates.
 TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
-  const AnyBsdf by_index = RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kGgx};
-  const AnyBsdf of_orbs = RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F};
+  const TestedBsdf by_index = RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kGgx};
+  const TestedBsdf of_orbs = RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F};
   for (const Vec3f wo : kViews)
     for (const Vec3f wi : {direction(-0.9F, 1), direction(-0.4F, 3)}) {
       const auto a = evaluate(by_index, wo, wi);
@@ -188,7 +188,7 @@ TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
 // Some wavelengths of a path may be reflected well where others are not: whatever the first of them does, all
 // carry on, and on average each with its own reflectance.
 TEST(Bsdf, ADielectricGivesEachWavelengthItsOwnReflectance) {
-  Interface<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
+  Boundary<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
                      .film_index = {1.9F, 1.9F, 1.9F, 1.9F},
                      .film_height_nm = 150,
                      .nm = {400, 480, 560, 640}};

@@ -1,7 +1,7 @@
 // Light sampling: the density that a sample carries is the density at its point, and 1/pdf summed over
 // samples is the solid angle.
 #include "base/random.h"
-#include "tracer/emitter.h"
+#include "tracer/light/emitter_sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -93,5 +93,5 @@ TEST(EmitterTable, PicksInProportionToPower) {
   EXPECT_NEAR(picked[1], 3 * kSteps / 8, 2);
   EXPECT_EQ(picked[2], 0);
   EXPECT_NEAR(picked[3], kSteps / 2, 2);
-  EXPECT_FLOAT_EQ(table.chance(1), 0.375F);
+  EXPECT_FLOAT_EQ(table.probability(1), 0.375F);
 }

@@ -1,5 +1,6 @@
 // Paths from the lights against camera paths alone, and against the mirrored light.
-#include "tracer/choose_light_paths.h"
+#include "tracer/render/choose_light_paths.h"
+#include "tracer/world/build_world.h"
 #include "unit/tracer_scenes.h"
 
 #include <numbers>
@@ -100,7 +101,7 @@ class TracerCaustics : public testing::TestWithParam<Scene> {};
 // Four standard errors of the whole image, and of each of its quarters.
 TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
   const auto with_world = world_of(GetParam().text, true);
-  ASSERT_FALSE(with_world.light_path_targets.empty());
+  ASSERT_FALSE(with_world.caustic_casters.empty());
   const auto with = image_of(with_world, {.samples_per_pixel = 256, .seed = 1});
   const auto without = image_of(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
   const auto channels = with.channel_count();
@@ -179,7 +180,7 @@ TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
   // The lamp faces the mirror at x = -1 and lights the floor through it alone.
   const std::string mirror = R"(, {"mesh": "m", "matrix": [{"translate": [-1, 0, 0]}, {"rotate_z": 90}]})";
   const auto world = world_of(scene(mirror, "0", "-60"), true);
-  ASSERT_FALSE(world.light_path_targets.empty());
+  ASSERT_FALSE(world.caustic_casters.empty());
   const std::atomic<bool> never{false};
   const auto seen = tracer::render(world, {.samples_per_pixel = 1024, .split_paths = true}, never,
                                    [](const tracer::Progress&) {})
@@ -203,7 +204,7 @@ TEST(TracerLightPaths, DoNotDependOnTheThreads) {
 TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
   auto caustic = world_of(caustic_scenes()[0].text, true);
   EXPECT_TRUE(tracer::choose_light_paths(caustic));
-  EXPECT_FALSE(caustic.light_path_targets.empty());
+  EXPECT_FALSE(caustic.caustic_casters.empty());
   auto plain = world_of(
       ball_over_floor(R"("type": "lambert", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight)), true);
   EXPECT_FALSE(tracer::choose_light_paths(plain));
@@ -240,7 +241,7 @@ TEST(SharpTargets, DirectionsFillTheConesOfAllTargets) {
   for (int i = 0; i < kSide; ++i)
     for (int j = 0; j < kSide; ++j) {
       const float pick = i % 2 == 0 ? 0.25F : 0.75F;
-      const auto to = tracer::sample_towards_targets(targets, {}, {0, 1, 0}, pick,
+      const auto to = tracer::sample_towards_casters(targets, {}, {0, 1, 0}, pick,
                                                      (static_cast<float>(i / 2) + 0.5F) / (kSide / 2),
                                                      (static_cast<float>(j) + 0.5F) / kSide);
       ASSERT_GT(to.pdf, 0);

@@ -5,8 +5,8 @@
 #include "metrics/noise_test.h"
 #include "runner/judge.h"
 #include "scene/load_scene.h"
-#include "tracer/choose_light_paths.h"
-#include "tracer/render.h"
+#include "tracer/render/choose_light_paths.h"
+#include "tracer/render/render.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,8 +3,8 @@
 
     kernel_symbols.py <nm> <object files of src/tracer/kernels...>
 
-The objects are compiled without inlining, so that whatever a path loop calls has a symbol in its file. Each must hold
-the words of its own effects, which shows that a word would be found, and none of the others'.
+The objects are compiled without inlining, so that every function that a path loop calls has a symbol in its object. Each
+object must contain the words of its own effects, which shows that the words are found, and none of those of other effects.
 """
 import pathlib
 import re
@@ -14,13 +14,13 @@ import sys
 SPECTRAL = "HeroWavelengths|spectra::"
 POLARISED = "StokesRows|ElementShape|polarisation_"
 FLUORESCENT = "reradiate|absorbed_before|sample_absorbed"
-INTERFACE = "Interface|Mueller|ThinFilm|Microfacets"
+BOUNDARY = "Boundary<|Mueller|ThinFilm|Microfacets|(Conductor|Dielectric|ThinElement)Bsdf"
 
 # Kernel: what it must hold, each; what it must not.
 KERNELS = {
-    "rgb": ([], [SPECTRAL, POLARISED, FLUORESCENT, INTERFACE, "Stokes|polaris|reradiat"]),
-    "rgb_interface": ([INTERFACE], ["HeroWavelengths", POLARISED, FLUORESCENT]),
-    "spectral": ([SPECTRAL, INTERFACE], [POLARISED, FLUORESCENT]),
+    "rgb": ([], [SPECTRAL, POLARISED, FLUORESCENT, BOUNDARY, "Stokes|polaris|reradiat"]),
+    "rgb_boundary": ([BOUNDARY], ["HeroWavelengths", POLARISED, FLUORESCENT]),
+    "spectral": ([SPECTRAL, BOUNDARY], [POLARISED, FLUORESCENT]),
     "bispectral": ([SPECTRAL, FLUORESCENT], [POLARISED]),
     "polarised": ([SPECTRAL, POLARISED], [FLUORESCENT]),
     "stokes": ([SPECTRAL, POLARISED], [FLUORESCENT]),

@@ -1,4 +1,4 @@
-#include "tracer/path_class.h"
+#include "tracer/integrator/path_class.h"
 
 #include <set>
 
@@ -9,13 +9,13 @@ using namespace orbs::tracer;
 TEST(PathClass, HasTheNotationOfTheSpecification) {
   PathClass path;
   EXPECT_EQ(path_class_name(path.index()), "EL");
-  path.add(Event::Diffuse, false);
+  path.append(Event::Diffuse, false);
   EXPECT_EQ(path_class_name(path.index()), "EDL");
-  path.add(Event::Specular, true);
+  path.append(Event::Specular, true);
   EXPECT_EQ(path_class_name(path.index()), "EDSL-T");
-  path.add(Event::Glossy, false);
+  path.append(Event::Glossy, false);
   EXPECT_EQ(path_class_name(path.index()), "EDSGL-T");
-  path.add(Event::Glossy, false);
+  path.append(Event::Glossy, false);
   EXPECT_EQ(path_class_name(path.index()), "other");
 }
 

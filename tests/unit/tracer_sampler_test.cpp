@@ -1,4 +1,4 @@
-#include "tracer/sampler.h"
+#include "tracer/sampling/sampler.h"
 
 #include <cmath>
 #include <set>
@@ -10,9 +10,9 @@ using namespace orbs::tracer;
 namespace {
 
 // What is drawn once for a path, and what at every bounce.
-constexpr std::array kOfPaths{Purpose::PixelAndFirstLight, Purpose::LightPick, Purpose::Wavelength};
-constexpr std::array kOfBounces{Purpose::Light, Purpose::Scatter, Purpose::MirroredLight,
-                                Purpose::Reradiation};
+constexpr std::array kOfPaths{SampleDimension::PixelAndFirstLight, SampleDimension::LightPick, SampleDimension::Wavelength};
+constexpr std::array kOfBounces{SampleDimension::Light, SampleDimension::Scatter, SampleDimension::MirroredLight,
+                                SampleDimension::Reradiation};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TEST(Sampler, EachDimensionIsStratifiedForEveryPowerOfTwo) {
     for (std::size_t d = 0; d < 4; ++d) {
       std::set<int> cells;
       for (std::uint32_t i = 0; i < count; ++i)
-        cells.insert(static_cast<int>(draw(sample_block(3, 17, 0), i, 2, Purpose::Scatter)[d] *
+        cells.insert(static_cast<int>(draw(sample_block(3, 17, 0), i, 2, SampleDimension::Scatter)[d] *
                                       static_cast<float>(count)));
       EXPECT_EQ(cells.size(), count) << "dimension " << d;
     }
@@ -44,7 +44,7 @@ TEST(Sampler, TheFirstTwoDimensionsAreStratifiedTogether) {
   for (int columns = 1; columns <= 16; columns *= 2) {
     std::set<std::pair<int, int>> cells;
     for (std::uint32_t i = 0; i < 16; ++i) {
-      const auto u = draw(sample_block(5, 99, 1), i, 0, Purpose::PixelAndFirstLight);
+      const auto u = draw(sample_block(5, 99, 1), i, 0, SampleDimension::PixelAndFirstLight);
       cells.emplace(static_cast<int>(u[0] * static_cast<float>(columns)),
                     static_cast<int>(u[1] * (16.0F / static_cast<float>(columns))));
     }
@@ -55,16 +55,16 @@ TEST(Sampler, TheFirstTwoDimensionsAreStratifiedTogether) {
 TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
   std::set<std::array<float, 4>> first;
   int count = 0;
-  const auto note = [&](SampleBlock block, std::uint32_t bounce, Purpose purpose) {
-    first.insert(draw(block, 0, bounce, purpose));
+  const auto note = [&](SampleBlock block, std::uint32_t bounce, SampleDimension dimension) {
+    first.insert(draw(block, 0, bounce, dimension));
     ++count;
   };
   for (std::uint32_t pixel = 0; pixel < 4; ++pixel)
     for (std::uint32_t replicate = 0; replicate < 4; ++replicate) {
       const auto block = sample_block(1, pixel, replicate);
-      for (const Purpose purpose : kOfPaths) note(block, 0, purpose);
+      for (const SampleDimension dimension : kOfPaths) note(block, 0, dimension);
       for (std::uint32_t bounce = 0; bounce < 16; ++bounce)
-        for (const Purpose purpose : kOfBounces) note(block, bounce, purpose);
+        for (const SampleDimension dimension : kOfBounces) note(block, bounce, dimension);
     }
   EXPECT_EQ(static_cast<int>(first.size()), count);
 }
@@ -77,8 +77,8 @@ TEST(Sampler, NumbersOfDifferentBouncesAreUncorrelated) {
   for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
     const auto block = sample_block(11, pixel, 0);
     for (std::uint32_t i = 0; i < 16; ++i)
-      product += static_cast<double>(draw(block, i, 0, Purpose::Scatter)[0]) *
-                 draw(block, i, 1, Purpose::Scatter)[0];
+      product += static_cast<double>(draw(block, i, 0, SampleDimension::Scatter)[0]) *
+                 draw(block, i, 1, SampleDimension::Scatter)[0];
   }
   product /= 16.0 * kPixels;
   EXPECT_NEAR(product, 0.25, 4 * 0.22 / std::sqrt(16.0 * kPixels));  // sd of a product of two uniforms: 0.22

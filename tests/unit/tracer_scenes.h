@@ -1,7 +1,8 @@
 #pragma once
 
 #include "scene/load_scene.h"
-#include "tracer/render.h"
+#include "tracer/render/render.h"
+#include "tracer/world/build_world.h"
 
 #include <string>
 

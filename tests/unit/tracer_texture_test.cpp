@@ -1,4 +1,4 @@
-#include "tracer/texture.h"
+#include "tracer/colour/texture.h"
 
 #include <cmath>
 #include <limits>

@@ -1,21 +1,37 @@
 #include "tracer/kernels/kernels.h"
 
+#include "tracer/render/render_pass.h"
+#include "tracer/transport/polarised_transport.h"
+#include "tracer/transport/rgb_transport.h"
+#include "tracer/transport/spectral_transport.h"
+
 namespace orbs::tracer {
+
+extern template PassRenderer render_pass<RgbTransport>;
+extern template PassRenderer render_pass<RgbBoundaryTransport>;
+extern template PassRenderer render_pass<SpectralTransport>;
+extern template PassRenderer render_pass<BispectralTransport>;
+extern template PassRenderer render_pass<PolarisedTransport<SpectralTransport, 1>>;
+extern template PassRenderer render_pass<PolarisedTransport<SpectralTransport, 4>>;
+extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport, 1>>;
+extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport, 4>>;
 
 PassRenderer* kernel_for(const World& world) {
   switch (world.transport) {
     case scene::LightTransport::Rgb:
-      return world.has_interfaces ? rgb_interface_pass : rgb_pass;
+      return world.has_appearance_materials ? render_pass<RgbBoundaryTransport> : render_pass<RgbTransport>;
     case scene::LightTransport::Spectral:
-      return spectral_pass;
+      return render_pass<SpectralTransport>;
     case scene::LightTransport::Bispectral:
-      return bispectral_pass;
+      return render_pass<BispectralTransport>;
     case scene::LightTransport::Polarised:
-      return world.wants_stokes ? stokes_pass : polarised_pass;
+      return world.wants_stokes ? render_pass<PolarisedTransport<SpectralTransport, 4>>
+                                : render_pass<PolarisedTransport<SpectralTransport, 1>>;
     case scene::LightTransport::PolarisedBispectral:
-      return world.wants_stokes ? stokes_bispectral_pass : polarised_bispectral_pass;
+      return world.wants_stokes ? render_pass<PolarisedTransport<BispectralTransport, 4>>
+                                : render_pass<PolarisedTransport<BispectralTransport, 1>>;
   }
-  return rgb_pass;
+  return render_pass<RgbTransport>;
 }
 
 }  // namespace orbs::tracer

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "tracer/passes.h"
-#include "tracer/render.h"
+#include "tracer/render/passes.h"
+#include "tracer/render/rendering.h"
+#include "tracer/world/world.h"
 
 #include <functional>
 
-/// The path loop once per transport, each in a file of its own.
+/// The path loop once per transport. Each is instantiated in its own file, so that they compile in parallel
+/// and a test can read from its symbols what it contains.
 namespace orbs::tracer {
 
 using PassRenderer = void(const World& world,
@@ -15,16 +17,7 @@ using PassRenderer = void(const World& world,
                           Rendering& out,
                           const std::function<void()>& tile_done);
 
-PassRenderer rgb_pass;
-PassRenderer rgb_interface_pass;  // RGB with materials beyond ORB.S
-PassRenderer spectral_pass;
-PassRenderer bispectral_pass;
-PassRenderer polarised_pass;
-PassRenderer polarised_bispectral_pass;
-PassRenderer stokes_pass;  // polarised, with S1 to S3 in the image
-PassRenderer stokes_bispectral_pass;
-
-/// The one for the world's transport.
+/// render_pass of the cheapest transport that has what the world needs.
 PassRenderer* kernel_for(const World& world);
 
 }  // namespace orbs::tracer

@@ -1,16 +1,9 @@
 #include "tracer/kernels/kernels.h"
-#include "tracer/polarised_transport.h"
-#include "tracer/render_with.h"
+#include "tracer/render/render_pass.h"
+#include "tracer/transport/polarised_transport.h"
 
 namespace orbs::tracer {
 
-void polarised_bispectral_pass(const World& world,
-                               const RenderSettings& settings,
-                               const NumberedPass& pass,
-                               Film& film,
-                               Rendering& out,
-                               const std::function<void()>& tile_done) {
-  render_pass<PolarisedTransport<BispectralTransport, 1>>(world, settings, pass, film, out, tile_done);
-}
+template PassRenderer render_pass<PolarisedTransport<BispectralTransport, 1>>;
 
 }  // namespace orbs::tracer

@@ -1,16 +1,9 @@
 #include "tracer/kernels/kernels.h"
-#include "tracer/render_with.h"
-#include "tracer/rgb_transport.h"
+#include "tracer/render/render_pass.h"
+#include "tracer/transport/rgb_transport.h"
 
 namespace orbs::tracer {
 
-void rgb_pass(const World& world,
-              const RenderSettings& settings,
-              const NumberedPass& pass,
-              Film& film,
-              Rendering& out,
-              const std::function<void()>& tile_done) {
-  render_pass<RgbTransport>(world, settings, pass, film, out, tile_done);
-}
+template PassRenderer render_pass<RgbTransport>;
 
 }  // namespace orbs::tracer

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "tracer/geometry/ray.h"
+#include "tracer/geometry/render_object.h"
+#include "tracer/light/emitter.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace orbs::tracer {
+
+/// What rays can hit. The arrays must outlive the accelerator and must not move.
+struct AccelGeometry {
+  const std::vector<RenderObject>& objects;
+  const std::vector<TriangleMesh>& meshes;
+  const std::vector<SphereSurface>& spheres;
+  const std::vector<AreaLight>& lights;
+};
+
+/// Ray traversal by Embree, in robust mode: no ray passes between adjacent triangles. Rays are traced in
+/// packets of 16, which take two thirds of the time of single rays on small scenes; Embree itself falls back
+/// to single rays where a packet diverges.
+class Accel {
+ public:
+  explicit Accel(const AccelGeometry& geometry);
+  ~Accel();
+  Accel(const Accel&) = delete;
+  Accel& operator=(const Accel&) = delete;
+  Accel(Accel&&) = delete;
+  Accel& operator=(Accel&&) = delete;
+
+  /// The nearest hit of each ray; object = kNoHit if there is none.
+  void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+  /// 1 for rays that hit anything within their reach, else 0.
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace orbs::tracer

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/vec.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace orbs::tracer {
+
+/// The events of Heckbert's light-path notation, as ORB.S REQ_A2 to A4 use it.
+enum class Event : std::uint8_t { Diffuse, Specular, Glossy };
+
+/// A sampled direction. Directions are in the local frame (z = shading normal on the viewer's side) and point
+/// away from the surface.
+template <typename Value>
+struct BsdfSample {
+  Vec3f wi{};
+  Value weight{};  // f |cos| / pdf
+  float pdf = 0;   // per solid angle; meaningless for delta functions
+  bool is_transmitted = false;
+  /// The part of `weight` that is the compression of radiance by 1 / eta^2, which refraction out of the
+  /// medium undoes. Russian roulette divides it out (pbrt's etaScale).
+  float radiance_scale = 1;
+};
+
+/// f |cos wi| and the pdf with which sample() chooses wi.
+template <typename Value>
+struct BsdfValue {
+  Value f_cos{};
+  float pdf = 0;
+};
+
+/// Names the BSDFs of a material, from which the variant of all BSDFs is made (materials.h).
+template <typename... Bsdfs>
+struct BsdfList {};
+
+/// What lobe_alpha() says of materials without a specular or glossy lobe.
+constexpr float kNoLobe = std::numeric_limits<float>::infinity();
+
+}  // namespace orbs::tracer

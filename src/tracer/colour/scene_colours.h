@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "tracer/colour/colour.h"
+
+#include <optional>
+#include <vector>
+
+namespace orbs::tracer {
+
+/// Turns colours of a scene into those of the tracer and collects the spectra that they refer to.
+struct SceneColours {
+  const scene::Scene& scene;
+  bool has_wavelengths = false;             // paths carry wavelengths; RGB paths need no spectra
+  std::vector<spectra::Spectrum>& spectra;  // of the world, scales applied
+};
+
+/// Appends the spectrum to `colours.spectra` and returns its index; -1 if there is none or paths carry RGB.
+int add_spectrum(const SceneColours& colours, const std::optional<scene::SpectrumUse>& use);
+
+Colour make_colour(const SceneColours& colours,
+                   const scene::RgbColour& rgb,
+                   const std::optional<scene::SpectrumUse>& spectrum = std::nullopt);
+
+TexturedColour make_textured_colour(const SceneColours& colours,
+                                    const scene::RgbColour& rgb,
+                                    const std::optional<scene::SpectrumUse>& spectrum,
+                                    const std::optional<scene::TextureUse>& texture);
+
+}  // namespace orbs::tracer

@@ -1,0 +1,76 @@
+#include "tracer/colour/texture.h"
+
+#include "base/error.h"
+#include "image/linear_rgb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace orbs::tracer {
+
+TexelGrid load_texels(const scene::Texture& texture) {
+  const auto image = with_note(fmt::format("loading texture '{}'", texture.name),
+                               [&] { return image::read_linear_rgb(texture.file); });
+  TexelGrid grid{image.width, image.height, {}, texture.wrap_u, texture.wrap_v, {}};
+  grid.texels.reserve(image.pixel_count());
+  Vec3d sum;
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x) {
+      const Vec3f texel{image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+      grid.texels.push_back(texel);
+      sum += cast<double>(texel);
+    }
+  grid.average = cast<float>(sum / static_cast<double>(image.pixel_count()));
+  return grid;
+}
+
+namespace {
+
+struct Neighbours {
+  int low = 0;
+  int high = 0;
+  float share_of_high = 0;
+};
+
+Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
+  // Whole periods are subtracted before scaling, so that u = 1000.25 keeps the digits of its fraction.
+  const float local = wrap == scene::Wrap::Repeat ? coordinate - std::floor(coordinate) : coordinate;
+  const float at = local * static_cast<float>(size) - 0.5F;
+  // Beyond these bounds the result is clamped anyway.
+  const float bounded = std::min(std::max(at, -1.0F), static_cast<float>(size));
+  const float floor = std::floor(bounded);
+  const int low = static_cast<int>(floor);
+  if (wrap == scene::Wrap::Clamp)
+    return {std::clamp(low, 0, size - 1), std::clamp(low + 1, 0, size - 1), bounded - floor};
+  return {low < 0 ? low + size : low, low + 1 >= size ? low + 1 - size : low + 1, bounded - floor};
+}
+
+}  // namespace
+
+Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
+  // A texture matrix can move coordinates out of the range of floats. There is no texel then, and the sample
+  // is counted as bad.
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    return {kNone, kNone, kNone};
+  }
+  const Neighbours x = neighbours(uv.x, grid.width, grid.wrap_u);
+  const Neighbours y = neighbours(uv.y, grid.height, grid.wrap_v);
+  const auto texel = [&](int column, int row) {
+    return grid.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
+                       static_cast<std::size_t>(column)];
+  };
+  const Vec3f bottom = texel(x.low, y.low) * (1 - x.share_of_high) + texel(x.high, y.low) * x.share_of_high;
+  const Vec3f top = texel(x.low, y.high) * (1 - x.share_of_high) + texel(x.high, y.high) * x.share_of_high;
+  return bottom * (1 - y.share_of_high) + top * y.share_of_high;
+}
+
+UvMap uv_map(const Mat4& matrix) {
+  const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(matrix(row, column)); };
+  return {{f(0, 0), f(0, 1), f(0, 3), f(1, 0), f(1, 1), f(1, 3)}};
+}
+
+}  // namespace orbs::tracer

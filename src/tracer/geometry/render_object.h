@@ -1,0 +1,53 @@
+#pragma once
+
+#include "tracer/geometry/affine.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace orbs::tracer {
+
+/// What shading needs of a triangle, precomputed and contiguous in memory.
+struct TriangleCache {
+  Vec3f corner;
+  Vec3f edge1;
+  Vec3f edge2;
+  Vec3f geometric_normal;       // unit; zero for degenerate triangles, which no ray hits
+  Vec3f shading_normal;         // unit; used if has_one_normal
+  float size = 0;               // largest absolute coordinate of the corners
+  int material = 0;             // of the mesh
+  bool has_one_normal = false;  // the three vertex normals are equal
+};
+
+struct TriangleMesh {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<Vec2f> uvs;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<int> materials;                 // per triangle
+  std::vector<TriangleCache> triangle_cache;  // per triangle
+};
+
+struct SphereSurface {
+  Vec3f centre;
+  float radius = 0;
+  int material = 0;
+};
+
+enum class ObjectKind { WorldMesh, InstancedMesh, Light, Sphere };
+
+/// One object that rays can hit: a mesh with its vertices in world space, an instance of a mesh in the space
+/// of the mesh, a light, or a sphere.
+struct RenderObject {
+  ObjectKind kind = ObjectKind::WorldMesh;
+  std::size_t mesh = 0;    // index into World::meshes
+  std::size_t light = 0;   // index into World::lights
+  std::size_t sphere = 0;  // index into World::spheres
+  Affine to_world;         // InstancedMesh only
+  Affine normal_to_world;
+  std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
+  std::vector<int> mirror_planes;  // per triangle: index into World::mirror_planes or -1; empty without any
+};
+
+}  // namespace orbs::tracer

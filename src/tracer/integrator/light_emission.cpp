@@ -1,0 +1,82 @@
+#include "tracer/integrator/light_emission.h"
+
+#include "tracer/light/emitter_sampling.h"
+#include "tracer/sampling/warps.h"
+#include "tracer/world/surface.h"
+
+namespace orbs::tracer {
+
+namespace {
+
+struct EmittingPoint {
+  Vec3f position;
+  Vec3f normal;        // unit, on the bright side
+  float pdf_area = 0;  // per m^2, without the selection of the emitter
+  float position_error = 0;
+  Vec2f texture_uv;
+};
+
+EmittingPoint point_on(const RectEmitter& rect, float u, float v) {
+  return {rect.centre + rect.a * (2 * u - 1) + rect.b * (2 * v - 1),
+          rect.normal,
+          1 / rect.area,
+          rounding_of(rect),
+          {}};
+}
+
+EmittingPoint point_on(const DiskEmitter& disk, float u, float v) {
+  const Vec2f at = sample_disk(u, v);
+  return {disk.centre + disk.a * at.x + disk.b * at.y, disk.normal, 1 / disk.area, rounding_of(disk), {}};
+}
+
+// Uniform on the unit sphere. A linear map A takes an area dA with normal n to |det A| |A^-T n| dA.
+EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
+  const float z = 1 - 2 * u;
+  const float r = std::sqrt(std::max(0.0F, 1 - z * z));  // rounding only
+  const float phi = 2 * kPi * v;
+  const Vec3f p{r * std::cos(phi), r * std::sin(phi), z};
+  const Vec3f normal = sphere.inverse[0] * p.x + sphere.inverse[1] * p.y + sphere.inverse[2] * p.z;
+  const float stretch = length(normal);
+  return {sphere.centre + sphere.axes[0] * p.x + sphere.axes[1] * p.y + sphere.axes[2] * p.z,
+          normal / stretch,
+          1 / (4 * kPi * sphere.determinant * stretch),
+          rounding_of(sphere),
+          {}};
+}
+
+// Both sides emit. Each is sampled with probability 1/2, which is part of the pdf.
+EmittingPoint point_on(const TriangleEmitter& t, float u, float v, float side) {
+  const Vec2f b = triangle_point({u, v});
+  return {t.corner + t.edge1 * b.x + t.edge2 * b.y, side < 0.5F ? t.normal : -t.normal, 0.5F / t.area,
+          rounding_of(t), interpolated_uv(t, b)};
+}
+
+}  // namespace
+
+EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice) {
+  EmittedRay out;
+  out.emitter = world.emitters.pick(choice[0]);
+  const EmittingPoint from =
+      out.emitter < world.emitters.light_count()
+          ? std::visit([&](const auto& shape) { return point_on(shape, at[0], at[1]); },
+                       world.lights[out.emitter].shape)
+          : point_on(world.emitters.triangle(out.emitter), at[0], at[1], choice[2]);
+  const auto to =
+      sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
+  out.position = from.position;
+  out.texture_uv = from.texture_uv;
+  // The origin is offset by the rounding error of the point and of the emitter's surface in the accelerator.
+  out.ray = {from.position + from.normal * (2 * from.position_error), to.direction};
+  const float cosine = dot(from.normal, to.direction);
+  if (cosine > 0) out.weight = cosine / (world.emitters.probability(out.emitter) * from.pdf_area * to.pdf);
+  return out;
+}
+
+Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {
+  if (emitted.emitter < world.emitters.light_count())
+    return radiance_towards(world.lights[emitted.emitter], emitted.position, target);
+  const TriangleEmitter& triangle = world.emitters.triangle(emitted.emitter);
+  return emitted_radiance(world, emission_of(world, triangle), emitted.texture_uv);
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "tracer/world/world.h"
+
+#include <array>
+
+/// Emission of light paths.
+namespace orbs::tracer {
+
+/// A ray from a point of an emitter towards the caustic casters of the world.
+struct EmittedRay {
+  Ray ray;
+  std::size_t emitter = 0;
+  Vec3f position;    // on the emitter
+  Vec2f texture_uv;  // there, for emissive triangles
+  /// Cosine over the product of all pdfs (selection of the emitter, area, solid angle); 0 for directions to
+  /// the dark side.
+  float weight = 0;
+};
+
+/// `at` samples the point on the emitter and the direction, `choice` the emitter, the caster and the side of
+/// a triangle; all numbers in [0, 1). The world must have emitters and caustic_casters.
+EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice);
+
+/// Radiance that the emitter sends along the ray, which hits a surface at `target`.
+Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target);
+
+}  // namespace orbs::tracer

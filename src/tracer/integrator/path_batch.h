@@ -1,0 +1,144 @@
+#pragma once
+
+#include "tracer/geometry/lanes.h"
+#include "tracer/geometry/ray.h"
+#include "tracer/integrator/path_class.h"
+#include "tracer/sampling/sampler.h"
+#include "tracer/transport/transport.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+/// The state of the path tracer.
+namespace orbs::tracer {
+
+/// One camera sample.
+struct Sample {
+  int x = 0;  // pixel
+  int y = 0;
+  SampleBlock block;
+  std::uint32_t index = 0;  // within the block
+};
+
+/// A contribution with its class of light path, recorded for --split-paths.
+struct ClassedRadiance {
+  std::uint32_t sample = 0;
+  int path_class = 0;
+  Vec3f radiance;
+};
+
+template <Transport T>
+struct PathState {
+  typename T::Throughput throughput{};
+  typename T::Contribution radiance{};  // found so far
+  [[no_unique_address]] typename T::Lambda lambda{};
+  Ray ray;
+  std::uint32_t sample = 0;
+  /// Pdf of ray.direction for MIS; 0 if light sampling could not have found what the ray hits.
+  float bsdf_pdf = 0;
+  float radiance_scale = 1;  // product of BsdfSample::radiance_scale
+  int scatterings = 0;
+  bool began_at_flat_mirror = false;        // one that has the camera in front of it
+  bool is_reached_by_light_paths = false;   // the first surface, see is_left_to_light_paths
+  bool near_specular_beyond_first = false;  // the last surface is near-specular and is not the first
+  /// Set after a bounce off a flat mirror that followed a non-specular vertex: that vertex mirrored in the
+  /// plane, and the probability that its light sampling picked this plane. bsdf_pdf is then that of the
+  /// vertex.
+  bool came_by_mirror = false;
+  float mirror_probability = 0;
+  Vec3f mirrored_vertex;
+  PathClass events;
+  Vec2f first_light_sample;  // the two numbers of the first set that the pixel position does not use
+};
+
+/// True if the path is about to scatter at the surface that the camera sees, directly or by a flat mirror.
+template <Transport T>
+bool is_at_first_surface(const PathState<T>& path) {
+  return path.scatterings == 0 || (path.scatterings == 1 && path.began_at_flat_mirror);
+}
+
+/// Light that comes from a near-specular surface and reaches the camera from another surface that is not, or
+/// by the tail of its lobe, directly or by a flat mirror: it is left to light paths (World::caustic_casters).
+template <Transport T>
+bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
+  return path.near_specular_beyond_first && path.is_reached_by_light_paths && !world.caustic_casters.empty();
+}
+
+/// What a shadow ray adds to its path if it is not blocked.
+template <Transport T>
+struct ShadowRay {
+  typename T::Contribution light{};
+  std::uint32_t path = 0;
+  int path_class = 0;
+};
+
+/// A light sample by way of a flat mirror, before its ray has hit the mirror (sample_mirrored_light.h).
+template <Transport T>
+struct MirrorRay {
+  typename T::Throughput throughput{};  // up to the mirror
+  typename T::Value emitted{};
+  Vec3f target;  // on the light
+  int plane = 0;
+  std::uint32_t path = 0;
+  int path_class = 0;
+};
+
+/// Paths that are traced together, and scratch memory that is reused from batch to batch.
+template <Transport T>
+struct PathBatch {
+  std::vector<PathState<T>> paths;
+  std::vector<std::uint32_t> active;
+  std::vector<std::uint32_t> survivors;  // of the current bounce
+  std::vector<Ray> rays;                 // of the active paths
+  std::vector<Hit> hits;
+  std::vector<Ray> mirror_rays;
+  std::vector<Hit> mirror_hits;
+  std::vector<MirrorRay<T>> mirror_payloads;  // of mirror_rays
+  std::vector<Ray> shadow_rays;
+  std::vector<ShadowRay<T>> shadow_payloads;  // of shadow_rays
+  std::vector<std::uint8_t> blocked;
+  std::vector<ClassedRadiance> classed;  // filled if split_paths
+  bool split_paths = false;
+  double traversal_seconds = 0;  // inside the accelerator, summed over all batches
+};
+
+/// Up to eight paths at hit points where they scatter, as structure of arrays: their geometry is computed in
+/// vector registers. Lanes from `count` on hold stale values, which are computed with and never used.
+template <Transport T>
+struct VertexLanes {
+  Vec8 position{};
+  Vec8 geometric_normal{};
+  Vec8 shading_normal{};  // flipped to the viewer
+  Vec8 to_viewer{};
+  Float8 position_error{};
+  Word8 block{};  // seed and index of the samples
+  Word8 index{};
+  std::array<std::uint32_t, kLanes> path{};
+  std::array<typename T::Bsdf, kLanes> bsdf;
+  std::array<bool, kLanes> samples_light{};  // next-event estimation is done here
+  std::array<int, kLanes> mirror_plane{};    // of the surface, or -1
+  std::array<int, kLanes> own_light{};       // the light that the surface belongs to, or -1
+  std::size_t count = 0;
+};
+
+template <Transport T>
+void add_contribution(PathBatch<T>& batch,
+                      PathState<T>& path,
+                      const typename T::Contribution& light,
+                      int path_class) {
+  path.radiance = T::add(path.radiance, light);
+  if (batch.split_paths) batch.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
+}
+
+/// Runs a traversal and adds its duration to the batch. There are two or three per bounce, for hundreds of
+/// rays each, so reading the clock is free.
+template <typename Batch, typename F>
+void timed_traversal(Batch& batch, const F& traverse) {
+  const auto start = std::chrono::steady_clock::now();
+  traverse();
+  batch.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace orbs::tracer

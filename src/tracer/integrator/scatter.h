@@ -1,0 +1,83 @@
+#pragma once
+
+#include "tracer/geometry/frame.h"
+#include "tracer/integrator/path_batch.h"
+#include "tracer/integrator/sample_direct_light.h"
+#include "tracer/world/surface.h"
+
+#include <array>
+#include <cmath>
+
+/// BSDF sampling: where the paths go next.
+namespace orbs::tracer {
+
+/// Russian roulette from the second scattering event on, with the square root of the throughput as the
+/// survival probability. The throughput itself ends so many paths in rooms of medium albedo that noise grows
+/// by more than the time saved: by 0.4 to 1 dB at equal time on scenes 101, 201 and 224.
+template <Transport T>
+bool survives_roulette(PathState<T>& path, float u) {
+  if (path.scatterings < 2) return true;
+  const float probability = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
+  if (probability >= 1) return true;
+  if (u >= probability) return false;
+  path.throughput = T::scaled(path.throughput, 1 / probability);
+  return true;
+}
+
+/// Records what MIS needs if the next ray hits an emitter.
+template <Transport T>
+void note_mis_state(
+    PathState<T>& path, const World& world, const VertexLanes<T>& vertices, std::size_t lane, float pdf) {
+  // The previous vertex could have sampled the same light by way of this mirror.
+  const bool could_have_sampled = path.bsdf_pdf > 0 && !path.came_by_mirror;
+  path.came_by_mirror = could_have_sampled && vertices.mirror_plane[lane] >= 0;
+  if (path.came_by_mirror) {
+    const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(vertices.mirror_plane[lane])];
+    const int count = count_planes_facing(world.mirror_planes, path.ray.origin);
+    path.mirror_probability = is_in_front(plane, path.ray.origin) ? 1 / static_cast<float>(count) : 0;
+    path.mirrored_vertex = mirrored(plane, path.ray.origin);
+    return;
+  }
+  path.bsdf_pdf = is_delta(vertices.bsdf[lane]) ? 0 : pdf;
+}
+
+/// Samples the BSDF of each vertex and gives the paths their next rays; those that survive are appended to
+/// batch.survivors.
+template <Transport T>
+void scatter(PathBatch<T>& batch,
+             const World& world,
+             const VertexLanes<T>& vertices,
+             const FrameOf<Vec8>& frame,
+             Vec8 wo,
+             int bounce) {
+  const auto u =
+      draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), SampleDimension::Scatter);
+  std::array<std::optional<BsdfSample<typename T::Value>>, kLanes> chosen;
+  Vec8 wi{};
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    chosen[lane] =
+        sample(vertices.bsdf[lane], lane_of(wo, lane), {u[0][lane], u[1][lane], u[2][lane], u[3][lane]});
+    if (chosen[lane]) set_lane(wi, lane, chosen[lane]->wi);
+  }
+  const Vec8 direction = frame.to_world(wi);
+  const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
+  const Vec8 origin =
+      offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (!chosen[lane] || agree[lane] == 0) continue;
+    PathState<T>& path = batch.paths[vertices.path[lane]];
+    path.throughput = T::chain(path.throughput, chosen[lane]->weight,
+                               [&] { return scattering_at(vertices, frame, lane, wo, wi); });
+    if (is_at_first_surface(path) && !is_delta(vertices.bsdf[lane]) && chosen[lane]->pdf < kTailPdf)
+      path.is_reached_by_light_paths = true;
+    path.radiance_scale *= chosen[lane]->radiance_scale;
+    note_mis_state<T>(path, world, vertices, lane, chosen[lane]->pdf);
+    path.events.append(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
+    path.ray.origin = lane_of(origin, lane);
+    path.ray.direction = lane_of(direction, lane);
+    ++path.scatterings;
+    if (survives_roulette<T>(path, u[3][lane])) batch.survivors.push_back(vertices.path[lane]);
+  }
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "image/image.h"
+#include "tracer/render/film.h"
+
+#include <cstdint>
+
+namespace orbs::tracer {
+
+struct RenderSettings {
+  int samples_per_pixel = 64;
+  std::uint64_t seed = 1;
+  int threads = 0;           // 0: all cores; the image does not depend on it
+  bool split_paths = false;  // one layer per class of light path
+};
+
+struct Progress {
+  double done = 0;  // [0, 1]
+  int samples_per_pixel = 0;
+  double seconds = 0;
+};
+
+struct Rendering {
+  image::Image image;
+  int samples_per_pixel = 0;  // fewer than in the settings after a stop
+  double seconds = 0;         // wall clock of the rendering alone
+  double cpu_seconds = 0;
+  /// Inside the accelerator, summed over all threads; wall clock, so it grows when cores are shared.
+  double traversal_seconds = 0;
+  std::uint64_t light_path_contributions = 0;  // splats of light paths to pixels
+  BadSamples bad_samples;
+};
+
+}  // namespace orbs::tracer

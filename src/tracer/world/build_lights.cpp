@@ -1,0 +1,148 @@
+#include "tracer/world/build_lights.h"
+
+#include "image/colour.h"
+#include "tracer/sampling/warps.h"
+#include "tracer/world/build_meshes.h"
+
+#include <cmath>
+
+namespace orbs::tracer {
+
+namespace {
+
+Vec3f direction_of(const Mat4& m, Vec3d v) { return cast<float>(transform_direction(m, v)); }
+
+EmitterShape prepare_shape(const scene::RectShape& s, const Mat4& m, Vec3f normal) {
+  RectEmitter out{.centre = cast<float>(transform_point(m, {})),
+                  .a = direction_of(m, {s.half_width_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.half_length_m}),
+                  .normal = normal};
+  out.area = 4 * length(cross(out.a, out.b));
+  out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5F * length(out.a) * length(out.b);
+  return out;
+}
+
+EmitterShape prepare_shape(const scene::DiskShape& s, const Mat4& m, Vec3f normal) {
+  DiskEmitter out{.centre = cast<float>(transform_point(m, {})),
+                  .a = direction_of(m, {s.radius_m, 0, 0}),
+                  .b = direction_of(m, {0, 0, s.radius_m}),
+                  .normal = normal};
+  out.area = kPi * length(cross(out.a, out.b));
+  return out;
+}
+
+EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
+  const Mat4 map = m * scaling({s.radius_m, s.radius_m, s.radius_m});
+  const Mat4 back = inverse(map).value();
+  SphereEmitter out{.centre = cast<float>(transform_point(m, {})), .axes = affine(map).axes};
+  for (std::size_t r = 0; r < 3; ++r) out.inverse[r] = cast<float>(Vec3d{back(r, 0), back(r, 1), back(r, 2)});
+  out.determinant = static_cast<float>(std::abs(determinant3(map)));
+  out.area = 4 * kPi * std::pow(out.determinant, 2.0F / 3.0F);
+  return out;
+}
+
+AreaLight prepare_light(const scene::Light& light, Vec3d origin, const SceneColours& colours) {
+  const Mat4 matrix = relative_to(light.matrix, origin);
+  const Mat4 back = inverse(matrix).value();
+  const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
+  AreaLight out{
+      .shape = std::visit([&](const auto& s) { return prepare_shape(s, matrix, normal); }, light.shape),
+      .radiance = {cast<float>(light.radiance), add_spectrum(colours, light.spectrum)},
+      .reflectance = cast<float>(light.reflectance),
+      .ies = light.ies,
+      .ies_axes = {},
+      .centre = cast<float>(transform_point(matrix, {}))};
+  const Mat4 ies_to_world = light.ies ? matrix * light.ies->matrix : matrix;
+  const std::array axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
+  for (std::size_t i = 0; i < 3; ++i)
+    out.ies_axes[i] = cast<float>(normalised(transform_direction(ies_to_world, axes[i])));
+  return out;
+}
+
+float mean_share(const scene::IesProfile& profile) {
+  double sum = 0;
+  for (const double value : profile.candela) sum += value;
+  return static_cast<float>(sum / static_cast<double>(profile.candela.size()) / profile.max_candela);
+}
+
+float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, rgb.y, rgb.z)); }
+
+// Determines the selection probability of a light, never its radiance. With fluorescence, invisible light
+// counts as well, so the whole range is integrated instead of the luminance.
+float brightness(const World& world, const Radiance& radiance) {
+  const bool can_change = scene::covers(world.transport, scene::LightTransport::Bispectral);
+  if (radiance.spectrum < 0 || !can_change) return luminance(radiance.rgb);
+  const auto& spectrum = world.spectra[static_cast<std::size_t>(radiance.spectrum)];
+  const auto one = spectra::constant(1);
+  constexpr double kFrom = spectra::kShortestLight_nm;
+  constexpr double kTo = spectra::kLongestSeen_nm;
+  return static_cast<float>(spectra::integral_of_product(spectrum, one, one, kFrom, kTo) / (kTo - kFrom));
+}
+
+float power_of(const World& world, const AreaLight& light) {
+  const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
+  return area * brightness(world, light.radiance) * (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+}
+
+float mean_brightness(const World& world, const EmissionMaterial& material) {
+  const auto& [colour, texture, uv] = material.radiance;
+  if (texture < 0) return brightness(world, {colour.rgb, colour.spectrum});
+  return luminance(colour.rgb * world.textures[static_cast<std::size_t>(texture)].average);
+}
+
+void add_emissive_triangles(const World& world,
+                            const RenderObject& object,
+                            std::vector<float>& powers,
+                            std::vector<TriangleEmitter>& out) {
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const int material = object.material_of[static_cast<std::size_t>(mesh.materials[i])];
+    const auto* emission =
+        std::get_if<EmissionMaterial>(&world.materials[static_cast<std::size_t>(material)].model);
+    if (emission == nullptr) continue;
+    std::array<Vec3f, 3> p;
+    std::array<Vec2f, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3f local = mesh.positions[mesh.triangles[i][k]];
+      p[k] = object.kind == ObjectKind::InstancedMesh ? apply_to_point(object.to_world, local) : local;
+      uv[k] = apply(emission->radiance.uv, mesh.uvs[mesh.triangles[i][k]]);
+    }
+    const Vec3f normal = cross(p[1] - p[0], p[2] - p[0]);
+    const float area = 0.5F * length(normal);
+    const float power = area * mean_brightness(world, *emission);
+    if (!(power > 0)) continue;  // a degenerate or black triangle; rays that hit it still see its emission
+    powers.push_back(power);
+    out.push_back({p[0], p[1] - p[0], p[2] - p[0], normalised(normal), area, uv, material});
+  }
+}
+
+}  // namespace
+
+void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& colours, World& world) {
+  for (const auto& light : scene.lights) {
+    RenderObject object;
+    object.kind = ObjectKind::Light;
+    object.light = world.lights.size();
+    world.lights.push_back(prepare_light(light, origin, colours));
+    world.objects.push_back(std::move(object));
+  }
+}
+
+void build_emitters(World& world) {
+  std::vector<float> powers;
+  std::vector<TriangleEmitter> triangles;
+  for (const AreaLight& light : world.lights) powers.push_back(power_of(world, light));
+  for (const RenderObject& object : world.objects)
+    if (object.kind == ObjectKind::WorldMesh || object.kind == ObjectKind::InstancedMesh)
+      add_emissive_triangles(world, object, powers, triangles);
+  double total = 0;
+  for (const float power : powers) total += power;
+  for (SurfaceMaterial& material : world.materials) {
+    auto* emission = std::get_if<EmissionMaterial>(&material.model);
+    if (emission != nullptr && total > 0)
+      emission->emitter_pdf_per_area = static_cast<float>(mean_brightness(world, *emission) / total);
+  }
+  world.emitters.build(powers, std::move(triangles), world.lights.size());
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "tracer/colour/scene_colours.h"
+#include "tracer/world/world.h"
+
+/// Steps of make_world.
+namespace orbs::tracer {
+
+/// Adds the area lights, in coordinates relative to `origin`.
+void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& colours, World& world);
+
+/// Fills world.emitters from lights and emissive triangles, once materials, meshes and lights are there.
+void build_emitters(World& world);
+
+}  // namespace orbs::tracer

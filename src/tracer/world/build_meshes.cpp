@@ -1,0 +1,84 @@
+#include "tracer/world/build_meshes.h"
+
+#include "tracer/geometry/affine.h"
+
+#include <limits>
+
+namespace orbs::tracer {
+
+namespace {
+
+constexpr std::size_t kNotAdded = std::numeric_limits<std::size_t>::max();
+
+TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
+  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}};
+  if (matrix == Mat4{}) {
+    for (Vec3f& n : out.normals) n = normalised(n);
+    return out;
+  }
+  const Mat4 back = inverse(matrix).value();  // the loader refuses singular matrices
+  for (Vec3f& p : out.positions) p = cast<float>(transform_point(matrix, cast<double>(p)));
+  for (Vec3f& n : out.normals) n = cast<float>(normalised(transform_normal(back, cast<double>(n))));
+  return out;
+}
+
+// Normals are mapped by the inverse transpose, whose columns these are.
+Affine normal_map(const Mat4& matrix) {
+  const Mat4 back = inverse(matrix).value();
+  Affine out;
+  for (std::size_t c = 0; c < 3; ++c) out.axes[c] = cast<float>(Vec3d{back(c, 0), back(c, 1), back(c, 2)});
+  return out;
+}
+
+}  // namespace
+
+Mat4 relative_to(Mat4 matrix, Vec3d origin) {
+  matrix(0, 3) -= origin.x;
+  matrix(1, 3) -= origin.y;
+  matrix(2, 3) -= origin.z;
+  return matrix;
+}
+
+void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& settings, World& world) {
+  std::vector<int> uses(scene.meshes.size(), 0);
+  std::size_t copied = 0;
+  for (const auto& instance : scene.instances) {
+    ++uses[static_cast<std::size_t>(instance.mesh)];
+    copied += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
+  }
+  std::vector<std::size_t> shared(scene.meshes.size(), kNotAdded);
+  for (const auto& instance : scene.instances) {
+    const auto index = static_cast<std::size_t>(instance.mesh);
+    const Mat4 matrix = relative_to(instance.matrix, origin);
+    RenderObject object;
+    for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
+      object.material_of.push_back(scene::remapped(instance, m));
+    if (copied <= settings.most_copied_triangles || uses[index] == 1) {
+      object.mesh = world.meshes.size();
+      world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
+    } else {
+      if (shared[index] == kNotAdded) {
+        shared[index] = world.meshes.size();
+        world.meshes.push_back(copy_mesh(scene.meshes[index], Mat4{}));
+      }
+      object.kind = ObjectKind::InstancedMesh;
+      object.mesh = shared[index];
+      object.to_world = affine(matrix);
+      object.normal_to_world = normal_map(matrix);
+    }
+    world.objects.push_back(std::move(object));
+  }
+}
+
+void add_spheres(const scene::Scene& scene, Vec3d origin, World& world) {
+  for (const auto& sphere : scene.spheres) {
+    RenderObject object;
+    object.kind = ObjectKind::Sphere;
+    object.sphere = world.spheres.size();
+    world.spheres.push_back(
+        {cast<float>(sphere.centre_m - origin), static_cast<float>(sphere.radius_m), sphere.material});
+    world.objects.push_back(std::move(object));
+  }
+}
+
+}  // namespace orbs::tracer

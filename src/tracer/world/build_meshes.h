@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "tracer/world/build_world.h"
+#include "tracer/world/world.h"
+
+/// Steps of make_world.
+namespace orbs::tracer {
+
+/// The matrix in coordinates whose zero is `origin`.
+Mat4 relative_to(Mat4 matrix, Vec3d origin);
+
+/// Adds meshes and their instances to the world, in coordinates relative to `origin`.
+void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& settings, World& world);
+
+void add_spheres(const scene::Scene& scene, Vec3d origin, World& world);
+
+}  // namespace orbs::tracer

@@ -1,0 +1,91 @@
+#include "tracer/world/build_world.h"
+
+#include "base/error.h"
+#include "scene/camera_frame.h"
+#include "tracer/world/build_lights.h"
+#include "tracer/world/build_materials.h"
+#include "tracer/world/build_meshes.h"
+#include "tracer/world/find_caustic_casters.h"
+#include "tracer/world/find_mirror_planes.h"
+#include "tracer/world/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orbs::tracer {
+
+namespace {
+
+// Origin of the world's coordinates. At 10^7 m from their origin floats are 1 m apart, so the origin is
+// placed near the camera: at the scene's own, or a multiple of the step from there, which doubles subtract
+// exactly. Half a step away floats are 8e-6 m apart.
+Vec3d origin_near(const scene::Camera& camera) {
+  constexpr double kStep_m = 256;
+  const auto nearest = [](double m) { return kStep_m * std::round(m / kStep_m); };
+  return {nearest(camera.position_m.x), nearest(camera.position_m.y), nearest(camera.position_m.z)};
+}
+
+PinholeCamera prepare_camera(const scene::Camera& camera, Vec3d origin) {
+  const auto frame = scene::camera_frame(camera);
+  return {cast<float>(camera.position_m - origin),
+          cast<float>(frame.forward),
+          cast<float>(frame.right * frame.half_width),
+          cast<float>(frame.up * frame.half_height),
+          camera.width_px,
+          camera.height_px};
+}
+
+// A transport given by the settings must have every effect that the scene calls for.
+scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSettings& settings) {
+  const auto& given = settings.transport;
+  const auto found = scene::effects(scene);
+  const auto needed = scene::transport(found);
+  if (!given || *given == needed) return needed;
+  if (settings.may_lose_effects || scene::covers(*given, needed)) return *given;
+  throw InputError(fmt::format("scene '{}' calls for {} transport{}, which {} transport does not have",
+                               scene.name, scene::transport_name(needed), scene::reason_for(found),
+                               scene::transport_name(*given)));
+}
+
+// Light paths end at lights, keep their wavelengths, and carry plain factors instead of matrices. So they are
+// not traced where lights reflect, surfaces fluoresce, or light is polarised.
+bool supports_light_paths(const World& world) {
+  const bool is_polarised = scene::covers(world.transport, scene::LightTransport::Polarised);
+  const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
+                                          [](const auto& light) { return !(light.reflectance == Vec3f{}); });
+  const bool has_fluorescence = std::any_of(
+      world.materials.begin(), world.materials.end(),
+      [](const auto& material) { return std::holds_alternative<FluorescentMaterial>(material.model); });
+  return !is_polarised && !lights_reflect && !has_fluorescence && !world.emitters.empty();
+}
+
+}  // namespace
+
+World make_world(const scene::Scene& scene, const WorldSettings& settings) {
+  World world;
+  world.transport = checked_transport(scene, settings);
+  const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
+  const Vec3d origin = origin_near(scene.camera);
+  world.camera = prepare_camera(scene.camera, origin);
+  world.wants_stokes =
+      scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
+  world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
+  world.trace_depth = scene.trace_depth;
+  for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
+  add_materials(scene, colours, world);
+  add_meshes(scene, origin, settings, world);
+  add_spheres(scene, origin, world);
+  add_lights(scene, origin, colours, world);
+  build_emitters(world);
+  for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
+  if (settings.mirrored_light) find_mirror_planes(world);
+  if (settings.light_paths && supports_light_paths(world))
+    world.caustic_casters = find_caustic_casters(world);
+  world.accel =
+      std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres, world.lights});
+  return world;
+}
+
+}  // namespace orbs::tracer

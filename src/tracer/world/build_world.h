@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "tracer/world/world.h"
+
+#include <optional>
+
+namespace orbs::tracer {
+
+struct WorldSettings {
+  /// Above this many triangles in world space, meshes with several instances are instanced instead of copied.
+  /// Copies trace faster; two million triangles take about 0.4 GB.
+  std::size_t most_copied_triangles = 500'000;
+  /// What paths carry; nothing: no more than the scene calls for.
+  std::optional<scene::LightTransport> transport = {};
+  /// Permits a transport with fewer effects than the scene calls for. Indices are then those of 550 nm,
+  /// spectra become colours, light is unpolarised or keeps its wavelength.
+  bool may_lose_effects = false;
+  /// Off: camera paths find all light alone. The expected image is the same; only its noise differs.
+  bool light_paths = true;
+  /// Off: no next-event estimation by way of flat mirrors. The expected image is the same; only its noise
+  /// differs.
+  bool mirrored_light = true;
+};
+
+/// Throws InputError if a texture cannot be read, or if the given transport lacks effects that the scene
+/// calls for.
+World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
+
+}  // namespace orbs::tracer

@@ -1,0 +1,78 @@
+#include "tracer/world/find_caustic_casters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace orbs::tracer {
+
+namespace {
+
+constexpr std::size_t kMostCasters = 16;
+
+class Box {
+ public:
+  void add(Vec3f p) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+  }
+  bool empty() const { return low_.x > high_.x; }
+  Vec3f centre() const { return (low_ + high_) * 0.5F; }
+
+ private:
+  Vec3f low_{INFINITY, INFINITY, INFINITY};
+  Vec3f high_{-INFINITY, -INFINITY, -INFINITY};
+};
+
+template <typename F>
+void for_each_near_specular_corner(const World& world, const RenderObject& object, const F& visit) {
+  if (object.kind == ObjectKind::Light || object.kind == ObjectKind::Sphere) return;
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const int material = object.material_of[static_cast<std::size_t>(mesh.materials[i])];
+    if (!world.materials[static_cast<std::size_t>(material)].is_near_specular) continue;
+    for (const auto corner : mesh.triangles[i]) {
+      const Vec3f local = mesh.positions[corner];
+      visit(object.kind == ObjectKind::InstancedMesh ? apply_to_point(object.to_world, local) : local);
+    }
+  }
+}
+
+std::optional<BoundingSphere> sphere_about(const World& world, const RenderObject& object) {
+  if (object.kind == ObjectKind::Sphere) {
+    const SphereSurface& sphere = world.spheres[object.sphere];
+    if (!world.materials[static_cast<std::size_t>(sphere.material)].is_near_specular) return std::nullopt;
+    return BoundingSphere{sphere.centre, sphere.radius};
+  }
+  Box box;
+  for_each_near_specular_corner(world, object, [&](Vec3f p) { box.add(p); });
+  if (box.empty()) return std::nullopt;
+  BoundingSphere sphere{box.centre(), 0};
+  for_each_near_specular_corner(
+      world, object, [&](Vec3f p) { sphere.radius = std::max(sphere.radius, length(p - sphere.centre)); });
+  return sphere;
+}
+
+BoundingSphere sphere_about(const std::vector<BoundingSphere>& spheres) {
+  Box box;
+  for (const auto& s : spheres) {
+    const Vec3f r{s.radius, s.radius, s.radius};
+    box.add(s.centre - r);
+    box.add(s.centre + r);
+  }
+  BoundingSphere all{box.centre(), 0};
+  for (const auto& s : spheres) all.radius = std::max(all.radius, length(s.centre - all.centre) + s.radius);
+  return all;
+}
+
+}  // namespace
+
+std::vector<BoundingSphere> find_caustic_casters(const World& world) {
+  std::vector<BoundingSphere> casters;
+  for (const RenderObject& object : world.objects)
+    if (const auto sphere = sphere_about(world, object)) casters.push_back(*sphere);
+  if (casters.size() > kMostCasters) casters = {sphere_about(casters)};
+  return casters;
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,150 @@
+#include "tracer/world/surface.h"
+
+#include "tracer/sampling/warps.h"
+
+#include <algorithm>
+
+namespace orbs::tracer {
+
+namespace {
+
+inline Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
+  const auto& corners = mesh.triangles[hit.primitive];
+  const float b1 = hit.barycentric.x;
+  const float b2 = hit.barycentric.y;
+  return mesh.normals[corners[0]] * (1 - b1 - b2) + mesh.normals[corners[1]] * b1 +
+         mesh.normals[corners[2]] * b2;
+}
+
+// Opposite vertex normals can cancel in between; the geometric normal then replaces them.
+Vec3f unit_or(Vec3f normal, Vec3f geometric_normal) {
+  const float squared = dot(normal, normal);
+  return squared > 0 ? normal / std::sqrt(squared) : geometric_normal;
+}
+
+// Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
+// corner and edges, and 6 for the differences corner - origin in the intersection test of the next ray.
+// (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm.)
+constexpr float kTriangleRounding = 12 * 0x1p-24F;
+// The transform of an instance adds 4 for the corner and for the end of each edge.
+constexpr float kInstanceRounding = 20 * 0x1p-24F;
+
+SurfacePoint point_on_instance(const World& world, const RenderObject& object, const Hit& hit) {
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
+  SurfacePoint out;
+  out.material = object.material_of[static_cast<std::size_t>(triangle.material)];
+  const Vec3f p0 = apply_to_point(object.to_world, triangle.corner);
+  const Vec3f e1 = apply_to_direction(object.to_world, triangle.edge1);
+  const Vec3f e2 = apply_to_direction(object.to_world, triangle.edge2);
+  out.position = p0 + e1 * hit.barycentric.x + e2 * hit.barycentric.y;
+  out.geometric_normal = normalised(cross(e1, e2));
+  const Vec3f normal = triangle.has_one_normal ? triangle.shading_normal : interpolated_normal(mesh, hit);
+  out.shading_normal = unit_or(apply_to_direction(object.normal_to_world, normal), out.geometric_normal);
+  out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
+                                                     largest_magnitude(p0 + e2)});
+  return out;
+}
+
+// The hit point is projected onto the sphere along its normal. What remains is the rounding of the sum, of
+// the normalisation, and of centre and radius in the intersection test of the next ray: less than 8 half ulp.
+constexpr float kSphereRounding = 8 * 0x1p-24F;
+
+SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const Hit& hit) {
+  SurfacePoint out;
+  out.material = sphere.material;
+  out.geometric_normal = normalised(ray.origin + ray.direction * hit.distance - sphere.centre);
+  out.shading_normal = out.geometric_normal;
+  out.position = sphere.centre + out.geometric_normal * sphere.radius;
+  out.position_error = kSphereRounding * (largest_magnitude(sphere.centre) + sphere.radius);
+  return out;
+}
+
+Vec3f normal_of(const RectEmitter& rect, Vec3f) { return rect.normal; }
+Vec3f normal_of(const DiskEmitter& disk, Vec3f) { return disk.normal; }
+// The gradient of |inverse (p - centre)|^2.
+Vec3f normal_of(const SphereEmitter& sphere, Vec3f position) {
+  const Vec3f d = position - sphere.centre;
+  const Vec3f local{dot(sphere.inverse[0], d), dot(sphere.inverse[1], d), dot(sphere.inverse[2], d)};
+  return normalised(sphere.inverse[0] * local.x + sphere.inverse[1] * local.y + sphere.inverse[2] * local.z);
+}
+
+}  // namespace
+
+void fill_triangle_cache(TriangleMesh& mesh) {
+  mesh.triangle_cache.resize(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& corners = mesh.triangles[i];
+    const Vec3f p0 = mesh.positions[corners[0]];
+    const Vec3f p1 = mesh.positions[corners[1]];
+    const Vec3f p2 = mesh.positions[corners[2]];
+    const Vec3f n0 = mesh.normals[corners[0]];
+    TriangleCache& triangle = mesh.triangle_cache[i];
+    triangle.corner = p0;
+    triangle.edge1 = p1 - p0;
+    triangle.edge2 = p2 - p0;
+    triangle.material = mesh.materials[i];
+    triangle.geometric_normal = unit_or(cross(triangle.edge1, triangle.edge2), {});
+    triangle.has_one_normal = n0 == mesh.normals[corners[1]] && n0 == mesh.normals[corners[2]];
+    triangle.shading_normal = unit_or(n0, triangle.geometric_normal);
+    triangle.size = std::max({largest_magnitude(p0), largest_magnitude(p1), largest_magnitude(p2)});
+  }
+}
+
+SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit) {
+  SurfacePoint out;
+  out.position = ray.origin + ray.direction * hit.distance;
+  out.geometric_normal =
+      std::visit([&](const auto& shape) { return normal_of(shape, out.position); }, light.shape);
+  out.shading_normal = out.geometric_normal;
+  // The hit distance and the origin of the ray are rounded as well.
+  out.position_error = std::visit([](const auto& shape) { return rounding_of(shape); }, light.shape) +
+                       4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
+  return out;
+}
+
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
+  const RenderObject& object = world.objects[hit.object];
+  if (object.kind != ObjectKind::WorldMesh)
+    return object.kind == ObjectKind::Sphere ? point_on_sphere(world.spheres[object.sphere], ray, hit)
+                                             : point_on_instance(world, object, hit);
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
+  SurfacePoint out;
+  out.material = object.material_of[static_cast<std::size_t>(triangle.material)];
+  out.position = triangle.corner + triangle.edge1 * hit.barycentric.x + triangle.edge2 * hit.barycentric.y;
+  out.geometric_normal = triangle.geometric_normal;
+  out.shading_normal = triangle.has_one_normal
+                           ? triangle.shading_normal
+                           : unit_or(interpolated_normal(mesh, hit), triangle.geometric_normal);
+  out.position_error = kTriangleRounding * triangle.size;
+  return out;
+}
+
+Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
+  const Hit& hit = surface.hit;
+  const RenderObject& object = world.objects[hit.object];
+  if (object.kind == ObjectKind::Sphere) {
+    const Vec3f n = surface.point.geometric_normal;
+    const float around = std::atan2(n.x, n.z) / (2 * kPi);
+    // Rounding only: n is a unit vector.
+    return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
+  }
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  const auto& corners = mesh.triangles[hit.primitive];
+  const float b1 = hit.barycentric.x;
+  const float b2 = hit.barycentric.y;
+  const float b0 = 1 - b1 - b2;
+  const Vec2f t0 = mesh.uvs[corners[0]];
+  const Vec2f t1 = mesh.uvs[corners[1]];
+  const Vec2f t2 = mesh.uvs[corners[2]];
+  return {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
+}
+
+Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv) {
+  const auto& [colour, texture, uv_map] = material.radiance;
+  if (texture < 0) return {colour.rgb, colour.spectrum};
+  return {colour.rgb * lookup(world.textures[static_cast<std::size_t>(texture)], uv)};
+}
+
+}  // namespace orbs::tracer

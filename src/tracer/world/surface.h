@@ -1,0 +1,73 @@
+#pragma once
+
+#include "tracer/geometry/lanes.h"
+#include "tracer/world/world.h"
+
+/// Hit points.
+namespace orbs::tracer {
+
+/// A point on a surface. All vectors are in world space.
+struct SurfacePoint {
+  Vec3f position;
+  /// Bound of the distance between `position` and the surface that Embree intersected, in metres.
+  float position_error = 0;
+  Vec3f geometric_normal;  // unit, on either side
+  Vec3f shading_normal;    // unit, interpolated as given, not flipped to the viewer
+  int material = 0;
+};
+
+/// Fills mesh.triangle_cache.
+void fill_triangle_cache(TriangleMesh& mesh);
+
+/// The point where the ray hits a mesh or a sphere.
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
+
+/// The point where the ray hits a light, on its bright side. It has no material.
+SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit);
+
+/// A hit on a surface with a material.
+struct SurfaceHit {
+  const SurfacePoint& point;
+  const SurfaceMaterial& material;
+  const Hit& hit;
+};
+
+/// Texture coordinates given by the mesh; those of a sphere are defined at scene::Sphere.
+Vec2f texture_coordinates(const World& world, const SurfaceHit& surface);
+
+/// Radiance that an emissive material emits at these texture coordinates, to which its UV matrix is applied
+/// already.
+Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv);
+
+/// Material of a triangle in the table of emitters.
+inline const EmissionMaterial& emission_of(const World& world, const TriangleEmitter& triangle) {
+  return std::get<EmissionMaterial>(world.materials[static_cast<std::size_t>(triangle.material)].model);
+}
+
+/// Index of the mirror plane that contains the triangle of the object, or -1.
+inline int mirror_plane_of(const World& world, std::uint32_t object, std::uint32_t triangle) {
+  const auto& planes = world.objects[object].mirror_planes;
+  return planes.empty() ? -1 : planes[triangle];
+}
+
+/// Origin of a ray that leaves `position` in this direction: offset along the normal beyond the position
+/// error.
+template <typename V, typename Real>
+V offset_origin(V position, Real position_error, V geometric_normal, V direction) {
+  // The bound holds for each coordinate; its component along the normal is scaled by the 1-norm of the
+  // normal.
+  const V n = geometric_normal;
+  const Real offset = position_error * (magnitude(n.x) + magnitude(n.y) + magnitude(n.z));
+  return position + n * with_sign_of(offset, dot(n, direction));
+}
+
+/// True if a direction is on the same side of the geometric as of the shading normal. Other directions would
+/// leak light through the surface (Veach 1997, 5.3.5). Returns a mask for eight paths.
+template <typename V>
+auto sides_agree(V geometric_normal, V shading_normal, V direction) {
+  using Real = decltype(direction.x);
+  const Real same_side = with_sign_of(Real{} + 1.0F, dot(geometric_normal, shading_normal));
+  return dot(geometric_normal, direction) * same_side * dot(shading_normal, direction) > 0.0F;
+}
+
+}  // namespace orbs::tracer

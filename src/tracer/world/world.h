@@ -1,0 +1,44 @@
+#pragma once
+
+#include "scene/effects.h"
+#include "tracer/accel/accel.h"
+#include "tracer/bsdf/materials.h"
+#include "tracer/colour/colour.h"
+#include "tracer/geometry/mirror_plane.h"
+#include "tracer/geometry/render_object.h"
+#include "tracer/light/caustic_casters.h"
+#include "tracer/light/emitter.h"
+#include "tracer/light/emitter_table.h"
+#include "tracer/world/camera.h"
+
+#include <memory>
+#include <vector>
+
+namespace orbs::tracer {
+
+/// The scene as the path loop reads it: single precision, world space, names and defaults resolved.
+/// build_world.h makes it.
+struct World {
+  PinholeCamera camera;
+  scene::LightTransport transport = scene::LightTransport::Rgb;  // what its paths carry
+  bool has_appearance_materials = false;                         // a surface shows one
+  bool wants_stokes = false;
+  Radiance environment;
+  int trace_depth = 1;                     // most scattering events of a path
+  std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
+  std::vector<TexelGrid> textures;
+  std::vector<SurfaceMaterial> materials;
+  std::vector<TriangleMesh> meshes;
+  std::vector<SphereSurface> spheres;
+  std::vector<RenderObject> objects;
+  std::vector<AreaLight> lights;
+  EmitterTable emitters;
+  /// Empty unless light paths are traced. They then carry all light that leaves its emitter towards a
+  /// near-specular surface and reaches the camera from another surface that is not near-specular, or by the
+  /// tail of its lobe (kTailPdf); camera paths skip that light.
+  std::vector<BoundingSphere> caustic_casters;
+  std::vector<MirrorPlane> mirror_planes;
+  std::unique_ptr<Accel> accel;
+};
+
+}  // namespace orbs::tracer
