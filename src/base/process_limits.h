@@ -3,16 +3,16 @@
 #include <cstddef>
 #include <optional>
 
-namespace orbs::supervisor {
+namespace orbs {
 
-/// What one render may take, all its processes together. Nothing: no such limit.
-struct Limits {
+/// What one render may use, all its processes together. An empty limit is no limit.
+struct ProcessLimits {
   double wall_seconds = 600;
   std::optional<double> cpu_seconds;        // user and system
   std::optional<std::size_t> memory_bytes;  // resident and not backed by a file, which the kernel could drop
   std::optional<std::size_t> output_bytes;  // in its folder, and of each single file anywhere
-  std::size_t log_bytes = 1 << 20;          // of stdout and stderr; what is beyond is left out of the middle
-  double grace_seconds = 2;                 // between TERM and KILL
+  std::size_t log_bytes = 1 << 20;          // of stdout and stderr; the middle of a longer log is left out
+  double grace_seconds = 2;                 // between SIGTERM and SIGKILL
 };
 
-}  // namespace orbs::supervisor
+}  // namespace orbs
