@@ -1,10 +1,10 @@
-#include "adapters/interrupt.h"
+#include "cli/interrupt.h"
 
 #include <csignal>
 
 #include <unistd.h>
 
-namespace orbs::adapters {
+namespace orbs::cli {
 
 namespace {
 
@@ -28,4 +28,4 @@ const std::atomic<bool>& catch_interrupts() {
   return interrupted;
 }
 
-}  // namespace orbs::adapters
+}  // namespace orbs::cli

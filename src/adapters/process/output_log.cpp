@@ -1,4 +1,4 @@
-#include "adapters/output_log.h"
+#include "adapters/process/output_log.h"
 
 #include "base/error.h"
 

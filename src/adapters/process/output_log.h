@@ -8,15 +8,15 @@
 
 namespace orbs::adapters {
 
-/// Output of a program, bounded: the first half of the allowance as it comes (so that the file can be
-/// followed while the program runs), and of what comes later the last half.
+/// Output of a program, bounded: the first half of the allowance is written as it arrives, so that the file
+/// can be followed while the program runs; of all later output the last half is kept.
 class OutputLog {
  public:
-  /// `file` may be empty: memory only. What it holds already stays, for the seeds of a job share their log.
+  /// `file` may be empty: memory only. An existing file is continued, for the seeds of a job share their log.
   /// WriteError, here and below, when the disk refuses.
   OutputLog(const std::filesystem::path& file, std::size_t most_bytes);
   void append(std::string_view bytes);
-  /// Writes what is still held back and returns all that was kept.
+  /// Writes the part that is still held back and returns all that was kept.
   std::string finish();
 
  private:

@@ -1,4 +1,4 @@
-#include "adapters/programs.h"
+#include "adapters/process/programs.h"
 
 #include "base/text.h"
 
