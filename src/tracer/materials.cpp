@@ -1,6 +1,6 @@
 #include "tracer/materials.h"
 
-#include "scene/lower_parts.h"
+#include "scene/scene.h"
 #include "tracer/sampling.h"
 #include "tracer/sharp_targets.h"
 

@@ -144,7 +144,7 @@ TEST(Effects, AMaterialThatNothingShowsCallsForNothing) {
   const auto found = scene::effects(hidden);
   EXPECT_EQ(scene::transport(found), LightTransport::Rgb);
   ASSERT_EQ(found.not_called_for.size(), 1U);
-  EXPECT_EQ(found.not_called_for[0].thing, "material 'm'");
+  EXPECT_EQ(found.not_called_for[0].object, "material 'm'");
   EXPECT_NE(found.not_called_for[0].reason.find("no surface shows it"), std::string::npos);
 }
 

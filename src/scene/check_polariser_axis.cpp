@@ -1,5 +1,4 @@
-#include "scene/called.h"
-#include "scene/load_parts.h"
+#include "scene/check_polariser_axis.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +6,12 @@ namespace orbs::scene {
 
 namespace {
 
-// Below this sine the projected axis is rounding of the vertices' floats.
+// Below this sine the projected axis is nothing but the rounding of the vertices' floats.
 constexpr double kLeastSine = 1e-4;
 
 std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
   for (const auto& instance : scene.instances) {
-    const auto& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const auto& mesh = mesh_of(scene, instance);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       if (remapped(instance, mesh.triangle_materials[i]) != material) continue;
       const auto corner = [&](std::size_t k) {
@@ -27,20 +26,21 @@ std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
   }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     if (scene.spheres[i].material == material)
-      return fmt::format("{} is a sphere and no sheet: an axis can be projected into flat things only",
-                         called("shape", scene.spheres[i].name, i));
+      return fmt::format(
+          "{} is a sphere and no thin optical element: an axis can be projected into flat surfaces only",
+          display_name("shape", scene.spheres[i].name, i));
   return "";
 }
 
 }  // namespace
 
-std::string sheet_problem(const Scene& scene, int material) {
-  const auto& model = scene.materials[static_cast<std::size_t>(material)].model;
-  if (const auto* polariser = std::get_if<Polariser>(&model))
-    return axis_problem(scene, polariser->axis, material);
-  if (const auto* retarder = std::get_if<Retarder>(&model))
-    return axis_problem(scene, retarder->axis, material);
-  return "";
+std::string check_polariser_axis(const Scene& scene, int material) {
+  return std::visit(
+      [&](const auto& model) -> std::string {
+        if constexpr (requires { model.axis; }) return axis_problem(scene, model.axis, material);
+        return "";
+      },
+      material_at(scene, material).model);
 }
 
 }  // namespace orbs::scene

@@ -1,4 +1,4 @@
-#include "scene/load_parts.h"
+#include "scene/load_entry.h"
 
 #include "base/files.h"
 #include "base/text.h"
@@ -51,13 +51,13 @@ std::filesystem::path existing_file(json::ObjectReader& in,
   return path;
 }
 
-void take(const json::ObjectReader& in,
-          const std::string& key,
-          const char* things,
-          std::size_t wanted,
-          std::size_t& left) {
+void spend(const json::ObjectReader& in,
+           const std::string& key,
+           const char* objects,
+           std::size_t wanted,
+           std::size_t& left) {
   if (wanted > left)
-    in.fail(key, fmt::format("asks for {} {}; the scene may hold {} more", wanted, things, left));
+    in.fail(key, fmt::format("asks for {} {}; the scene may hold {} more", wanted, objects, left));
   left -= wanted;
 }
 
