@@ -23,7 +23,7 @@ struct Vertex {
   Vec2f uv;
 };
 
-/// What goes into one mesh2: one index serves position, normal and texture coordinates.
+/// Content of one mesh2: one index serves position, normal and texture coordinates.
 struct Mesh2 {
   std::vector<Vertex> vertices;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -52,9 +52,9 @@ Vertex vertex_of(const Corner& corner) {
           {static_cast<float>(corner.uv.x), static_cast<float>(corner.uv.y)}};
 }
 
-// POV-Ray refuses triangles without area with a warning each; nothing would be seen of them.
-/// Vertices are shared between triangles of one material, not across materials, whose texture matrices may
-/// differ.
+// Builds a mesh2. POV-Ray refuses triangles without area with a warning each, so they are left out; they are
+// invisible. Vertices are shared between triangles of one material, not across materials, whose texture
+// matrices may differ.
 class Mesh2Builder {
  public:
   Mesh2Builder(const scene::Scene& scene, const Mesh& mesh) : scene_(scene), mesh_(mesh) {}
@@ -156,15 +156,15 @@ int part_of(const scene::Scene& scene, int material) {
   return surface_of(material_in(scene, material).model) == Surface::Plain ? -1 : material;
 }
 
-std::vector<MeshPart> declare_parts(const scene::Scene& scene,
-                                    const Mesh& mesh,
-                                    const std::vector<int>& materials,
-                                    MeshLibrary& library) {
+std::vector<DeclaredMesh> declare_parts(const scene::Scene& scene,
+                                        const Mesh& mesh,
+                                        const std::vector<int>& materials,
+                                        MeshLibrary& library) {
   std::map<int, Mesh2Builder> builders;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     builders.try_emplace(part_of(scene, materials[i]), scene, mesh)
         .first->second.add(mesh.triangles[i], materials[i]);
-  std::vector<MeshPart> parts;
+  std::vector<DeclaredMesh> parts;
   const std::size_t number = library.parts.size();
   for (auto& [material, builder] : builders) {
     const Mesh2 mesh2 = builder.take();
@@ -178,9 +178,9 @@ std::vector<MeshPart> declare_parts(const scene::Scene& scene,
 
 }  // namespace
 
-const std::vector<MeshPart>& mesh_parts(const scene::Scene& scene,
-                                        const scene::Instance& instance,
-                                        MeshLibrary& library) {
+const std::vector<DeclaredMesh>& declared_meshes(const scene::Scene& scene,
+                                                 const scene::Instance& instance,
+                                                 MeshLibrary& library) {
   const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
   std::vector<int> materials = materials_after_remap(mesh, instance);
   // The key is short: only what each material of the mesh became.

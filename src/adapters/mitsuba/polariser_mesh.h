@@ -6,6 +6,6 @@ namespace orbs::adapters::mitsuba {
 
 /// The mesh in world space, each triangle with vertices of its own whose u grows along `axis` projected into
 /// the triangle: Mitsuba's polariser transmits along the direction of u and absorbs along that of v.
-scene::Mesh sheet_along(Vec3d axis, const scene::Mesh& mesh, const Mat4& place);
+scene::Mesh polariser_mesh(Vec3d axis, const scene::Mesh& mesh, const Mat4& place);
 
 }  // namespace orbs::adapters::mitsuba

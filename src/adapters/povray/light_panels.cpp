@@ -1,4 +1,4 @@
-#include "adapters/povray/lamp_panels.h"
+#include "adapters/povray/light_panels.h"
 
 #include "adapters/light_frame.h"
 
@@ -9,12 +9,12 @@ namespace orbs::adapters::povray {
 
 namespace {
 
-// The error of the direct light falls with the square of (side of a panel / distance of what it lights). The
-// lamp of scene 103, 16 m wide and 13 m above the floor, came to -2.8 %, -0.7 % and -0.2 % with 2, 4 and 8
-// panels a side; a fifth of the distance makes that 0.3 %, a third of what the cases allow.
+// The error of the direct light falls with the square of (side of a panel / distance of the lit surface). The
+// light of scene 103, 16 m wide and 13 m above the floor, came to -2.8 %, -0.7 % and -0.2 % with 2, 4 and 8
+// panels a side; a fifth of the distance makes that 0.3 %, a third of the tolerance of the cases.
 constexpr double kLargestPanel = 0.2;
 
-// From the lamp to the last vertex that lies before it.
+// Distance from the light to the last vertex in front of it.
 double reach_m(const scene::Scene& scene, const LightFrame& frame) {
   double reach = 0;
   for (const auto& instance : scene.instances)
