@@ -16,8 +16,8 @@ std::string_view effect_name(Effect effect) {
       return "polarisation";
     case Effect::Fluorescence:
       return "fluorescence";
-    case Effect::RoughInterface:
-      return "rough interface";
+    case Effect::RoughBoundary:
+      return "rough boundary";
     case Effect::ReflectingLight:
       return "reflecting light";
     case Effect::AnalyticShape:

@@ -13,7 +13,7 @@ enum class Effect {
   ThinFilm,         // interference colours
   Polarisation,     // polarisers, retarders, Stokes vectors
   Fluorescence,     // light that changes its wavelength
-  RoughInterface,   // microfacets
+  RoughBoundary,    // microfacets
   ReflectingLight,  // a light that also reflects
   AnalyticShape,    // a surface by its formula
   Texture,

@@ -176,7 +176,7 @@ LightTransport transport_for(Effect effect) {
       return LightTransport::Polarised;
     case Effect::Fluorescence:
       return LightTransport::Bispectral;
-    case Effect::RoughInterface:
+    case Effect::RoughBoundary:
     case Effect::ReflectingLight:
     case Effect::AnalyticShape:
     case Effect::Texture:

@@ -32,7 +32,7 @@ const char* level_for(Effect effect) {
     case Effect::Dispersion:
       return "E6";
     case Effect::MeasuredMetal:
-    case Effect::RoughInterface:
+    case Effect::RoughBoundary:
     case Effect::AnalyticShape:
     case Effect::Texture:
     case Effect::Ies:

@@ -18,7 +18,7 @@ constexpr double kLargestPanel = 0.2;
 double reach_m(const scene::Scene& scene, const LightFrame& frame) {
   double reach = 0;
   for (const auto& instance : scene.instances)
-    for (const auto& position : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+    for (const auto& position : mesh_of(scene, instance).positions) {
       const Vec3d vertex{position.x, position.y, position.z};
       reach = std::max(reach, dot(transform_point(instance.matrix, vertex) - frame.centre, frame.facing));
     }

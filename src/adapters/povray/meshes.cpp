@@ -30,10 +30,6 @@ struct Mesh2 {
   std::vector<int> triangle_materials;
 };
 
-const scene::Material& material_in(const scene::Scene& scene, int material) {
-  return scene.materials[static_cast<std::size_t>(material)];
-}
-
 Vec2d looked_up_at(Vec2f uv, const std::optional<TextureUse>& use) {
   const Vec2d given{uv.x, uv.y};
   if (!use) return given;
@@ -60,7 +56,7 @@ class Mesh2Builder {
   Mesh2Builder(const scene::Scene& scene, const Mesh& mesh) : scene_(scene), mesh_(mesh) {}
 
   void add(const std::array<std::uint32_t, 3>& triangle, int material) {
-    const auto& use = scene::texture_of(material_in(scene_, material).model);
+    const auto& use = scene::texture_of(material_at(scene_, material).model);
     const std::array corners{corner_of(mesh_, triangle[0], use), corner_of(mesh_, triangle[1], use),
                              corner_of(mesh_, triangle[2], use)};
     if (!has_area(corners)) return;
@@ -153,7 +149,7 @@ std::vector<int> materials_after_remap(const Mesh& mesh, const scene::Instance& 
 }
 
 int part_of(const scene::Scene& scene, int material) {
-  return surface_of(material_in(scene, material).model) == Surface::Plain ? -1 : material;
+  return surface_of(material_at(scene, material).model) == Surface::Plain ? -1 : material;
 }
 
 std::vector<DeclaredMesh> declare_parts(const scene::Scene& scene,
@@ -181,7 +177,7 @@ std::vector<DeclaredMesh> declare_parts(const scene::Scene& scene,
 const std::vector<DeclaredMesh>& declared_meshes(const scene::Scene& scene,
                                                  const scene::Instance& instance,
                                                  MeshLibrary& library) {
-  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+  const Mesh& mesh = mesh_of(scene, instance);
   std::vector<int> materials = materials_after_remap(mesh, instance);
   // The key is short: only what each material of the mesh became.
   std::map<int, int> shown;

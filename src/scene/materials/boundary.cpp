@@ -83,7 +83,7 @@ bool is_everywhere_equal(const RefractiveIndex& a, const RefractiveIndex& b) {
 }
 
 EffectVerdict effect_of(const Roughness& roughness) {
-  return {Effect::RoughInterface, true,
+  return {Effect::RoughBoundary, true,
           fmt::format("is rough ({}, alpha {})",
                       roughness.distribution == Distribution::Ggx ? "GGX" : "Beckmann", roughness.alpha)};
 }
