@@ -120,7 +120,7 @@ def build(scene, folder, scale_option):
 def checked_material(material):
     place = f"material '{material.get('name')}'"
     if material.get("type") not in cycles_materials.MATERIAL_TYPES:
-        raise SceneError(f"{place} has the unknown type '{material.get('type')}'")
+        raise SceneError(f"{place}: Cycles has no {material.get('type')}")
     required, optional, _ = cycles_materials.MATERIAL_TYPES[material["type"]]
     checked(material, place, {"name", "type"} | required, optional)
     if "texture" in material:

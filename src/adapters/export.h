@@ -9,18 +9,21 @@
 
 namespace orbs::adapters {
 
+/// InputError when `scene_format` of the renderer is no word of scene_formats().
+void check_scene_format(const registry::Renderer& renderer);
+
 /// InputError when `scene_settings` of the renderer holds a name that the exporter of its format does not
 /// know, or a value that makes no sense there.
 void check_scene_settings(const registry::Renderer& renderer);
 
 /// The scene in the form that the renderer can read: lowered to what it declares and checked against the
-/// limits of the format. Or the reason why there is none.
+/// limits of the format; or the reason why there is none.
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene);
 
-/// What the exported scene file of a job is called, by the ending that programs of the format know; "" where
+/// Name of the exported scene file of a job, with the ending that programs of the format know; "" where
 /// nothing is exported.
-std::string scene_file_name(registry::SceneFormat format);
+std::string scene_file_name(const std::string& format);
 
 /// Writes a prepared scene in the renderer's format, everything into the folder of `file`.
 void export_scene(const registry::Renderer& renderer,

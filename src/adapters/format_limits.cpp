@@ -2,7 +2,7 @@
 
 #include "adapters/light_frame.h"
 #include "adapters/masking.h"
-#include "scene/lower.h"
+#include "scene/features.h"
 
 #include <string_view>
 
@@ -10,14 +10,18 @@
 
 namespace orbs::adapters {
 
+bool is_refused(const std::string& requirement, const BeyondOrbs& levels) {
+  constexpr std::string_view kOrbsGroups = "GMLA";
+  return kOrbsGroups.find(requirement.front()) == std::string_view::npos &&
+         !levels.written.contains(requirement);
+}
+
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels) {
-  constexpr std::string_view kOrbsGroups = "GMLA";
   std::vector<std::string> reasons;
   for (const auto& [requirement, what] : scene::features_called_for(scene)) {
-    if (kOrbsGroups.find(requirement.front()) != std::string_view::npos) continue;
-    if (levels.written.contains(requirement)) continue;
+    if (!is_refused(requirement, levels)) continue;
     const auto why = levels.why_not.find(requirement);
     reasons.push_back(why == levels.why_not.end()
                           ? fmt::format("{}, which the exporter to {} does not write", what, renderer)
@@ -26,11 +30,12 @@ std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
   return reasons;
 }
 
-std::string light_limit(const scene::Light& light, const std::string& called, const char* renderer) {
+std::string light_limit(const scene::Light& light, const std::string& display_name, const char* renderer) {
   if (light.ies)
-    return fmt::format("{} has an IES profile: {} has them for points without size only", called, renderer);
+    return fmt::format("{} has an IES profile: {} has them for points without size only", display_name,
+                       renderer);
   if (std::holds_alternative<scene::DiskShape>(light.shape) && !is_round(light_frame(light.matrix)))
-    return fmt::format("{} is a disk stretched into an ellipse, whose area {} does not know", called,
+    return fmt::format("{} is a disk stretched into an ellipse, whose area {} does not know", display_name,
                        renderer);
   return "";
 }

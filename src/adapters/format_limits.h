@@ -7,33 +7,36 @@
 #include <string>
 #include <vector>
 
-/// Limits that Mitsuba and pbrt share: one reason that begins with the thing in the scene, "" when it can
-/// be drawn. `renderer` is the name in the reason.
+/// Limits that several formats share: one reason that begins with the object in the scene, "" when it can be
+/// drawn. `renderer` is the name in the reason.
 namespace orbs::adapters {
 
 /// What an exporter does with the levels that go beyond ORB.S ("E6"): it writes them, or it does not for a
-/// reason that follows what calls for the level, after a colon.
+/// reason that stands behind the object that calls for the level, after a colon.
 struct BeyondOrbs {
   std::set<std::string> written;
   std::map<std::string, std::string> why_not;
 };
-/// Everything in the scene that goes beyond ORB.S and that the exporter does not write.
+/// Whether the level goes beyond ORB.S and is not written.
+bool is_refused(const std::string& requirement, const BeyondOrbs& levels);
+/// One reason for each level beyond ORB.S that the scene calls for and the exporter does not write.
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels);
-/// `called`: how the reason calls the light.
-std::string light_limit(const scene::Light& light, const std::string& called, const char* renderer);
+/// `display_name`: the light in the reason.
+std::string light_limit(const scene::Light& light, const std::string& display_name, const char* renderer);
 std::string oren_nayar_limit(const std::string& material, double roughness, const char* renderer);
-/// `form` says what the renderer has: "a product" or "height-correlated".
+/// `form` names the masking of the renderer: "a product" or "height-correlated".
 std::string masking_limit(const std::string& material, double alpha, const char* renderer, const char* form);
-/// As above, of an interface by its indices; `has_separable` says which form of masking the renderer has.
+/// As above, of a boundary by its indices; `has_separable` says which form of masking the renderer has.
 std::string masking_limit(const std::string& material,
                           const scene::Roughness& roughness,
                           const char* renderer,
                           bool has_separable);
-/// A roughness that the renderer takes for another one: below `least_alpha`.
+/// Refuses a roughness below `least_alpha`, which the renderer would change.
 std::string alpha_limit(const std::string& material, double alpha, const char* renderer, double least_alpha);
-/// Colours of images in a scene for wavelengths: each renderer makes spectra of them by its own model.
+/// Refuses a texture in a scene that is rendered by wavelengths: each renderer makes spectra of its colours
+/// by a model of its own.
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer);
 std::string wrap_limit(const scene::Texture& texture, const char* renderer);
 

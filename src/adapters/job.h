@@ -11,7 +11,8 @@
 
 namespace orbs::adapters {
 
-/// One render as a renderer sees it: what is started, where, and where its image must then be.
+/// One render from the point of view of the renderer: command, working directory, and the place where its
+/// image is expected.
 struct Job {
   std::vector<std::string> argv;
   std::filesystem::path folder;  // working directory, holds everything of the job
@@ -20,7 +21,7 @@ struct Job {
   int width_px = 0;
   int height_px = 0;
   bool may_be_negative = false;  // its pixels
-  // What proves that an image is of this render; nothing is asked where they are empty.
+  // Proof that an image belongs to this render; an empty member is not checked.
   std::string id;                                              // given to the renderer as ORBS_JOB
   std::string scene_file_hash;                                 // hash_text of scene_file's bytes
   std::optional<std::filesystem::file_time_type> ready_since;  // by the clock of the disk

@@ -21,7 +21,8 @@ Mat4 flat_light_matrix(const LightFrame& frame, Vec3d x, Vec3d y) {
 }
 
 bool is_round(const LightFrame& frame) {
-  // Rounding of a turn and a uniform scale stays far below this; a scale meant to differ does not.
+  // Rounding of a rotation and a uniform scale stays far below this; a scale that is meant to be uneven does
+  // not.
   constexpr double kRounding = 1e-6;
   const double square = dot(frame.u, frame.u);
   return std::abs(dot(frame.v, frame.v) - square) <= kRounding * square &&

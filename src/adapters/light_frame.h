@@ -4,7 +4,8 @@
 
 namespace orbs::adapters {
 
-/// Where a light's matrix puts its local axes; flat lights lie in local XZ and shine towards local -Y.
+/// The image of a light's local axes under its matrix; flat lights lie in local XZ and shine towards local
+/// -Y.
 struct LightFrame {
   Vec3d centre;
   Vec3d u;       // image of local X
@@ -15,10 +16,11 @@ struct LightFrame {
 
 LightFrame light_frame(const Mat4& matrix);
 
-/// Takes x to `x`, y to `y` and z to where the light shines, from the origin to its centre.
+/// A matrix that takes x to `x`, y to `y`, z to the direction in which the light shines, and the origin to
+/// its centre.
 Mat4 flat_light_matrix(const LightFrame& frame, Vec3d x, Vec3d y);
 
-/// A disk stays a disk: u and v are perpendicular and of one length.
+/// Whether a disk stays a disk: u and v are perpendicular and of one length.
 bool is_round(const LightFrame& frame);
 
 }  // namespace orbs::adapters

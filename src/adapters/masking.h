@@ -9,8 +9,8 @@ namespace orbs::adapters {
 /// of the light that a surface gets from an even surrounding.
 double masking_difference(double alpha);
 
-/// The most of masking_difference that an exporter lets pass for the same material, reached at alpha 0.12; at
-/// 45 degrees that alpha makes a difference of 1.3e-5.
+/// The largest masking_difference that an exporter accepts for the same material. It is reached at alpha
+/// 0.12; at 45 degrees that alpha makes a difference of 1.3e-5.
 constexpr double kMostMaskingDifference = 0.01;
 
 }  // namespace orbs::adapters

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Relative to the folder of the scene, sorted: a hash must not depend on the order of a directory.
+// Paths relative to the folder of the scene, sorted: a hash must not depend on the order of a directory.
 std::vector<fs::path> files_beside(const fs::path& native) {
   const auto folder = native.parent_path();
   std::vector<fs::path> files;

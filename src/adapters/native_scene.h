@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-/// Scenes that somebody wrote by hand for one renderer, with all that they need beside them:
-/// <folder of the neutral scene>/<renderer>/<scene>.<native_scenes of its entry>.
+/// Scenes written by hand for one renderer, with all files that they need beside them: <folder of the neutral
+/// scene>/<renderer>/<scene>.<native_scenes of its entry>.
 namespace orbs::adapters {
 
-/// Where the renderer's own version of the scene would lie; "" when its entry allows none.
+/// The place of the renderer's own version of the scene; "" when its entry allows none.
 std::filesystem::path native_scene_file(const registry::Renderer& renderer,
                                         const std::filesystem::path& neutral_file,
                                         const std::string& scene_name);
@@ -21,7 +21,7 @@ std::filesystem::path native_scene(const registry::Renderer& renderer,
                                    const std::filesystem::path& neutral_file,
                                    const std::string& scene_name);
 
-/// Of all files in the folder of the scene, names and bytes: any of them may be what the scene includes.
+/// Hash of the names and bytes of all files in the folder of the scene: the scene may include any of them.
 std::uint64_t native_scene_hash(const std::filesystem::path& native);
 
 /// Copies the folder of the scene into `folder`, where it is rendered like an exported one. InputError for a

@@ -19,10 +19,6 @@ Samples sampled(const Value& value_at_nm) {
   return samples;
 }
 
-const spectra::Spectrum& named(const scene::Scene& scene, const scene::SpectrumUse& use) {
-  return scene.spectra[static_cast<std::size_t>(use.spectrum)].spectrum;
-}
-
 }  // namespace
 
 const std::vector<double>& sampled_wavelengths_nm() {
@@ -53,13 +49,14 @@ Samples samples_of_k(const scene::Conductor& metal) {
 spectra::Spectrum reflected(const scene::Scene& scene,
                             scene::RgbColour colour,
                             const std::optional<scene::SpectrumUse>& use) {
-  return use ? scaled(named(scene, *use), use->scale) : spectra::reflectance_of_rgb(colour);
+  return use ? scaled(spectrum_at(scene.spectra, *use).spectrum, use->scale)
+             : spectra::reflectance_of_rgb(colour);
 }
 
 Samples light_samples(const scene::Scene& scene,
                       scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use) {
-  if (use) return samples_of(scaled(named(scene, *use), use->scale));
+  if (use) return samples_of(scaled(spectrum_at(scene.spectra, *use).spectrum, use->scale));
   const spectra::Spectrum tint = spectra::reflectance_of_rgb(colour);
   const spectra::Spectrum& d65 = spectra::illuminant("D65");
   return sampled([&](double nm) { return value_at(tint, nm) * value_at(d65, nm); });

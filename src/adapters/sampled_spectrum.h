@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// Spectra as lists of numbers, for renderers that read them so.
+/// Spectra as lists of numbers, for renderers that read them in this form.
 namespace orbs::adapters {
 
 /// The whole nanometres that are seen, 360 to 830: evenly spaced, ends included, since Mitsuba and pbrt take
@@ -16,13 +16,13 @@ const std::vector<double>& sampled_wavelengths_nm();
 using Samples = std::vector<float>;
 
 Samples samples_of(const spectra::Spectrum& spectrum);
-/// index / outside: interfaces depend on nothing else.
+/// The ratio index / outside: boundaries depend on nothing else.
 Samples samples_of_ratio(const spectra::RefractiveIndex& index, const spectra::RefractiveIndex& outside);
-/// Of n and k of a metal over the index outside.
+/// Samples of n and k of a metal, each over the index outside.
 Samples samples_of_n(const scene::Conductor& metal);
 Samples samples_of_k(const scene::Conductor& metal);
 
-/// What a surface of this colour reflects, or by the spectrum in its place.
+/// The reflectance of a surface of this colour, or the spectrum in its place.
 spectra::Spectrum reflected(const scene::Scene& scene,
                             scene::RgbColour colour,
                             const std::optional<scene::SpectrumUse>& use);

@@ -12,17 +12,19 @@ namespace orbs::adapters {
 
 namespace {
 
-struct Colour {
-  scene::RgbColour operator()(const scene::Lambert& m) const { return m.reflectance; }
-  scene::RgbColour operator()(const scene::OrenNayar& m) const { return m.reflectance; }
-  scene::RgbColour operator()(const scene::Mirror& m) const { return m.reflectance; }
-  scene::RgbColour operator()(const scene::Glass& m) const { return m.colour; }
-  scene::RgbColour operator()(const scene::Ggx& m) const { return m.colour; }
-  scene::RgbColour operator()(const scene::RoughGlass& m) const { return m.colour; }
-  scene::RgbColour operator()(const scene::Emission& m) const { return m.radiance; }
-  // None of them has a texture.
-  scene::RgbColour operator()(const scene::AppearanceModel auto&) const { return {}; }
-};
+// The colour that a material's texture is multiplied by.
+scene::RgbColour tint_of(const scene::MaterialModel& model) {
+  return std::visit(
+      [](const auto& m) -> scene::RgbColour {
+        if constexpr (!requires { m.texture; })
+          return {};
+        else if constexpr (requires { m.radiance; })
+          return m.radiance;
+        else
+          return m.reflectance;
+      },
+      model);
+}
 
 }  // namespace
 
@@ -31,9 +33,9 @@ std::string tinted_image_name(int material, const std::string& stem) {
 }
 
 void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file) {
-  const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
-  const scene::RgbColour tint = std::visit(Colour{}, model);
-  const auto& texture = scene.textures[static_cast<std::size_t>(scene::texture_of(model)->texture)];
+  const scene::MaterialModel& model = material_at(scene, material).model;
+  const scene::RgbColour tint = tint_of(model);
+  const auto& texture = texture_at(scene, *texture_of(model));
   with_note(fmt::format("tinting texture '{}'", texture.name), [&] {
     image::Image image = image::read_linear_rgb(texture.file);
     const std::array factors{tint.x, tint.y, tint.z};

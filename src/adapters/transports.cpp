@@ -17,11 +17,11 @@ void check_transports(const registry::Renderer& renderer) {
   for (const auto transport : scene::kTransports) known.emplace(scene::transport_name(transport));
   for (const auto& [name, word] : renderer.transports)
     if (!known.contains(name))
-      throw InputError(fmt::format("renderer '{}': transports: no light path is '{}'{}; known are: {}",
-                                   renderer.name, name, closest(name, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("{}: transports: no light path is '{}'{}; known are: {}",
+                                   entry_name(renderer), name, closest(name, known), fmt::join(known, ", ")));
   if (!renderer.transports.empty() && !registry::uses_placeholder(renderer.command, "transport"))
     throw InputError(
-        fmt::format("renderer '{}': transports: its command does not use {{transport}}", renderer.name));
+        fmt::format("{}: transports: its command does not use {{transport}}", entry_name(renderer)));
 }
 
 std::string transport_word(const registry::Renderer& renderer, const scene::Scene& scene) {

@@ -1,7 +1,7 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/not_empty.h"
 #include "studies/bench.h"
 #include "studies/bench_report.h"
@@ -46,7 +46,7 @@ int bench(const registry::Configuration& configuration, BenchOptions options, co
   studies::BenchContext context;
   context.build = program.folder;
   context.orbs_version = program.version;
-  context.stop = &adapters::catch_interrupts();
+  context.stop = &catch_interrupts();
   context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto record = studies::run_bench(configuration, options.bench, context);
   if (!record) return kInterrupted;

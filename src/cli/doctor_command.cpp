@@ -43,7 +43,7 @@ void examine(const registry::Renderer& renderer,
     fmt::print("  program   not installed: there is no program '{}' here\n",
                runner::program_name(renderer, places.root, places.build));
   }
-  fmt::print("  reads     {}{}\n", registry::scene_format_name(renderer.scene_format),
+  fmt::print("  reads     {}{}\n", renderer.scene_format,
              renderer.native_scenes.empty()
                  ? ""
                  : fmt::format(", hand-written scenes *.{}", renderer.native_scenes));

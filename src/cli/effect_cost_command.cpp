@@ -1,7 +1,7 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/not_empty.h"
 #include "results/effect_costs.h"
 #include "studies/effect_cost.h"
@@ -51,7 +51,7 @@ int effects(const registry::Configuration& configuration,
   studies::EffectCostContext context;
   context.build = program.folder;
   context.orbs_version = program.version;
-  context.stop = &adapters::catch_interrupts();
+  context.stop = &catch_interrupts();
   context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);

@@ -1,7 +1,7 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/not_empty.h"
 #include "studies/probe.h"
 
@@ -52,7 +52,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
-  const auto& stop = adapters::catch_interrupts();
+  const auto& stop = catch_interrupts();
   const auto say = [](const std::string& line) {
     fmt::print("{}\n", line);
     std::fflush(stdout);

@@ -1,7 +1,7 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "results/run_folder.h"
@@ -66,7 +66,7 @@ int qualify(const registry::Configuration& configuration,
   check_output_file(file);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
   const auto run = results::read_run_folder(folder).run;
-  const auto& stop = adapters::catch_interrupts();
+  const auto& stop = catch_interrupts();
   const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto gates = studies::qualify(plan, run, options.qualify, {program.version, &stop, say});
   if (stop) return kInterrupted;

@@ -1,5 +1,5 @@
-#include "adapters/interrupt.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/number_checks.h"
 #include "runner/reference.h"
 
@@ -39,7 +39,7 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
       selection.suite = suite->empty() ? read.defaults.suite : *suite;
       if (!cases->empty()) selection.cases = joined_list(*cases);
       if (!scenes->empty()) selection.scenes = joined_list(*scenes);
-      const auto& stop = adapters::catch_interrupts();
+      const auto& stop = catch_interrupts();
       // A file or a pipe would else get its first line after minutes.
       const auto say = [](const std::string& line) {
         fmt::print("{}\n", line);

@@ -1,3 +1,4 @@
+#include "adapters/exporters.h"
 #include "cli/commands.h"
 #include "registry/new_renderer.h"
 #include "registry/placeholders.h"
@@ -22,7 +23,7 @@ int add(const registry::Configuration& configuration,
              found ? found->string()
                    : fmt::format("{}, which is not there yet",
                                  runner::program_name(entry, configuration.root, program.folder)));
-  fmt::print("  reads       {}\n", registry::scene_format_name(entry.scene_format));
+  fmt::print("  reads       {}\n", entry.scene_format);
   fmt::print("  declares    {}\n", registry::format_features(entry.declares));
   fmt::print("  command     {}\n", fmt::join(entry.command, " "));
   fmt::print(
@@ -46,7 +47,7 @@ void add_renderer_command(CLI::App& app, const Program& program, Action& action)
   adding->add_option("--executable", added->executable,
                      "path, or name of a program on PATH (default: the name)");
   adding->add_option("--format", added->scene_format, "what its scenes are written as")
-      ->check(CLI::IsMember({"orbs-scene", "povray", "mitsuba", "pbrt", "native"}))
+      ->check(CLI::IsMember(adapters::scene_formats()))
       ->capture_default_str();
   adding->add_option("--native-scenes", added->native_scenes,
                      "ending of scenes written by hand for it, such as xml");

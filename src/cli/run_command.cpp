@@ -1,6 +1,6 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "report/files.h"
@@ -154,7 +154,7 @@ int run_plan(const registry::Configuration& configuration,
   runner::RunContext context;
   context.orbs_version = program.version;
   context.command_line = program.command_line;
-  context.stop = &adapters::catch_interrupts();
+  context.stop = &catch_interrupts();
   context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& targets) {
     fmt::print(stderr, "{}\n", progress_line(done, count, job, targets));
   };

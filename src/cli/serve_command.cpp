@@ -1,6 +1,6 @@
-#include "adapters/interrupt.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "server/serve.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void show_runs(const std::vector<std::filesystem::path>& runs,
                "warning: {} can be reached from other machines: everybody there can read these runs, and "
                "nothing is encrypted\n",
                settings.address);
-  server::serve({runs, program.folder / "web", settings.address, settings.port}, adapters::catch_interrupts(),
+  server::serve({runs, program.folder / "web", settings.address, settings.port}, catch_interrupts(),
                 [&](const std::string& url) {
                   fmt::print("the page is at {}  (Ctrl-C ends it)\n", url);
                   std::fflush(stdout);

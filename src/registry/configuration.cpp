@@ -98,18 +98,9 @@ std::vector<std::string> load_command(ObjectReader& in) {
   return command;
 }
 
-SceneFormat load_scene_format(ObjectReader& in) {
-  const auto word =
-      in.one_of_or("scene_format", "orbs-scene", {"orbs-scene", "povray", "mitsuba", "pbrt", "native"});
-  for (const auto format :
-       {SceneFormat::Povray, SceneFormat::Mitsuba, SceneFormat::Pbrt, SceneFormat::Native})
-    if (word == scene_format_name(format)) return format;
-  return SceneFormat::OrbsScene;
-}
-
-std::string load_native_scenes(ObjectReader& in, SceneFormat format) {
+std::string load_native_scenes(ObjectReader& in, const std::string& format) {
   auto ending = in.text_or("native_scenes", "");
-  if (format == SceneFormat::Native && ending.empty())
+  if (format == kNativeFormat && ending.empty())
     in.fail("", "a renderer of the scene_format native needs 'native_scenes', the ending of its scenes");
   const bool plain = ending.find_first_of("/\\*? \t\n") == std::string::npos && !ending.starts_with('.');
   if (!plain) in.fail("native_scenes", fmt::format("'{}' is no ending such as \"xml\"", ending));
@@ -151,15 +142,16 @@ RenderSeconds load_render_seconds(ObjectReader in) {
   return place;
 }
 
-Renderer load_renderer(ObjectReader in, const supervisor::Limits& limits) {
+Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
+  renderer.place = in.place("name");
   const std::set<std::string> places{"root", "build"};
   renderer.executable = template_text(in, "executable", places);
   if (in.has("version_command"))
     renderer.version_command = template_texts(in, "version_command", executable_placeholders());
   renderer.version_prefix = in.text_or("version_prefix", "");
-  renderer.scene_format = load_scene_format(in);
+  renderer.scene_format = in.text_or("scene_format", kNeutralFormat);
   if (in.has("scene_settings")) {
     auto settings = in.object("scene_settings");
     for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
@@ -218,7 +210,7 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   refuse_doubles(in.objects("suites"));
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));
-  supervisor::Limits limits;
+  ProcessLimits limits;
   if (in.has("limits")) read_limits(in.object("limits"), limits);
   refuse_doubles(in.objects("renderers"));
   for (auto& entry : in.objects("renderers"))
@@ -249,20 +241,9 @@ std::optional<std::string> limit_reason(const Renderer& renderer, const std::str
   return std::nullopt;
 }
 
-std::string scene_format_name(SceneFormat format) {
-  switch (format) {
-    case SceneFormat::OrbsScene:
-      return "orbs-scene";
-    case SceneFormat::Povray:
-      return "povray";
-    case SceneFormat::Mitsuba:
-      return "mitsuba";
-    case SceneFormat::Pbrt:
-      return "pbrt";
-    case SceneFormat::Native:
-      return "native";
-  }
-  return {};
+std::string entry_name(const Renderer& renderer) {
+  const auto name = fmt::format("renderer '{}'", renderer.name);
+  return renderer.place.empty() ? name : fmt::format("{}: {}", renderer.place, name);
 }
 
 std::optional<std::filesystem::path> nearest_configuration(std::filesystem::path from) {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/process_limits.h"
 #include "registry/defaults.h"
 #include "registry/features.h"
-#include "supervisor/limits.h"
 
 #include <filesystem>
 #include <map>
@@ -20,8 +20,10 @@ struct Suite {
   std::filesystem::path references;  // absolute
 };
 
-/// Native: a format of its own, of which there are hand-written scenes only.
-enum class SceneFormat { OrbsScene, Povray, Mitsuba, Pbrt, Native };
+/// Words of "scene_format". Neutral: scenes as the suite holds them. Native: a format of the renderer's own,
+/// of which there are hand-written scenes only. All other words are those of the exporters, who check them.
+inline constexpr const char* kNeutralFormat = "orbs-scene";
+inline constexpr const char* kNativeFormat = "native";
 
 /// Requirements that a renderer cannot meet, and why; the reason stands in the report.
 struct KnownLimit {
@@ -42,11 +44,12 @@ struct RenderSeconds {
 
 struct Renderer {
   std::string name;
+  std::string place;       // file:line of the entry, for messages; "" when it comes from no file
   std::string executable;  // a path with placeholders, or a program on PATH
   std::vector<std::string> version_command;
   std::string
       version_prefix;  // how the line of its output starts that says the version; "" for the first line
-  SceneFormat scene_format = SceneFormat::OrbsScene;
+  std::string scene_format = kNeutralFormat;
   std::map<std::string, double>
       scene_settings;  // numbers for the exporter of the format; which, it says itself
   /// What its {transport} stands for, by the name of what the light paths of a scene must carry ("spectral");
@@ -56,8 +59,8 @@ struct Renderer {
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
-  supervisor::Limits limits;  // those of the file, with the entry's own in their place
-  double spp_scale = 1;       // samples of this renderer for one sample of the case
+  ProcessLimits limits;  // those of the file, with the entry's own in their place
+  double spp_scale = 1;  // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.
@@ -88,8 +91,8 @@ const Suite& find_suite(const Configuration& configuration, const std::string& n
 /// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
 
-/// The word for it in configuration.json.
-std::string scene_format_name(SceneFormat format);
+/// "configuration.json:14: renderer 'pbrt'", as messages about the entry begin.
+std::string entry_name(const Renderer& renderer);
 
 /// The nearest configuration.json: in `from` or the folders above it; nothing when there is none up to the
 /// root.

@@ -25,7 +25,7 @@ void refuse_below(json::ObjectReader& in, const char* key, double least) {
 
 }  // namespace
 
-void read_limits(json::ObjectReader in, supervisor::Limits& limits) {
+void read_limits(json::ObjectReader in, ProcessLimits& limits) {
   for (const char* key : {"wall_seconds", "cpu_seconds"}) refuse_below(in, key, kLeastSeconds);
   for (const char* key : {"memory_megabytes", "output_megabytes"}) refuse_below(in, key, kLeastMegabytes);
   limits.wall_seconds = in.number_or("wall_seconds", limits.wall_seconds, json::kPositive);

@@ -15,8 +15,8 @@ namespace {
 // The first that reads the same format of a renderer; its command line will do for others of its kind.
 const Renderer* of_same_format(const Configuration& configuration, const std::string& scene_format) {
   for (const auto& renderer : configuration.renderers)
-    if (scene_format != "orbs-scene" && scene_format != "native" &&
-        scene_format_name(renderer.scene_format) == scene_format)
+    if (scene_format != kNeutralFormat && scene_format != kNativeFormat &&
+        renderer.scene_format == scene_format)
       return &renderer;
   return nullptr;
 }

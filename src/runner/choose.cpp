@@ -1,7 +1,7 @@
 #include "runner/choose.h"
 
 #include "adapters/export.h"
-#include "adapters/programs.h"
+#include "adapters/process/programs.h"
 #include "adapters/transports.h"
 #include "base/error.h"
 #include "registry/filters.h"

@@ -2,8 +2,8 @@
 
 #include "adapters/export.h"
 #include "adapters/native_scene.h"
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "base/files.h"
 #include "base/shell.h"
 #include "image/image_io.h"

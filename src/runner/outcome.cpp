@@ -50,7 +50,7 @@ std::string megabytes(std::size_t bytes) {
   return fmt::format("{:.6g} MB", static_cast<double>(bytes) / (1 << 20));
 }
 
-Outcome limit_outcome(Cause cause, const supervisor::Limits& limits) {
+Outcome limit_outcome(Cause cause, const ProcessLimits& limits) {
   switch (cause) {
     case Cause::Nothing:
       break;
@@ -87,10 +87,10 @@ std::string signal_message(const adapters::ProcessResult& process) {
 
 Outcome process_outcome(const adapters::ProcessResult& process,
                         const fs::path& folder,
-                        const supervisor::Limits& limits) {
+                        const ProcessLimits& limits) {
   if (!process.start_error.empty())
     return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (!process.lost.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
+  if (!process.orphaned.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
     outcome = {Verdict::Crash, signal_message(process), {}};
@@ -186,7 +186,7 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& image, const 
 
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
-                 const supervisor::Limits& limits) {
+                 const ProcessLimits& limits) {
   auto outcome = process_outcome(process, job.folder, limits);
   if (outcome.verdict == Verdict::Pass) outcome = image_outcome(job);
   // Channels and what a reader quotes of a file are the renderer's words, too.

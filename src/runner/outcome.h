@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adapters/job.h"
-#include "adapters/process.h"
+#include "adapters/process/process.h"
 #include "image/image.h"
 #include "results/verdict.h"
 
@@ -22,7 +22,7 @@ struct Outcome {
 /// channels, invalid pixels. A reason about the process ends with its last words.
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
-                 const supervisor::Limits& limits);
+                 const ProcessLimits& limits);
 
 /// The part of this that is about the pixels: size, channels, values. Pass without the image when all are
 /// usable. `name` is the image's in the reason.

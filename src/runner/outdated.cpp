@@ -20,10 +20,9 @@ std::string scene_hash(const Plan& plan, const PlannedJob& job) {
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
   const auto& chosen = plan.renderers[job.renderer];
   const auto& entry = chosen.entry;
-  std::string text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(entry.command, "\n"),
-                  fmt::join(entry.environment, "\n"), registry::scene_format_name(entry.scene_format),
-                  plan.threads, entry.render_seconds.pattern);
+  std::string text = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(),
+                                 fmt::join(entry.command, "\n"), fmt::join(entry.environment, "\n"),
+                                 entry.scene_format, plan.threads, entry.render_seconds.pattern);
   text += fmt::format("{}\n{}\n{}\n", entry.render_seconds.file, entry.render_seconds.key,
                       entry.render_seconds.unit_seconds);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);

@@ -1,7 +1,7 @@
 #include "runner/reference_render.h"
 
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "base/error.h"
 #include "image/image_io.h"
 #include "runner/noise.h"
@@ -38,7 +38,7 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
   request.stop = context.stop;
   const auto process = adapters::run_process(request);
   if (process.cause == supervisor::Cause::Stopped) return std::nullopt;
-  for (const auto& problem : {process.start_error, process.lost})
+  for (const auto& problem : {process.start_error, process.orphaned})
     if (!problem.empty()) throw InputError(fmt::format("{}: {}", context.tracer.string(), problem));
   if (process.signal != 0 || process.exit_code != 0)
     throw InputError(fmt::format("scene '{}': the tracer failed:\n{}", wanted.name, process.output));

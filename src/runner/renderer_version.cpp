@@ -1,7 +1,7 @@
 #include "runner/renderer_version.h"
 
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "base/text.h"
 #include "registry/placeholders.h"
 

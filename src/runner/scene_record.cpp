@@ -8,8 +8,8 @@ namespace {
 
 std::vector<results::EffectRecord> records_of(const std::vector<scene::EffectFinding>& findings) {
   std::vector<results::EffectRecord> records;
-  for (const auto& [effect, thing, reason] : findings)
-    records.push_back({std::string(scene::effect_name(effect)), thing, reason});
+  for (const auto& [effect, object, reason] : findings)
+    records.push_back({std::string(scene::effect_name(effect)), object, reason});
   return records;
 }
 

@@ -1,11 +1,11 @@
 #include "scene/effects.h"
 
-#include "scene/called.h"
-#include "scene/effects_parts.h"
-#include "scene/lower_parts.h"
+#include "spectra/observer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,17 +13,57 @@ namespace orbs::scene {
 
 namespace {
 
-void note(SceneEffects& found, EffectVerdict verdict, const std::string& thing) {
+void note(SceneEffects& found, EffectVerdict verdict, const std::string& object) {
   auto& list = verdict.is_called_for ? found.called_for : found.not_called_for;
-  list.push_back({verdict.effect, thing, std::move(verdict.reason)});
+  list.push_back({verdict.effect, object, std::move(verdict.reason)});
 }
 
-// Whether some surface treats wavelengths differently, so that more than a light's colour counts.
+bool is_d65(const spectra::Spectrum& light) {
+  const auto& d65 = spectra::illuminant("D65");
+  constexpr double kRounding = 1e-9;
+  const double scale = value_at(light, 560) / value_at(d65, 560);
+  auto wavelengths_nm = whole_nanometres();
+  wavelengths_nm.insert(wavelengths_nm.end(), light.wavelengths_nm.begin(), light.wavelengths_nm.end());
+  return std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(), [&](double nm) {
+    return std::fabs(value_at(light, nm) - scale * value_at(d65, nm)) <= kRounding * scale;
+  });
+}
+
+bool is_dark(const spectra::Spectrum& light) {
+  return std::all_of(light.values.begin(), light.values.end(), [](double value) { return value == 0; });
+}
+
+// Whether a light's spectrum is more than its colour: not when it is D65, which is what a colour stands for,
+// and not where all surfaces scatter all wavelengths alike.
+EffectVerdict verdict_on_light(const Scene& scene, const SpectrumUse& use, bool has_coloured_surface) {
+  const auto& [name, spectrum] = spectrum_at(scene.spectra, use);
+  if (use.scale == 0 || is_dark(spectrum)) return {Effect::Spectral, false, "gives no light"};
+  if (is_d65(spectrum))
+    return {Effect::Spectral, false,
+            fmt::format("has spectrum '{}', which is D65: white says the same", name)};
+  if (!has_coloured_surface)
+    return {Effect::Spectral, false,
+            fmt::format("has spectrum '{}', but every surface treats all wavelengths alike: the colour of "
+                        "the light says it all",
+                        name)};
+  return {Effect::Spectral, true, fmt::format("gives light by spectrum '{}', which is not D65", name)};
+}
+
+// All effects that the material would call for if a surface showed it.
+std::vector<EffectVerdict> verdicts_on(const Scene& scene, const MaterialModel& model) {
+  auto found = std::visit([&](const auto& m) { return effects(scene.spectra, m); }, model);
+  if (texture_of(model)) found.push_back({Effect::Texture, true, "has a texture"});
+  return found;
+}
+
+// Whether some surface scatters wavelengths differently, so that more than a light's colour counts.
 bool has_coloured_surface(const Scene& scene) {
   const auto visible = visible_materials(scene);
-  return std::any_of(
-             visible.begin(), visible.end(),
-             [&](int i) { return is_coloured(scene, scene.materials[static_cast<std::size_t>(i)].model); }) ||
+  return std::any_of(visible.begin(), visible.end(),
+                     [&](int i) {
+                       return std::visit([&](const auto& model) { return is_coloured(scene.spectra, model); },
+                                         material_at(scene, i).model);
+                     }) ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const auto& light) { return !is_grey(light.reflectance); });
 }
@@ -44,11 +84,11 @@ void add_materials(const Scene& scene, SceneEffects& found) {
 void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& light = scene.lights[i];
-    const auto thing = called("light", light.name, i);
-    if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), thing);
-    if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, thing);
+    const auto name = display_name("light", light.name, i);
+    if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), name);
+    if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, name);
     if (light.reflectance != RgbColour{})
-      note(found, {Effect::ReflectingLight, true, "reflects light as well as giving it"}, thing);
+      note(found, {Effect::ReflectingLight, true, "reflects light as well as giving it"}, name);
   }
   if (scene.environment_spectrum)
     note(found, verdict_on_light(scene, *scene.environment_spectrum, has_colour), "the environment");
@@ -56,7 +96,7 @@ void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
 
 void add_emissive_materials(const Scene& scene, bool has_colour, SceneEffects& found) {
   for (const int index : visible_materials(scene)) {
-    const auto& material = scene.materials[static_cast<std::size_t>(index)];
+    const auto& material = material_at(scene, index);
     const auto* emission = std::get_if<Emission>(&material.model);
     if (emission != nullptr && emission->spectrum)
       note(found, verdict_on_light(scene, *emission->spectrum, has_colour),
@@ -73,7 +113,7 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
            fmt::format("mesh '{}'", scene.meshes[static_cast<std::size_t>(mesh)].name));
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     note(found, {Effect::AnalyticShape, true, "is a sphere by its formula"},
-         called("shape", scene.spheres[i].name, i));
+         display_name("shape", scene.spheres[i].name, i));
 }
 
 void add_outputs(const Scene& scene, SceneEffects& found) {
@@ -83,38 +123,6 @@ void add_outputs(const Scene& scene, SceneEffects& found) {
 }
 
 }  // namespace
-
-std::string_view effect_name(Effect effect) {
-  switch (effect) {
-    case Effect::Spectral:
-      return "spectral";
-    case Effect::MeasuredMetal:
-      return "measured metal";
-    case Effect::Dispersion:
-      return "dispersion";
-    case Effect::ThinFilm:
-      return "thin film";
-    case Effect::Polarisation:
-      return "polarisation";
-    case Effect::Fluorescence:
-      return "fluorescence";
-    case Effect::RoughInterface:
-      return "rough interface";
-    case Effect::ReflectingLight:
-      return "reflecting light";
-    case Effect::AnalyticShape:
-      return "analytic shape";
-    case Effect::Texture:
-      return "texture";
-    case Effect::Ies:
-      return "IES profile";
-    case Effect::Instancing:
-      return "instancing";
-    case Effect::PathClasses:
-      return "path classes";
-  }
-  return "";
-}
 
 SceneEffects effects(const Scene& scene) {
   SceneEffects found;
@@ -168,7 +176,7 @@ LightTransport transport_for(Effect effect) {
       return LightTransport::Polarised;
     case Effect::Fluorescence:
       return LightTransport::Bispectral;
-    case Effect::RoughInterface:
+    case Effect::RoughBoundary:
     case Effect::ReflectingLight:
     case Effect::AnalyticShape:
     case Effect::Texture:
@@ -186,11 +194,11 @@ bool covers(LightTransport richer, LightTransport needed) {
 }
 
 std::string reason_for(const SceneEffects& found) {
-  // The last one in the order of effects is what makes the transport as rich as it is.
+  // The last finding in the order of effects makes the transport as rich as it is.
   const auto last = std::find_if(found.called_for.rbegin(), found.called_for.rend(), [](const auto& finding) {
     return transport_for(finding.effect) != LightTransport::Rgb;
   });
-  return last == found.called_for.rend() ? "" : fmt::format(" because {} {}", last->thing, last->reason);
+  return last == found.called_for.rend() ? "" : fmt::format(" because {} {}", last->object, last->reason);
 }
 
 LightTransport transport(const SceneEffects& found) {

@@ -14,7 +14,7 @@ namespace orbs::scene {
 
 namespace {
 
-// After the TILT line an LM-63 file is one stream of numbers; line ends mean nothing.
+// After the TILT line an LM-63 file is one stream of numbers; line ends carry no meaning.
 class NumberStream {
  public:
   NumberStream(const std::string& name, std::string_view rest) : name_(name), rest_(rest) {}
@@ -38,7 +38,7 @@ class NumberStream {
   }
 
   std::vector<double> list(int length, const char* what) {
-    // A number takes two bytes, its separator included: a list that cannot be there must not ask for memory.
+    // A number takes at least two bytes with its separator: a count beyond that must not allocate memory.
     if (static_cast<std::size_t>(length) > (rest_.size() + 1) / 2)
       fail(fmt::format("the file ends before its {} numbers called {}", length, what));
     std::vector<double> numbers(static_cast<std::size_t>(length));
@@ -93,11 +93,12 @@ double read_tilt_factor(NumberStream& in, std::string_view tilt) {
   const int pairs = in.count("number of tilt angles", 10000);
   const auto angles = in.list(pairs, "tilt angle");
   const auto factors = in.list(pairs, "tilt factor");
-  const auto level = std::find(angles.begin(), angles.end(), 0.0);  // the luminaire hangs level
+  const auto level = std::find(angles.begin(), angles.end(), 0.0);  // the light hangs level
   return level == angles.end() ? 1 : factors[static_cast<std::size_t>(level - angles.begin())];
 }
 
-// The azimuths at which a stored plane appears, by the symmetry that the range of planes states (LM-63 5.12).
+// The azimuths at which a stored plane appears, by the symmetry that the range of planes implies (LM-63
+// 5.12).
 std::vector<double> azimuths_of(double plane, double first, double last) {
   if (last == 0) return {0, 360};
   if (first == 90 && last == 270) {
@@ -116,7 +117,7 @@ double interpolate(const std::vector<double>& at, double x, std::size_t& low) {
   return (x - at[low]) / (at[low + 1] - at[low]);
 }
 
-// Between the neighbours of 0 = 360, for a profile from 90 to 270 that has no plane at 180.
+// Interpolates between the neighbours of 0 = 360, for a profile from 90 to 270 that has no plane at 180.
 std::vector<double> plane_at_zero(const IesProfile& profile, std::ptrdiff_t rows) {
   const double to_first = profile.horizontal_deg.front();
   const double from_last = 360 - profile.horizontal_deg.back();
@@ -127,7 +128,8 @@ std::vector<double> plane_at_zero(const IesProfile& profile, std::ptrdiff_t rows
   return between;
 }
 
-// Planes for the whole circle. Files that stop short of 360 (at 345, say) go on with their first plane.
+// Planes for the whole circle. A file whose planes end below 360 (at 345, say) continues with its first
+// plane.
 IesProfile unfolded(const std::vector<double>& planes,
                     std::vector<double> vertical,
                     const std::vector<double>& candela) {

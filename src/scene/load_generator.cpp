@@ -1,5 +1,6 @@
+#include "scene/load_generator.h"
+
 #include "scene/generators.h"
-#include "scene/load_parts.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ Mesh load_generated(json::ObjectReader& in, SceneBudget& left) {
       in.one_of("generator", {"plane", "cube", "cube_open", "sphere", "torus", "teapot", "tree", "water"});
   // A few bytes of text can ask for millions of triangles, so they are counted before they are made.
   const auto made = [&](const auto& parameters, auto make) {
-    take(in, "generator", "triangles", triangle_count(parameters), left.triangles);
+    spend(in, "generator", "triangles", triangle_count(parameters), left.triangles);
     try {
       return make(parameters);
     } catch (const InputError& e) {

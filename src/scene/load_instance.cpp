@@ -1,5 +1,6 @@
+#include "scene/load_instance.h"
+
 #include "base/random.h"
-#include "scene/load_parts.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +34,8 @@ void scatter(json::ObjectReader in,
              std::vector<Instance>& out) {
   const int columns = in.integer("columns", 1, 1000);
   const int rows = in.integer("rows", 1, 1000);
-  take(in, "", "instances", static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
-       left.instances);
+  spend(in, "", "instances", static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+        left.instances);
   const double spacing_m = in.number("spacing", json::kPositive);
   const double jitter_m = in.number_or("jitter", 0, json::kNotNegative);
   const double keep = in.number_or("keep", 1, {0, 1});
@@ -73,7 +74,7 @@ void load_instances(json::ObjectReader in,
   if (in.has("scatter")) {
     scatter(in.object("scatter"), instance, left, out);
   } else {
-    take(in, "", "instances", 1, left.instances);
+    spend(in, "", "instances", 1, left.instances);
     out.push_back(std::move(instance));
   }
   in.finish();

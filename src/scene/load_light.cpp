@@ -1,6 +1,7 @@
+#include "scene/load_light.h"
+
 #include "base/files.h"
 #include "scene/ies.h"
-#include "scene/load_parts.h"
 
 namespace orbs::scene {
 
@@ -27,11 +28,11 @@ IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) 
 
 }  // namespace
 
-Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& data) {
+Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& spectra) {
   Light light;
   light.name = in.text_or("name", "");
   light.shape = load_shape(in);
-  const auto radiance = load_radiance(in, "radiance", data);
+  const auto radiance = load_radiance(in, "radiance", spectra);
   light.radiance = radiance.rgb;
   light.spectrum = radiance.spectrum;
   light.reflectance = in.vec3_or("reflectance", {}, {0.0, 1.0});

@@ -1,75 +1,33 @@
-#include "scene/load_parts.h"
+#include "scene/load_material.h"
+
+#include <type_traits>
 
 namespace orbs::scene {
 
 namespace {
 
-constexpr json::Range kShare{0.0, 1.0};
-
-std::optional<TextureUse> load_texture_use(json::ObjectReader& in, const Names& textures) {
-  if (!in.has("texture")) return std::nullopt;
-  if (in.holds_text("texture")) return TextureUse{textures.find(in, "texture"), Mat4{}};
-  auto use = in.object("texture");
-  TextureUse result{textures.find(use, "name"), load_matrix(use, "matrix")};
-  use.finish();
-  return result;
+template <typename Model>
+bool load_if_named(const std::string& type, const MaterialEntry& entry, MaterialModel& model) {
+  if (type != Model::kType) return false;
+  load(entry, model.emplace<Model>());
+  return true;
 }
 
-double load_ior(json::ObjectReader& in) { return in.number("ior", {0.1, 10.0}); }
-
-// Below 1e-4 the GGX lobe is narrower than float directions can resolve: such a surface is a mirror.
-double load_alpha(json::ObjectReader& in) { return in.number("alpha", {1e-4, 1.0}); }
-
-// What tints a texture is a colour: neither says how a texel's light is spread over the wavelengths.
-std::optional<TextureUse> load_tinted_texture(json::ObjectReader& in,
-                                              const Names& textures,
-                                              const Colour& colour) {
-  if (colour.spectrum && in.has("texture"))
-    in.fail("texture", "goes with a colour [r, g, b], not with a spectrum");
-  return load_texture_use(in, textures);
-}
-
-MaterialModel load_basic_model(json::ObjectReader& in,
-                               const std::string& type,
-                               const Names& textures,
-                               const SpectralData& data) {
-  if (type == "glass") return Glass{in.vec3_or("colour", {1, 1, 1}, kShare), load_ior(in)};
-  if (type == "rough_glass")
-    return RoughGlass{in.vec3_or("colour", {1, 1, 1}, kShare), load_ior(in), load_alpha(in)};
-  if (type == "ggx") {
-    const auto colour = load_reflectance(in, "colour", data);
-    return Ggx{colour.rgb, load_alpha(in), colour.spectrum};
-  }
-  if (type == "emission") {
-    const auto radiance = load_radiance(in, "radiance", data);
-    return Emission{radiance.rgb, load_tinted_texture(in, textures, radiance), radiance.spectrum};
-  }
-  const auto colour = load_reflectance(in, "reflectance", data);
-  if (type == "mirror") return Mirror{colour.rgb, colour.spectrum};
-  if (type == "lambert")
-    return Lambert{colour.rgb, load_tinted_texture(in, textures, colour), colour.spectrum};
-  return OrenNayar{colour.rgb, in.number("roughness", kShare), load_tinted_texture(in, textures, colour),
-                   colour.spectrum};
-}
-
-MaterialModel load_model(json::ObjectReader& in, const Names& textures, SpectralData& data) {
-  const std::string type =
-      in.one_of("type", {"lambert", "oren_nayar", "mirror", "glass", "ggx", "rough_glass", "emission",
-                         "conductor", "dielectric", "polariser", "retarder", "fluorescent"});
-  if (type == "conductor") return load_conductor(in, data);
-  if (type == "dielectric") return load_dielectric(in, data);
-  if (type == "polariser") return load_polariser(in);
-  if (type == "retarder") return load_retarder(in);
-  if (type == "fluorescent") return load_fluorescent(in, data);
-  return load_basic_model(in, type, textures, data);
+// `Models` are the types of the variant, so that the list of words is that of the types.
+template <typename... Models>
+MaterialModel load_model(const MaterialEntry& entry, std::type_identity<std::variant<Models...>>) {
+  const std::string type = entry.in.one_of("type", {Models::kType...});
+  MaterialModel model;
+  (load_if_named<Models>(type, entry, model) || ...);
+  return model;
 }
 
 }  // namespace
 
-Material load_material(json::ObjectReader in, const Names& textures, SpectralData& data) {
+Material load_material(json::ObjectReader in, const Names& textures, SpectralData& spectra) {
   Material material;
   material.name = in.text("name");
-  material.model = load_model(in, textures, data);
+  material.model = load_model({in, textures, spectra}, std::type_identity<MaterialModel>{});
   in.finish();
   return material;
 }

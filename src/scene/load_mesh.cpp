@@ -1,6 +1,9 @@
+#include "scene/load_mesh.h"
+
 #include "base/text.h"
-#include "scene/load_parts.h"
-#include "scene/mesh_files.h"
+#include "scene/load_generator.h"
+#include "scene/ply.h"
+#include "scene/read_obj.h"
 
 #include <fmt/format.h>
 
@@ -69,7 +72,7 @@ void assign_runs(json::ObjectReader& in, const Names& materials, Mesh& mesh) {
                                               mesh.triangle_materials.size(), mesh.triangles.size()));
 }
 
-// From the file's own words (usemtl names, or slots of the list `materials`) to the scene's materials.
+// Maps the materials of the file (usemtl names, or slots of the list `materials`) to those of the scene.
 void assign_file_materials(json::ObjectReader& in, const Names& materials, MeshFile& file) {
   std::vector<int> scene_material;
   if (file.names_are_slots) {
@@ -136,7 +139,7 @@ Mesh load_source(json::ObjectReader& in,
     file.mesh = inline_mesh(in);
   else
     in.fail("", "needs one of: generator, file, positions, parts");
-  if (!in.has("generator")) take(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
+  if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
   assign_materials(in, materials, file, from_file);
   return std::move(file.mesh);
 }

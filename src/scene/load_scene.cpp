@@ -2,7 +2,11 @@
 
 #include "base/files.h"
 #include "scene/camera_frame.h"
-#include "scene/load_parts.h"
+#include "scene/check_polariser_axis.h"
+#include "scene/load_instance.h"
+#include "scene/load_light.h"
+#include "scene/load_material.h"
+#include "scene/load_mesh.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +14,7 @@ namespace orbs::scene {
 
 namespace {
 
-// Directions are floats, rounded by up to 6e-8: with finer pixels the image would move by a tenth of one.
+// Directions are floats, rounded by up to 6e-8: with finer pixels the image would move by a tenth of a pixel.
 void check_pixels(json::ObjectReader& in, const Camera& camera) {
   constexpr double kFinest_rad = 1e-6;
   const double pixel_rad = 2 * camera_frame(camera).half_height / camera.height_px;
@@ -77,10 +81,10 @@ Outputs load_outputs(json::ObjectReader in) {
   return outputs;
 }
 
-// What only the whole scene tells about its materials; the readers are those of load_materials.
+// Checks that need the whole scene; `readers` are those of the materials.
 void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& readers) {
   for (std::size_t i = 0; i < readers.size(); ++i)
-    if (const auto problem = sheet_problem(scene, static_cast<int>(i)); !problem.empty())
+    if (const auto problem = check_polariser_axis(scene, static_cast<int>(i)); !problem.empty())
       readers[i].fail("", problem);
 }
 
@@ -89,6 +93,17 @@ void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& s
   const auto radiance = load_radiance(in, "environment", data);
   scene.environment = radiance.rgb;
   scene.environment_spectrum = radiance.spectrum;
+}
+
+Sphere load_shape(json::ObjectReader in, const Names& materials) {
+  in.one_of("type", {"sphere"});
+  Sphere sphere;
+  sphere.name = in.text_or("name", "");
+  sphere.centre_m = in.vec3("centre", kPlace);
+  sphere.radius_m = in.number("radius", kLength);
+  sphere.material = materials.find(in, "material");
+  in.finish();
+  return sphere;
 }
 
 Scene load_document(const json::Document& document, const std::filesystem::path& folder, SceneBudget left) {
@@ -141,32 +156,6 @@ Scene load_scene_text(const std::string& name,
 
 Scene load_scene(const std::filesystem::path& file) {
   return load_scene_text(file.string(), read_file(file), std::filesystem::absolute(file).parent_path());
-}
-
-int remapped(const Instance& instance, int material) {
-  for (const auto& [from, to] : instance.remap)
-    if (from == material) return to;
-  return material;
-}
-
-const std::optional<TextureUse>& texture_of(const MaterialModel& model) {
-  static const std::optional<TextureUse> none;
-  return std::visit(
-      [](const auto& m) -> const std::optional<TextureUse>& {
-        if constexpr (requires { m.texture; }) return m.texture;
-        return none;
-      },
-      model);
-}
-
-const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
-  static const std::optional<SpectrumUse> none;
-  return std::visit(
-      [](const auto& m) -> const std::optional<SpectrumUse>& {
-        if constexpr (requires { m.spectrum; }) return m.spectrum;
-        return none;
-      },
-      model);
 }
 
 }  // namespace orbs::scene

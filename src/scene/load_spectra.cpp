@@ -1,4 +1,5 @@
-#include "scene/load_parts.h"
+#include "scene/load_spectra.h"
+
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 
@@ -38,7 +39,7 @@ Spectrum load_values(json::ObjectReader& in, SpectralData& data) {
 }
 
 const Spectrum& used(const SpectralData& data, const SpectrumUse& use) {
-  return data.spectra[static_cast<std::size_t>(use.spectrum)].spectrum;
+  return spectrum_at(data.spectra, use).spectrum;
 }
 
 SpectrumUse load_use(json::ObjectReader& in, const SpectralData& data) {
@@ -50,7 +51,7 @@ SpectrumUse load_use(json::ObjectReader& in, const SpectralData& data) {
   return use;
 }
 
-// Beyond these a number is a slip of the pen.
+// A plain index outside of this range is taken for a typing error.
 constexpr json::Range kPlainIndex{0.1, 10.0};
 
 void check_plain_index(json::ObjectReader& in, const std::string& key, double index) {
@@ -58,7 +59,7 @@ void check_plain_index(json::ObjectReader& in, const std::string& key, double in
     in.fail(key, fmt::format("must lie in [{}, {}], is {}", kPlainIndex.min, kPlainIndex.max, index));
 }
 
-// n of an index by formula or samples, which must be one.
+// Checks the real part of an index that is given by a formula or by samples.
 spectra::RefractiveIndex checked_index(json::ObjectReader& in,
                                        const std::string& key,
                                        spectra::RefractiveIndex index) {

@@ -1,44 +1,17 @@
 #include "scene/lower.h"
 
-#include "scene/called.h"
 #include "scene/effects.h"
-#include "scene/lower_parts.h"
-
-#include <map>
+#include "scene/features.h"
+#include "scene/lower_effects.h"
+#include "scene/lower_geometry.h"
+#include "scene/lower_light.h"
+#include "scene/lower_material.h"
 
 #include <fmt/format.h>
 
 namespace orbs::scene {
 
 namespace {
-
-bool has_several_materials(const Mesh& mesh) {
-  return std::set<int>(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size() > 1;
-}
-
-std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
-  std::vector<CalledFeature> features{{"G1", "the scene is made of triangles"},
-                                      {"G2", "the scene has a camera"}};
-  std::set<int> seen;
-  for (const auto& instance : scene.instances) {
-    const auto& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-    if (!seen.insert(instance.mesh).second)
-      features.push_back({"G3", fmt::format("mesh '{}' appears several times", mesh.name)});
-    if (instance.matrix != Mat4{})
-      features.push_back({"G3", fmt::format("instance '{}' has a matrix", instance.name)});
-    if (!instance.remap.empty())
-      features.push_back(
-          {has_several_materials(mesh) ? "G5" : "G4",
-           fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
-  }
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-    features.push_back({"S1", called("shape", scene.spheres[i].name, i) + " is a sphere by its formula"});
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (!seen.contains(static_cast<int>(i)))
-      features.push_back(
-          {"G3", fmt::format("mesh '{}' is not instanced and must not appear", scene.meshes[i].name)});
-  return features;
-}
 
 // The first feature beyond the capabilities, as a reason; "" when there is none.
 std::string lacking(const std::vector<CalledFeature>& features, const Capabilities& capabilities) {
@@ -52,12 +25,12 @@ std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     auto& light = scene.lights[i];
     if (std::holds_alternative<SphereShape>(light.shape) && !uniform_scale(light.matrix))
-      return called("light", light.name, i) +
+      return display_name("light", light.name, i) +
              " is a sphere with a scale that is not uniform, which no level of ORB.S has";
     if (capabilities.contains("L3")) continue;
     const auto moved = without_matrix(light);
     if (!moved)
-      return called("light", light.name, i) +
+      return display_name("light", light.name, i) +
              " is turned or scaled in a way that its sizes cannot take up, which needs L3";
     light = *moved;
   }
@@ -93,16 +66,6 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 }
 
 }  // namespace
-
-std::vector<CalledFeature> features_called_for(const Scene& scene) {
-  std::map<std::string, std::string> found;
-  for (const auto& features : {features_of_geometry(scene), features_of_materials(scene),
-                               features_of_lights(scene), features_of_effects(scene)})
-    for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
-  std::vector<CalledFeature> out;
-  for (const auto& [requirement, what] : found) out.push_back({requirement, what});
-  return out;
-}
 
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;

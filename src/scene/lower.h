@@ -1,29 +1,16 @@
 #pragma once
 
+#include "scene/features.h"
 #include "scene/scene.h"
 
 #include <set>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace orbs::scene {
 
 /// Requirement codes ("G3", "M5") that a renderer fulfils.
 using Capabilities = std::set<std::string>;
-
-/// A requirement that a scene calls for, and the thing in it that does.
-struct CalledFeature {
-  std::string requirement;
-  std::string what;  // "material 'a' is rough glass"
-};
-
-/// What a renderer must fulfil to draw the scene as it is, each requirement once, ordered by code. Materials
-/// that no instance shows call for nothing. Glossy reflection calls for A2 and rough glass for A4: no M level
-/// defines them, these levels test them. Our own groups: E1 conductors, and rough dielectrics, by their
-/// indices, and lights that reflect (a smooth dielectric is the smooth glass of M8), E2 spectra, E3
-/// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 spheres by formula.
-std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// ORB.S section 1, note: where a renderer lacks a level, the exporter prepares the data as that level
 /// prescribes, or says why it cannot. Either the scene in a form that calls for nothing beyond

@@ -1,4 +1,6 @@
-#include "scene/lower_parts.h"
+#include "scene/lower_geometry.h"
+
+#include "scene/generators.h"
 
 #include <algorithm>
 #include <map>
@@ -11,12 +13,8 @@ namespace orbs::scene {
 
 namespace {
 
-Mesh& mesh_of(Scene& scene, const Instance& instance) {
-  return scene.meshes[static_cast<std::size_t>(instance.mesh)];
-}
-
-// The triangles of one material, with only the vertices that they use, in their old order.
-Mesh part_of(const Mesh& mesh, int material) {
+// Copies the triangles of one material, with only the vertices that they use, in their old order.
+Mesh submesh_of(const Mesh& mesh, int material) {
   constexpr std::uint32_t kUnused = 0xffffffff;
   std::vector<std::uint32_t> place(mesh.positions.size(), kUnused);
   Mesh part;
@@ -43,8 +41,8 @@ std::set<int> materials_of(const Mesh& mesh) {
   return {mesh.triangle_materials.begin(), mesh.triangle_materials.end()};
 }
 
-// World-space copy of a mesh added to `world`. A mirroring matrix turns the winding around, so it is turned
-// back: winding and vertex normals keep the relation that they had, and the scene its uniform order (REQ_G1).
+// Adds a world-space copy of a mesh to `world`. A mirroring matrix reverses the winding, so it is reversed
+// again: winding and vertex normals keep their relation, and all triangles of the scene one order (REQ_G1).
 void append_transformed(Mesh& world, const Mesh& mesh, const Instance& instance) {
   const auto first = static_cast<std::uint32_t>(world.positions.size());
   const Mat4 to_local = inverse(instance.matrix).value();  // the loader lets only invertible matrices through
@@ -97,7 +95,7 @@ void split_by_material(Scene& scene) {
     const auto materials = materials_of(scene.meshes[i]);
     for (const int material : materials) {
       parts_of_mesh[i].push_back(static_cast<int>(parts.size()));
-      parts.push_back(materials.size() == 1 ? scene.meshes[i] : part_of(scene.meshes[i], material));
+      parts.push_back(materials.size() == 1 ? scene.meshes[i] : submesh_of(scene.meshes[i], material));
       parts.back().name = scene.meshes[i].name;
       if (materials.size() > 1) parts.back().name += fmt::format("#m{}", material);
     }
@@ -121,6 +119,24 @@ void merge_into_world_mesh(Scene& scene) {
   if (world.triangles.empty()) return;
   scene.meshes.push_back(std::move(world));
   scene.instances.push_back({"world", 0, Mat4{}, {}});
+}
+
+void tessellate_spheres(Scene& scene) {
+  // The facets' edges lie within 8e-5 radii of the sphere: 0.01 pixel where it fills 300.
+  constexpr int kSegments = 256;
+  std::map<int, int> mesh_of;  // by material
+  for (const auto& sphere : scene.spheres) {
+    const auto [mesh, is_new] = mesh_of.try_emplace(sphere.material, static_cast<int>(scene.meshes.size()));
+    if (is_new) {
+      scene.meshes.push_back(make_sphere({1, kSegments}));
+      scene.meshes.back().name = fmt::format("sphere of material {}", sphere.material);
+      scene.meshes.back().triangle_materials.assign(scene.meshes.back().triangles.size(), sphere.material);
+    }
+    const double r = sphere.radius_m;
+    scene.instances.push_back(
+        {sphere.name, mesh->second, translation(sphere.centre_m) * scaling({r, r, r}), {}});
+  }
+  scene.spheres.clear();
 }
 
 }  // namespace orbs::scene

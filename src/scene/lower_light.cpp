@@ -1,17 +1,14 @@
-#include "scene/called.h"
-#include "scene/lower_parts.h"
+#include "scene/lower_light.h"
 
 #include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace orbs::scene {
 
 namespace {
 
-// Sines and cosines of right angles come out as 6e-17 rather than 0; what is this small beside the largest
-// entry is that.
+// Sines and cosines of right angles come out as 6e-17 rather than 0; an entry this small beside the largest
+// one counts as 0.
 constexpr double kRounding = 1e-12;
 
 Vec3d column(const Mat4& m, std::size_t i) { return {m(0, i), m(1, i), m(2, i)}; }
@@ -23,13 +20,8 @@ double largest_entry(const Mat4& m) {
   return largest_so_far;
 }
 
-bool is_translation(const Mat4& m) {
-  Mat4 moved = translation({m(0, 3), m(1, 3), m(2, 3)});
-  return m == moved;
-}
-
-// X and Z stay in the plane of both, and the side that shines still looks down (its normal follows the
-// inverse transpose, which for such a matrix has the sign of the entry Y -> Y).
+// True when X and Z stay in the plane of both and the side that shines still faces down (its normal follows
+// the inverse transpose, which for such a matrix has the sign of the entry Y -> Y).
 bool stays_level(const Mat4& m) {
   const double zero = kRounding * largest_entry(m);
   return std::fabs(m(1, 0)) <= zero && std::fabs(m(1, 2)) <= zero && m(1, 1) > 0;
@@ -48,8 +40,8 @@ struct ScaledShape {
       return RectShape{rect.half_length_m * std::fabs(m(0, 2)), rect.half_width_m * std::fabs(m(2, 0))};
     return std::nullopt;
   }
-  // A disk stays one when X and Z keep their right angle and get the same length; any turn about Y is as
-  // good.
+  // A disk stays one when X and Z keep their right angle and get the same length; a rotation about Y does not
+  // change it.
   std::optional<LightShape> operator()(const DiskShape& disk) const {
     if (!stays_level(m)) return std::nullopt;
     const Vec3d x = column(m, 0);
@@ -67,6 +59,11 @@ struct ScaledShape {
 
 }  // namespace
 
+bool is_translation(const Mat4& m) {
+  Mat4 moved = translation({m(0, 3), m(1, 3), m(2, 3)});
+  return m == moved;
+}
+
 std::optional<double> uniform_scale(const Mat4& matrix) {
   const double size = length(column(matrix, 0));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -79,8 +76,7 @@ std::optional<double> uniform_scale(const Mat4& matrix) {
 
 std::optional<Light> without_matrix(const Light& light) {
   if (is_translation(light.matrix)) return light;
-  // The profile turns and scales with the light's frame; only a frame that is the same up to a uniform scale
-  // keeps it.
+  // The profile rotates and scales with the frame of the light; only a uniform scale leaves it unchanged.
   const bool only_scaled = light.matrix(0, 0) > 0 && light.matrix(1, 1) > 0 && light.matrix(2, 2) > 0 &&
                            light.matrix(0, 1) == 0 && light.matrix(0, 2) == 0 && light.matrix(1, 2) == 0 &&
                            uniform_scale(light.matrix);
@@ -91,21 +87,6 @@ std::optional<Light> without_matrix(const Light& light) {
   moved.shape = *shape;
   moved.matrix = translation({light.matrix(0, 3), light.matrix(1, 3), light.matrix(2, 3)});
   return moved;
-}
-
-std::vector<CalledFeature> features_of_lights(const Scene& scene) {
-  std::vector<CalledFeature> features;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const auto& light = scene.lights[i];
-    const auto note = [&](const char* requirement, const char* what) {
-      features.push_back({requirement, fmt::format("{} {}", called("light", light.name, i), what)});
-    };
-    const bool is_sphere = std::holds_alternative<SphereShape>(light.shape);
-    note(is_sphere ? "L2" : "L1", is_sphere ? "is a sphere" : "is an area light");
-    if (!is_translation(light.matrix)) note("L3", "is turned or scaled");
-    if (light.ies) note("L4", "has an IES profile");
-  }
-  return features;
 }
 
 }  // namespace orbs::scene

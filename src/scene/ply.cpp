@@ -1,7 +1,8 @@
+#include "scene/ply.h"
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "scene/mesh_files.h"
 
 #include <bit>
 #include <cmath>
@@ -62,8 +63,8 @@ class PlyReader {
 
   MeshFile read() {
     read_header();
-    // Without this a row would take no byte, and a short file could claim more rows than anybody can wait
-    // for.
+    // Without this check a row would take no byte, and a short file could claim more rows than can be read in
+    // a lifetime.
     for (const auto& element : elements_)
       if (element.properties.empty()) fail(fmt::format("element '{}' has no property", element.name));
     for (const auto& element : elements_) {
@@ -106,8 +107,7 @@ class PlyReader {
       has_format_ = true;
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = to_integer(words[2]);
-      // A row takes at least a byte, so a larger count than the file has bytes is a lie that must not
-      // allocate.
+      // A row takes at least one byte, so a count larger than the file is wrong and must not allocate memory.
       if (!count || *count < 0 || static_cast<std::size_t>(*count) > text_.size())
         fail(fmt::format("element count '{}' is impossible", words[2]));
       elements_.push_back({words[1], static_cast<std::size_t>(*count), {}});

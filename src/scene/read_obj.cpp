@@ -1,7 +1,8 @@
+#include "scene/read_obj.h"
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "scene/mesh_files.h"
 
 #include <map>
 #include <set>
@@ -13,7 +14,8 @@ namespace orbs::scene {
 
 namespace {
 
-// Names, smoothing of normals that are given anyway, and the file of materials that the scene has its own of.
+// Statements that change nothing here: names, smoothing (normals are given), and the material file (the scene
+// has materials of its own).
 const std::set<std::string> kHarmless{"g", "mtllib", "o", "s"};
 
 class ObjReader {
@@ -79,7 +81,7 @@ class ObjReader {
     material_ = entry->second;
   }
 
-  // OBJ counts from 1, and backwards from the last element when negative.
+  // OBJ counts from 1; negative numbers count backwards from the last element.
   int index(const std::string& word, std::size_t count, const char* what) const {
     const auto given = to_integer(word);
     if (!given) fail(fmt::format("'{}' is not an index", word));

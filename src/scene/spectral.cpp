@@ -7,7 +7,7 @@ namespace orbs::scene {
 
 namespace {
 
-// Where the kernel is above zero: the union of these.
+// The kernel is above zero in the union of these pieces.
 std::vector<KernelSupport> pieces_of(const snippets::TentKernel<double>& k) {
   if (k.peak_per_nm == 0) return {};
   return {{{k.absorbed_nm - k.absorbed_reach_nm, k.absorbed_nm + k.absorbed_reach_nm},
@@ -26,7 +26,7 @@ std::vector<KernelSupport> pieces_of(const snippets::ReradiationMatrix<double>& 
   return pieces;
 }
 
-// What is left of a piece where there is light, and where `out` lies above `in`.
+// Clips a piece to the wavelengths that have light, and to `out` above `in`.
 std::optional<KernelSupport> lit(KernelSupport piece) {
   auto& [in, out] = piece;
   in.first_nm = std::fmax(in.first_nm, spectra::kShortestLight_nm);
@@ -51,6 +51,12 @@ std::optional<KernelSupport> support_of(const Reradiation& kernel) {
     all->out.last_nm = std::fmax(all->out.last_nm, piece->out.last_nm);
   }
   return all;
+}
+
+std::vector<double> whole_nanometres() {
+  std::vector<double> out;
+  for (double nm = spectra::kShortestLight_nm; nm <= spectra::kLongestSeen_nm; nm += 1) out.push_back(nm);
+  return out;
 }
 
 }  // namespace orbs::scene

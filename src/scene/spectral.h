@@ -1,32 +1,16 @@
 #pragma once
 
+#include "scene/colour.h"
 #include "snippets/fluorescence.h"
 #include "spectra/refractive_index.h"
 #include "spectra/spectrum.h"
 
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
-/// What a scene says wavelength by wavelength. Where it gives a colour instead, linear Rec.709 means
-/// spectra::reflectance_of_rgb for surfaces, and that times D65 for lights.
+/// Properties of materials that depend on the wavelength.
 namespace orbs::scene {
-
-struct NamedSpectrum {
-  std::string name;
-  spectra::Spectrum spectrum;
-  bool operator==(const NamedSpectrum&) const = default;
-};
-
-/// A spectrum of the scene in the place of a colour: its values times `scale`. The colour beside it is then
-/// what the eye makes of it: a surface under D65, a light by itself. It may lie outside of Rec.709, hence be
-/// negative.
-struct SpectrumUse {
-  int spectrum = 0;
-  double scale = 1;
-  bool operator==(const SpectrumUse&) const = default;
-};
 
 /// A layer of even thickness on the surface; all reflections within it interfere.
 struct Film {
@@ -48,7 +32,7 @@ struct Roughness {
 };
 
 /// Share of the energy at one wavelength that leaves at a longer one; data/snippets/fluorescence.h defines
-/// both forms. The diagonal of a matrix is zero here: what keeps its wavelength is the material's
+/// both forms. The diagonal of a matrix is zero here: light that keeps its wavelength is the material's
 /// reflectance.
 using Reradiation = std::variant<snippets::TentKernel<double>, snippets::ReradiationMatrix<double>>;
 
@@ -64,5 +48,8 @@ struct KernelSupport {
 };
 /// Nothing when the kernel is zero for all light from kShortestLight_nm to kLongestSeen_nm.
 std::optional<KernelSupport> support_of(const Reradiation& kernel);
+
+/// kShortestLight_nm to kLongestSeen_nm in steps of a nanometre: where spectra are compared.
+std::vector<double> whole_nanometres();
 
 }  // namespace orbs::scene

@@ -4,15 +4,12 @@
 
 namespace orbs::scene {
 
-/// The wavelength at which indices are usually quoted: helium's d line.
-constexpr double kUsualIndex_nm = 587.56;
-
-/// The scene as someone would draw it who does not know the effect, in place:
-///   Dispersion     every index is that of kUsualIndex_nm
+/// Makes the scene, in place, as a renderer without the effect would draw it:
+///   Dispersion     every index is that of kUsualIndex_nm (materials/boundary.h)
 ///   MeasuredMetal  n and k are those of that wavelength
 ///   ThinFilm       no films
-/// False, and nothing changes, for the other effects: the transport has them, see WorldSettings of the
-/// tracer.
+/// False, and nothing changes, for the other effects: they are left out by the transport, see WorldSettings
+/// of the tracer. InputError naming the first material that calls for the effect and has no form without it.
 bool leave_out(Effect effect, Scene& scene);
 
 }  // namespace orbs::scene

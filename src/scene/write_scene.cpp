@@ -2,8 +2,8 @@
 
 #include "base/files.h"
 #include "json/writer.h"
-#include "scene/mesh_files.h"
-#include "scene/write_material.h"
+#include "scene/ply.h"
+#include "scene/write_spectra.h"
 
 #include <algorithm>
 
@@ -27,8 +27,13 @@ void write_camera(Writer& out, const Camera& camera) {
 void write_texture_use(Writer& out, const Scene& scene, const std::optional<TextureUse>& use) {
   if (!use) return;
   out.key("texture").begin_object();
-  out.member("name", scene.textures[static_cast<std::size_t>(use->texture)].name);
+  out.member("name", texture_at(scene, *use).name);
   out.key("matrix").numbers(use->matrix.m).end_object();
+}
+
+void write_model(Writer& out, const Scene& scene, const MaterialModel& model) {
+  out.member("type", type_name(model));
+  std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
 }
 
 void write_materials(Writer& out, const Scene& scene) {
@@ -48,7 +53,8 @@ void write_materials(Writer& out, const Scene& scene) {
   out.end_array();
 }
 
-// The PLY's face property counts through the materials that the mesh uses, listed in the JSON by name.
+// The face property of the PLY indexes the list of materials that the mesh uses, which stands in the JSON by
+// name.
 void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::filesystem::path& ply) {
   Mesh copy = mesh;
   std::vector<int> used;
@@ -60,7 +66,7 @@ void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::fi
   }
   write_ply(copy, ply);
   std::vector<std::string> names;
-  for (const int material : used) names.push_back(scene.materials[static_cast<std::size_t>(material)].name);
+  for (const int material : used) names.push_back(material_at(scene, material).name);
   out.begin_object()
       .member("name", mesh.name)
       .member("file", ply.filename().string())
@@ -70,12 +76,11 @@ void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::fi
 
 void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
   out.begin_object().member("name", instance.name);
-  out.member("mesh", scene.meshes[static_cast<std::size_t>(instance.mesh)].name);
+  out.member("mesh", mesh_of(scene, instance).name);
   out.key("matrix").numbers(instance.matrix.m);
   std::vector<std::string> remap;
   for (const auto& [from, to] : instance.remap)
-    for (const int material : {from, to})
-      remap.push_back(scene.materials[static_cast<std::size_t>(material)].name);
+    for (const int material : {from, to}) remap.push_back(material_at(scene, material).name);
   if (!remap.empty()) out.member("remap", remap);
   out.end_object();
 }
@@ -94,7 +99,7 @@ void write_spheres(Writer& out, const Scene& scene) {
   for (const auto& sphere : scene.spheres) {
     out.begin_object().member("type", "sphere").member("name", sphere.name);
     out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
-    out.member("material", scene.materials[static_cast<std::size_t>(sphere.material)].name).end_object();
+    out.member("material", material_at(scene, sphere.material).name).end_object();
   }
   out.end_array();
 }
@@ -102,7 +107,7 @@ void write_spheres(Writer& out, const Scene& scene) {
 void write_light(Writer& out, const Scene& scene, const Light& light) {
   out.begin_object().member("name", light.name);
   std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
-  write_colour(out, scene, "radiance", light.radiance, light.spectrum);
+  write_colour(out, scene.spectra, "radiance", light.radiance, light.spectrum);
   if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
   out.key("matrix").numbers(light.matrix.m);
   if (light.ies) {
@@ -134,8 +139,8 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   Writer out;
   out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
   write_camera(out, scene.camera);
-  write_spectra(out, scene);
-  write_colour(out, scene, "environment", scene.environment, scene.environment_spectrum);
+  write_spectra(out, scene.spectra);
+  write_colour(out, scene.spectra, "environment", scene.environment, scene.environment_spectrum);
   write_materials(out, scene);
   out.key("meshes").begin_array();
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)

@@ -1,6 +1,6 @@
 #include "studies/bench.h"
 
-#include "adapters/programs.h"
+#include "adapters/process/programs.h"
 #include "metrics/compare.h"
 #include "metrics/seeds.h"
 #include "runner/choose.h"

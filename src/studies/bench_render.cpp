@@ -1,8 +1,8 @@
 #include "studies/bench_render.h"
 
 #include "adapters/export.h"
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"

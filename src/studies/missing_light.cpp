@@ -1,7 +1,6 @@
 #include "studies/missing_light.h"
 
-#include "scene/called.h"
-#include "scene/lower_parts.h"
+#include "scene/scene.h"
 #include "studies/bench_render.h"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
   std::vector<MissingLight> images;
   for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
     auto dark = *scene.scene;
-    const auto name = "without " + scene::called("light", dark.lights[i].name, i);
+    const auto name = "without " + scene::display_name("light", dark.lights[i].name, i);
     dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
     const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
     const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);

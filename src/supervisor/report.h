@@ -11,7 +11,7 @@ namespace orbs::supervisor {
 /// Why the supervisor ended a command; Nothing when it ended by itself.
 enum class Cause { Nothing, WallTime, CpuTime, Memory, Output, Stopped };
 
-/// How a command ended and what it took.
+/// How a command ended and which resources it used.
 struct Report {
   std::string start_error;  // why it could not be started; "" when it was
   Cause cause = Cause::Nothing;
@@ -23,14 +23,14 @@ struct Report {
   double system_seconds = 0;          // likewise
   std::size_t peak_rss_bytes = 0;     // of the largest process (the kernel's count), or of all together when
                                       // seen larger
-  int left_behind = 0;                // processes that were still there when the command had ended
-  double supervisor_cpu_seconds = 0;  // what the watching itself cost
+  int left_behind = 0;                // processes that outlived the command
+  double supervisor_cpu_seconds = 0;  // of the supervisor itself
 };
 
 /// One "key value" a line, for the pipe between the supervisor and whoever started it.
 std::string report_text(const Report& report);
 
-/// Reads it back; nothing when it is cut off or no report.
+/// Reads report_text; nothing when the text is cut off or no report.
 std::optional<Report> parse_report(std::string_view text);
 
 }  // namespace orbs::supervisor

@@ -22,19 +22,19 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return out;
 }
 
-void limit_file_size(const Limits& limits) {
+void limit_file_size(const ProcessLimits& limits) {
   rlimit size{};
   if (!limits.output_bytes || ::getrlimit(RLIMIT_FSIZE, &size) != 0) return;
   size.rlim_cur = size.rlim_max = std::min<rlim_t>(*limits.output_bytes, size.rlim_max);
   ::setrlimit(RLIMIT_FSIZE, &size);
 }
 
-// When the machine runs out of memory the kernel shall take the renderer and not the harness.
-void be_first_to_go() {
+// When the machine runs out of memory, the kernel shall kill the renderer and not the harness.
+void prefer_for_oom_kill() {
   const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
   const auto written = ::write(file, "1000", 4);
-  static_cast<void>(written);  // a wish: without it the kernel chooses by size alone
+  static_cast<void>(written);  // only a preference: without it the kernel chooses by size alone
   ::close(file);
 }
 
@@ -46,28 +46,28 @@ void restore_signals() {
 }
 
 // In the child. Returns only when something fails, with errno.
-void become_command(const Order& order) {
+void exec_command(const Command& command) {
   ::setsid();
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // should somebody kill the supervisor
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // when the supervisor is killed
   restore_signals();
-  limit_file_size(order.limits);
-  be_first_to_go();
-  if (!order.folder.empty() && ::chdir(order.folder.c_str()) != 0) return;
+  limit_file_size(command.limits);
+  prefer_for_oom_kill();
+  if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) return;
   const int nothing = ::open("/dev/null", O_RDONLY);
   if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0) return;
   if (nothing > STDERR_FILENO) ::close(nothing);
-  auto argv = order.argv;
-  ::execve(order.argv.front().c_str(), pointers(argv).data(), environ);
+  auto argv = command.argv;
+  ::execve(command.argv.front().c_str(), pointers(argv).data(), environ);
 }
 
 }  // namespace
 
-Started start(const Order& order) {
+Started start(const Command& command) {
   std::array<int, 2> failure{-1, -1};
   if (::pipe2(failure.data(), O_CLOEXEC) != 0) return {0, errno};
   const pid_t pid = ::fork();
   if (pid == 0) {
-    become_command(order);
+    exec_command(command);
     const int error = errno;
     const auto written = ::write(failure[1], &error, sizeof error);
     static_cast<void>(written);
@@ -75,7 +75,7 @@ Started start(const Order& order) {
   }
   Started started{pid, pid < 0 ? errno : 0};
   ::close(failure[1]);
-  // The pipe closes without a word when exec succeeds.
+  // When exec succeeds, the pipe closes without any bytes.
   int error = 0;
   if (pid > 0 && ::read(failure[0], &error, sizeof error) == sizeof error) {
     started.error = error;

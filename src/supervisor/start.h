@@ -1,6 +1,6 @@
 #pragma once
 
-#include "supervisor/limits.h"
+#include "base/process_limits.h"
 
 #include <filesystem>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace orbs::supervisor {
 
-/// What is to be run, and where.
-struct Order {
+/// A command to run, where, and its limits.
+struct Command {
   std::vector<std::string> argv;  // argv[0] is the file that is started
-  std::filesystem::path folder;   // working directory, and the one whose size is limited; "" for ours
-  Limits limits;
+  std::filesystem::path folder;   // working directory, whose size is limited; "": ours, not limited
+  ProcessLimits limits;
 };
 
 struct Started {
@@ -23,6 +23,6 @@ struct Started {
 };
 
 /// Starts the command in a session of its own, with no input, our environment, standard output and errors.
-Started start(const Order& order);
+Started start(const Command& command);
 
 }  // namespace orbs::supervisor

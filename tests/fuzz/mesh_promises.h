@@ -1,7 +1,8 @@
 #pragma once
 
 #include "fuzz/feed.h"
-#include "scene/mesh_files.h"
+#include "scene/load_mesh.h"
+#include "scene/mesh_file.h"
 
 namespace orbs::fuzz {
 

@@ -1,4 +1,4 @@
-#include "adapters/process.h"
+#include "adapters/process/process.h"
 #include "base/files.h"
 #include "base/scratch_folder.h"
 #include "scene/ies.h"

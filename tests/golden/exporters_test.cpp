@@ -1,4 +1,6 @@
+#include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/mitsuba.h"
+#include "adapters/pbrt/limits.h"
 #include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
 #include "base/scratch_folder.h"

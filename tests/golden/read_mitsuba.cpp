@@ -1,7 +1,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "golden/read_back.h"
-#include "scene/mesh_files.h"
+#include "scene/ply.h"
 
 #include <numbers>
 #include <stdexcept>

@@ -2,8 +2,8 @@
 
 #include "adapters/export.h"
 #include "adapters/job.h"
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "registry/configuration.h"
 #include "runner/outcome.h"
 

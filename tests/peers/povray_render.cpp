@@ -1,7 +1,7 @@
 #include "peers/povray_render.h"
 
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 
 #include <filesystem>
 #include <stdexcept>

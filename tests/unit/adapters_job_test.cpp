@@ -63,7 +63,7 @@ TEST(Job, MoreSamplesThanACountCanHoldAreRefused) {
 
 TEST(Export, ASettingThatTheFormatDoesNotHaveIsAnError) {
   auto renderer = renderer_with({});
-  renderer.scene_format = orbs::registry::SceneFormat::Povray;
+  renderer.scene_format = "povray";
   renderer.scene_settings["photons"] = 1000;
   EXPECT_NO_THROW(orbs::adapters::check_scene_settings(renderer));
   renderer.scene_settings["photon"] = 1000;
@@ -71,7 +71,7 @@ TEST(Export, ASettingThatTheFormatDoesNotHaveIsAnError) {
   renderer.scene_settings = {{"photons", 0.5}};
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
   renderer.scene_settings = {{"photons", 1}};
-  renderer.scene_format = orbs::registry::SceneFormat::OrbsScene;
+  renderer.scene_format = "orbs-scene";
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
 }
 

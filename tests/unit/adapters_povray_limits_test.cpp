@@ -1,3 +1,4 @@
+#include "adapters/povray/limits.h"
 #include "adapters/povray/povray.h"
 #include "scene/generators.h"
 

@@ -1,5 +1,5 @@
-#include "adapters/process.h"
-#include "adapters/programs.h"
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "structure/source_files.h"
@@ -198,7 +198,7 @@ TEST(Process, CannotPretendAnInterruptToItsSupervisor) {
 
 TEST(Process, ThatKillsItsSupervisorIsKilledAndReported) {
   const auto result = run_process(shell("kill -KILL $PPID; sleep 600"));
-  EXPECT_EQ(result.lost, "its supervisor was killed by SIGKILL");
+  EXPECT_EQ(result.orphaned, "its supervisor was killed by SIGKILL");
   EXPECT_EQ(result.start_error, "");
 }
 

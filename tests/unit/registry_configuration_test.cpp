@@ -51,7 +51,7 @@ TEST(Configuration, ASmallEntryIsCompleteAndTheRestHasDefaults) {
   EXPECT_EQ(renderer.limits.wall_seconds, 600);
   EXPECT_FALSE(renderer.limits.memory_bytes);
   EXPECT_EQ(renderer.spp_scale, 1);
-  EXPECT_EQ(renderer.scene_format, orbs::registry::SceneFormat::OrbsScene);
+  EXPECT_EQ(renderer.scene_format, "orbs-scene");
   EXPECT_EQ(configuration.defaults.suite, "orbs");
   EXPECT_TRUE(configuration.defaults.log);
 }
@@ -208,7 +208,7 @@ TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
 TEST(Configuration, HandWrittenScenesHaveAnEnding) {
   const auto native =
       load(with_renderer(kRenderer + R"(, "scene_format": "native", "native_scenes": "arm")"));
-  EXPECT_EQ(native.renderers[0].scene_format, orbs::registry::SceneFormat::Native);
+  EXPECT_EQ(native.renderers[0].scene_format, "native");
   EXPECT_EQ(native.renderers[0].native_scenes, "arm");
   EXPECT_NE(
       message_of(with_renderer(kRenderer + R"(, "scene_format": "native")")).find("needs 'native_scenes'"),
@@ -261,8 +261,7 @@ TEST(Configuration, AnUnknownSuiteIsAnErrorWithTheNearestName) {
 TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   std::vector<std::string> formats;
-  for (const auto& renderer : configuration.renderers)
-    formats.push_back(orbs::registry::scene_format_name(renderer.scene_format));
+  for (const auto& renderer : configuration.renderers) formats.push_back(renderer.scene_format);
   EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
 }
 

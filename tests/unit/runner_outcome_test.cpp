@@ -32,7 +32,7 @@ class OutcomeTest : public testing::Test {
     orbs::image::write_exr(image, job_.image);
   }
   orbs::runner::Outcome outcome(const ProcessResult& process = {}) const {
-    orbs::supervisor::Limits limits;
+    orbs::ProcessLimits limits;
     limits.wall_seconds = 9;
     limits.cpu_seconds = 4;
     limits.memory_bytes = 3 << 20;
@@ -101,7 +101,7 @@ TEST_F(OutcomeTest, FilesAreNamedWithinTheFolderOfTheRender) {
 
 TEST_F(OutcomeTest, ALostSupervisorIsNoRendererThatDidNotStart) {
   ProcessResult process;
-  process.lost = "its supervisor was killed by SIGKILL";
+  process.orphaned = "its supervisor was killed by SIGKILL";
   EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
   EXPECT_EQ(outcome(process).reason, "was lost: its supervisor was killed by SIGKILL");
 }

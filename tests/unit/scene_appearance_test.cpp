@@ -143,7 +143,7 @@ const std::vector<BrokenScene> kBroken{
     {"BallOfPolariser",
      "\"radius\": 2, \"material\": \"paper\"",
      "\"radius\": 2, \"material\": \"filter\"",
-     {"shape 'ball' is a sphere and no sheet"}},
+     {"shape 'ball' is a sphere and no thin optical element"}},
     {"GainsEnergy", "0.017", "0.025", {"scene.json:23", "450 nm 1.3500", "\"gains_energy\": true"}},
     {"MatrixGainsEnergy", "[0.4, 0.5, 0]", "[0.7, 0.5, 0]", {"/materials/6/reradiation", "1.1000"}},
     {"TowardsShorterWavelengths",

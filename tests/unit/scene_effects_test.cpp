@@ -109,7 +109,7 @@ const std::vector<Judgement> kJudgements{
      "light of 330 to 410 nm into light of 600 to 700 nm"},
     {"NoDye", tents(0), "", Effect::Fluorescence, false, "re-radiates nothing"},
     {"DyeBeyondLight", tents(0.01, "250"), "", Effect::Fluorescence, false, "re-radiates nothing"},
-    {"Rough", conductor(R"(, "alpha": 0.2)"), "", Effect::RoughInterface, true, "GGX, alpha 0.2"},
+    {"Rough", conductor(R"(, "alpha": 0.2)"), "", Effect::RoughBoundary, true, "GGX, alpha 0.2"},
     {"LampThatReflects", kGrey,
      R"(, "lights": [{"type": "disk", "radius": 1, "radiance": [1, 1, 1], "reflectance": [0.5, 0.5, 0.5]}])",
      Effect::ReflectingLight, true, "reflects light"},
@@ -144,7 +144,7 @@ TEST(Effects, AMaterialThatNothingShowsCallsForNothing) {
   const auto found = scene::effects(hidden);
   EXPECT_EQ(scene::transport(found), LightTransport::Rgb);
   ASSERT_EQ(found.not_called_for.size(), 1U);
-  EXPECT_EQ(found.not_called_for[0].thing, "material 'm'");
+  EXPECT_EQ(found.not_called_for[0].object, "material 'm'");
   EXPECT_NE(found.not_called_for[0].reason.find("no surface shows it"), std::string::npos);
 }
 

@@ -4,7 +4,8 @@
 #include "base/files.h"
 #include "base/scratch_folder.h"
 #include "scene/load_scene.h"
-#include "scene/mesh_files.h"
+#include "scene/ply.h"
+#include "scene/read_obj.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -29,7 +29,7 @@ std::string Colours::surface(const char* name,
   return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use))) : rgb(name, colour);
 }
 
-// A single number would be taken for a multiple of D65.
+// Mitsuba would take a single number for a multiple of D65.
 std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
   if (!is_spectral) return rgb("radiance", colour);
   return list("radiance", light_samples(scene, colour, use), kEmitterUnit);

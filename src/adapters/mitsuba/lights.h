@@ -11,7 +11,7 @@ std::string area_emitter(const Colours& colours,
                          scene::RgbColour radiance,
                          const std::optional<scene::SpectrumUse>& spectrum);
 
-/// A light as a shape that emits, and reflects, on the side of its normal; from behind black and opaque.
+/// A light as a shape that emits, and reflects, on the side of its normal; its back is black and opaque.
 std::string light_text(const Colours& colours, const scene::Light& light);
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,5 +1,6 @@
 #include "adapters/mitsuba/materials.h"
 
+#include "adapters/material_support.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
 
@@ -7,7 +8,11 @@ namespace orbs::adapters::mitsuba {
 
 namespace {
 
-// All reflectors are one-sided in Mitsuba, ORB.S's are not. The side is that of the vertex normal in both.
+constexpr const char* kName = "Mitsuba";
+constexpr const char* kMasking = "a product of two sides";
+constexpr double kLeastAlpha = 1e-4;  // its MicrofacetDistribution raises smaller ones to this
+
+// Reflectors are one-sided in Mitsuba and two-sided in ORB.S. Both take the side from the vertex normal.
 std::string two_sided(const std::string& id, const std::string& inner) {
   return fmt::format("<bsdf type=\"twosided\" id=\"{}\">{}</bsdf>\n", id, inner);
 }
@@ -24,6 +29,69 @@ std::string roughness(const scene::Roughness& r) {
   return roughness(r.alpha, r.distribution == scene::Distribution::Ggx ? "ggx" : "beckmann");
 }
 
+struct MaterialLimits {
+  const std::string& name;
+  bool is_polarised = false;  // the scene is for scalar_spectral_polarized
+
+  std::string operator()(const scene::OrenNayar& m) const {
+    return oren_nayar_limit(name, m.roughness, kName);
+  }
+  // Light sampling on a textured emitter picks a texel and asks the mesh for the one point with these
+  // coordinates: repeated or missing ones break it.
+  std::string operator()(const scene::Emission& m) const {
+    if (!m.texture) return "";
+    return fmt::format(
+        "material '{}' emits through a texture: Mitsuba samples that by inverting the texture "
+        "coordinates, which must then be within [0, 1] and used once",
+        name);
+  }
+  // Mitsuba's mirror is a conductor of n = 0 and k = 1: its reflectance is 1, but its phases depend on the
+  // angle.
+  std::string operator()(const scene::Mirror&) const { return full_mirror(); }
+  std::string operator()(const scene::Ggx& m) const {
+    const std::string reason = rough(m.alpha);
+    return reason.empty() ? full_mirror() : reason;
+  }
+  std::string operator()(const scene::RoughGlass& m) const {
+    const std::string reason = rough(m.alpha);
+    return reason.empty() ? rough_glass() : reason;
+  }
+  std::string operator()(const scene::Conductor& m) const { return m.roughness ? rough(*m.roughness) : ""; }
+  std::string operator()(const scene::Dielectric& m) const {
+    if (!m.roughness) return "";
+    const std::string reason = rough(*m.roughness);
+    return reason.empty() ? rough_glass() : reason;
+  }
+  // Mitsuba's retarder.cpp multiplies the retardance by the cosine of the angle.
+  std::string operator()(const scene::Retarder& m) const {
+    return fmt::format(
+        "material '{}' retards by {} degrees at all angles: Mitsuba's retarder falls off with the cosine "
+        "of the angle of incidence",
+        name, m.retardance_deg);
+  }
+
+  std::string rough(double alpha) const {
+    const std::string reason = alpha_limit(name, alpha, kName, kLeastAlpha);
+    return reason.empty() ? masking_limit(name, alpha, kName, kMasking) : reason;
+  }
+  std::string rough(const scene::Roughness& roughness) const {
+    const std::string reason = alpha_limit(name, roughness.alpha, kName, kLeastAlpha);
+    return reason.empty() ? masking_limit(name, roughness, kName, true) : reason;
+  }
+  std::string rough_glass() const {
+    if (!is_polarised) return "";
+    return fmt::format("material '{}' is rough glass in polarised light: Mitsuba's forgets the polarisation",
+                       name);
+  }
+  std::string full_mirror() const {
+    if (!is_polarised) return "";
+    return fmt::format(
+        "material '{}' is a full mirror in polarised light: Mitsuba's shifts the phases of both "
+        "polarisations as a metal would",
+        name);
+  }
+};
+
 struct BsdfWriter {
   const Colours& colours;
   const std::string& id;
@@ -35,14 +103,14 @@ struct BsdfWriter {
     if (!use)
       return two_sided(id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>",
                                        colours.surface("reflectance", reflectance, spectrum)));
-    const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
+    const scene::Texture& texture = texture_at(colours.scene, *use);
     return two_sided(
         id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
                         "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" "
                         "value=\"bilinear\"/><string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
                         image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
   }
-  // `type` with the parameters of both sorts of glass. Mitsuba's default for outside is air, 1.000277.
+  // The parameters that both types of glass share. Mitsuba's default for the outside is air, 1.000277.
   std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
     return fmt::format(
         "<bsdf type=\"{}\" id=\"{}\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" "
@@ -57,7 +125,7 @@ struct BsdfWriter {
   std::string operator()(const scene::Lambert& m) const {
     return diffuse(m.reflectance, m.spectrum, m.texture);
   }
-  // mitsuba_limits lets it through with roughness 0 only, and there it is Lambert's law.
+  // MaterialLimits let it through with roughness 0 only, and there it is Lambert's law.
   std::string operator()(const scene::OrenNayar& m) const {
     return diffuse(m.reflectance, m.spectrum, m.texture);
   }
@@ -80,35 +148,47 @@ struct BsdfWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return dielectric("roughdielectric", m.ior, 1, ggx(m.alpha) + tinted(m.colour));
   }
-  // One-sided in both: black from behind. Mitsuba has no index for what is outside of a conductor.
+  // Conductors are one-sided in both renderers: black from behind. Mitsuba has no index for the outside of a
+  // conductor.
   std::string operator()(const scene::Conductor& m) const {
     return fmt::format("<bsdf type=\"{}\" id=\"{}\">{}{}{}</bsdf>\n",
                        m.roughness ? "roughconductor" : "conductor", id, spectrum("eta", samples_of_n(m)),
                        spectrum("k", samples_of_k(m)), m.roughness ? roughness(*m.roughness) : "");
   }
-  // mitsuba_limits lets it through with one ratio for all wavelengths only.
+  // MaterialLimits let it through with one ratio for all wavelengths only.
   std::string operator()(const scene::Dielectric& m) const {
     constexpr double kAnywhere_nm = 550;
     return dielectric(m.roughness ? "roughdielectric" : "dielectric", index_at(m.index, kAnywhere_nm),
                       index_at(m.outside, kAnywhere_nm), m.roughness ? roughness(*m.roughness) : "");
   }
-  // The axis stands with the shapes, as their texture coordinates. Of light that crosses at a slant Mitsuba
-  // projects the absorbing axis across the ray, we the transmitting one: in the corners of an image of 34
-  // degrees these are 4.9 degrees apart, which lets 0.7 % of crossed light through.
+  // The axis is given by the texture coordinates of the shapes. At oblique incidence Mitsuba projects the
+  // absorbing axis across the ray, we the transmitting one: in the corners of an image of 34 degrees these
+  // are 4.9 degrees apart, which lets 0.7 % of crossed light through.
   std::string operator()(const scene::Polariser&) const {
     return fmt::format("<bsdf type=\"polarizer\" id=\"{}\"/>\n", id);
   }
-  // mitsuba_limits lets none through that anything shows.
-  std::string operator()(const scene::Retarder&) const { return diffuse({}, {}, {}); }
-  std::string operator()(const scene::Fluorescent&) const { return diffuse({}, {}, {}); }
 };
 
 }  // namespace
 
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
+                                  {{"E4", "Mitsuba has no fluorescence"},
+                                   {"E5", "Mitsuba has no thin films"},
+                                   {"E6", "Mitsuba's dielectrics have one index for all wavelengths"}}};
+  return kLevels;
+}
+
+std::string material_limit(const scene::Material& material, bool is_polarised) {
+  return limit_of_material<BsdfWriter>(material, kName, beyond_orbs(),
+                                       MaterialLimits{material.name, is_polarised});
+}
+
 std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
-  const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
+  const auto& m = material_at(colours.scene, material);
   const std::string id = fmt::format("material{}", material);
-  return comment(m.name) + std::visit(BsdfWriter{colours, id, tinted_image_name(material, stem)}, m.model);
+  const std::string image = tinted_image_name(material, stem);
+  return comment(m.name) + text_of_material(m, kName, BsdfWriter{colours, id, image});
 }
 
 }  // namespace orbs::adapters::mitsuba

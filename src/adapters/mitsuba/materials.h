@@ -1,12 +1,21 @@
 #pragma once
 
+#include "adapters/format_limits.h"
 #include "adapters/mitsuba/colours.h"
 
 #include <string>
 
 namespace orbs::adapters::mitsuba {
 
-/// `<bsdf id="material<i>">`. An emissive material reflects nothing; what it emits stands with its shapes.
+/// The levels beyond ORB.S that are written.
+const BeyondOrbs& beyond_orbs();
+
+/// Why the material cannot be written, "" when it can or when beyond_orbs says why not. `is_polarised`: the
+/// scene is for scalar_spectral_polarized.
+std::string material_limit(const scene::Material& material, bool is_polarised);
+
+/// `<bsdf id="material<i>">`. An emissive material reflects nothing; its radiance stands with its shapes.
+/// InputError when material_limit or beyond_orbs refuse its type.
 std::string bsdf_text(const Colours& colours, int material, const std::string& stem);
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,15 +1,15 @@
 #include "adapters/mitsuba/mitsuba.h"
 
 #include "adapters/closed_mesh.h"
+#include "adapters/material_meshes.h"
 #include "adapters/mitsuba/lights.h"
+#include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/materials.h"
-#include "adapters/mitsuba/sheets.h"
+#include "adapters/mitsuba/polariser_mesh.h"
 #include "adapters/mitsuba/xml.h"
-#include "adapters/parts.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
-#include "scene/lower_parts.h"
-#include "scene/mesh_files.h"
+#include "scene/ply.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,15 +22,16 @@ using mitsuba::comment;
 using mitsuba::to_world;
 using mitsuba::vector;
 
-// The largest distance of anything from the camera, at least 1: Mitsuba's planes clip, ORB.S's do not.
-double farthest_m(const scene::Scene& scene, const std::vector<Part>& parts) {
+// The largest distance of a vertex or light from the camera, at least 1: Mitsuba's near and far planes clip,
+// those of ORB.S do not.
+double farthest_m(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes) {
   double farthest = 1;
   const auto meet = [&](Vec3d point, double radius_m) {
     farthest = std::max(farthest, length(point - scene.camera.position_m) + radius_m);
   };
-  for (const Part& part : parts)
-    for (const Mat4& place : part.places)
-      for (const Vec3f p : part.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
+  for (const MaterialMesh& shown : meshes)
+    for (const Mat4& place : shown.places)
+      for (const Vec3f p : shown.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
   for (const scene::Light& light : scene.lights) {
     const double scale = length(transform_direction(light.matrix, {1, 0, 0})) +
                          length(transform_direction(light.matrix, {0, 0, 1}));
@@ -45,8 +46,8 @@ double farthest_m(const scene::Scene& scene, const std::vector<Part>& parts) {
   return farthest;
 }
 
-// Mitsuba's look-at is right-handed as ours: no flip. `fov` is along x unless said otherwise. A millionth of
-// the scene's depth is as near as float coordinates resolve there.
+// Mitsuba's look-at is right-handed as ours, so nothing is flipped. `fov` is along x by default. The near
+// plane is a millionth of the scene's depth, the resolution of float coordinates there.
 std::string sensor_text(const scene::Camera& camera, double farthest) {
   return fmt::format(
       "<sensor type=\"perspective\">\n"
@@ -66,8 +67,8 @@ std::string sensor_text(const scene::Camera& camera, double farthest) {
       vector(camera.up), camera.width_px, camera.height_px);
 }
 
-// max_depth counts the segments of a path, one more than its scatterings. Roulette would only add noise to
-// paths that are cut off anyway, so it begins behind the last of them; paths without an end need it, and get
+// max_depth counts the segments of a path, one more than its scatterings. Russian roulette would only add
+// noise to paths of limited length, so it begins behind the last scattering; paths of unlimited length get
 // Mitsuba's default.
 std::string path_text(int trace_depth) {
   constexpr int kRouletteFrom = 5;
@@ -78,21 +79,21 @@ std::string path_text(int trace_depth) {
       is_unlimited ? -1 : trace_depth + 1, is_unlimited ? kRouletteFrom : trace_depth + 1);
 }
 
-// The layers are called S0.R to S3.B, as ours.
+// The layers are named S0.R to S3.B, as ours.
 std::string integrator_text(const scene::Scene& scene) {
   const std::string path = path_text(scene.trace_depth);
   return scene.outputs.stokes ? fmt::format("<integrator type=\"stokes\">{}</integrator>\n", path) : path;
 }
 
-// PLY has its texture rows from the top in Mitsuba, ORB.S from the bottom: v becomes 1 - v here, where the
-// numbers are ours, and not by an option whose default differs between its mesh formats.
+// Mitsuba counts the texture rows of a PLY from the top, ORB.S from the bottom: v becomes 1 - v in the file,
+// not by an option whose default differs between Mitsuba's mesh formats.
 scene::Mesh flipped_v(scene::Mesh mesh) {
   for (Vec2f& uv : mesh.uvs) uv.y = static_cast<float>(1 - double{uv.y});
   return mesh;
 }
 
-// Emission follows the normal of the triangles as they stand in the world, so winding has to show outwards
-// there: a mirroring matrix turns it.
+// Emission follows the normal of the triangles in world space, so their winding has to face outwards there: a
+// mirroring matrix reverses it.
 scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
   if (is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
@@ -106,51 +107,52 @@ class Writer {
         colours_(scene),
         folder_(file.parent_path()),
         stem_(file.stem().string()),
-        parts_(parts_of(scene)) {}
+        meshes_(material_meshes(scene)) {}
 
   std::string write() {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
     text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
-    text += integrator_text(scene_) + sensor_text(scene_.camera, farthest_m(scene_, parts_));
+    text += integrator_text(scene_) + sensor_text(scene_.camera, farthest_m(scene_, meshes_));
     if (scene_.environment != scene::RgbColour{})
       text += fmt::format("<emitter type=\"constant\">{}</emitter>\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int material : scene::visible_materials(scene_)) text += material_text(material);
-    for (std::size_t i = 0; i < parts_.size(); ++i) text += part_text(parts_[i], i);
+    for (std::size_t i = 0; i < meshes_.size(); ++i) text += mesh_text(meshes_[i], i);
     for (const scene::Light& light : scene_.lights) text += mitsuba::light_text(colours_, light);
     return text + "</scene>\n";
   }
 
  private:
   std::string material_text(int index) {
-    if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
+    if (scene::texture_of(material_at(scene_, index).model))
       write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
     return mitsuba::bsdf_text(colours_, index, stem_);
   }
 
-  std::string part_text(const Part& part, std::size_t index) {
-    const auto& model = scene_.materials[static_cast<std::size_t>(part.material)].model;
-    std::string text = comment(part.mesh.name);
+  std::string mesh_text(const MaterialMesh& shown, std::size_t index) {
+    const auto& model = material_at(scene_, shown.material).model;
+    std::string text = comment(shown.mesh.name);
     if (const auto* emission = std::get_if<scene::Emission>(&model)) {
-      for (std::size_t i = 0; i < part.places.size(); ++i)
-        text += shape(wound_for(part.mesh, part.places[i]), fmt::format("mesh{}.{}", index, i), part.material,
-                      "<boolean name=\"face_normals\" value=\"true\"/>" +
-                          mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
-                          to_world(part.places[i]));
+      for (std::size_t i = 0; i < shown.places.size(); ++i)
+        text +=
+            shape(wound_for(shown.mesh, shown.places[i]), fmt::format("mesh{}.{}", index, i), shown.material,
+                  "<boolean name=\"face_normals\" value=\"true\"/>" +
+                      mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
+                      to_world(shown.places[i]));
       return text;
     }
     if (const auto* polariser = std::get_if<scene::Polariser>(&model)) {
-      for (std::size_t i = 0; i < part.places.size(); ++i)
-        text += shape(mitsuba::sheet_along(polariser->axis, part.mesh, part.places[i]),
-                      fmt::format("mesh{}.{}", index, i), part.material, "");
+      for (std::size_t i = 0; i < shown.places.size(); ++i)
+        text += shape(mitsuba::polariser_mesh(polariser->axis, shown.mesh, shown.places[i]),
+                      fmt::format("mesh{}.{}", index, i), shown.material, "");
       return text;
     }
     const std::string name = fmt::format("mesh{}", index);
-    if (part.places.size() == 1)
-      return text + shape(flipped_v(part.mesh), name, part.material, to_world(part.places[0]));
+    if (shown.places.size() == 1)
+      return text + shape(flipped_v(shown.mesh), name, shown.material, to_world(shown.places[0]));
     text += fmt::format("<shape type=\"shapegroup\" id=\"{}\">\n{}</shape>\n", name,
-                        shape(flipped_v(part.mesh), name, part.material, ""));
-    for (const Mat4& place : part.places)
+                        shape(flipped_v(shown.mesh), name, shown.material, ""));
+    for (const Mat4& place : shown.places)
       text += fmt::format("<shape type=\"instance\"><ref id=\"{}\"/>{}</shape>\n", name, to_world(place));
     return text;
   }
@@ -170,13 +172,22 @@ class Writer {
   mitsuba::Colours colours_;
   std::filesystem::path folder_;
   std::string stem_;
-  std::vector<Part> parts_;
+  std::vector<MaterialMesh> meshes_;
 };
 
 }  // namespace
 
 void write_mitsuba(const scene::Scene& scene, const std::filesystem::path& file) {
   write_file(file, Writer(scene, file).write());
+}
+
+Exporter mitsuba_exporter() {
+  return {.format = "mitsuba",
+          .scene_file = "scene.xml",
+          .settings = {},
+          .limits = [](const scene::Scene& scene, const SceneSettings&) { return mitsuba_limits(scene); },
+          .write = [](const scene::Scene& scene, const SceneSettings&,
+                      const std::filesystem::path& file) { write_mitsuba(scene, file); }};
 }
 
 }  // namespace orbs::adapters

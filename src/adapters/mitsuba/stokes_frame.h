@@ -12,7 +12,7 @@ namespace orbs::adapters::mitsuba {
 /// and up, sin = a b / sqrt((1 + a^2) (1 + b^2)). It turns S1 and S2 into each other by twice as much.
 double stokes_frame_turn_deg(const scene::Camera& camera);
 
-/// Twice this is 1.7 % of S1 that goes to S2 in the corners.
+/// Twice this angle moves 1.7 % of S1 to S2 in the corners.
 constexpr double kMostFrameTurn_deg = 0.5;
 
 }  // namespace orbs::adapters::mitsuba

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapters/parts.h"
+#include "adapters/comment_text.h"
 #include "base/matrix.h"
 
 #include <string>
@@ -18,17 +18,17 @@ inline std::string rgb(std::string_view name, Vec3d colour) {
   return fmt::format("<rgb name=\"{}\" value=\"{}\"/>", name, vector(colour));
 }
 
-/// 16 numbers row by row, column vectors, as ours.
+/// Sixteen numbers row by row, for column vectors, as ours.
 inline std::string to_world(const Mat4& matrix) {
   return fmt::format("<transform name=\"to_world\"><matrix value=\"{}\"/></transform>",
                      fmt::join(matrix.m, " "));
 }
 
-/// Names come from the user: two hyphens in a row would end the comment (XML 1.0, 2.5), and so would be
-/// taken for markup what follows.
+/// Names come from the user: two hyphens in a row would end the comment (XML 1.0, 2.5), and the rest of the
+/// name would be read as markup.
 inline std::string comment(const std::string& name) {
   std::string text;
-  for (const char c : one_line(name)) text += c == '-' ? '_' : c;
+  for (const char c : comment_text(name)) text += c == '-' ? '_' : c;
   return fmt::format("<!-- {} -->\n", text);
 }
 

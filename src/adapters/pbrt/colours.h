@@ -6,8 +6,9 @@
 #include <string>
 
 /// Colours and spectra as pbrt reads them. pbrt always computes with wavelengths and makes spectra of colours
-/// by a model of its own (Jakob and Hanika 2019), which is near enough where colours are all that a scene
-/// has. Where wavelengths count it gets the spectrum that the scene means, nanometre by nanometre.
+/// by a model of its own (Jakob and Hanika 2019), which is accurate enough where a scene has nothing but
+/// colours. Where wavelengths count it gets the spectrum that the colour of the scene stands for, nanometre
+/// by nanometre.
 namespace orbs::adapters::pbrt {
 
 struct Colours {
@@ -20,7 +21,7 @@ struct Colours {
   std::string surface(const char* name,
                       scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use) const;
-  /// The radiance of a light. pbrt scales a spectrum to luminance 1 by itself, so that it needs its own back.
+  /// The radiance of a light. pbrt scales every spectrum to luminance 1, so the luminance is given beside it.
   std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const;
 };
 

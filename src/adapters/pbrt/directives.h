@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-/// Words of pbrt-v4's scene description. Numbers are the shortest text that reads back as the same number.
+/// Directives of pbrt-v4's scene description. Numbers are the shortest text that reads back as the same
+/// number.
 namespace orbs::adapters::pbrt {
 
 inline std::string numbers(Vec3d v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }

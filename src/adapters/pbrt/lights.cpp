@@ -1,7 +1,7 @@
 #include "adapters/pbrt/lights.h"
 
+#include "adapters/comment_text.h"
 #include "adapters/light_frame.h"
-#include "adapters/parts.h"
 #include "adapters/pbrt/directives.h"
 
 namespace orbs::adapters::pbrt {
@@ -11,8 +11,8 @@ namespace {
 struct ShapeWriter {
   const scene::Light& light;
 
-  // A bilinear patch in world space, corners (0,0), (1,0), (0,1), (1,1); its normal is dp/du x dp/dv, and u x
-  // v of the frame is where the light shines.
+  // A bilinear patch in world space, corners (0,0), (1,0), (0,1), (1,1). Its normal is dp/du x dp/dv; u x v
+  // of the frame is the direction in which the light shines.
   std::string operator()(const scene::RectShape& rect) const {
     const LightFrame frame = light_frame(light.matrix);
     const Vec3d u = frame.u * rect.half_width_m;
@@ -47,7 +47,7 @@ std::string light_text(const Colours& colours, const scene::Light& light) {
       "  Material \"diffuse\" {}\n"
       "  AreaLightSource \"diffuse\" {}\n"
       "{}AttributeEnd\n",
-      one_line(light.name), rgb("reflectance", {}), colours.radiance(light.radiance, light.spectrum),
+      comment_text(light.name), rgb("reflectance", {}), colours.radiance(light.radiance, light.spectrum),
       std::visit(ShapeWriter{light}, light.shape));
 }
 

@@ -1,17 +1,66 @@
 #include "adapters/pbrt/materials.h"
 
-#include "adapters/parts.h"
+#include "adapters/comment_text.h"
+#include "adapters/material_support.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"
-#include "scene/effects.h"
 
 namespace orbs::adapters::pbrt {
 
 namespace {
 
+constexpr const char* kName = "pbrt";
+constexpr const char* kMasking = "height-correlated in transmission, too";
+constexpr double kLeastAlpha = 1e-3;  // its distribution takes smaller ones for smooth
+
 std::string named(const std::string& name, const std::string& type, const std::string& parameters) {
   return fmt::format("MakeNamedMaterial \"{}\" \"string type\" \"{}\" {}\n", name, type, parameters);
 }
+
+struct MaterialLimits {
+  const std::string& name;
+
+  std::string operator()(const scene::Conductor& m) const { return m.roughness ? rough(*m.roughness) : ""; }
+  std::string operator()(const scene::Dielectric& m) const { return m.roughness ? rough(*m.roughness) : ""; }
+  std::string operator()(const scene::OrenNayar& m) const {
+    return oren_nayar_limit(name, m.roughness, kName);
+  }
+  std::string operator()(const scene::Emission& m) const {
+    if (!m.texture) return "";
+    return fmt::format(
+        "material '{}' emits through a texture: pbrt's area light neither repeats an image nor tints it",
+        name);
+  }
+  std::string operator()(const scene::Mirror& m) const { return coloured(m.reflectance, "mirror"); }
+  std::string operator()(const scene::Ggx& m) const {
+    const std::string reason = alpha_limit(name, m.alpha, kName, kLeastAlpha);
+    return reason.empty() ? coloured(m.colour, "glossy reflector") : reason;
+  }
+  std::string operator()(const scene::Glass& m) const { return tinted(m.colour); }
+  std::string operator()(const scene::RoughGlass& m) const {
+    if (const auto reason = alpha_limit(name, m.alpha, kName, kLeastAlpha); !reason.empty()) return reason;
+    if (const auto reason = masking_limit(name, m.alpha, kName, kMasking); !reason.empty()) return reason;
+    return tinted(m.colour);
+  }
+
+  std::string rough(const scene::Roughness& roughness) const {
+    if (roughness.distribution != scene::Distribution::Ggx)
+      return fmt::format("material '{}' has Beckmann's distribution: pbrt has GGX alone", name);
+    const std::string reason = alpha_limit(name, roughness.alpha, kName, kLeastAlpha);
+    return reason.empty() ? masking_limit(name, roughness, kName, false) : reason;
+  }
+  std::string coloured(scene::RgbColour colour, const char* what) const {
+    if (scene::is_grey(colour)) return "";
+    return fmt::format(
+        "material '{}' is a coloured {}: pbrt's reflectance of metals depends on the angle, and the "
+        "share of a full mirror that stands for a constant one has no colour",
+        name, what);
+  }
+  std::string tinted(scene::RgbColour colour) const {
+    if (colour == scene::RgbColour{1, 1, 1}) return "";
+    return fmt::format("material '{}' is tinted glass: pbrt's dielectrics have no colour", name);
+  }
+};
 
 struct MaterialWriter {
   const Colours& colours;
@@ -23,17 +72,17 @@ struct MaterialWriter {
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
     if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));
-    const scene::Texture& texture = colours.scene.textures[static_cast<std::size_t>(use->texture)];
+    const scene::Texture& texture = texture_at(colours.scene, *use);
     return fmt::format(
                "Texture \"{}-image\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
                "filter\" \"bilinear\" \"string wrap\" \"{}\"\n",
                name, image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat") +
            named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-image\"", name));
   }
-  // A conductor's reflectance grows towards grazing angles, ORB.S's mirrors have one for all. So a share of
-  // the hits meets a full mirror and the rest meets black, which is right on average for a grey colour. pbrt
-  // takes a reflectance of 1 for 0.9999 (k = 200 with eta 1); over all angles, weighed by the cosine, it then
-  // lacks 16 / (3 k^2) = 1.3e-4.
+  // The reflectance of pbrt's conductors grows towards grazing angles, that of ORB.S's mirrors is the same at
+  // all. So a share of the hits meets a full mirror and the rest a black surface, which is right on average
+  // for a grey colour. pbrt's full mirror has a reflectance of 0.9999 (k = 200 with eta 1); over all angles,
+  // weighted by the cosine, it lacks 16 / (3 k^2) = 1.3e-4.
   std::string share_of_full(double share, const std::string& roughness) const {
     return named(name + "-none", "diffuse", rgb("reflectance", {})) +
            named(name + "-full", "conductor", rgb("reflectance", {1, 1, 1}) + roughness) +
@@ -49,7 +98,7 @@ struct MaterialWriter {
   std::string operator()(const scene::Lambert& m) const {
     return diffuse(m.reflectance, m.spectrum, m.texture);
   }
-  // pbrt_limits lets it through with roughness 0 only, and there it is Lambert's law.
+  // MaterialLimits let it through with roughness 0 only, and there it is Lambert's law.
   std::string operator()(const scene::OrenNayar& m) const {
     return diffuse(m.reflectance, m.spectrum, m.texture);
   }
@@ -64,32 +113,41 @@ struct MaterialWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return named(name, "dielectric", fmt::format("\"float eta\" {}{}", m.ior, ggx(m.alpha)));
   }
-  // pbrt has no index for what is outside of a conductor.
+  // pbrt has no index for the outside of a conductor.
   std::string operator()(const scene::Conductor& m) const {
     return named(name, "conductor",
                  fmt::format("{} {}{}", spectrum("eta", samples_of_n(m)), spectrum("k", samples_of_k(m)),
                              m.roughness ? ggx(m.roughness->alpha) : " \"float roughness\" 0"));
   }
-  // A spectrum makes pbrt go on with one wavelength alone from there, which a number does not.
+  // With a spectrum as index, pbrt terminates the secondary wavelengths; with a number it does not.
   std::string operator()(const scene::Dielectric& m) const {
     const Samples eta = samples_of_ratio(m.index, m.outside);
     return named(name, "dielectric",
                  (is_dispersive(m) ? spectrum("eta", eta) : fmt::format("\"float eta\" {}", eta.front())) +
                      (m.roughness ? ggx(m.roughness->alpha) : " \"float roughness\" 0"));
   }
-  // pbrt_limits lets none through that anything shows.
-  std::string operator()(const scene::Polariser&) const { return diffuse({}, {}, {}); }
-  std::string operator()(const scene::Retarder&) const { return diffuse({}, {}, {}); }
-  std::string operator()(const scene::Fluorescent&) const { return diffuse({}, {}, {}); }
 };
 
 }  // namespace
 
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{{"E1", "E2", "E6"},
+                                  {{"E3", "pbrt carries no polarisation"},
+                                   {"E4", "pbrt has no fluorescence"},
+                                   {"E5", "pbrt has no thin films"}}};
+  return kLevels;
+}
+
+std::string material_limit(const scene::Material& material) {
+  return limit_of_material<MaterialWriter>(material, kName, beyond_orbs(), MaterialLimits{material.name});
+}
+
 std::string material_text(const Colours& colours, int material, const std::string& stem) {
-  const auto& m = colours.scene.materials[static_cast<std::size_t>(material)];
+  const auto& m = material_at(colours.scene, material);
   const std::string name = fmt::format("material{}", material);
-  return fmt::format("# material {}\n", one_line(m.name)) +
-         std::visit(MaterialWriter{colours, name, tinted_image_name(material, stem)}, m.model);
+  const std::string image = tinted_image_name(material, stem);
+  return fmt::format("# material {}\n", comment_text(m.name)) +
+         text_of_material(m, kName, MaterialWriter{colours, name, image});
 }
 
 }  // namespace orbs::adapters::pbrt

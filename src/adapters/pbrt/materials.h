@@ -1,13 +1,20 @@
 #pragma once
 
+#include "adapters/format_limits.h"
 #include "adapters/pbrt/colours.h"
 
 #include <string>
 
 namespace orbs::adapters::pbrt {
 
-/// Declares the named material "material<i>". An emissive one reflects nothing; what it emits stands with its
-/// shapes.
+/// The levels beyond ORB.S that are written.
+const BeyondOrbs& beyond_orbs();
+
+/// Why the material cannot be written, "" when it can or when beyond_orbs says why not.
+std::string material_limit(const scene::Material& material);
+
+/// Declares the named material "material<i>". An emissive one reflects nothing; its radiance stands with its
+/// shapes. InputError when material_limit or beyond_orbs refuse its type.
 std::string material_text(const Colours& colours, int material, const std::string& stem);
 
 }  // namespace orbs::adapters::pbrt

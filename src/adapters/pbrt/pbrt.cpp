@@ -1,13 +1,14 @@
 #include "adapters/pbrt/pbrt.h"
 
-#include "adapters/parts.h"
+#include "adapters/comment_text.h"
+#include "adapters/material_meshes.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
+#include "adapters/pbrt/limits.h"
 #include "adapters/pbrt/materials.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
-#include "scene/lower_parts.h"
-#include "scene/mesh_files.h"
+#include "scene/ply.h"
 
 #include <cmath>
 #include <numbers>
@@ -26,8 +27,8 @@ double fov_of_shorter_side_deg(const scene::Camera& camera) {
   return 360 / std::numbers::pi * std::atan(half_height * camera.width_px / camera.height_px);
 }
 
-// pbrt's camera space is left-handed: the mirrored x makes a right-handed image. Texture filtering off
-// leaves bilinear interpolation; by itself pbrt would take a coarser image far away. Half floats and the
+// pbrt's camera space is left-handed: the mirrored x makes a right-handed image. With texture filtering off,
+// bilinear interpolation remains; by default pbrt would choose a coarser image far away. Half floats and the
 // clamp of bright samples would change values.
 std::string head_text(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
@@ -57,39 +58,39 @@ class Writer {
       text += fmt::format("LightSource \"infinite\" {}\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {
-      if (scene::texture_of(scene_.materials[static_cast<std::size_t>(index)].model))
+      if (scene::texture_of(material_at(scene_, index).model))
         write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
       text += pbrt::material_text(colours_, index, stem_);
     }
-    const std::vector<Part> parts = parts_of(scene_);
-    for (std::size_t i = 0; i < parts.size(); ++i) text += part_text(parts[i], i);
+    const auto meshes = material_meshes(scene_);
+    for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);
     for (const scene::Light& light : scene_.lights) text += pbrt::light_text(colours_, light);
     return text;
   }
 
  private:
-  // pbrt has no lamps in instances. Vertex normals decide about its inside and outside, as in ORB.S.
-  std::string part_text(const Part& part, std::size_t index) const {
+  // pbrt has no emitters in instances. Vertex normals decide which side is inside, as in ORB.S.
+  std::string mesh_text(const MaterialMesh& shown, std::size_t index) const {
     const std::string name = fmt::format("mesh{}", index);
     const std::string ply = fmt::format("{}-{}.ply", stem_, name);
-    scene::write_ply(part.mesh, folder_ / ply, scene::PlyContent::Common);
+    scene::write_ply(shown.mesh, folder_ / ply, scene::PlyContent::Common);
     const std::string shape =
         fmt::format("  NamedMaterial \"material{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"\n",
-                    part.material, ply);
-    const auto& model = scene_.materials[static_cast<std::size_t>(part.material)].model;
+                    shown.material, ply);
+    const auto& model = material_at(scene_, shown.material).model;
     const auto* emission = std::get_if<scene::Emission>(&model);
-    std::string text = fmt::format("# mesh {}\n", one_line(part.mesh.name));
-    if (emission != nullptr || part.places.size() == 1) {
-      const std::string lamp = emission == nullptr
-                                   ? ""
-                                   : fmt::format("  AreaLightSource \"diffuse\" {} \"bool twosided\" true\n",
-                                                 colours_.radiance(emission->radiance, emission->spectrum));
-      for (const Mat4& place : part.places)
-        text += fmt::format("AttributeBegin\n{}  {}{}AttributeEnd\n", lamp, transform(place), shape);
+    std::string text = fmt::format("# mesh {}\n", comment_text(shown.mesh.name));
+    if (emission != nullptr || shown.places.size() == 1) {
+      const std::string emitter =
+          emission == nullptr ? ""
+                              : fmt::format("  AreaLightSource \"diffuse\" {} \"bool twosided\" true\n",
+                                            colours_.radiance(emission->radiance, emission->spectrum));
+      for (const Mat4& place : shown.places)
+        text += fmt::format("AttributeBegin\n{}  {}{}AttributeEnd\n", emitter, transform(place), shape);
       return text;
     }
     text += fmt::format("ObjectBegin \"{}\"\n{}ObjectEnd\n", name, shape);
-    for (const Mat4& place : part.places)
+    for (const Mat4& place : shown.places)
       text +=
           fmt::format("AttributeBegin\n  {}  ObjectInstance \"{}\"\nAttributeEnd\n", transform(place), name);
     return text;
@@ -105,6 +106,15 @@ class Writer {
 
 void write_pbrt(const scene::Scene& scene, const std::filesystem::path& file) {
   write_file(file, Writer(scene, file).write());
+}
+
+Exporter pbrt_exporter() {
+  return {.format = "pbrt",
+          .scene_file = "scene.pbrt",
+          .settings = {},
+          .limits = [](const scene::Scene& scene, const SceneSettings&) { return pbrt_limits(scene); },
+          .write = [](const scene::Scene& scene, const SceneSettings&,
+                      const std::filesystem::path& file) { write_pbrt(scene, file); }};
 }
 
 }  // namespace orbs::adapters

@@ -15,7 +15,7 @@ namespace {
 
 using Polygon = std::vector<Corner>;
 
-// Inside the edge by more than POV-Ray's float coordinates can lose, and by far less than a texel.
+// This far inside the edge: more than the rounding of POV-Ray's float coordinates, and far less than a texel.
 constexpr double kEdge = 1e-6;
 
 struct Size {

@@ -28,10 +28,10 @@ struct ClampAxis {
   double high = 1;
 };
 
-/// How a texture's clamped axes are cut. With both axes clamped the image is looked up "once" and the
-/// bounds are just inside its edge; with one, POV-Ray's filter wraps around at both, and the bounds are the
-/// centres of the outer texels, which takes the image's size: a PNG then, whose header is read. InputError
-/// when that is not to be had.
+/// How the clamped axes of a texture are cut. With both axes clamped the image is looked up "once" and the
+/// bounds are just inside its edge. With one, POV-Ray's filter wraps around at both, and the bounds are the
+/// centres of the outer texels; they depend on the size of the image, which must be a PNG, whose header is
+/// read. InputError when the size cannot be read.
 std::array<ClampAxis, 2> clamp_axes(const scene::Texture& texture);
 
 /// The triangle cut along the bounds, each piece with coordinates within them; pieces without area are left

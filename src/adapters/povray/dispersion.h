@@ -12,8 +12,8 @@ struct Dispersion {
   double dispersion = 1;
 };
 
-/// The two numbers with which POV-Ray's blue, green and red are refracted most nearly as the light is that
-/// makes Rec.709's blue, green and red.
+/// The two numbers with which POV-Ray's blue, green and red are refracted most like the light that makes
+/// Rec.709's blue, green and red.
 Dispersion dispersion_of(const scene::Dielectric& glass);
 
 }  // namespace orbs::adapters::povray

@@ -1,9 +1,9 @@
 #include "adapters/povray/lights.h"
 
 #include "adapters/light_frame.h"
-#include "adapters/povray/lamp_panels.h"
+#include "adapters/povray/light_panels.h"
 #include "adapters/povray/sdl.h"
-#include "scene/lower_parts.h"
+#include "scene/lower_light.h"
 
 #include <algorithm>
 #include <array>
@@ -19,13 +19,14 @@ namespace {
 // POV-Ray attenuates by 2 / (1 + (d/f)^2), f = fade_distance. For f far below all distances that is 2 f^2 /
 // d^2.
 constexpr double kFadePerSize = 1e-5;
-// Between the bright side and the black one behind it, in units of the lamp's local size.
+// Between the bright side and the black one behind it, in units of the light's local size.
 constexpr double kGap = 1e-4;
 // POV-Ray adds 0.001 to both coordinates of a circular grid, as shares of its axes, before it bends the grid
 // into rings; on average over the disc asinh(1) of that remains.
 constexpr double kCircularShift = 0.001 * 0.8814;
 
-/// A flat piece of a lamp in the world: centre, two edge vectors (or conjugate diameters), the way it faces.
+/// A flat piece of a light in world space: centre, two edge vectors (or conjugate diameters), and the
+/// direction in which it faces.
 struct Panel {
   Vec3d centre;
   Vec3d axis_u;
@@ -131,7 +132,7 @@ std::string bright_finish(const scene::Light& light) {
 
 constexpr const char* kBlack = "texture { pigment { rgb 0 } finish { diffuse 0 } }";
 
-// A flat shape as seen, and once more in black a little behind (local +Y).
+// The visible flat shape, and a black one a little behind it (towards local +Y).
 std::string flat_body(const scene::Light& light, const std::string& shape, double size_m) {
   return fmt::format("object {{ {0} {1} {2} }}\nobject {{ {0} translate <0,{3},0> {4} {2} }}\n", shape,
                      bright_finish(light), matrix(light.matrix), kGap * size_m, kBlack);
@@ -168,12 +169,13 @@ std::string light_text(const scene::Scene& scene, const scene::Light& light, con
   return std::visit(LightWriter{scene, light, settings}, light.shape);
 }
 
-std::string light_limit(const scene::Light& light, const std::string& called) {
+std::string light_limit(const scene::Light& light, const std::string& display_name) {
   if (light.ies)
-    return called + " has an IES profile: POV-Ray's light sources have no measured intensity distribution";
+    return display_name +
+           " has an IES profile: POV-Ray's light sources have no measured intensity distribution";
   if (!std::holds_alternative<scene::SphereShape>(light.shape) || scene::uniform_scale(light.matrix))
     return "";
-  return called + " is a sphere stretched into an ellipsoid, for which POV-Ray has no light source";
+  return display_name + " is a sphere stretched into an ellipsoid, for which POV-Ray has no light source";
 }
 
 }  // namespace orbs::adapters::povray

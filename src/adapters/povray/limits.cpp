@@ -1,9 +1,8 @@
+#include "adapters/povray/limits.h"
+
 #include "adapters/format_limits.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
-#include "adapters/povray/povray.h"
-#include "scene/called.h"
-#include "scene/lower_parts.h"
 
 #include <set>
 
@@ -14,40 +13,6 @@ namespace orbs::adapters {
 namespace {
 
 using povray::Surface;
-
-const BeyondOrbs& beyond_orbs() {
-  static const BeyondOrbs kLevels{
-      {"E6"},
-      {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
-       {"E2", "POV-Ray renders in three colours"},
-       {"E3", "POV-Ray carries no polarisation"},
-       {"E4", "POV-Ray has no fluorescence"},
-       {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"}}};
-  return kLevels;
-}
-
-constexpr const char* kName = "POV-Ray";
-
-struct ModelLimit {
-  const std::string& name;
-
-  // beyond_orbs_limits has said so.
-  std::string operator()(const scene::AppearanceModel auto&) const { return ""; }
-  std::string operator()(const scene::Lambert&) const { return ""; }
-  std::string operator()(const scene::Mirror&) const { return ""; }
-  std::string operator()(const scene::Glass&) const { return ""; }
-  std::string operator()(const scene::Emission&) const { return ""; }
-  std::string operator()(const scene::OrenNayar& m) const {
-    return oren_nayar_limit(name, m.roughness, kName);
-  }
-  std::string operator()(const scene::Ggx&) const {
-    return fmt::format(
-        "material '{}' is GGX: POV-Ray has glossy highlights of light sources, no glossy reflection", name);
-  }
-  std::string operator()(const scene::RoughGlass&) const {
-    return fmt::format("material '{}' is rough glass: POV-Ray refracts at smooth surfaces only", name);
-  }
-};
 
 std::string texture_limit(const scene::Texture& texture) {
   const std::string type = povray::image_type(texture.file);
@@ -61,13 +26,13 @@ std::string texture_limit(const scene::Texture& texture) {
   return "";
 }
 
-// Light that a mirror or glass sends on to a diffuse surface takes photons, which only light sources emit.
+// Light that a mirror or glass sends to a diffuse surface needs photons, and only light sources emit photons.
 bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
   if (scene.trace_depth < 2 || scene.lights.empty()) return false;
   bool has_diffuse = false;
   bool has_specular = false;
   for (const int material : materials) {
-    const scene::MaterialModel& model = scene.materials[static_cast<std::size_t>(material)].model;
+    const scene::MaterialModel& model = material_at(scene, material).model;
     if (povray::surface_of(model) != Surface::Plain) has_specular = true;
     // Oren-Nayar of any roughness but 0, where it is Lambert, is refused by itself.
     if (std::holds_alternative<scene::Lambert>(model) || std::holds_alternative<scene::OrenNayar>(model))
@@ -79,20 +44,20 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
 }  // namespace
 
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings) {
-  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray", beyond_orbs());
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, "POV-Ray", povray::beyond_orbs());
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
   const std::set<int> materials = scene::visible_materials(scene);
   std::set<int> textures;
   for (const int index : materials) {
-    const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
-    note(std::visit(ModelLimit{material.name}, material.model));
+    const scene::Material& material = material_at(scene, index);
+    note(povray::material_limit(material));
     if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
   }
   for (const int texture : textures) note(texture_limit(scene.textures[static_cast<std::size_t>(texture)]));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    note(povray::light_limit(scene.lights[i], scene::called("light", scene.lights[i].name, i)));
+    note(povray::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   if (settings.photons == 0 && needs_caustics(scene, materials))
     note(
         "a mirror or glass throws light on diffuse surfaces, which takes photons, and they are switched off");

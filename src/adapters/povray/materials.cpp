@@ -1,5 +1,6 @@
 #include "adapters/povray/materials.h"
 
+#include "adapters/material_support.h"
 #include "adapters/povray/sdl.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 namespace orbs::adapters::povray {
 
 namespace {
+
+constexpr const char* kName = "POV-Ray";
 
 using scene::TextureUse;
 
@@ -26,8 +29,8 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-// Float files hold linear values and POV-Ray takes them so. `once` makes it repeat the edge texels in the
-// filter; what lies beyond the edge is cut off and clamped before (clamp.h).
+// Float files hold linear values, and POV-Ray takes them as such. `once` makes it repeat the edge texels in
+// the filter; coordinates beyond the edge are cut off and clamped before (clamp.h).
 std::string image_map(const scene::Scene& scene,
                       const TextureUse& use,
                       const std::string& stem,
@@ -59,6 +62,21 @@ std::string tinted(const scene::Scene& scene,
                      image_map(scene, *use, stem, " filter all 1"));
 }
 
+struct MaterialLimits {
+  const std::string& name;
+
+  std::string operator()(const scene::OrenNayar& m) const {
+    return oren_nayar_limit(name, m.roughness, kName);
+  }
+  std::string operator()(const scene::Ggx&) const {
+    return fmt::format(
+        "material '{}' is GGX: POV-Ray has glossy highlights of light sources, no glossy reflection", name);
+  }
+  std::string operator()(const scene::RoughGlass&) const {
+    return fmt::format("material '{}' is rough glass: POV-Ray refracts at smooth surfaces only", name);
+  }
+};
+
 struct TextureWriter {
   const scene::Scene& scene;
   const std::string& stem;
@@ -66,7 +84,7 @@ struct TextureWriter {
   std::string operator()(const scene::Lambert& m) const {
     return tinted(scene, "diffuse", m.reflectance, m.texture, stem);
   }
-  // povray_limits lets it through with roughness 0 only, and there it is Lambert's law.
+  // MaterialLimits let it through with roughness 0 only, and there it is Lambert's law.
   std::string operator()(const scene::OrenNayar& m) const {
     return tinted(scene, "diffuse", m.reflectance, m.texture, stem);
   }
@@ -78,18 +96,10 @@ struct TextureWriter {
                        colour(m.reflectance));
   }
   std::string operator()(const scene::Glass& m) const { return glass(m.colour); }
-  // povray_limits lets smooth ones without a film through.
+  // beyond_orbs lets smooth ones without a film through.
   std::string operator()(const scene::Dielectric&) const { return glass({1, 1, 1}); }
-  std::string operator()(const scene::Ggx& m) const { return tinted(scene, "diffuse", m.colour, {}, stem); }
-  std::string operator()(const scene::RoughGlass& m) const {
-    return tinted(scene, "diffuse", m.colour, {}, stem);
-  }
-  // povray_limits lets none through that anything shows.
-  std::string operator()(const scene::AppearanceModel auto&) const {
-    return tinted(scene, "diffuse", {}, {}, stem);
-  }
 
-  // What refracts, the index, is a matter of the interior.
+  // The index of refraction belongs to the interior of the object.
   static std::string glass(scene::RgbColour tint) {
     return fmt::format(
         "texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ diffuse 0 reflection {{ rgb 0, {} fresnel "
@@ -127,10 +137,25 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
   return fmt::format("{}-texture{}{}", stem, index, lower_extension(texture_in(scene, index).file));
 }
 
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{
+      {"E6"},
+      {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
+       {"E2", "POV-Ray renders in three colours"},
+       {"E3", "POV-Ray carries no polarisation"},
+       {"E4", "POV-Ray has no fluorescence"},
+       {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"}}};
+  return kLevels;
+}
+
+std::string material_limit(const scene::Material& material) {
+  return limit_of_material<TextureWriter>(material, kName, beyond_orbs(), MaterialLimits{material.name});
+}
+
 std::string material_declaration(const scene::Scene& scene, int material, const std::string& stem) {
-  const scene::Material& m = scene.materials[static_cast<std::size_t>(material)];
+  const auto& m = material_at(scene, material);
   return fmt::format("#declare Material{} =\n  {}\n", material,
-                     std::visit(TextureWriter{scene, stem}, m.model));
+                     text_of_material(m, kName, TextureWriter{scene, stem}));
 }
 
 }  // namespace orbs::adapters::povray

@@ -1,13 +1,14 @@
 #pragma once
 
+#include "adapters/format_limits.h"
 #include "scene/scene.h"
 
 #include <string>
 
 namespace orbs::adapters::povray {
 
-/// What a surface does to rays decides how its triangles are grouped: glass needs an interior, which belongs
-/// to a whole object, and mirrors and glass are what photons are aimed at.
+/// How the triangles of a surface are grouped: glass needs an interior, which belongs to a whole object, and
+/// photons are aimed at mirrors and glass.
 enum class Surface { Plain, Mirror, Glass };
 Surface surface_of(const scene::MaterialModel& model);
 
@@ -18,7 +19,14 @@ std::string image_type(const std::filesystem::path& file);
 /// Name of the copy of texture `index` beside a scene file of this stem.
 std::string texture_copy(const scene::Scene& scene, int index, const std::string& stem);
 
-/// `#declare Material<i> = texture {...}` with all layers.
+/// The levels beyond ORB.S that are written.
+const BeyondOrbs& beyond_orbs();
+
+/// Why the material cannot be written, "" when it can or when beyond_orbs says why not.
+std::string material_limit(const scene::Material& material);
+
+/// `#declare Material<i> = texture {...}` with all layers. InputError when material_limit or beyond_orbs
+/// refuse its type.
 std::string material_declaration(const scene::Scene& scene, int material, const std::string& stem);
 
 }  // namespace orbs::adapters::povray

@@ -23,16 +23,12 @@ struct Vertex {
   Vec2f uv;
 };
 
-/// What goes into one mesh2: one index serves position, normal and texture coordinates.
+/// Content of one mesh2: one index serves position, normal and texture coordinates.
 struct Mesh2 {
   std::vector<Vertex> vertices;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<int> triangle_materials;
 };
-
-const scene::Material& material_in(const scene::Scene& scene, int material) {
-  return scene.materials[static_cast<std::size_t>(material)];
-}
 
 Vec2d looked_up_at(Vec2f uv, const std::optional<TextureUse>& use) {
   const Vec2d given{uv.x, uv.y};
@@ -52,15 +48,15 @@ Vertex vertex_of(const Corner& corner) {
           {static_cast<float>(corner.uv.x), static_cast<float>(corner.uv.y)}};
 }
 
-// POV-Ray refuses triangles without area with a warning each; nothing would be seen of them.
-/// Vertices are shared between triangles of one material, not across materials, whose texture matrices may
-/// differ.
+// Builds a mesh2. POV-Ray refuses triangles without area with a warning each, so they are left out; they are
+// invisible. Vertices are shared between triangles of one material, not across materials, whose texture
+// matrices may differ.
 class Mesh2Builder {
  public:
   Mesh2Builder(const scene::Scene& scene, const Mesh& mesh) : scene_(scene), mesh_(mesh) {}
 
   void add(const std::array<std::uint32_t, 3>& triangle, int material) {
-    const auto& use = scene::texture_of(material_in(scene_, material).model);
+    const auto& use = scene::texture_of(material_at(scene_, material).model);
     const std::array corners{corner_of(mesh_, triangle[0], use), corner_of(mesh_, triangle[1], use),
                              corner_of(mesh_, triangle[2], use)};
     if (!has_area(corners)) return;
@@ -153,18 +149,18 @@ std::vector<int> materials_after_remap(const Mesh& mesh, const scene::Instance& 
 }
 
 int part_of(const scene::Scene& scene, int material) {
-  return surface_of(material_in(scene, material).model) == Surface::Plain ? -1 : material;
+  return surface_of(material_at(scene, material).model) == Surface::Plain ? -1 : material;
 }
 
-std::vector<MeshPart> declare_parts(const scene::Scene& scene,
-                                    const Mesh& mesh,
-                                    const std::vector<int>& materials,
-                                    MeshLibrary& library) {
+std::vector<DeclaredMesh> declare_parts(const scene::Scene& scene,
+                                        const Mesh& mesh,
+                                        const std::vector<int>& materials,
+                                        MeshLibrary& library) {
   std::map<int, Mesh2Builder> builders;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     builders.try_emplace(part_of(scene, materials[i]), scene, mesh)
         .first->second.add(mesh.triangles[i], materials[i]);
-  std::vector<MeshPart> parts;
+  std::vector<DeclaredMesh> parts;
   const std::size_t number = library.parts.size();
   for (auto& [material, builder] : builders) {
     const Mesh2 mesh2 = builder.take();
@@ -178,10 +174,10 @@ std::vector<MeshPart> declare_parts(const scene::Scene& scene,
 
 }  // namespace
 
-const std::vector<MeshPart>& mesh_parts(const scene::Scene& scene,
-                                        const scene::Instance& instance,
-                                        MeshLibrary& library) {
-  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+const std::vector<DeclaredMesh>& declared_meshes(const scene::Scene& scene,
+                                                 const scene::Instance& instance,
+                                                 MeshLibrary& library) {
+  const Mesh& mesh = mesh_of(scene, instance);
   std::vector<int> materials = materials_after_remap(mesh, instance);
   // The key is short: only what each material of the mesh became.
   std::map<int, int> shown;

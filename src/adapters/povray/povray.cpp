@@ -1,15 +1,15 @@
 #include "adapters/povray/povray.h"
 
-#include "adapters/parts.h"
+#include "adapters/comment_text.h"
 #include "adapters/povray/dispersion.h"
 #include "adapters/povray/lights.h"
+#include "adapters/povray/limits.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/meshes.h"
 #include "adapters/povray/sdl.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/camera_frame.h"
-#include "scene/effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,9 +39,9 @@ std::string camera_text(const scene::Camera& camera) {
                      vector(frame.right * aspect), vector(frame.up));
 }
 
-// What a lamp sheds on a surface needs no gathering, as it is a light_source; the light of the sky and of
+// What a light sheds on a surface needs no gathering, as it is a light_source; the light of the sky and of
 // glowing surfaces is found by gathering alone, which takes one recursion more for as many reflections. Where
-// a scene has both, the lamps come first: their last reflection is there, that of the sky is missing.
+// a scene has both, the lights come first: their last reflection is there, that of the sky is missing.
 int recursions_of(const scene::Scene& scene) {
   const int reflections_gathered = scene.lights.empty() ? scene.trace_depth : scene.trace_depth - 1;
   return std::min(reflections_gathered, kMostRecursions);
@@ -100,13 +100,13 @@ std::string settings_text(const scene::Scene& scene, const PovraySettings& setti
       photons_text(scene, settings));
 }
 
-std::string part_text(const scene::Scene& scene,
-                      const scene::Instance& instance,
-                      const povray::MeshPart& part,
-                      const PovraySettings& settings) {
+std::string object_text(const scene::Scene& scene,
+                        const scene::Instance& instance,
+                        const povray::DeclaredMesh& mesh,
+                        const PovraySettings& settings) {
   std::string extras;
-  if (part.material >= 0) {
-    const auto& model = scene.materials[static_cast<std::size_t>(part.material)].model;
+  if (mesh.material >= 0) {
+    const auto& model = material_at(scene, mesh.material).model;
     if (const auto* glass = std::get_if<scene::Glass>(&model))
       extras += fmt::format(" interior {{ ior {} }}", glass->ior);
     if (const auto* glass = std::get_if<scene::Dielectric>(&model)) {
@@ -116,7 +116,7 @@ std::string part_text(const scene::Scene& scene,
     }
     if (settings.photons > 0) extras += " photons { target reflection on refraction on collect off }";
   }
-  return fmt::format("object {{ {} {}{} }}\n", part.name, povray::matrix(instance.matrix), extras);
+  return fmt::format("object {{ {} {}{} }}\n", mesh.name, povray::matrix(instance.matrix), extras);
 }
 
 struct Text {
@@ -130,18 +130,18 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
   std::set<int> materials;
   std::string objects;
   for (const scene::Instance& instance : scene.instances) {
-    objects += fmt::format("// instance {}\n", one_line(instance.name));
-    for (const auto& part : povray::mesh_parts(scene, instance, text.meshes))
-      objects += part_text(scene, instance, part, settings);
-    const auto& given = scene.meshes[static_cast<std::size_t>(instance.mesh)].triangle_materials;
+    objects += fmt::format("// instance {}\n", comment_text(instance.name));
+    for (const auto& mesh : povray::declared_meshes(scene, instance, text.meshes))
+      objects += object_text(scene, instance, mesh, settings);
+    const auto& given = mesh_of(scene, instance).triangle_materials;
     for (const int m : std::set<int>(given.begin(), given.end()))
       materials.insert(scene::remapped(instance, m));
   }
   text.scene = settings_text(scene, settings) + camera_text(scene.camera) +
                fmt::format("background {{ {} }}\n", colour(scene.environment));
   for (const int index : materials) {
-    const scene::Material& material = scene.materials[static_cast<std::size_t>(index)];
-    text.scene += fmt::format("// material {}\n", one_line(material.name)) +
+    const scene::Material& material = material_at(scene, index);
+    text.scene += fmt::format("// material {}\n", comment_text(material.name)) +
                   povray::material_declaration(scene, index, stem);
     if (const auto& use = scene::texture_of(material.model)) text.textures.insert(use->texture);
   }
@@ -149,7 +149,7 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
   text.scene += objects;
   for (const scene::Light& light : scene.lights)
     text.scene +=
-        fmt::format("// light {}\n", one_line(light.name)) + povray::light_text(scene, light, settings);
+        fmt::format("// light {}\n", comment_text(light.name)) + povray::light_text(scene, light, settings);
   return text;
 }
 
@@ -176,6 +176,19 @@ void write_povray(const scene::Scene& scene,
   }
   if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
   write_file(file, text.scene);
+}
+
+Exporter povray_exporter() {
+  return {
+      .format = "povray",
+      .scene_file = "scene.pov",
+      .settings = povray_setting_names(),
+      .limits = [](const scene::Scene& scene,
+                   const SceneSettings& numbers) { return povray_limits(scene, povray_settings(numbers)); },
+      .write =
+          [](const scene::Scene& scene, const SceneSettings& numbers, const std::filesystem::path& file) {
+            write_povray(scene, povray_settings(numbers), file);
+          }};
 }
 
 }  // namespace orbs::adapters

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-/// Words of POV-Ray's scene description language. Numbers are the shortest text that reads back as the same
-/// number.
+/// Statements of POV-Ray's scene description language. Numbers are the shortest text that reads back as the
+/// same number.
 namespace orbs::adapters::povray {
 
 template <typename Real>

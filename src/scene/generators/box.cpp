@@ -1,11 +1,12 @@
-#include "scene/generators.h"
+#include "scene/generators/box.h"
+
 #include "scene/generators/build.h"
 
 namespace orbs::scene {
 
 namespace {
 
-/// One side of the cube [-1, 1]^3.
+/// One face of the cube [-1, 1]^3.
 struct Face {
   Vec3d normal;
   std::array<Vec3d, 4> corners;

@@ -2,7 +2,7 @@
 
 #include "scene/scene.h"
 
-/// What the generators share.
+/// Functions that all generators use.
 namespace orbs::scene {
 
 inline std::uint32_t vertex_count(const Mesh& mesh) {

@@ -1,5 +1,6 @@
+#include "scene/generators/round.h"
+
 #include "base/error.h"
-#include "scene/generators.h"
 #include "scene/generators/build.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "scene/generators.h"
+#include "scene/generators/teapot.h"
+
 #include "scene/generators/build.h"
 
 namespace orbs::scene {

@@ -1,4 +1,5 @@
-#include "scene/generators.h"
+#include "scene/generators/tree.h"
+
 #include "scene/generators/build.h"
 
 #include <cmath>

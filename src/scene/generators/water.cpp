@@ -1,4 +1,5 @@
-#include "scene/generators.h"
+#include "scene/generators/water.h"
+
 #include "scene/generators/build.h"
 
 #include <cmath>
@@ -47,13 +48,13 @@ Surface surface_at(const WaterParameters& water, Vec2d uv) {
   return surface_at(water, at.x, at.z);
 }
 
-/// Step `i` of `n` between corners of the unit square; equal to the bit to i / n of the top's grid, so that
+/// Step `i` of `n` between corners of the unit square. It equals i / n of the top's grid to the bit, so that
 /// edges meet.
 Vec2d between(Vec2d from, Vec2d to, int i, int n) {
   return {(from.x * (n - i) + to.x * i) / n, (from.y * (n - i) + to.y * i) / n};
 }
 
-/// From corner to corner of the unit square: a strip from the waves' edge down to the bottom.
+/// Adds a strip from the edge of the waves down to the bottom, from corner to corner of the unit square.
 void add_side(Mesh& mesh, const WaterParameters& water, Vec2d from, Vec2d to, Vec3d normal) {
   const std::uint32_t first = vertex_count(mesh);
   for (int i = 0; i <= water.segments; ++i) {
@@ -90,7 +91,7 @@ Mesh make_water(const WaterParameters& parameters) {
       add_vertex(mesh, place(parameters, uv, surface.height_m), surface.normal, uv);
     }
   add_grid_triangles(mesh, 0, n, n);
-  // Around the square so that, seen from above, the outside is always on the same hand.
+  // The corners are visited so that, seen from above, the outside is always on the same side.
   constexpr std::array<Vec2d, 5> kCorners{Vec2d{0, 1}, Vec2d{1, 1}, Vec2d{1, 0}, Vec2d{0, 0}, Vec2d{0, 1}};
   constexpr std::array<Vec3d, 4> kNormals{Vec3d{0, 0, 1}, Vec3d{1, 0, 0}, Vec3d{0, 0, -1}, Vec3d{-1, 0, 0}};
   for (std::size_t i = 0; i < 4; ++i) add_side(mesh, parameters, kCorners[i], kCorners[i + 1], kNormals[i]);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace orbs::adapters {
+
+/// Numbers for an exporter, by name: "scene_settings" of configuration.json.
+using SceneSettings = std::map<std::string, double>;
+
+/// A number that an exporter takes.
+struct SceneSetting {
+  const char* name = "";
+  bool is_whole = false;
+};
+
+/// A format that scenes are written in.
+struct Exporter {
+  const char* format = "";      // its word in "scene_format" of configuration.json
+  const char* scene_file = "";  // name of the main file that it writes, with the ending that programs know
+  std::vector<SceneSetting> settings;
+  /// Whatever of a lowered scene cannot be written, one reason each; empty when all of it can. A reason
+  /// begins with the object in the scene.
+  std::vector<std::string> (*limits)(const scene::Scene& scene, const SceneSettings& settings) = nullptr;
+  /// Writes a lowered scene without limits, all files into the folder of `file`. InputError when a file
+  /// cannot be read or written.
+  void (*write)(const scene::Scene& scene,
+                const SceneSettings& settings,
+                const std::filesystem::path& file) = nullptr;
+};
+
+}  // namespace orbs::adapters

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace orbs::adapters {
+
+/// Whatever of the scene pbrt-v4 cannot draw as ORB.S means it, one reason each; empty when it can draw all
+/// of it. Reads the sizes of textures; InputError when one cannot be read. Not among the limits: pbrt is
+/// always spectral, so that coloured surfaces differ from RGB by some percent after a few bounces.
+std::vector<std::string> pbrt_limits(const scene::Scene& scene);
+
+}  // namespace orbs::adapters

@@ -1,0 +1,125 @@
+#include "adapters/process/supervised_child.h"
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace orbs::adapters {
+
+namespace {
+
+std::filesystem::path find_supervisor() {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const auto beside = fs::read_symlink("/proc/self/exe", failed).parent_path() / "orbs-supervisor";
+  const auto test_folders_above = {beside.parent_path().parent_path(),
+                                   beside.parent_path().parent_path().parent_path()};
+  if (fs::exists(beside, failed)) return beside;
+  for (const auto& folder : test_folders_above)
+    if (fs::exists(folder / "orbs-supervisor", failed)) return folder / "orbs-supervisor";
+  return beside;  // starting it will fail and name it
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> out;
+  for (auto& text : texts) out.push_back(text.data());
+  out.push_back(nullptr);
+  return out;
+}
+
+// posix_spawn reports a failed exec to the caller and is safe in a program with threads.
+int spawn(const ProcessRequest& request, const Pipes& pipes, pid_t& pid) {
+  constexpr int kReport = 3;  // where the supervisor writes
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_adddup2(&actions, pipes.control.read_end(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, pipes.output.write_end(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, pipes.output.write_end(), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, pipes.report.write_end(), kReport);
+  posix_spawn_file_actions_addclosefrom_np(&actions, kReport + 1);
+  // A session of its own: Ctrl-C in the terminal reaches only us.
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  sigset_t signals;
+  sigfillset(&signals);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  auto argv = supervisor_command(request);
+  auto environment = request.environment;
+  const int error = posix_spawn(&pid, argv.front().c_str(), &actions, &attributes, pointers(argv).data(),
+                                pointers(environment).data());
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+}  // namespace
+
+Pipe::Pipe() {
+  if (::pipe2(ends_.data(), O_CLOEXEC) != 0) return;
+  constexpr int kLowest = 4;
+  for (auto& end : ends_) {
+    if (end >= kLowest) continue;
+    const int low = std::exchange(end, ::fcntl(end, F_DUPFD_CLOEXEC, kLowest));
+    ::close(low);
+  }
+}
+
+Pipe::~Pipe() {
+  close_read_end();
+  close_write_end();
+}
+
+void Pipe::close_read_end() {
+  if (ends_[0] >= 0) ::close(std::exchange(ends_[0], -1));
+}
+
+void Pipe::close_write_end() {
+  if (ends_[1] >= 0) ::close(std::exchange(ends_[1], -1));
+}
+
+std::vector<std::string> supervisor_command(const ProcessRequest& request) {
+  static const auto supervisor = find_supervisor();
+  const auto& limits = request.limits;
+  std::vector<std::string> words{supervisor.string()};
+  const auto add = [&](const char* option, const std::string& value) {
+    words.insert(words.end(), {option, value});
+  };
+  if (!request.folder.empty()) add("--folder", request.folder.string());
+  add("--wall-seconds", fmt::format("{}", limits.wall_seconds));
+  if (limits.cpu_seconds) add("--cpu-seconds", fmt::format("{}", *limits.cpu_seconds));
+  if (limits.memory_bytes) add("--memory-bytes", fmt::format("{}", *limits.memory_bytes));
+  if (limits.output_bytes) add("--output-bytes", fmt::format("{}", *limits.output_bytes));
+  add("--grace-seconds", fmt::format("{}", limits.grace_seconds));
+  words.emplace_back("--");
+  words.insert(words.end(), request.argv.begin(), request.argv.end());
+  return words;
+}
+
+int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid) {
+  const bool has_pipes = pipes.control.is_open() && pipes.output.is_open() && pipes.report.is_open();
+  const int error = has_pipes ? spawn(request, pipes, pid) : EMFILE;
+  pipes.control.close_read_end();
+  pipes.output.close_write_end();
+  pipes.report.close_write_end();
+  return error;
+}
+
+std::string reap_supervisor(pid_t pid) {
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFSIGNALED(status) ? fmt::format("its supervisor was killed by {}", signal_name(WTERMSIG(status)))
+                             : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
+}
+
+}  // namespace orbs::adapters

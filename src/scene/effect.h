@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace orbs::scene {
+
+/// An effect of light that a scene may call for.
+enum class Effect {
+  Spectral,         // a spectrum that no colour can stand for
+  MeasuredMetal,    // n and k differ from wavelength to wavelength
+  Dispersion,       // light of different wavelengths is refracted differently
+  ThinFilm,         // interference colours
+  Polarisation,     // polarisers, retarders, Stokes vectors
+  Fluorescence,     // light that changes its wavelength
+  RoughBoundary,    // microfacets
+  ReflectingLight,  // a light that also reflects
+  AnalyticShape,    // a surface by its formula
+  Texture,
+  Ies,
+  Instancing,   // one mesh in several places
+  PathClasses,  // a layer for each class of light path
+};
+
+/// The word for it, as messages and files write it: "thin film".
+std::string_view effect_name(Effect effect);
+
+/// Whether one object of a scene calls for an effect.
+struct EffectVerdict {
+  Effect effect = Effect::Spectral;
+  bool is_called_for = false;
+  std::string reason;  // continues a sentence whose subject is the object: "has a texture"
+};
+
+}  // namespace orbs::scene

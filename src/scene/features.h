@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+/// Which requirements a scene calls for, and why.
+namespace orbs::scene {
+
+/// A requirement that a scene calls for, and the object in it that does.
+struct CalledFeature {
+  std::string requirement;
+  std::string what;  // "material 'a' is rough glass"
+};
+
+/// What a renderer must fulfil to draw the scene as it is, each requirement once, ordered by code. Materials
+/// that no instance shows call for nothing. Glossy reflection calls for A2 and rough glass for A4: no M level
+/// defines them, these levels test them. Our own groups: E1 conductors, and rough dielectrics, by their
+/// indices, and lights that reflect (a smooth dielectric is the smooth glass of M8), E2 spectra, E3
+/// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 spheres by formula.
+std::vector<CalledFeature> features_called_for(const Scene& scene);
+
+/// The parts of features_called_for; one object may call for several requirements, and one requirement may be
+/// called for by several objects.
+std::vector<CalledFeature> features_of_geometry(const Scene& scene);
+std::vector<CalledFeature> features_of_materials(const Scene& scene);
+std::vector<CalledFeature> features_of_lights(const Scene& scene);
+/// E2 to E6 where the scene calls for the effect that they name, E1 for lights that reflect.
+std::vector<CalledFeature> features_of_effects(const Scene& scene);
+
+}  // namespace orbs::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/load_entry.h"
+#include "scene/scene.h"
+
+namespace orbs::scene {
+
+/// One entry of "meshes"; paths in it are relative to `folder`. InputError at the key that is wrong.
+Mesh load_mesh(json::ObjectReader in,
+               const std::filesystem::path& folder,
+               const Names& materials,
+               SceneBudget& left);
+
+/// The complaint about a mesh that cannot be drawn as given ("" when it can): array lengths, indices beyond
+/// the vertices, numbers that are not finite, normals of length zero.
+std::string mesh_problem(const Mesh& mesh);
+
+}  // namespace orbs::scene

@@ -1,0 +1,29 @@
+#include "scene/material.h"
+
+namespace orbs::scene {
+
+const char* type_name(const MaterialModel& model) {
+  return std::visit([](const auto& m) { return m.kType; }, model);
+}
+
+const std::optional<TextureUse>& texture_of(const MaterialModel& model) {
+  static const std::optional<TextureUse> kNone;
+  return std::visit(
+      [](const auto& m) -> const std::optional<TextureUse>& {
+        if constexpr (requires { m.texture; }) return m.texture;
+        return kNone;
+      },
+      model);
+}
+
+const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
+  static const std::optional<SpectrumUse> kNone;
+  return std::visit(
+      [](const auto& m) -> const std::optional<SpectrumUse>& {
+        if constexpr (requires { m.spectrum; }) return m.spectrum;
+        return kNone;
+      },
+      model);
+}
+
+}  // namespace orbs::scene

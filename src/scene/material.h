@@ -1,0 +1,55 @@
+#pragma once
+
+#include "scene/materials/conductor.h"
+#include "scene/materials/dielectric.h"
+#include "scene/materials/emission.h"
+#include "scene/materials/fluorescent.h"
+#include "scene/materials/ggx.h"
+#include "scene/materials/glass.h"
+#include "scene/materials/lambert.h"
+#include "scene/materials/mirror.h"
+#include "scene/materials/oren_nayar.h"
+#include "scene/materials/polariser.h"
+#include "scene/materials/retarder.h"
+#include "scene/materials/rough_glass.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace orbs::scene {
+
+/// Variants of types of materials only, see MaterialType.
+template <MaterialType... Types>
+using MaterialVariant = std::variant<Types...>;
+
+/// All types, in the order in which messages list them: those of ORB.S, then those that go beyond it.
+using MaterialModel = MaterialVariant<Lambert,
+                                      OrenNayar,
+                                      Mirror,
+                                      Glass,
+                                      Ggx,
+                                      RoughGlass,
+                                      Emission,
+                                      Conductor,
+                                      Dielectric,
+                                      Polariser,
+                                      Retarder,
+                                      Fluorescent>;
+
+struct Material {
+  std::string name;
+  MaterialModel model;
+  bool operator==(const Material&) const = default;
+};
+
+/// The word of the scene file for the model's type: "oren_nayar".
+const char* type_name(const MaterialModel& model);
+
+/// The texture of a material, if its model has one.
+const std::optional<TextureUse>& texture_of(const MaterialModel& model);
+
+/// The spectrum that a model has in the place of its colour, if it has one.
+const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);
+
+}  // namespace orbs::scene

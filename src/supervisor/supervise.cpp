@@ -1,0 +1,208 @@
+#include "supervisor/supervise.h"
+
+#include "supervisor/descendants.h"
+#include "supervisor/folder_size.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace orbs::supervisor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Reading /proc must not disturb the measurement: 0.5 % of one core at most, but at least two polls a second,
+// since usage between two polls is not limited.
+constexpr double kPollShare = 0.005;
+constexpr double kShortestWait_seconds = 0.01;
+constexpr double kLongestWait_seconds = 0.5;
+
+// For a process that SIGKILL does not end: it hangs in the kernel, for example on a network disk that is
+// gone.
+constexpr double kGiveUp_seconds = 10;
+
+double to_seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+struct Supervision {
+  const Command& command;
+  Clock::time_point begin = Clock::now();
+  pid_t pid = 0;
+  bool has_ended = false;    // the command itself
+  bool has_children = true;  // any descendant at all
+  double terminated_at = -1;
+  double next_poll_at = kShortestWait_seconds;
+  std::size_t folder_at_start = 0;
+  Report report = {};
+
+  double now() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+};
+
+void record_exit(Supervision& state, int status) {
+  state.has_ended = true;
+  state.report.wall_seconds = state.now();
+  if (WIFEXITED(status)) state.report.exit_code = WEXITSTATUS(status);
+  if (!WIFSIGNALED(status)) return;
+  state.report.signal = WTERMSIG(status);
+  state.report.core_dumped = WCOREDUMP(status);
+  if (state.report.signal == SIGXFSZ) state.report.cause = Cause::Output;
+}
+
+void reap_children(Supervision& state) {
+  int status = 0;
+  for (;;) {
+    const pid_t pid = ::waitpid(-1, &status, WNOHANG);
+    if (pid == state.pid && pid > 0) record_exit(state, status);
+    if (pid > 0) continue;
+    state.has_children = pid == 0;
+    return;
+  }
+}
+
+void signal_all(int signal) {
+  for (const auto& process : descendants_of(::getpid()))
+    if (!process.is_zombie) ::kill(process.pid, signal);
+}
+
+void terminate(Supervision& state, Cause cause) {
+  if (state.terminated_at >= 0 || state.has_ended) return;
+  state.report.cause = cause;
+  state.terminated_at = state.now();
+  signal_all(SIGTERM);
+}
+
+void poll_usage(Supervision& state) {
+  const double begin = state.now();
+  const auto& limits = state.command.limits;
+  rusage collected{};
+  ::getrusage(RUSAGE_CHILDREN, &collected);
+  double cpu_seconds = to_seconds(collected.ru_utime) + to_seconds(collected.ru_stime);
+  Memory memory;
+  for (const auto& process : descendants_of(::getpid())) {
+    cpu_seconds += process.cpu_seconds;
+    const auto of_this = memory_of(process.pid);
+    memory.resident_bytes += of_this.resident_bytes;
+    memory.unbacked_bytes += of_this.unbacked_bytes;
+  }
+  state.report.peak_rss_bytes = std::max(state.report.peak_rss_bytes, memory.resident_bytes);
+  if (limits.cpu_seconds && cpu_seconds >= *limits.cpu_seconds) terminate(state, Cause::CpuTime);
+  if (limits.memory_bytes && memory.unbacked_bytes > *limits.memory_bytes) terminate(state, Cause::Memory);
+  if (limits.output_bytes && !state.command.folder.empty() &&
+      folder_size(state.command.folder) > state.folder_at_start + *limits.output_bytes)
+    terminate(state, Cause::Output);
+  const double end = state.now();
+  state.next_poll_at =
+      end + std::clamp((end - begin) / kPollShare, kShortestWait_seconds, kLongestWait_seconds);
+}
+
+void drain_signals(int signals) {
+  signalfd_siginfo ignored{};
+  while (::read(signals, &ignored, sizeof ignored) > 0) {
+  }
+}
+
+// Waits until the next deadline or the end of a child; true when the other side wants the command to end.
+bool wait_for_event(const Supervision& state, int control, int signals) {
+  const auto& limits = state.command.limits;
+  double until = std::min(state.next_poll_at, limits.wall_seconds);
+  if (state.terminated_at >= 0)
+    until = std::min(state.next_poll_at, state.terminated_at + limits.grace_seconds);
+  const double wait_ms = std::ceil(1000 * std::max(0.0, until - state.now()));
+  std::array<pollfd, 2> files{{{control, POLLIN, 0}, {signals, POLLIN, 0}}};
+  // Once termination has begun, the control pipe has nothing more to say.
+  if (state.terminated_at >= 0) files[0].fd = -1;
+  if (::poll(files.data(), files.size(), static_cast<int>(std::min(wait_ms, 1000.0))) <= 0) return false;
+  if (files[0].revents != 0) return true;
+  drain_signals(signals);
+  return false;
+}
+
+int open_signals() {
+  // A renderer must not be able to pretend that somebody had interrupted the run.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_IGN);
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGCHLD);
+  ::sigprocmask(SIG_BLOCK, &signals, nullptr);
+  return ::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+// Sends SIGKILL without SIGTERM. Children of a killed process become ours and are found in the next round.
+void kill_survivors(Supervision& state, int signals) {
+  const double begin = state.now();
+  bool is_first = true;
+  while (state.has_children && state.now() < begin + kGiveUp_seconds) {
+    const auto left = descendants_of(::getpid());
+    for (const auto& process : left) {
+      if (process.is_zombie) continue;
+      if (is_first && state.has_ended) ++state.report.left_behind;
+      ::kill(process.pid, SIGKILL);
+    }
+    is_first = false;
+    reap_children(state);
+    constexpr int kPause_ms = 5;
+    pollfd child_event{signals, POLLIN, 0};
+    if (state.has_children) ::poll(&child_event, 1, kPause_ms);
+    drain_signals(signals);
+    reap_children(state);
+  }
+}
+
+void record_usage(Supervision& state) {
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  state.report.user_seconds = to_seconds(usage.ru_utime);
+  state.report.system_seconds = to_seconds(usage.ru_stime);
+  state.report.peak_rss_bytes =
+      std::max(state.report.peak_rss_bytes, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
+  ::getrusage(RUSAGE_SELF, &usage);
+  state.report.supervisor_cpu_seconds = to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
+}
+
+}  // namespace
+
+Report supervise(const Command& command, int control) {
+  Supervision state{command};
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const int signals = open_signals();
+  if (!command.folder.empty()) state.folder_at_start = folder_size(command.folder);
+  state.begin = Clock::now();
+  const auto started = start(command);
+  if (started.error != 0) {
+    state.report.start_error = std::strerror(started.error);
+    return state.report;
+  }
+  state.pid = started.pid;
+  while (!state.has_ended) {
+    if (wait_for_event(state, control, signals)) terminate(state, Cause::Stopped);
+    reap_children(state);
+    if (state.has_ended) break;
+    if (state.now() >= command.limits.wall_seconds) terminate(state, Cause::WallTime);
+    if (state.now() >= state.next_poll_at) poll_usage(state);
+    if (state.terminated_at >= 0 && state.now() >= state.terminated_at + command.limits.grace_seconds) break;
+  }
+  kill_survivors(state, signals);
+  // The command may have written a burst between the last poll and its end.
+  if (state.report.cause == Cause::Nothing && command.limits.output_bytes && !command.folder.empty() &&
+      folder_size(command.folder) > state.folder_at_start + *command.limits.output_bytes)
+    state.report.cause = Cause::Output;
+  if (!state.has_ended) state.report.wall_seconds = state.now();
+  record_usage(state);
+  ::close(signals);
+  return state.report;
+}
+
+}  // namespace orbs::supervisor
