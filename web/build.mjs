@@ -27,10 +27,13 @@ const result = await build({
   metafile: true,
 });
 
-for (const file of ["index.html", "icon.svg"]) copyFileSync(join(here, "src", file), join(output, file));
+for (const file of ["index.html", "icon.svg"])
+  copyFileSync(join(here, "src", file), join(output, file));
 
 // An HTML parser ends a script at "</script" wherever it stands.
-const script = readFileSync(join(output, "page.js"), "utf8").replaceAll("</script", "<\\/script").trim();
+const script = readFileSync(join(output, "page.js"), "utf8")
+  .replaceAll("</script", "<\\/script")
+  .trim();
 const style = readFileSync(join(output, "page.css"), "utf8").trim();
 const icon = readFileSync(join(output, "icon.svg")).toString("base64");
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -41,11 +44,18 @@ const policy =
 // Replacement by functions: the texts hold "$", which a string would give a meaning.
 const single = readFileSync(join(output, "index.html"), "utf8")
   .replace("<!--policy-->", () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
-  .replace(/<link rel="icon"[^>]*>/, () => `<link rel="icon" href="data:image/svg+xml;base64,${icon}">`)
+  .replace(
+    /<link rel="icon"[^>]*>/,
+    () => `<link rel="icon" href="data:image/svg+xml;base64,${icon}">`,
+  )
   .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
-  .replace(/<script type="module"[^>]*><\/script>/, () => `<!--orbs-data-->\n<script type="module">${script}</script>`);
+  .replace(
+    /<script type="module"[^>]*><\/script>/,
+    () => `<!--orbs-data-->\n<script type="module">${script}</script>`,
+  );
 for (const mark of ["<!--orbs-data-->", "Content-Security-Policy", "<style>"])
-  if (!single.includes(mark)) throw new Error(`single.html has no ${mark}: index.html does not look as expected`);
+  if (!single.includes(mark))
+    throw new Error(`single.html has no ${mark}: index.html does not look as expected`);
 writeFileSync(join(output, "single.html"), single);
 
 const bytes = Object.values(result.metafile.outputs).reduce((sum, file) => sum + file.bytes, 0);

@@ -9,8 +9,14 @@ import { chromium } from "playwright-core";
 const [build, run, output, ...views] = process.argv.slice(2);
 mkdirSync(output, { recursive: true });
 const server = spawn(join(build, "orbs"), ["serve", run]);
-const url = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])));
-const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])];
+const url = await new Promise((resolve) =>
+  server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])),
+);
+const args = [
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  ...(process.getuid() === 0 ? ["--no-sandbox"] : []),
+];
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args });
 const page = await browser.newPage({ viewport: { width: 1200, height: 760 } });
 
@@ -29,7 +35,12 @@ async function takeUsual() {
   await take("overview", 530, "", ".cell a");
   const cell = page.locator(".cell a.tone-bad, .cell a.tone-unsure, .cell a.tone-good").first();
   const link = new URL(await cell.getAttribute("href"), page.url()).hash;
-  await take("case", 960, `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`, ".stage canvas[data-drawn]");
+  await take(
+    "case",
+    960,
+    `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`,
+    ".stage canvas[data-drawn]",
+  );
   await take("chart", 630, "#/charts", ".plot canvas");
 }
 

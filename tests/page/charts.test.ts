@@ -2,7 +2,15 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, Scratch, serve, type Served, type SomeOverview } from "./stand";
+import {
+  changeOverview,
+  launch,
+  open,
+  Scratch,
+  serve,
+  type Served,
+  type SomeOverview,
+} from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -20,7 +28,12 @@ after(async () => {
 });
 
 /** The charts of a run whose `metric` has these numbers, by the index of the image, and no others. */
-async function charts(query: string, metric: string, values: Record<number, number>, change: (overview: SomeOverview) => void = () => undefined): Promise<{ page: Page; errors: string[] }> {
+async function charts(
+  query: string,
+  metric: string,
+  values: Record<number, number>,
+  change: (overview: SomeOverview) => void = () => undefined,
+): Promise<{ page: Page; errors: string[] }> {
   const { page, errors } = await open(browser, "about:blank");
   await changeOverview(page, (overview) => {
     const column = overview.measures[metric];
@@ -55,7 +68,12 @@ test("curves with bands are drawn when the data has some", async () => {
   const { page, errors } = await open(browser, "about:blank");
   await changeOverview(page, (overview) => {
     const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
-    const chart = { title: "error over time", x: { label: "time", log: true }, y: { label: "error", log: true }, series: [{ name: "one", line: true, points }] };
+    const chart = {
+      title: "error over time",
+      x: { label: "time", log: true },
+      y: { label: "error", log: true },
+      series: [{ name: "one", line: true, points }],
+    };
     overview.charts = [chart];
   });
   await page.goto(`${small.url}#/charts`);
@@ -74,20 +92,39 @@ test("quantities that are nowhere above zero are offered, on an axis that has a 
 
 test("points that have no place in a chart are counted below it", async () => {
   const { page } = await charts("of=l1", "l1", { 0: 0, 1: 0, 2: 0.25, 3: 4 });
-  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 4 points are not shown: 2 are 0, which has no place on a logarithmic axis.");
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "2 of 4 points are not shown: 2 are 0, which has no place on a logarithmic axis.",
+  );
   await page.close();
 });
 
 test("numbers that are infinite are counted below the chart", async () => {
-  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", { 2: 30 }, (overview) => (overview.infinite = { psnr_srgb8: [0] }));
-  assert.equal(await first(page).locator(".left-out").innerText(), "1 of 2 points is not shown: 1 is infinite.");
+  const { page } = await charts(
+    "of=psnr_srgb8",
+    "psnr_srgb8",
+    { 2: 30 },
+    (overview) => (overview.infinite = { psnr_srgb8: [0] }),
+  );
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "1 of 2 points is not shown: 1 is infinite.",
+  );
   await page.close();
 });
 
 test("a quantity that is infinite everywhere is offered, and said to be", async () => {
-  const { page } = await charts("of=psnr_srgb8", "psnr_srgb8", {}, (overview) => (overview.infinite = { psnr_srgb8: [0, 2] }));
+  const { page } = await charts(
+    "of=psnr_srgb8",
+    "psnr_srgb8",
+    {},
+    (overview) => (overview.infinite = { psnr_srgb8: [0, 2] }),
+  );
   assert.match(await first(page).locator("h2").innerText(), /psnr_srgb8/);
-  assert.equal(await first(page).locator(".left-out").innerText(), "2 of 2 points are not shown: 2 are infinite.");
+  assert.equal(
+    await first(page).locator(".left-out").innerText(),
+    "2 of 2 points are not shown: 2 are infinite.",
+  );
   assert.equal(await first(page).locator(".plot").count(), 0);
   await page.close();
 });

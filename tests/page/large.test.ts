@@ -29,7 +29,9 @@ function requestsForData(page: Page): string[] {
 
 test("the overview of 10 000 cells builds only what is in surface", async () => {
   const { page, errors } = await open(browser, `${served.url}#/?by=target`);
-  await page.waitForFunction(() => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "1001");
+  await page.waitForFunction(
+    () => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "1001",
+  );
   const asked = requestsForData(page);
   const built = () => page.evaluate(() => document.querySelectorAll("*").length);
   // 40 rows of 22 px fill the window; ten cells and a heading each, some elements a cell.
@@ -39,7 +41,9 @@ test("the overview of 10 000 cells builds only what is in surface", async () => 
   await page.waitForFunction(() => document.querySelector('[aria-rowindex="1001"]'));
   assert.ok((await page.locator(".row").count()) < 100, "rows out of surface are gone");
   await page.locator(".search input").fill("scene-777");
-  await page.waitForFunction(() => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "2");
+  await page.waitForFunction(
+    () => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "2",
+  );
   assert.deepEqual(asked, [], "scrolling and searching ask the server nothing");
   assert.deepEqual(errors, []);
   await page.close();
@@ -52,14 +56,21 @@ test("a pair of 4096 x 4096 pixels can be used", async () => {
   await drawn(page, "result");
   await page.getByText("100 pixels differ").waitFor();
   await page.keyboard.press("u");
-  await page.waitForFunction(() => document.querySelector(".readout h3")?.textContent?.includes("4000, 4000"));
+  await page.waitForFunction(() =>
+    document.querySelector(".readout h3")?.textContent?.includes("4000, 4000"),
+  );
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
   assert.equal((await colourAt(page, x, y))[2], 255);
   // What makes a flip quick: both images are there, none is asked for again.
   const asked = requestsForData(page);
-  for (const [key, target] of [["1", "result"], ["2", "reference"], ["1", "result"], ["2", "reference"]] as const) {
+  for (const [key, target] of [
+    ["1", "result"],
+    ["2", "reference"],
+    ["1", "result"],
+    ["2", "reference"],
+  ] as const) {
     await page.keyboard.press(key);
     await drawn(page, target);
   }

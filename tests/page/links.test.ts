@@ -21,7 +21,9 @@ after(async () => {
 });
 
 const linksOf = (page: Page): Promise<string[]> =>
-  page.locator("a[href^='#/']").evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
+  page
+    .locator("a[href^='#/']")
+    .evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
 
 test("where there are several runs each link names its run", async () => {
   const { page, errors } = await open(browser, two.url);
@@ -32,9 +34,14 @@ test("where there are several runs each link names its run", async () => {
   await page.waitForFunction(() => location.hash === "#/charts?run=small");
   await page.goto(`${two.url}#/compare`);
   await page.locator(".compare td a").first().waitFor();
-  await page.waitForFunction(() => location.hash.includes("before=before") && location.hash.includes("after=small"));
+  await page.waitForFunction(
+    () => location.hash.includes("before=before") && location.hash.includes("after=small"),
+  );
   const links = await linksOf(page);
-  assert.ok(links.every((link) => /[?&]run=(small|before)/.test(link)), links.join(" "));
+  assert.ok(
+    links.every((link) => /[?&]run=(small|before)/.test(link)),
+    links.join(" "),
+  );
   assert.ok(links.some((link) => link.includes("run=before")));
   assert.deepEqual(errors, []);
   await page.close();
@@ -84,7 +91,9 @@ test("a page of one run has short links, and knows no other run", async () => {
 
 test("a run that cannot be compared says why", async () => {
   const { page } = await open(browser, "about:blank");
-  await page.route("**/data/1/overview.json", (route) => route.fulfill({ status: 500, body: "the disk is gone" }));
+  await page.route("**/data/1/overview.json", (route) =>
+    route.fulfill({ status: 500, body: "the disk is gone" }),
+  );
   await page.goto(`${two.url}#/compare`);
   await page.getByText("The run before cannot be shown: the disk is gone").waitFor();
   await page.close();
@@ -92,26 +101,45 @@ test("a run that cannot be compared says why", async () => {
 
 test("images that were not rendered are neither better nor worse", async () => {
   const { page } = await open(browser, "about:blank");
-  await changeOverview(page, ({ cells, states }) => {
-    ["waiting", "running", "skipped"].forEach((name, i) => (cells["state"]![i] = states.findIndex((state) => state.name === name)));
-  }, 0);
+  await changeOverview(
+    page,
+    ({ cells, states }) => {
+      ["waiting", "running", "skipped"].forEach(
+        (name, i) => (cells["state"]![i] = states.findIndex((state) => state.name === name)),
+      );
+    },
+    0,
+  );
   await page.goto(`${two.url}#/compare`);
   const rows = page.locator("section[data-kind=open] tbody tr");
   await rows.first().waitFor();
   // One was skipped in both runs.
-  assert.deepEqual((await rows.allInnerTexts()).map((text) => /waiting|running|skipped/.exec(text)?.[0]).sort(), ["running", "skipped", "skipped", "waiting"]);
-  for (const text of await page.locator("section[data-kind=worse], section[data-kind=better]").allInnerTexts())
+  assert.deepEqual(
+    (await rows.allInnerTexts()).map((text) => /waiting|running|skipped/.exec(text)?.[0]).sort(),
+    ["running", "skipped", "skipped", "waiting"],
+  );
+  for (const text of await page
+    .locator("section[data-kind=worse], section[data-kind=better]")
+    .allInnerTexts())
     assert.doesNotMatch(text, /waiting|running|skipped/);
   await page.close();
 });
 
 test("a signed number that only changed its side is as good as before", async () => {
   const { page } = await open(browser, "about:blank");
-  await changeOverview(page, ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)), 0);
+  await changeOverview(
+    page,
+    ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)),
+    0,
+  );
   await page.goto(`${two.url}#/compare?metric=lean`);
   // Those that changed their state, and nobody else.
   await page.locator("section[data-kind=better] tbody tr").first().waitFor();
-  assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), ["m1_values"]);
-  assert.deepEqual(await page.locator("section[data-kind=worse] tbody th").allInnerTexts(), ["e1_markup"]);
+  assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), [
+    "m1_values",
+  ]);
+  assert.deepEqual(await page.locator("section[data-kind=worse] tbody th").allInnerTexts(), [
+    "e1_markup",
+  ]);
   await page.close();
 });

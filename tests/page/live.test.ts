@@ -4,7 +4,16 @@ import type { ChildProcess } from "node:child_process";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, playLive, Scratch, serve, settled, type Served } from "./stand";
+import {
+  changeOverview,
+  launch,
+  open,
+  playLive,
+  Scratch,
+  serve,
+  settled,
+  type Served,
+} from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -22,7 +31,13 @@ after(async () => {
 });
 
 /** A run of three renders that goes on, and a page that is not there yet. */
-async function live(name: string): Promise<{ run: ChildProcess; served: Served; page: Page; errors: string[]; end: () => Promise<void> }> {
+async function live(name: string): Promise<{
+  run: ChildProcess;
+  served: Served;
+  page: Page;
+  errors: string[];
+  end: () => Promise<void>;
+}> {
   const folder = join(scratch.folder, name);
   const run = await playLive(folder);
   const served = await serve(folder);
@@ -37,7 +52,10 @@ async function live(name: string): Promise<{ run: ChildProcess; served: Served; 
 
 const overview = "#/?by=target&order=given";
 const passed = (page: Page, count: number) =>
-  page.waitForFunction((wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted, count);
+  page.waitForFunction(
+    (wanted) => document.querySelectorAll(".cell a.tone-good").length === wanted,
+    count,
+  );
 
 test("a run that goes on fills its cells as renders end", async () => {
   const { run, served, page, errors, end } = await live("fills");
@@ -59,7 +77,9 @@ test("a run that goes on fills its cells as renders end", async () => {
 test("a run that goes on stays when it cannot be read once, and is read again", async () => {
   const { run, served, page, end } = await live("breaks");
   let isBroken = false;
-  await page.route("**/overview.json", (route) => (isBroken ? route.fulfill({ status: 500, body: "the disk is gone" }) : route.continue()));
+  await page.route("**/overview.json", (route) =>
+    isBroken ? route.fulfill({ status: 500, body: "the disk is gone" }) : route.continue(),
+  );
   await page.goto(served.url + overview);
   await page.getByText("0 of 3 renders done").waitFor();
   isBroken = true;
@@ -132,7 +152,9 @@ test("an answer about a run that was left for another one is not waited for, nor
   await page.getByText("Reading the run").waitFor();
   await page.getByRole("combobox", { name: "Run" }).selectOption("before");
   await page.locator(".grid .row").first().waitFor();
-  const finished = page.waitForEvent("requestfinished", (request) => request.url().endsWith("/data/0/overview.json"));
+  const finished = page.waitForEvent("requestfinished", (request) =>
+    request.url().endsWith("/data/0/overview.json"),
+  );
   release();
   await finished;
   await settled(page);

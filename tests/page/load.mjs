@@ -13,23 +13,35 @@ const kGrowth_MB = 16;
 const folder = mkdtempSync(join(tmpdir(), "orbs-load-"));
 spawnSync(join(build, "orbs-page-fixture"), ["small", join(folder, "run")], { stdio: "inherit" });
 const server = spawn(join(build, "orbs"), ["serve", join(folder, "run")]);
-const url = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])));
-const memory_MB = () => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]) / 1024;
+const url = await new Promise((resolve) =>
+  server.stdout.once("data", (text) => resolve(/http:\S+\//.exec(text)[0])),
+);
+const memory_MB = () =>
+  Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]) / 1024;
 
-const paths = ["", "data/runs.json", "data/0/overview.json", "data/0/target/0.json", "data/0/image/one/values/result.exr",
-  "data/0/file/one/values/result.png"];
+const paths = [
+  "",
+  "data/runs.json",
+  "data/0/overview.json",
+  "data/0/target/0.json",
+  "data/0/image/one/values/result.exr",
+  "data/0/file/one/values/result.png",
+];
 const agent = new Agent({ keepAlive: false });
-const ask = (path) => new Promise((resolve) => {
-  const begin = performance.now();
-  const request = get(url + path, { agent, timeout: kLate_ms }, (answer) => {
-    let bytes = 0;
-    answer.on("data", (piece) => (bytes += piece.length));
-    answer.on("end", () => resolve({ ok: answer.statusCode === 200 && bytes > 0, time: performance.now() - begin }));
-    answer.on("error", () => resolve({ ok: false }));
+const ask = (path) =>
+  new Promise((resolve) => {
+    const begin = performance.now();
+    const request = get(url + path, { agent, timeout: kLate_ms }, (answer) => {
+      let bytes = 0;
+      answer.on("data", (piece) => (bytes += piece.length));
+      answer.on("end", () =>
+        resolve({ ok: answer.statusCode === 200 && bytes > 0, time: performance.now() - begin }),
+      );
+      answer.on("error", () => resolve({ ok: false }));
+    });
+    request.on("timeout", () => request.destroy());
+    request.on("error", (error) => resolve({ ok: false, error: error.message }));
   });
-  request.on("timeout", () => request.destroy());
-  request.on("error", (error) => resolve({ ok: false, error: error.message }));
-});
 
 const end = performance.now() + 1000 * Number(seconds);
 let done = 0;
@@ -49,7 +61,9 @@ await Promise.all(Array.from({ length: Number(clients) }, (_, number) => client(
 const last_MB = memory_MB();
 server.kill("SIGTERM");
 rmSync(folder, { recursive: true, force: true });
-console.log(`${clients} clients, ${seconds} s: ${done} answers (${Math.round(done / Number(seconds))}/s), ${failures.length} failures, ` +
-  `slowest ${Math.round(slowest)} ms, memory ${warm_MB.toFixed(1)} MB after a fifth of the time, ${last_MB.toFixed(1)} MB at the end`);
+console.log(
+  `${clients} clients, ${seconds} s: ${done} answers (${Math.round(done / Number(seconds))}/s), ${failures.length} failures, ` +
+    `slowest ${Math.round(slowest)} ms, memory ${warm_MB.toFixed(1)} MB after a fifth of the time, ${last_MB.toFixed(1)} MB at the end`,
+);
 for (const failure of failures.slice(0, 10)) console.log(`  ${failure}`);
 process.exit(failures.length > 0 || last_MB > warm_MB + kGrowth_MB ? 1 : 0);

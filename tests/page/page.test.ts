@@ -2,7 +2,17 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
-import { changeOverview, colourAt, drawn, launch, open, report, Scratch, serve, type Served } from "./stand";
+import {
+  changeOverview,
+  colourAt,
+  drawn,
+  launch,
+  open,
+  report,
+  Scratch,
+  serve,
+  type Served,
+} from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -27,8 +37,19 @@ test("the overview shows each state by symbol and word, failures first", async (
   const { page, errors } = await open(browser, `${url}#/?by=target`);
   await page.waitForSelector(".grid .row.target");
   const words = await page.locator(".cell a").allInnerTexts();
-  for (const word of ["pass", "fail", "crash", "timeout", "missing reference", "unsupported", "invalid pixels"])
-    assert.ok(words.some((text) => text.includes(word)), word);
+  for (const word of [
+    "pass",
+    "fail",
+    "crash",
+    "timeout",
+    "missing reference",
+    "unsupported",
+    "invalid pixels",
+  ])
+    assert.ok(
+      words.some((text) => text.includes(word)),
+      word,
+    );
   const first = await page.locator(".row.target").first().innerText();
   assert.match(first, /crash/);
   assert.match(await page.locator(".renderers").innerText(), /G5\/M8\/L4\/A4\s+G0\/M1\/L0\/A0/);
@@ -40,7 +61,8 @@ test("of images in the same state the one with the worst number speaks for the r
   const page = await browser.newPage();
   await changeOverview(page, (overview) => {
     const { cells, measures } = overview;
-    for (const column of ["case", "renderer", "state", "declared"]) cells[column]!.fill(cells[column]![0]!, 0, 3);
+    for (const column of ["case", "renderer", "state", "declared"])
+      cells[column]!.fill(cells[column]![0]!, 0, 3);
     overview.targets = ["good", "worst", "better", ...overview.targets];
     cells["target"] = cells["target"]!.map((target, i) => (i < 3 ? i : target! + 3));
     measures["psnr_srgb8"]!.splice(0, 3, 50, 36, 42);
@@ -48,7 +70,10 @@ test("of images in the same state the one with the worst number speaks for the r
   await page.goto(url);
   await page.locator(".row.requirement").first().waitFor();
   const rows = await page.locator(".row.requirement").allInnerTexts();
-  assert.ok(rows.some((text) => text.includes("36 dB")), rows.join(" | "));
+  assert.ok(
+    rows.some((text) => text.includes("36 dB")),
+    rows.join(" | "),
+  );
   assert.ok(!rows.some((text) => /50 dB|42 dB/.test(text)), rows.join(" | "));
   await page.close();
 });
@@ -72,13 +97,27 @@ test("a cell shows a small image, opens its case, and the back button returns", 
   const { page, errors } = await open(browser, `${url}#/?q=known`);
   const cell = page.locator(".cell a").first();
   await cell.hover();
-  await page.waitForFunction(() => (document.querySelector<HTMLImageElement>(".preview img")?.naturalWidth ?? 0) === 64);
+  await page.waitForFunction(
+    () => (document.querySelector<HTMLImageElement>(".preview img")?.naturalWidth ?? 0) === 64,
+  );
   await cell.click();
   await page.waitForSelector(".measures");
   const text = await page.locator(".facts").innerText();
-  for (const part of ["What Known values tests.", "What goes wrong in Known values.", "10 log10(255^2 / MSE)", "≥ 35", "not met",
-    "nearer to 0 is better", "-0.02 to -0.005, in [8, 16, 24, 32]", "it leans to the left",
-    "orbs run --suite alpha --case m1_values", "--spp-scale 0.5", "'with space' 'it'\\''s'", "reference <i>tracer</i>", "123 MB"])
+  for (const part of [
+    "What Known values tests.",
+    "What goes wrong in Known values.",
+    "10 log10(255^2 / MSE)",
+    "≥ 35",
+    "not met",
+    "nearer to 0 is better",
+    "-0.02 to -0.005, in [8, 16, 24, 32]",
+    "it leans to the left",
+    "orbs run --suite alpha --case m1_values",
+    "--spp-scale 0.5",
+    "'with space' 'it'\\''s'",
+    "reference <i>tracer</i>",
+    "123 MB",
+  ])
     assert.ok((text + (await page.locator(".measures").innerHTML())).includes(part), part);
   await page.goBack();
   await page.waitForSelector(".grid");
@@ -90,7 +129,11 @@ test("a cell shows a small image, opens its case, and the back button returns", 
 test("digits flip between the images, also one that nobody has heard of", async () => {
   const { page, errors } = await open(browser, url + values);
   await drawn(page, "result");
-  for (const [key, name] of [["2", "reference"], ["5", "wobble"], ["1", "result"]] as const) {
+  for (const [key, name] of [
+    ["2", "reference"],
+    ["5", "wobble"],
+    ["1", "result"],
+  ] as const) {
     await page.keyboard.press(key);
     await drawn(page, name);
   }
@@ -104,14 +147,19 @@ test("digits flip between the images, also one that nobody has heard of", async 
 
 test("swipe shows the result left and the reference right of the divider", async () => {
   // Exposure -1 keeps the extra 1 in R at (40, 20) of the reference below white.
-  const { page } = await open(browser, `${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`);
+  const { page } = await open(
+    browser,
+    `${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`,
+  );
   await drawn(page, "result reference");
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
   const left = await colourAt(page, x, y);
   await page.locator(".divider").focus();
   await page.goto(`${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`);
-  await page.waitForFunction(() => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0");
+  await page.waitForFunction(
+    () => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0",
+  );
   await drawn(page, "result reference");
   const right = await colourAt(page, x, y);
   // 40/64 / 2 and (40/64 + 1) / 2 of 255.
@@ -124,7 +172,10 @@ test("the read-out has the numbers of the EXR, also those beyond half floats", a
   const { page } = await open(browser, `${url}${values}?zoom=40&x=8.5&y=9.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
-  const middle = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
+  const middle = {
+    x: (box?.x ?? 0) + (box?.width ?? 0) / 2,
+    y: (box?.y ?? 0) + (box?.height ?? 0) / 2,
+  };
   const row = () => page.locator(".readout tr", { hasText: "result" }).innerText();
   await page.mouse.move(middle.x, middle.y);
   assert.match(await row(), /70000\s+0\.1875\s+0\.25/);
@@ -134,7 +185,11 @@ test("the read-out has the numbers of the EXR, also those beyond half floats", a
   assert.match(await row(), /NaN/);
   await page.mouse.move(middle.x - 80, middle.y - 80);
   assert.match(await row(), /\+Inf/);
-  assert.equal(await page.locator(".overlay").getAttribute("data-numbers"), "1", "numbers stand in the pixels");
+  assert.equal(
+    await page.locator(".overlay").getAttribute("data-numbers"),
+    "1",
+    "numbers stand in the pixels",
+  );
   await page.close();
 });
 
@@ -158,7 +213,8 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
     if (canvas) pen?.drawImage(canvas, 0, 0);
     const data = pen?.getImageData(0, 0, copy.width, copy.height).data ?? [];
     let magenta = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i] === 255 && data[i + 1] === 0 && data[i + 2] === 255) ++magenta;
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i] === 255 && data[i + 1] === 0 && data[i + 2] === 255) ++magenta;
     return magenta;
   });
   assert.ok(small >= 1, "still seen when 16 pixels share one");
@@ -182,18 +238,28 @@ test("the worst pixels are found in order, and the view says where", async () =>
 });
 
 test("a link restores the view, and changes of the view change the link", async () => {
-  const { page } = await open(browser, `${url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`);
+  const { page } = await open(
+    browser,
+    `${url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`,
+  );
   await drawn(page, "reference");
-  assert.equal(await page.locator(".field", { hasText: "EV" }).locator("input").inputValue(), "1.5");
+  assert.equal(
+    await page.locator(".field", { hasText: "EV" }).locator("input").inputValue(),
+    "1.5",
+  );
   assert.match(await page.locator(".region").innerText(), /10 × 10/);
   await page.keyboard.press("e");
   await page.waitForFunction(() => location.hash.includes("ev=2"));
-  for (const part of ["img=reference", "zoom=4", "x=20", "ch=G", "zebra=1"]) assert.ok(page.url().includes(part), part);
+  for (const part of ["img=reference", "zoom=4", "x=20", "ch=G", "zebra=1"])
+    assert.ok(page.url().includes(part), part);
   await page.close();
 });
 
 test("Stokes layers are numbers of both signs and get a diverging scale", async () => {
-  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`);
+  const { page, errors } = await open(
+    browser,
+    `${url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`,
+  );
   await drawn(page, "result");
   await page.locator(".statistics").first().waitFor();
   await page.waitForFunction(() => document.querySelector(".ticks")?.textContent?.includes("−1"));
@@ -207,14 +273,21 @@ test("Stokes layers are numbers of both signs and get a diverging scale", async 
 });
 
 test("layers of result and reference have one scale", async () => {
-  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`);
+  const { page, errors } = await open(
+    browser,
+    `${url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`,
+  );
   await drawn(page, "result reference");
   await page.waitForFunction(() => document.querySelector(".ticks")?.textContent?.includes("−1"));
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
   const left = await colourAt(page, x - 80, y);
-  await page.evaluate(() => { location.hash = location.hash.replace("swipe=1", "swipe=0"); });
-  await page.waitForFunction(() => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0");
+  await page.evaluate(() => {
+    location.hash = location.hash.replace("swipe=1", "swipe=0");
+  });
+  await page.waitForFunction(
+    () => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0",
+  );
   await drawn(page, "result reference");
   assert.deepEqual(await colourAt(page, x - 80, y), left);
   assert.deepEqual(errors, []);
@@ -226,10 +299,15 @@ test("a case says what its scene calls for, and what that costs", async () => {
   const effects = page.locator(".effects");
   await effects.waitFor();
   assert.match(await effects.innerText(), /stokes calls for polarised light paths/);
-  assert.match(await effects.innerText(), /polarisation: material 'filter' is a polariser and 1 more/);
+  assert.match(
+    await effects.innerText(),
+    /polarisation: material 'filter' is a polariser and 1 more/,
+  );
   assert.match(await effects.innerText(), /spectral: material 'grey' is constant <b>/);
-  assert.deepEqual(await effects.locator("tbody tr").allInnerTexts(),
-    ["spectral\t× 0.80\t× 0.50\tmean -15 +- 0.1 %", "rgb\t× 0.60\t–\tmean -15 +- 0.2 %"]);
+  assert.deepEqual(await effects.locator("tbody tr").allInnerTexts(), [
+    "spectral\t× 0.80\t× 0.50\tmean -15 +- 0.1 %",
+    "rgb\t× 0.60\t–\tmean -15 +- 0.2 %",
+  ]);
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -237,7 +315,11 @@ test("a case says what its scene calls for, and what that costs", async () => {
 test("text of cases and logs is never markup", async () => {
   const { page, errors } = await open(browser, `${url}#/case/e1_markup/markup/one`);
   await page.locator(".logs pre").waitFor();
-  assert.ok((await page.locator(".logs pre").innerText()).includes("</script><script>document.title='owned'"));
+  assert.ok(
+    (await page.locator(".logs pre").innerText()).includes(
+      "</script><script>document.title='owned'",
+    ),
+  );
   assert.ok(!(await page.title()).includes("owned"));
   assert.equal(await page.locator("img[src=x]").count(), 0);
   assert.deepEqual(errors, []);
@@ -271,12 +353,23 @@ test("two runs: better, worse, new and gone", async () => {
   // "two" took twice as long before; "three" was rendered elsewhere.
   assert.match(await rows("better").innerText(), /× 0\.5$/);
   const line = await page.locator(".compare-time").innerText();
-  assert.match(line, /^Wall clock × 0\.\d+, the geometric mean of \d+ targets; load at the start 0\.25 before, 0\.25 after\./);
-  assert.match(line, /times are of different machines \(another processor, 2 cores before, a processor, 2 cores after\)/);
+  assert.match(
+    line,
+    /^Wall clock × 0\.\d+, the geometric mean of \d+ targets; load at the start 0\.25 before, 0\.25 after\./,
+  );
+  assert.match(
+    line,
+    /times are of different machines \(another processor, 2 cores before, a processor, 2 cores after\)/,
+  );
   await page.locator("section[data-kind=same] summary").click();
-  assert.match(await rows("same").filter({ hasText: "three" }).first().innerText(), /times are of different machines$/);
+  assert.match(
+    await rows("same").filter({ hasText: "three" }).first().innerText(),
+    /times are of different machines$/,
+  );
   await page.goto(`${url}#/compare?before=small&after=small&ra=one&rb=two`);
-  await page.waitForFunction(() => document.querySelector("section[data-kind=better]")?.textContent?.includes("one → two"));
+  await page.waitForFunction(() =>
+    document.querySelector("section[data-kind=better]")?.textContent?.includes("one → two"),
+  );
   await page.close();
 });
 

@@ -8,15 +8,27 @@ import { join } from "node:path";
 const [source, build, pattern = ""] = process.argv.slice(2);
 const modules = join(source, "web/node_modules");
 const here = join(source, "tests/page");
-const types = spawnSync(process.execPath, [join(modules, "typescript/bin/tsc"), "--noEmit", "--project", here], { stdio: "inherit" });
+const types = spawnSync(
+  process.execPath,
+  [join(modules, "typescript/bin/tsc"), "--noEmit", "--project", here],
+  { stdio: "inherit" },
+);
 if (types.status !== 0) process.exit(1);
 const esbuild = createRequire(join(source, "web/package.json"))("esbuild");
 const output = join(build, "tests/page/bundle");
 rmSync(output, { recursive: true, force: true });
 esbuild.buildSync({
-  entryPoints: readdirSync(here).filter((file) => file.endsWith(".test.ts")).map((file) => join(here, file)),
-  outdir: output, bundle: true, platform: "node", format: "esm", target: "node18", outExtension: { ".js": ".mjs" },
-  nodePaths: [modules], external: ["playwright-core"],
+  entryPoints: readdirSync(here)
+    .filter((file) => file.endsWith(".test.ts"))
+    .map((file) => join(here, file)),
+  outdir: output,
+  bundle: true,
+  platform: "node",
+  format: "esm",
+  target: "node18",
+  outExtension: { ".js": ".mjs" },
+  nodePaths: [modules],
+  external: ["playwright-core"],
 });
 const files = readdirSync(output).map((file) => join(output, file));
 const names = pattern ? [`--test-name-pattern=${pattern}`] : [];

@@ -2,7 +2,17 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open, packedImage, replaceImages, Scratch, serve, type Served } from "./stand";
+import {
+  colourAt,
+  drawn,
+  launch,
+  open,
+  packedImage,
+  replaceImages,
+  Scratch,
+  serve,
+  type Served,
+} from "./stand";
 
 const scratch = new Scratch();
 let browser: Browser;
@@ -22,21 +32,37 @@ after(async () => {
 });
 
 /** The viewer with these images in place of result and reference. */
-async function viewer(query: string, images: Record<string, Buffer>): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
+async function viewer(
+  query: string,
+  images: Record<string, Buffer>,
+): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
   const { page, errors } = await open(browser, "about:blank");
   await replaceImages(page, images);
   await page.goto(`${values}?${query}`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
-  return { page, errors, middle: { x: Math.floor((box?.width ?? 0) / 2), y: Math.floor((box?.height ?? 0) / 2) } };
+  return {
+    page,
+    errors,
+    middle: { x: Math.floor((box?.width ?? 0) / 2), y: Math.floor((box?.height ?? 0) / 2) },
+  };
 }
 
 const channelSelect = (page: Page) => page.getByRole("combobox", { name: "Channel" });
 
 test("a fourth and a fifth channel show their own numbers", async () => {
-  const five = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: () => 0.25, Z: () => 0.5 });
-  const { page, errors, middle } = await viewer("curve=linear&ch=A&zoom=40&x=4.5&y=4.5", { "result.exr": five });
-  const grey = async (): Promise<number> => (await colourAt(page, middle.x, middle.y + 12))[0] ?? -1;
+  const five = packedImage(8, 8, {
+    R: () => 1,
+    G: () => 1,
+    B: () => 1,
+    A: () => 0.25,
+    Z: () => 0.5,
+  });
+  const { page, errors, middle } = await viewer("curve=linear&ch=A&zoom=40&x=4.5&y=4.5", {
+    "result.exr": five,
+  });
+  const grey = async (): Promise<number> =>
+    (await colourAt(page, middle.x, middle.y + 12))[0] ?? -1;
   assert.ok(Math.abs((await grey()) - 63.75) < 1.5, String(await grey()));
   await channelSelect(page).selectOption("Z");
   await page.waitForFunction(() => location.hash.includes("ch=Z"));
@@ -44,14 +70,19 @@ test("a fourth and a fifth channel show their own numbers", async () => {
   assert.ok(Math.abs((await grey()) - 127.5) < 1.5, String(await grey()));
   const box = await page.locator(".stage").boundingBox();
   await page.mouse.move((box?.x ?? 0) + middle.x, (box?.y ?? 0) + middle.y);
-  assert.match(await page.locator(".readout tr", { hasText: "result" }).innerText(), /1\s+1\s+1\s+0\.5/);
+  assert.match(
+    await page.locator(".readout tr", { hasText: "result" }).innerText(),
+    /1\s+1\s+1\s+0\.5/,
+  );
   assert.deepEqual(errors, []);
   await page.close();
 });
 
 test("an image of two channels offers these two, and shows the one that is chosen", async () => {
   const two = packedImage(8, 8, { Y: () => 0.25, A: () => 0.75 });
-  const { page, errors, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", { "result.exr": two });
+  const { page, errors, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", {
+    "result.exr": two,
+  });
   await page.locator(".statistics").first().waitFor();
   assert.deepEqual(await channelSelect(page).locator("option").allInnerTexts(), ["Y", "A"]);
   const grey = async (): Promise<number> => (await colourAt(page, middle.x, middle.y))[0] ?? -1;
@@ -72,7 +103,12 @@ test("an image of two channels offers these two, and shows the one that is chose
 });
 
 test("a scale that ends where the image's numbers do follows the channel that is chosen", async () => {
-  const four = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: (x) => (x === 0 ? 8 : 4) });
+  const four = packedImage(8, 8, {
+    R: () => 1,
+    G: () => 1,
+    B: () => 1,
+    A: (x) => (x === 0 ? 8 : 4),
+  });
   const { page } = await viewer("curve=false&ch=A", { "result.exr": four });
   await page.locator(".statistics").first().waitFor();
   await page.keyboard.press("n");
@@ -90,18 +126,25 @@ test("the read-out follows whatever is newer: the pointer or the worst pixel", a
   await page.mouse.move(at.x, at.y);
   assert.match(await heading.innerText(), /20, 20/);
   await page.keyboard.press("u");
-  await page.waitForFunction(() => document.querySelector(".readout h3")?.textContent === "Pixel 5, 7");
+  await page.waitForFunction(
+    () => document.querySelector(".readout h3")?.textContent === "Pixel 5, 7",
+  );
   await page.mouse.move(at.x + 36, at.y);
   assert.doesNotMatch(await heading.innerText(), /Pixel 5, 7$/);
   await page.keyboard.press("u");
-  await page.waitForFunction(() => document.querySelector(".readout h3")?.textContent === "Pixel 6, 7");
+  await page.waitForFunction(
+    () => document.querySelector(".readout h3")?.textContent === "Pixel 6, 7",
+  );
   await page.close();
 });
 
 for (const region of ["-1000000000,0,5,5", "10,10,2,2", "0,0,1000000000,1000000000"])
   test(`the region ${region} of a link is refused with a reason`, async () => {
     const { page, errors } = await viewer(`region=${encodeURIComponent(region)}`, {});
-    await page.locator(".region").getByText("The region does not lie within the image, which has 64 × 48 pixels.").waitFor();
+    await page
+      .locator(".region")
+      .getByText("The region does not lie within the image, which has 64 × 48 pixels.")
+      .waitFor();
     await page.getByRole("button", { name: "Clear" }).click();
     await page.waitForFunction(() => !document.querySelector(".region"));
     assert.deepEqual(errors, []);
@@ -112,14 +155,20 @@ test("a region has the numbers of its pixels alone", async () => {
   const { page } = await viewer("region=32%2C16%2C48%2C24", {});
   // 1 of 16 x 8 x 3 numbers is 1 too small.
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("-0.002604").waitFor();
-  assert.match(await page.locator(".region").innerText(), /mean \|Δ\|\s+0\.002604\s+mean Δ²\s+0\.002604\s+mean Δ\s+-0\.002604/);
+  assert.match(
+    await page.locator(".region").innerText(),
+    /mean \|Δ\|\s+0\.002604\s+mean Δ²\s+0\.002604\s+mean Δ\s+-0\.002604/,
+  );
   await page.goto(`${values}?region=0%2C0%2C32%2C32`);
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("NaN").waitFor();
   await page.close();
 });
 
 test("of many wrong pixels it says how many, and how many of these can be visited", async () => {
-  const [black, white] = [packedImage(64, 48, { R: () => 0, G: () => 0, B: () => 0 }), packedImage(64, 48, { R: () => 1, G: () => 0, B: () => 0 })];
+  const [black, white] = [
+    packedImage(64, 48, { R: () => 0, G: () => 0, B: () => 0 }),
+    packedImage(64, 48, { R: () => 1, G: () => 0, B: () => 0 }),
+  ];
   const { page } = await viewer("", { "result.exr": white, "values.exr": black });
   await page.getByText("3072 pixels differ").waitFor();
   await page.keyboard.press("u");
@@ -139,7 +188,9 @@ test("one NaN among many pixels is seen however small the image is shown", async
   const large = packedImage(512, 512, { Y: (x, y) => (x === 301 && y === 203 ? NaN : 0.5) });
   const { page, middle } = await viewer("zoom=0.07&x=301&y=203", { "result.exr": large });
   const colours = [];
-  for (const dy of [-1, 0, 1]) for (const dx of [-1, 0, 1]) colours.push(String(await colourAt(page, middle.x + dx, middle.y + dy)));
+  for (const dy of [-1, 0, 1])
+    for (const dx of [-1, 0, 1])
+      colours.push(String(await colourAt(page, middle.x + dx, middle.y + dy)));
   assert.ok(colours.includes("255,0,255"), colours.join(" "));
   await page.close();
 });
@@ -159,7 +210,8 @@ test("textures of images that are no longer there are freed", async () => {
       deleteTexture.call(this, texture);
     };
   });
-  const textures = () => page.evaluate(() => (globalThis as unknown as { textures: number }).textures);
+  const textures = () =>
+    page.evaluate(() => (globalThis as unknown as { textures: number }).textures);
   await page.goto(`${small.url}#/case/a1_stokes/stokes/one`);
   await drawn(page, "result");
   const first = await textures();
@@ -172,12 +224,19 @@ test("textures of images that are no longer there are freed", async () => {
 });
 
 test("when the graphics driver starts anew the images are drawn anew", async () => {
-  const { page, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", { "result.exr": packedImage(8, 8, { Y: () => 0.25 }) });
-  const lose = (what: "loseContext" | "restoreContext") => page.evaluate((name) => {
-    const own = globalThis as unknown as { lost?: WEBGL_lose_context | null };
-    own.lost ??= document.querySelector<HTMLCanvasElement>(".stage canvas")?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
-    own.lost?.[name]();
-  }, what);
+  const { page, middle } = await viewer("curve=linear&zoom=20&x=4.5&y=4.5", {
+    "result.exr": packedImage(8, 8, { Y: () => 0.25 }),
+  });
+  const lose = (what: "loseContext" | "restoreContext") =>
+    page.evaluate((name) => {
+      const own = globalThis as unknown as { lost?: WEBGL_lose_context | null };
+      own.lost ??=
+        document
+          .querySelector<HTMLCanvasElement>(".stage canvas")
+          ?.getContext("webgl2")
+          ?.getExtension("WEBGL_lose_context") ?? null;
+      own.lost?.[name]();
+    }, what);
   await lose("loseContext");
   await page.getByText("the graphics driver has stopped").waitFor();
   await lose("restoreContext");
@@ -189,12 +248,20 @@ test("when the graphics driver starts anew the images are drawn anew", async () 
 
 test("Space on a checkbox ticks it, and on a log scrolls it", async () => {
   const { page } = await viewer("", {});
-  await page.evaluate(() => addEventListener("keydown", (event) => (document.body.dataset["taken"] = String(event.defaultPrevented))));
+  await page.evaluate(() =>
+    addEventListener(
+      "keydown",
+      (event) => (document.body.dataset["taken"] = String(event.defaultPrevented)),
+    ),
+  );
   const tick = page.getByRole("checkbox", { name: /^l1 in blink/ });
   await tick.focus();
   await page.keyboard.press(" ");
   assert.ok(await tick.isChecked());
-  assert.equal(await page.getByRole("button", { name: "Blink" }).getAttribute("aria-pressed"), "false");
+  assert.equal(
+    await page.getByRole("button", { name: "Blink" }).getAttribute("aria-pressed"),
+    "false",
+  );
   await page.locator(".copyable code").first().focus();
   for (const key of [" ", "ArrowRight"]) {
     await page.keyboard.press(key);
@@ -212,12 +279,17 @@ test("Space on a checkbox ticks it, and on a log scrolls it", async () => {
 test("a command is selected where the browser lets nobody copy", async () => {
   const { page, errors } = await open(browser, "about:blank");
   // As on a page that came by plain http from another machine.
-  await page.addInitScript(() => Object.defineProperty(navigator, "clipboard", { value: undefined }));
+  await page.addInitScript(() =>
+    Object.defineProperty(navigator, "clipboard", { value: undefined }),
+  );
   await page.goto(values);
   const box = page.locator(".copyable").first();
   await box.getByRole("button").click();
   await box.getByText("Selected: press Ctrl+C").waitFor();
-  assert.equal(await page.evaluate(() => String(getSelection())), await box.locator("code").innerText());
+  assert.equal(
+    await page.evaluate(() => String(getSelection())),
+    await box.locator("code").innerText(),
+  );
   assert.deepEqual(errors, []);
   await page.close();
 });

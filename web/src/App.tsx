@@ -24,25 +24,40 @@ export function App({ source }: { source: Source }) {
   const actions: Action[] = [
     { key: "?", label: "this sheet", group: "Page", run: () => setHelp(true) },
     { key: "Escape", label: "to the overview", group: "Page", run: () => go({ path: [], query }) },
-    { key: "t", label: "time and memory", group: "Page", run: () => go({ path: ["charts"], query }) },
+    {
+      key: "t",
+      label: "time and memory",
+      group: "Page",
+      run: () => go({ path: ["charts"], query }),
+    },
     { key: "v", label: "compare", group: "Page", run: () => go({ path: ["compare"], query }) },
   ];
   useActions(actions);
   const [view = ""] = route.path;
   useEffect(() => {
     const name = typeof session === "object" ? session.overview.run.name : "";
-    document.title = [...route.path.slice(1).reverse(), view || "overview", name, "orbs"].filter(Boolean).join(" · ");
+    document.title = [...route.path.slice(1).reverse(), view || "overview", name, "orbs"]
+      .filter(Boolean)
+      .join(" · ");
   });
   return (
     <>
       <button class="skip" onClick={() => document.getElementById("content")?.focus()}>
         Skip to the content
       </button>
-      <Header source={source} run={run} session={session} route={route} onHelp={() => setHelp(true)} />
+      <Header
+        source={source}
+        run={run}
+        session={session}
+        route={route}
+        onHelp={() => setHelp(true)}
+      />
       <main id="content" tabIndex={-1} class={`view-${view || "overview"}`}>
         {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
         {run >= 0 && session === undefined ? <p class="loading">Reading the run …</p> : null}
-        {typeof session === "string" ? <p role="alert">The run cannot be shown: {session}</p> : null}
+        {typeof session === "string" ? (
+          <p role="alert">The run cannot be shown: {session}</p>
+        ) : null}
         {typeof session === "object" ? <View session={session} view={view} /> : null}
       </main>
       {help ? <Help onClose={() => setHelp(false)} /> : null}

@@ -16,7 +16,10 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
   const [view = ""] = route.path;
   const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
-    <a href={routeText({ path, query })} aria-current={view === (path[0] ?? "") ? "page" : undefined}>
+    <a
+      href={routeText({ path, query })}
+      aria-current={view === (path[0] ?? "") ? "page" : undefined}
+    >
       {label}
     </a>
   );
@@ -35,7 +38,9 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
             <span class="unseen">Run</span>
             <select
               value={source.runs[index] ?? ""}
-              onChange={(event) => go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })}
+              onChange={(event) =>
+                go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })
+              }
             >
               {source.runs.map((name) => (
                 <option key={name}>{name}</option>
@@ -86,13 +91,14 @@ function LiveBar({ session }: { session: Session }) {
       </p>
     );
   const left = progress.total - progress.done - progress.running.length;
-  const estimate = progress.seconds_left === null ? "" : `, about ${seconds(progress.seconds_left)} to go`;
+  const estimate =
+    progress.seconds_left === null ? "" : `, about ${seconds(progress.seconds_left)} to go`;
   return (
     <div class="live" role="status">
       <progress max={progress.total} value={progress.done} aria-label="Renders done" />
       <span>
-        <b>{progress.done}</b> of {progress.total} renders done, {progress.running.length} running, {Math.max(0, left)}{" "}
-        left{estimate}
+        <b>{progress.done}</b> of {progress.total} renders done, {progress.running.length} running,{" "}
+        {Math.max(0, left)} left{estimate}
       </span>
       <span class="quiet">{progress.running.slice(0, 4).join(", ")}</span>
     </div>

@@ -23,7 +23,9 @@ export function parseRoute(hash: string): Route {
 }
 
 export function routeText(route: Route): string {
-  const query = new URLSearchParams(Object.entries(route.query).filter(([, value]) => value !== "")).toString();
+  const query = new URLSearchParams(
+    Object.entries(route.query).filter(([, value]) => value !== ""),
+  ).toString();
   return `#/${route.path.map(encodeURIComponent).join("/")}${query ? `?${query}` : ""}`;
 }
 
@@ -41,7 +43,11 @@ export function go(route: Route): void {
 /** Notes a change within the view: the back button leaves the view, not each step in it. Empty values are dropped. */
 export function note(changes: Record<string, string>): void {
   const route = parseRoute(location.hash);
-  history.replaceState(null, "", routeText({ path: route.path, query: { ...route.query, ...changes } }));
+  history.replaceState(
+    null,
+    "",
+    routeText({ path: route.path, query: { ...route.query, ...changes } }),
+  );
   tell();
 }
 

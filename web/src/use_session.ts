@@ -15,13 +15,17 @@ function troubleOf(problem: string | undefined, news: News | undefined): string 
 export function useSession(source: Source, run: number): Session | string | undefined {
   const [heard, setHeard] = useState<{ run: number; news: News; count: number }>();
   const [attempt, setAttempt] = useState(0);
-  const { value: overview, problem } = useAnswer(String(run), `${heard?.count ?? 0} ${attempt}`, 
-    run < 0 ? undefined : () => source.overview(run));
+  const { value: overview, problem } = useAnswer(
+    String(run),
+    `${heard?.count ?? 0} ${attempt}`,
+    run < 0 ? undefined : () => source.overview(run),
+  );
   const live = overview?.run.live ?? false;
   useEffect(() => {
     if (!live) return undefined;
     return source.follow(run, (news) =>
-      setHeard((last) => ({ run, news, count: (last?.count ?? 0) + (news === "lost" ? 0 : 1) })));
+      setHeard((last) => ({ run, news, count: (last?.count ?? 0) + (news === "lost" ? 0 : 1) })),
+    );
   }, [source, run, live, attempt]);
   const news = heard?.run === run ? heard.news : undefined;
   // Nothing that comes by itself ends these two: the last news may be what could not be read.
@@ -32,5 +36,11 @@ export function useSession(source: Source, run: number): Session | string | unde
     return () => clearTimeout(timer);
   }, [isStuck, attempt]);
   if (!overview) return problem;
-  return { source, run, overview, progress: typeof news === "object" ? news : undefined, trouble: troubleOf(problem, news) };
+  return {
+    source,
+    run,
+    overview,
+    progress: typeof news === "object" ? news : undefined,
+    trouble: troubleOf(problem, news),
+  };
 }

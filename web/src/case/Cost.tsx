@@ -12,10 +12,26 @@ export function Cost({ detail }: { detail: TargetDetail }) {
           <thead>
             <tr>
               <th scope="col">Render</th>
-              <th scope="col" class="number" title="wall-clock time of the whole process">Wall</th>
-              <th scope="col" class="number" title="user and system time of the process and its children">CPU</th>
-              <th scope="col" class="number" title="what the renderer itself says about its rendering">Its own</th>
-              <th scope="col" class="number" title="largest resident set of one of its processes">Peak memory</th>
+              <th scope="col" class="number" title="wall-clock time of the whole process">
+                Wall
+              </th>
+              <th
+                scope="col"
+                class="number"
+                title="user and system time of the process and its children"
+              >
+                CPU
+              </th>
+              <th
+                scope="col"
+                class="number"
+                title="what the renderer itself says about its rendering"
+              >
+                Its own
+              </th>
+              <th scope="col" class="number" title="largest resident set of one of its processes">
+                Peak memory
+              </th>
             </tr>
           </thead>
           <tbody>
@@ -34,7 +50,11 @@ export function Cost({ detail }: { detail: TargetDetail }) {
         <p class="quiet">Nothing was rendered for this.</p>
       )}
       <Copyable label="Render and judge it again" text={detail.command} />
-      {detail.jobs.map((job) => job.command ? <Copyable key={job.id} label={`The renderer alone, ${job.scene}`} text={job.command} /> : null)}
+      {detail.jobs.map((job) =>
+        job.command ? (
+          <Copyable key={job.id} label={`The renderer alone, ${job.scene}`} text={job.command} />
+        ) : null,
+      )}
     </section>
   );
 }

@@ -33,8 +33,20 @@ function EffectCosts({ scene }: { scene: Scene }) {
       <thead>
         <tr>
           <th scope="col">Transport</th>
-          <th scope="col" class="number" title="CPU time per sample, over that of what the scene calls for">Time</th>
-          <th scope="col" class="number" title="CPU time to the same noise, over that of what the scene calls for">To equal noise</th>
+          <th
+            scope="col"
+            class="number"
+            title="CPU time per sample, over that of what the scene calls for"
+          >
+            Time
+          </th>
+          <th
+            scope="col"
+            class="number"
+            title="CPU time to the same noise, over that of what the scene calls for"
+          >
+            To equal noise
+          </th>
           <th scope="col">Target</th>
         </tr>
       </thead>
@@ -56,21 +68,23 @@ function EffectCosts({ scene }: { scene: Scene }) {
 export function Effects({ detail }: { detail: TargetDetail }) {
   return (
     <>
-      {detail.scenes.filter((scene) => scene.called_for.length > 0 || scene.effect_costs.length > 0).map((scene) => (
-        <section key={scene.name} class="effects">
-          <h2>
-            {scene.name} calls for {scene.transport} light paths
-          </h2>
-          <List effects={scene.called_for} />
-          {scene.not_called_for.length > 0 ? (
-            <>
-              <p class="quiet">What looks like an effect and is none:</p>
-              <List effects={scene.not_called_for} />
-            </>
-          ) : null}
-          {scene.effect_costs.length > 0 ? <EffectCosts scene={scene} /> : null}
-        </section>
-      ))}
+      {detail.scenes
+        .filter((scene) => scene.called_for.length > 0 || scene.effect_costs.length > 0)
+        .map((scene) => (
+          <section key={scene.name} class="effects">
+            <h2>
+              {scene.name} calls for {scene.transport} light paths
+            </h2>
+            <List effects={scene.called_for} />
+            {scene.not_called_for.length > 0 ? (
+              <>
+                <p class="quiet">What looks like an effect and is none:</p>
+                <List effects={scene.not_called_for} />
+              </>
+            ) : null}
+            {scene.effect_costs.length > 0 ? <EffectCosts scene={scene} /> : null}
+          </section>
+        ))}
     </>
   );
 }

@@ -9,7 +9,9 @@ export function Logs({ session, detail }: { session: Session; detail: TargetDeta
     <section class="logs">
       <h2>Output of the renderer</h2>
       {jobs.map((job) => {
-        const address = job.log_file ? session.source.fileAddress(session.run, job.log_file) : undefined;
+        const address = job.log_file
+          ? session.source.fileAddress(session.run, job.log_file)
+          : undefined;
         return (
           <details key={job.id} open={job.exit_code !== 0 || job.signal !== ""}>
             <summary>

@@ -35,7 +35,9 @@ export function Measures({ detail }: { detail: TargetDetail }) {
           <thead>
             <tr>
               <th scope="col">Metric</th>
-              <th scope="col" class="number">Value</th>
+              <th scope="col" class="number">
+                Value
+              </th>
               <th scope="col">Tolerance</th>
             </tr>
           </thead>
@@ -50,10 +52,17 @@ export function Measures({ detail }: { detail: TargetDetail }) {
                       <p class="definition">{measure.definition}</p>
                     </details>
                   </th>
-                  <td class="number">{withUnit(number(measure.value, measure.infinite), measure.unit)} <span class="quiet">{detailText(measure)}</span></td>
+                  <td class="number">
+                    {withUnit(number(measure.value, measure.infinite), measure.unit)}{" "}
+                    <span class="quiet">{detailText(measure)}</span>
+                  </td>
                   <td>
                     {toleranceText(check)}{" "}
-                    {check ? <span class={check.passed ? "tone-good" : "tone-bad"}>{check.passed ? "✓ met" : "✗ not met"}</span> : (
+                    {check ? (
+                      <span class={check.passed ? "tone-good" : "tone-bad"}>
+                        {check.passed ? "✓ met" : "✗ not met"}
+                      </span>
+                    ) : (
                       <span class="quiet">{betterText(measure)}</span>
                     )}
                   </td>
@@ -63,12 +72,21 @@ export function Measures({ detail }: { detail: TargetDetail }) {
           </tbody>
         </table>
       ) : null}
-      {remarks.length > 0 ? <ul class="checks">{remarks.map((remark) => <li key={remark}>{remark}</li>)}</ul> : null}
+      {remarks.length > 0 ? (
+        <ul class="checks">
+          {remarks.map((remark) => (
+            <li key={remark}>{remark}</li>
+          ))}
+        </ul>
+      ) : null}
       {others.length > 0 ? (
         <ul class="checks">
           {others.map((check) => (
             <li key={check.reason}>
-              <span class={check.passed ? "tone-good" : "tone-bad"}>{check.passed ? "✓" : "✗"}</span> {check.reason}
+              <span class={check.passed ? "tone-good" : "tone-bad"}>
+                {check.passed ? "✓" : "✗"}
+              </span>{" "}
+              {check.reason}
             </li>
           ))}
         </ul>

@@ -21,7 +21,10 @@ function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
 }
 
 function hostPairs(host: Host, load: number): [string, string][] {
-  const limits = [host.cpu_limit === null ? "" : `${host.cpu_limit} cores`, host.memory_limit_bytes === null ? "" : bytes(host.memory_limit_bytes)];
+  const limits = [
+    host.cpu_limit === null ? "" : `${host.cpu_limit} cores`,
+    host.memory_limit_bytes === null ? "" : bytes(host.memory_limit_bytes),
+  ];
   return [
     ["host", `${host.name}, ${host.cpu}, ${host.cores} cores`],
     ["memory", bytes(host.memory_bytes)],
@@ -41,19 +44,31 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
       <h2>Where the targets come from</h2>
       <div class="columns">
         {detail.jobs.map((job) => (
-          <Pairs key={job.id} title={`Result: ${job.scene}`} pairs={[
-            ["program", job.renderer_version],
-            ["hand-written scene", job.native_scene],
-            ["samples per pixel", String(job.spp)],
-            ["seed", job.seeds > 1 ? `${job.seed} to ${job.seed + job.seeds - 1}, together` : String(job.seed)],
-            ["threads", String(job.threads)],
-            ["started", job.started.replace("T", " ")],
-            ...hostPairs(job.host, job.load),
-            ["orbs", run.orbs_version],
-            ["job", job.id],
-          ]} />
+          <Pairs
+            key={job.id}
+            title={`Result: ${job.scene}`}
+            pairs={[
+              ["program", job.renderer_version],
+              ["hand-written scene", job.native_scene],
+              ["samples per pixel", String(job.spp)],
+              [
+                "seed",
+                job.seeds > 1
+                  ? `${job.seed} to ${job.seed + job.seeds - 1}, together`
+                  : String(job.seed),
+              ],
+              ["threads", String(job.threads)],
+              ["started", job.started.replace("T", " ")],
+              ...hostPairs(job.host, job.load),
+              ["orbs", run.orbs_version],
+              ["job", job.id],
+            ]}
+          />
         ))}
-        <Pairs title="Reference" pairs={[...Object.entries(detail.reference_provenance), ["file", detail.reference]]} />
+        <Pairs
+          title="Reference"
+          pairs={[...Object.entries(detail.reference_provenance), ["file", detail.reference]]}
+        />
       </div>
     </section>
   );

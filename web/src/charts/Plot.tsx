@@ -43,13 +43,26 @@ function columnsOf(chart: Chart, dark: boolean): Columns {
     const one = chart.series[s];
     data.push(x.map((at) => own.get(at)?.y ?? null));
     points.push(x.map((at) => own.get(at)));
-    series.push({ label: one?.name ?? "", stroke, width: 1.5, spanGaps: true,
-      points: { show: true, size: 9, fill: stroke, stroke }, ...(one?.line ? {} : { paths: () => null }) });
-    if (![...own.values()].some((point) => point.low !== undefined && point.high !== undefined)) return;
+    series.push({
+      label: one?.name ?? "",
+      stroke,
+      width: 1.5,
+      spanGaps: true,
+      points: { show: true, size: 9, fill: stroke, stroke },
+      ...(one?.line ? {} : { paths: () => null }),
+    });
+    if (![...own.values()].some((point) => point.low !== undefined && point.high !== undefined))
+      return;
     for (const end of ["high", "low"] as const) {
       data.push(x.map((at) => own.get(at)?.[end] ?? null));
       points.push([]);
-      series.push({ label: `${one?.name} ${end}`, show: true, stroke: "transparent", spanGaps: true, points: { show: false } });
+      series.push({
+        label: `${one?.name} ${end}`,
+        show: true,
+        stroke: "transparent",
+        spanGaps: true,
+        points: { show: false },
+      });
     }
     bands.push({ series: [data.length - 2, data.length - 1], fill: `${stroke}33` });
   });
@@ -59,10 +72,22 @@ function columnsOf(chart: Chart, dark: boolean): Columns {
 function axisOf(axis: Chart["x"], colour: string, line: string, isX: boolean): uPlot.Axis {
   const { ticks } = axis;
   return {
-    label: axis.label, stroke: colour, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, size: isX ? (ticks ? 70 : 46) : 70,
+    label: axis.label,
+    stroke: colour,
+    grid: { stroke: line, width: 1 },
+    ticks: { stroke: line, width: 1 },
+    size: isX ? (ticks ? 70 : 46) : 70,
     ...(ticks
-      ? { splits: () => ticks.map((_, i) => i), values: (_u: uPlot, splits: number[]) => splits.map((i) => ticks[i] ?? ""), rotate: -50, gap: 2 }
-      : { values: (_u: uPlot, splits: (number | null)[]) => splits.map((v) => (v === null ? "" : number(v))) }),
+      ? {
+          splits: () => ticks.map((_, i) => i),
+          values: (_u: uPlot, splits: number[]) => splits.map((i) => ticks[i] ?? ""),
+          rotate: -50,
+          gap: 2,
+        }
+      : {
+          values: (_u: uPlot, splits: (number | null)[]) =>
+            splits.map((v) => (v === null ? "" : number(v))),
+        }),
   };
 }
 
@@ -79,34 +104,66 @@ export function Plot({ chart, onOpen }: Props) {
     const nearest = (plot: uPlot): { point: ChartPoint; series: number } | undefined => {
       const { left = -1, top = -1 } = plot.cursor;
       let best: { point: ChartPoint; series: number; distance: number } | undefined;
-      points.forEach((column, s) => column.forEach((point, i) => {
-        if (!point || !plot.series[s]?.show) return;
-        const x = plot.valToPos(data[0][i] ?? 0, "x");
-        const distance = Math.hypot(x - left, plot.valToPos(point.y, "y") - top);
-        if (distance < 24 && (!best || distance < best.distance)) best = { point, series: s, distance };
-      }));
+      points.forEach((column, s) =>
+        column.forEach((point, i) => {
+          if (!point || !plot.series[s]?.show) return;
+          const x = plot.valToPos(data[0][i] ?? 0, "x");
+          const distance = Math.hypot(x - left, plot.valToPos(point.y, "y") - top);
+          if (distance < 24 && (!best || distance < best.distance))
+            best = { point, series: s, distance };
+        }),
+      );
       return best;
     };
     const { ticks } = chart.x;
-    const plot = new uPlot({
-      width: element.clientWidth, height: 380, series, bands,
-      scales: { x: { time: false, distr: chart.x.log ? 3 : 1, ...(ticks ? { range: [-0.5, ticks.length - 0.5] as [number, number] } : {}) },
-        y: { distr: chart.y.log ? 3 : 1 } },
-      axes: [axisOf(chart.x, style.color, style.getPropertyValue("--line"), true), axisOf(chart.y, style.color, style.getPropertyValue("--line"), false)],
-      legend: { live: false, show: true, markers: { fill: (_u, s) => seriesColourOf(series[s]) } },
-      cursor: { points: { show: false }, drag: { x: true, y: true, uni: 20 } },
-      hooks: { setCursor: [(u) => {
-        const found = nearest(u);
-        if (tip.current) tip.current.textContent = found ? tipText(chart, found.series, found.point, series) : "";
-        u.over.style.cursor = found?.point.cell === undefined ? "" : "pointer";
-      }] },
-    }, data, element);
+    const plot = new uPlot(
+      {
+        width: element.clientWidth,
+        height: 380,
+        series,
+        bands,
+        scales: {
+          x: {
+            time: false,
+            distr: chart.x.log ? 3 : 1,
+            ...(ticks ? { range: [-0.5, ticks.length - 0.5] as [number, number] } : {}),
+          },
+          y: { distr: chart.y.log ? 3 : 1 },
+        },
+        axes: [
+          axisOf(chart.x, style.color, style.getPropertyValue("--line"), true),
+          axisOf(chart.y, style.color, style.getPropertyValue("--line"), false),
+        ],
+        legend: {
+          live: false,
+          show: true,
+          markers: { fill: (_u, s) => seriesColourOf(series[s]) },
+        },
+        cursor: { points: { show: false }, drag: { x: true, y: true, uni: 20 } },
+        hooks: {
+          setCursor: [
+            (u) => {
+              const found = nearest(u);
+              if (tip.current)
+                tip.current.textContent = found
+                  ? tipText(chart, found.series, found.point, series)
+                  : "";
+              u.over.style.cursor = found?.point.cell === undefined ? "" : "pointer";
+            },
+          ],
+        },
+      },
+      data,
+      element,
+    );
     const open = (): void => {
       const cell = nearest(plot)?.point.cell;
       if (cell !== undefined) onOpen(cell);
     };
     plot.over.addEventListener("click", open);
-    const observer = new ResizeObserver(() => plot.setSize({ width: element.clientWidth, height: 380 }));
+    const observer = new ResizeObserver(() =>
+      plot.setSize({ width: element.clientWidth, height: 380 }),
+    );
     observer.observe(element);
     return () => {
       observer.disconnect();

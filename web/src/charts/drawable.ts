@@ -1,8 +1,10 @@
 import type { Axis, Chart, ChartPoint } from "../data/types";
 
-const hasPlace = (value: number, { log }: Axis): boolean => Number.isFinite(value) && (!log || value > 0);
+const hasPlace = (value: number, { log }: Axis): boolean =>
+  Number.isFinite(value) && (!log || value > 0);
 
-export const isDrawable = (chart: Chart, { x, y }: ChartPoint): boolean => hasPlace(x, chart.x) && hasPlace(y, chart.y);
+export const isDrawable = (chart: Chart, { x, y }: ChartPoint): boolean =>
+  hasPlace(x, chart.x) && hasPlace(y, chart.y);
 
 export const hasPoints = (chart: Chart): boolean =>
   chart.series.some(({ points }) => points.some((point) => isDrawable(chart, point)));
@@ -13,11 +15,16 @@ export function leftOutText(chart: Chart): string {
   const left = points.filter((point) => !isDrawable(chart, point));
   if (left.length === 0) return "";
   const isInfinite = ({ x, y }: ChartPoint): boolean => !Number.isFinite(x) || !Number.isFinite(y);
-  const isZero = ({ x, y }: ChartPoint): boolean => (chart.x.log && x === 0) || (chart.y.log && y === 0);
+  const isZero = ({ x, y }: ChartPoint): boolean =>
+    (chart.x.log && x === 0) || (chart.y.log && y === 0);
   const infinite = left.filter(isInfinite).length;
   const zero = left.filter((point) => !isInfinite(point) && isZero(point)).length;
-  const count = (number: number, what: string): string[] => (number > 0 ? [`${number} ${number === 1 ? "is" : "are"} ${what}`] : []);
-  const reasons = [...count(zero, "0, which has no place on a logarithmic axis"),
-    ...count(left.length - zero - infinite, "negative, which has no place on a logarithmic axis"), ...count(infinite, "infinite")];
+  const count = (number: number, what: string): string[] =>
+    number > 0 ? [`${number} ${number === 1 ? "is" : "are"} ${what}`] : [];
+  const reasons = [
+    ...count(zero, "0, which has no place on a logarithmic axis"),
+    ...count(left.length - zero - infinite, "negative, which has no place on a logarithmic axis"),
+    ...count(infinite, "infinite"),
+  ];
   return `${left.length} of ${points.length} points ${left.length === 1 ? "is" : "are"} not shown: ${reasons.join("; ")}.`;
 }

@@ -13,14 +13,20 @@ export interface Quantity {
 
 // Half of the images below zero would have no place on a logarithmic axis, and nothing but zeros none at all.
 const suitsLog = (column: Column): boolean =>
-  column.some((value) => value !== null && value > 0) && !column.some((value) => value !== null && value < 0);
+  column.some((value) => value !== null && value > 0) &&
+  !column.some((value) => value !== null && value < 0);
 
 /** What each image cost, then every metric of the run. Only what the run has numbers for. */
 export function quantitiesOf(overview: Overview): Quantity[] {
   const { cells, metrics, measures } = overview;
   const memory = cells.peak_rss_bytes.map((value) => (value === null ? null : value / 1e6));
-  const cost = (name: string, label: string, column: Column): Quantity =>
-    ({ name, label, column, infinite: new Set(), log: suitsLog(column) });
+  const cost = (name: string, label: string, column: Column): Quantity => ({
+    name,
+    label,
+    column,
+    infinite: new Set(),
+    log: suitsLog(column),
+  });
   const all: Quantity[] = [
     cost("wall_seconds", "wall time (s)", cells.wall_seconds),
     cost("cpu_seconds", "CPU time (s)", cells.cpu_seconds),
@@ -28,20 +34,29 @@ export function quantitiesOf(overview: Overview): Quantity[] {
     cost("peak_rss_bytes", "peak memory (MB)", memory),
     ...metrics.map((metric) => {
       const column = measures[metric.name] ?? [];
-      return { name: metric.name, label: metric.unit === "1" ? metric.name : `${metric.name} (${metric.unit})`, column,
+      return {
+        name: metric.name,
+        label: metric.unit === "1" ? metric.name : `${metric.name} (${metric.unit})`,
+        column,
         infinite: new Set(overview.infinite[metric.name]),
         // Ratios in dB are logarithms already.
-        log: metric.lower_is_better && !metric.signed && suitsLog(column) };
+        log: metric.lower_is_better && !metric.signed && suitsLog(column),
+      };
     }),
   ];
-  return all.filter(({ column, infinite }) => infinite.size > 0 || column.some((value) => value !== null));
+  return all.filter(
+    ({ column, infinite }) => infinite.size > 0 || column.some((value) => value !== null),
+  );
 }
 
 const valueOf = ({ column, infinite }: Quantity, cell: number): number | null =>
   infinite.has(cell) ? Infinity : (column[cell] ?? null);
 
 /** Images that are the same for several cases are one point. */
-function eachTarget(overview: Overview, visit: (cell: number, renderer: number, target: string) => void): void {
+function eachTarget(
+  overview: Overview,
+  visit: (cell: number, renderer: number, target: string) => void,
+): void {
   const seen = new Set<string>();
   overview.cells.case.forEach((_, cell) => {
     const names = namesOf(overview, cell);
@@ -65,10 +80,17 @@ export function chartByTarget(overview: Overview, quantity: Quantity): Chart {
       ticks.push(target);
     }
     // Side by side, so that equal values of two renderers are both seen.
-    const shift = (renderer - (overview.renderers.length - 1) / 2) * (0.5 / Math.max(1, overview.renderers.length));
+    const shift =
+      (renderer - (overview.renderers.length - 1) / 2) *
+      (0.5 / Math.max(1, overview.renderers.length));
     series[renderer]?.points.push({ x: (place.get(target) ?? 0) + shift, y, cell, label: target });
   });
-  return { title: `${quantity.label} of each target`, x: { label: "", log: false, ticks }, y: { label: quantity.label, log: quantity.log }, series };
+  return {
+    title: `${quantity.label} of each target`,
+    x: { label: "", log: false, ticks },
+    y: { label: quantity.label, log: quantity.log },
+    series,
+  };
 }
 
 /** One quantity against another, a point per image and renderer. */
@@ -79,5 +101,10 @@ export function chartOfTwo(overview: Overview, x: Quantity, y: Quantity): Chart 
     if (px === null || py === null) return;
     series[renderer]?.points.push({ x: px, y: py, cell, label: target });
   });
-  return { title: `${y.label} against ${x.label}`, x: { label: x.label, log: x.log }, y: { label: y.label, log: y.log }, series };
+  return {
+    title: `${y.label} against ${x.label}`,
+    x: { label: x.label, log: x.log },
+    y: { label: y.label, log: y.log },
+    series,
+  };
 }

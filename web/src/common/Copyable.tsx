@@ -18,7 +18,9 @@ export function Copyable({ label, text }: { label: string; text: string }) {
   return (
     <div class="copyable">
       <span class="label">{label}</span>
-      <code ref={code} tabIndex={0}>{text}</code>
+      <code ref={code} tabIndex={0}>
+        {text}
+      </code>
       <button onClick={() => void copy()} aria-label={done === "Copy" ? `Copy: ${label}` : done}>
         {done}
       </button>

@@ -10,7 +10,8 @@ export function Help({ onClose }: { onClose: () => void }) {
     const list = groups.get(action.group) ?? [];
     const keys = action.keyName ?? action.key;
     // The four arrows are one line.
-    if (!list.some((known) => known.keys === keys && known.label === action.label)) list.push({ keys, label: action.label });
+    if (!list.some((known) => known.keys === keys && known.label === action.label))
+      list.push({ keys, label: action.label });
     groups.set(action.group, list);
   }
   return (

@@ -29,4 +29,5 @@ export function rawFloat(value: number): string {
   return String(Number(value.toPrecision(9)));
 }
 
-export const withUnit = (text: string, unit: string): string => (unit && unit !== "1" ? `${text} ${unit}` : text);
+export const withUnit = (text: string, unit: string): string =>
+  unit && unit !== "1" ? `${text} ${unit}` : text;

@@ -27,12 +27,16 @@ addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
   if (document.querySelector("dialog[open]")) return; // its own keys are the browser's
   const hasKeys = event.target instanceof HTMLElement && event.target.closest(kWithKeys);
-  if (hasKeys && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow"))) return;
-  const name = event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
+  if (hasKeys && (event.key === " " || event.key === "Enter" || event.key.startsWith("Arrow")))
+    return;
+  const name =
+    event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
   for (const set of [...sets].reverse()) {
     // Without Shift a capital comes from Caps Lock, which means nothing here.
     const plain = event.shiftKey ? event.key : event.key.toLowerCase();
-    const action = set.find((one) => one.key === name || one.key === event.key || one.key === plain);
+    const action = set.find(
+      (one) => one.key === name || one.key === event.key || one.key === plain,
+    );
     if (!action) continue;
     event.preventDefault();
     action.run();

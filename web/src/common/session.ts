@@ -21,13 +21,21 @@ export const runQuery = (source: Source, run: number, param = "run"): Record<str
   source.runs.length > 1 ? { [param]: source.runs[run] ?? "" } : {};
 
 /** Index of the image of a case by a renderer, -1 when the run has none. */
-export function findCell(overview: Overview, caseName: string, target: string, renderer: string): number {
+export function findCell(
+  overview: Overview,
+  caseName: string,
+  target: string,
+  renderer: string,
+): number {
   const { cells } = overview;
   const wantedCase = overview.cases.findIndex((one) => one.name === caseName);
   const wantedTarget = overview.targets.indexOf(target);
   const wantedRenderer = overview.renderers.findIndex((one) => one.name === renderer);
   return cells.case.findIndex(
-    (one, i) => one === wantedCase && cells.target[i] === wantedTarget && cells.renderer[i] === wantedRenderer,
+    (one, i) =>
+      one === wantedCase &&
+      cells.target[i] === wantedTarget &&
+      cells.renderer[i] === wantedRenderer,
   );
 }
 
@@ -46,7 +54,8 @@ export function namesOf(overview: Overview, index: number): CellNames {
   };
 }
 
-export const stateOf = (overview: Overview, index: number) => overview.states[overview.cells.state[index] ?? -1];
+export const stateOf = (overview: Overview, index: number) =>
+  overview.states[overview.cells.state[index] ?? -1];
 
 export const reasonOf = (overview: Overview, index: number): string =>
   overview.reasons[overview.cells.reason[index] ?? -1] ?? "";

@@ -22,9 +22,13 @@ const known: Record<string, Look> = {
 // Of images that nobody has rendered: neither better nor worse than any other.
 const open = ["waiting", "running", "skipped"];
 
-export const isOpen = (state: State | undefined): boolean => state === undefined || open.includes(state.name);
+export const isOpen = (state: State | undefined): boolean =>
+  state === undefined || open.includes(state.name);
 
 export function lookOf(state: State | undefined): Look {
   if (!state) return { symbol: " ", tone: "quiet" };
-  return known[state.name] ?? (state.failure ? { symbol: "✗", tone: "bad" } : { symbol: "·", tone: "quiet" });
+  return (
+    known[state.name] ??
+    (state.failure ? { symbol: "✗", tone: "bad" } : { symbol: "·", tone: "quiet" })
+  );
 }

@@ -23,14 +23,19 @@ function kindOf(a: Overview, before: number, b: Overview, after: number, metric:
   const step = rankOf(b, after) - rankOf(a, before);
   if (step !== 0) return step > 0 ? "worse" : "better";
   const known = b.metrics.find((one) => one.name === metric);
-  const sized = (value: number | undefined) => (known?.signed && value !== undefined ? Math.abs(value) : value);
+  const sized = (value: number | undefined) =>
+    known?.signed && value !== undefined ? Math.abs(value) : value;
   const [old, now] = [sized(valueOf(a, metric, before)), sized(valueOf(b, metric, after))];
   if (old === undefined || now === undefined || old === now) return "same";
   if (Number.isFinite(old) && Math.abs(now - old) <= 0.01 * Math.abs(old)) return "same";
   return now > old === (known?.lower_is_better ?? false) ? "worse" : "better";
 }
 
-function byKey(overview: Overview, renderer: string, asRenderer: string): Map<string, { cell: number; names: CellNames }> {
+function byKey(
+  overview: Overview,
+  renderer: string,
+  asRenderer: string,
+): Map<string, { cell: number; names: CellNames }> {
   const out = new Map<string, { cell: number; names: CellNames }>();
   overview.cells.case.forEach((_, cell) => {
     const names = namesOf(overview, cell);
@@ -54,9 +59,16 @@ export function changesOf(a: Side, b: Side, metric: string): Change[] {
   const changes: Change[] = [];
   for (const [key, { cell, names }] of after) {
     const old = before.get(key);
-    changes.push(old
-      ? { kind: kindOf(a.overview, old.cell, b.overview, cell, metric), names, before: old.cell, after: cell }
-      : { kind: "new", names, before: -1, after: cell });
+    changes.push(
+      old
+        ? {
+            kind: kindOf(a.overview, old.cell, b.overview, cell, metric),
+            names,
+            before: old.cell,
+            after: cell,
+          }
+        : { kind: "new", names, before: -1, after: cell },
+    );
   }
   for (const [key, { cell, names }] of before)
     if (!after.has(key)) changes.push({ kind: "gone", names, before: cell, after: -1 });

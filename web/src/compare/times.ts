@@ -1,13 +1,19 @@
 import type { Overview } from "../data/types";
 import type { Change } from "./changes";
 
-const machineOf = (overview: Overview, cell: number): string => overview.machines[overview.cells.machine[cell] ?? -1] ?? "";
+const machineOf = (overview: Overview, cell: number): string =>
+  overview.machines[overview.cells.machine[cell] ?? -1] ?? "";
 
 /** Times of one kind of machine, or the kinds that they are of. */
 export type Times = { ratio: number } | { machines: [string, string] };
 
 /** Wall clock after over before; undefined where one of them was not rendered. */
-export function timesOf(a: Overview, before: number, b: Overview, after: number): Times | undefined {
+export function timesOf(
+  a: Overview,
+  before: number,
+  b: Overview,
+  after: number,
+): Times | undefined {
   const [old, now] = [a.cells.wall_seconds[before] ?? null, b.cells.wall_seconds[after] ?? null];
   if (old === null || now === null || old <= 0 || now <= 0) return undefined;
   const machines: [string, string] = [machineOf(a, before), machineOf(b, after)];

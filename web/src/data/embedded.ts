@@ -34,8 +34,11 @@ export function embeddedSource(): Source {
     raster: async (_run, file, layer) => {
       const element = elements[file];
       if (!element)
-        throw new Error("it is not in this file, which was kept small; 'orbs serve' shows it from the run's folder");
-      if (layer) throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
+        throw new Error(
+          "it is not in this file, which was kept small; 'orbs serve' shows it from the run's folder",
+        );
+      if (layer)
+        throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
       return unpack(new Blob([bytesOf(element)]).stream());
     },
     thumbnail: async (_run, index) => {

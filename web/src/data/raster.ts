@@ -53,7 +53,12 @@ export function valueAt(raster: Raster, channel: number, index: number): number 
 }
 
 /** Floats of a run of pixels of one channel: for loops over many pixels. */
-export function floatsOf(raster: Raster, channel: number, begin: number, end: number): Float32Array {
+export function floatsOf(
+  raster: Raster,
+  channel: number,
+  begin: number,
+  end: number,
+): Float32Array {
   const plane = raster.planes[channel];
   if (!plane) return new Float32Array(0);
   if (plane instanceof Float32Array) return plane.subarray(begin, end);
@@ -69,8 +74,11 @@ export async function unpack(gzipped: ReadableStream<Uint8Array<ArrayBuffer>>): 
   const bytes = await new Response(stream).arrayBuffer();
   if (bytes.byteLength < 4) throw new Error("the image is torn");
   const headerLength = new DataView(bytes).getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength))) as Header;
-  if (header.format !== "orbs-image/1") throw new Error(`the image has the format '${header.format}'`);
+  const header = JSON.parse(
+    new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength)),
+  ) as Header;
+  if (header.format !== "orbs-image/1")
+    throw new Error(`the image has the format '${header.format}'`);
   const count = header.width * header.height;
   let at = 4 + headerLength;
   const planes = header.channels.map((channel) => {
@@ -80,7 +88,9 @@ export async function unpack(gzipped: ReadableStream<Uint8Array<ArrayBuffer>>): 
     // A plane of floats behind an odd number of halves may start between two multiples of 4.
     const aligned = begin % size === 0 ? bytes : bytes.slice(begin, at);
     const offset = begin % size === 0 ? begin : 0;
-    return channel.type === "half" ? new Uint16Array(aligned, offset, count) : new Float32Array(aligned, offset, count);
+    return channel.type === "half"
+      ? new Uint16Array(aligned, offset, count)
+      : new Float32Array(aligned, offset, count);
   });
   const { width, height, layer, layers, channels, attributes } = header;
   return { width, height, layer, layers, channels, attributes, planes };

@@ -7,7 +7,8 @@ async function get(address: string, signal?: AbortSignal): Promise<Response> {
     if (signal?.aborted) throw error;
     throw new Error("the server does not answer"); // each browser has its own words for that
   });
-  if (!answer.ok) throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
+  if (!answer.ok)
+    throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
   return answer;
 }
 
@@ -22,9 +23,12 @@ export async function servedSource(): Promise<Source> {
       const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
       const expected = runs[run]?.name ?? "";
       if (overview.run.name === expected) return overview;
-      throw new Error(`expected the run '${expected}' and found '${overview.run.name}': the server was started anew; reload the page`);
+      throw new Error(
+        `expected the run '${expected}' and found '${overview.run.name}': the server was started anew; reload the page`,
+      );
     },
-    target: async (run, index) => (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
+    target: async (run, index) =>
+      (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
     raster: async (run, file, layer, signal) => {
       const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
       const answer = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
@@ -43,7 +47,9 @@ export async function servedSource(): Promise<Source> {
         if (!progress.live) events.close();
         onNews(progress);
       });
-      events.addEventListener("error", () => onNews(events.readyState === EventSource.CLOSED ? "silent" : "lost"));
+      events.addEventListener("error", () =>
+        onNews(events.readyState === EventSource.CLOSED ? "silent" : "lost"),
+      );
       return () => events.close();
     },
   };

@@ -15,7 +15,11 @@ export interface Source {
   /** One layer of an image; fails with an Error that says why. */
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
   /** Address of the small image of a cell, undefined when there is none. */
-  thumbnail(run: number, index: number, target: () => Promise<TargetDetail>): Promise<string | undefined>;
+  thumbnail(
+    run: number,
+    index: number,
+    target: () => Promise<TargetDetail>,
+  ): Promise<string | undefined>;
   /** Address of a file of the run, undefined where it cannot be had. */
   fileAddress(run: number, file: string): string | undefined;
   /** Tells the news of a run that goes on; returns what ends that. */

@@ -15,7 +15,13 @@ interface Props {
 const toggled = (list: string[], one: string): string =>
   (list.includes(one) ? list.filter((other) => other !== one) : [...list, one]).join("|");
 
-function Chips({ label, names, chosen, param, symbols }: {
+function Chips({
+  label,
+  names,
+  chosen,
+  param,
+  symbols,
+}: {
   label: string;
   names: { name: string; count?: number }[];
   chosen: string[];
@@ -29,8 +35,12 @@ function Chips({ label, names, chosen, param, symbols }: {
       {names.map(({ name, count }) => {
         const look = symbols?.(name);
         return (
-          <button key={name} class={`chip ${look ? `tone-${look.tone}` : ""}`} aria-pressed={chosen.includes(name)}
-            onClick={() => note({ [param]: toggled(chosen, name) })}>
+          <button
+            key={name}
+            class={`chip ${look ? `tone-${look.tone}` : ""}`}
+            aria-pressed={chosen.includes(name)}
+            onClick={() => note({ [param]: toggled(chosen, name) })}
+          >
             {look ? <span aria-hidden="true">{look.symbol} </span> : null}
             {name}
             {count === undefined ? null : <span class="count"> {count}</span>}
@@ -44,36 +54,70 @@ function Chips({ label, names, chosen, param, symbols }: {
 export function Filters({ overview, filter, count, box, show }: Props) {
   const counts = overview.states.map(() => 0);
   for (const state of overview.cells.state) counts[state] = (counts[state] ?? 0) + 1;
-  const states = overview.states.map((state, i) => ({ name: state.name, count: counts[i] ?? 0 })).filter((s) => s.count > 0).reverse();
+  const states = overview.states
+    .map((state, i) => ({ name: state.name, count: counts[i] ?? 0 }))
+    .filter((s) => s.count > 0)
+    .reverse();
   const suites = [...new Set(overview.cases.map((one) => one.suite))].map((name) => ({ name }));
   const lookByName = (name: string) => lookOf(overview.states.find((state) => state.name === name));
   return (
     <section class="filters" aria-label="Filter">
       <label class="search">
         <span class="unseen">Filter by requirement, case or target</span>
-        <input ref={box} type="search" placeholder="Filter  ( / )" value={filter.text}
+        <input
+          ref={box}
+          type="search"
+          placeholder="Filter  ( / )"
+          value={filter.text}
           onInput={(event) => note({ q: event.currentTarget.value })}
-          onKeyDown={(event) => event.key === "Escape" && event.currentTarget.blur()} />
+          onKeyDown={(event) => event.key === "Escape" && event.currentTarget.blur()}
+        />
       </label>
       <Chips label="Suite" names={suites} chosen={filter.suites} param="suite" />
-      <Chips label="State" names={states} chosen={filter.states} param="state" symbols={lookByName} />
-      <Chips label="Renderer" names={overview.renderers} chosen={filter.renderers} param="renderer" />
+      <Chips
+        label="State"
+        names={states}
+        chosen={filter.states}
+        param="state"
+        symbols={lookByName}
+      />
+      <Chips
+        label="Renderer"
+        names={overview.renderers}
+        chosen={filter.renderers}
+        param="renderer"
+      />
       <div class="choices">
-        <button aria-pressed={filter.failuresFirst} title="Key f" onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}>
+        <button
+          aria-pressed={filter.failuresFirst}
+          title="Key f"
+          onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}
+        >
           Failures first
         </button>
-        <button aria-pressed={filter.byTarget} title="Key p" onClick={() => note({ by: filter.byTarget ? "" : "target" })}>
+        <button
+          aria-pressed={filter.byTarget}
+          title="Key p"
+          onClick={() => note({ by: filter.byTarget ? "" : "target" })}
+        >
           By target
         </button>
         <label>
           Show{" "}
-          <select value={show || overview.main_metric} onChange={(event) => note({ show: event.currentTarget.value })}>
-            {overview.metrics.map((metric) => <option key={metric.name}>{metric.name}</option>)}
+          <select
+            value={show || overview.main_metric}
+            onChange={(event) => note({ show: event.currentTarget.value })}
+          >
+            {overview.metrics.map((metric) => (
+              <option key={metric.name}>{metric.name}</option>
+            ))}
             <option value="wall_seconds">time</option>
             <option value="peak_rss_bytes">peak memory</option>
           </select>
         </label>
-        <span class="quiet" role="status">{count} {count === 1 ? "row" : "rows"}</span>
+        <span class="quiet" role="status">
+          {count} {count === 1 ? "row" : "rows"}
+        </span>
       </div>
     </section>
   );

@@ -52,10 +52,18 @@ function shown(overview: Overview, show: string, index: number): string {
 
 export function cellLink(session: Session, index: number): string {
   const names = namesOf(session.overview, index);
-  return routeText({ path: ["case", names.case, names.target, names.renderer], query: runQuery(session.source, session.run) });
+  return routeText({
+    path: ["case", names.case, names.target, names.renderer],
+    query: runQuery(session.source, session.run),
+  });
 }
 
-function Cell({ session, index, show, onHover }: {
+function Cell({
+  session,
+  index,
+  show,
+  onHover,
+}: {
   session: Session;
   index: number;
   show: string;
@@ -68,9 +76,17 @@ function Cell({ session, index, show, onHover }: {
     onHover({ index, box: (event.currentTarget as HTMLElement).getBoundingClientRect() });
   return (
     <span role="cell" class="cell">
-      <a class={`tone-${look.tone}`} href={cellLink(session, index)} onPointerEnter={enter} onFocus={enter}
-        onPointerLeave={() => onHover(undefined)} onBlur={() => onHover(undefined)}>
-        <span class="symbol" aria-hidden="true">{look.symbol}</span>
+      <a
+        class={`tone-${look.tone}`}
+        href={cellLink(session, index)}
+        onPointerEnter={enter}
+        onFocus={enter}
+        onPointerLeave={() => onHover(undefined)}
+        onBlur={() => onHover(undefined)}
+      >
+        <span class="symbol" aria-hidden="true">
+          {look.symbol}
+        </span>
         <span class="word">{state?.name}</span>
         <span class="value">{shown(session.overview, show, index)}</span>
       </a>
@@ -82,19 +98,35 @@ function RowHead({ row, filter }: { row: Row; filter: Filter }) {
   if (row.kind === "target")
     return (
       <span role="rowheader" class="rowhead image">
-        <b>{filter.byTarget ? row.requirement : ""}</b> <span class="title" title={row.title}>{row.title}</span>
+        <b>{filter.byTarget ? row.requirement : ""}</b>{" "}
+        <span class="title" title={row.title}>
+          {row.title}
+        </span>
       </span>
     );
   const open = filter.open.includes(row.requirement);
   const toggle = (): void =>
-    note({ open: (open ? filter.open.filter((code) => code !== row.requirement) : [...filter.open, row.requirement]).join("|") });
+    note({
+      open: (open
+        ? filter.open.filter((code) => code !== row.requirement)
+        : [...filter.open, row.requirement]
+      ).join("|"),
+    });
   return (
     <span role="rowheader" class="rowhead">
-      <button class="twist" aria-expanded={open} onClick={toggle} title={`${row.below} targets`}
-        aria-label={`Targets of ${row.requirement}`}>
+      <button
+        class="twist"
+        aria-expanded={open}
+        onClick={toggle}
+        title={`${row.below} targets`}
+        aria-label={`Targets of ${row.requirement}`}
+      >
         {open ? "▾" : "▸"}
       </button>
-      <b>{row.requirement}</b> <span class="title" title={row.title}>{row.title}</span>
+      <b>{row.requirement}</b>{" "}
+      <span class="title" title={row.title}>
+        {row.title}
+      </span>
     </span>
   );
 }
@@ -108,20 +140,46 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
   const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, minmax(var(--column), 1fr))`;
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;
   return (
-    <div class="grid" role="table" aria-label="Requirements by renderers" aria-rowcount={rows.length + 1}
-      style={{ "--columns": columns }}>
+    <div
+      class="grid"
+      role="table"
+      aria-label="Requirements by renderers"
+      aria-rowcount={rows.length + 1}
+      style={{ "--columns": columns }}
+    >
       <div role="row" class="row head" aria-rowindex={1}>
         <span role="columnheader">{filter.byTarget ? "Image" : "Requirement"}</span>
-        {renderers.map((r) => <span role="columnheader" key={r}>{overview.renderers[r]?.name}</span>)}
+        {renderers.map((r) => (
+          <span role="columnheader" key={r}>
+            {overview.renderers[r]?.name}
+          </span>
+        ))}
       </div>
       {rows.length === 0 ? <p class="quiet empty">Nothing matches the filter.</p> : null}
-      <div class="body" ref={body} role="rowgroup" style={{ height: `${rows.length * kRowHeight}px` }}>
+      <div
+        class="body"
+        ref={body}
+        role="rowgroup"
+        style={{ height: `${rows.length * kRowHeight}px` }}
+      >
         {rows.slice(begin, end).map((row, i) => (
-          <div role="row" class={`row ${row.kind}`} key={row.key} aria-rowindex={begin + i + 2}
-            style={{ top: `${(begin + i) * kRowHeight}px` }} data-suite={several ? row.suite : undefined}>
+          <div
+            role="row"
+            class={`row ${row.kind}`}
+            key={row.key}
+            aria-rowindex={begin + i + 2}
+            style={{ top: `${(begin + i) * kRowHeight}px` }}
+            data-suite={several ? row.suite : undefined}
+          >
             <RowHead row={row} filter={filter} />
             {renderers.map((r) => (
-              <Cell key={r} session={session} index={row.cells[r] ?? -1} show={show} onHover={setHovered} />
+              <Cell
+                key={r}
+                session={session}
+                index={row.cells[r] ?? -1}
+                show={show}
+                onHover={setHovered}
+              />
             ))}
           </div>
         ))}

@@ -25,21 +25,44 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
   const { overview } = session;
   const groups = useMemo(() => groupsOf(overview), [overview]);
   const filter = filterOf(route);
-  const rows = useMemo(() => visibleRows(overview, groups, filter), [overview, groups, location.hash]);
+  const rows = useMemo(
+    () => visibleRows(overview, groups, filter),
+    [overview, groups, location.hash],
+  );
   const box = useRef<HTMLInputElement>(null);
   useActions([
     { key: "/", label: "filter", group: "Overview", run: () => box.current?.focus() },
-    { key: "p", label: "by requirement or by image", group: "Overview", run: () => note({ by: filter.byTarget ? "" : "target" }) },
-    { key: "f", label: "failures first or in the order of the suite", group: "Overview",
-      run: () => note({ order: filter.failuresFirst ? "given" : "" }) },
+    {
+      key: "p",
+      label: "by requirement or by image",
+      group: "Overview",
+      run: () => note({ by: filter.byTarget ? "" : "target" }),
+    },
+    {
+      key: "f",
+      label: "failures first or in the order of the suite",
+      group: "Overview",
+      run: () => note({ order: filter.failuresFirst ? "given" : "" }),
+    },
   ]);
   return (
     <>
       <h1 class="unseen">Overview</h1>
       <RendererTable overview={overview} />
-      <Filters overview={overview} filter={filter} count={rows.length} box={box} show={route.query["show"] ?? ""} />
-      <Grid session={session} rows={rows} renderers={visibleRenderers(overview, filter)} filter={filter}
-        show={route.query["show"] ?? overview.main_metric} />
+      <Filters
+        overview={overview}
+        filter={filter}
+        count={rows.length}
+        box={box}
+        show={route.query["show"] ?? ""}
+      />
+      <Grid
+        session={session}
+        rows={rows}
+        renderers={visibleRenderers(overview, filter)}
+        filter={filter}
+        show={route.query["show"] ?? overview.main_metric}
+      />
     </>
   );
 }

@@ -16,26 +16,35 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
     let wanted = true;
     setImage(undefined);
     if (overview.cells.thumbnail[index])
-      source.thumbnail(run, index, () => source.target(run, index)).then(
-        (address) => wanted && setImage(address),
-        () => undefined, // the reason says enough
-      );
+      source
+        .thumbnail(run, index, () => source.target(run, index))
+        .then(
+          (address) => wanted && setImage(address),
+          () => undefined, // the reason says enough
+        );
     return () => void (wanted = false);
   }, [index, run]);
   const names = namesOf(overview, index);
   const width = 300;
   const left = Math.min(Math.max(8, box.left), innerWidth - width - 8);
   const above = box.bottom + 300 > innerHeight && box.top > 300;
-  const place = above ? { bottom: `${innerHeight - box.top + 6}px` } : { top: `${box.bottom + 6}px` };
+  const place = above
+    ? { bottom: `${innerHeight - box.top + 6}px` }
+    : { top: `${box.bottom + 6}px` };
   return (
-    <div class="preview" style={{ left: `${left}px`, width: `${width}px`, ...place }} role="presentation">
+    <div
+      class="preview"
+      style={{ left: `${left}px`, width: `${width}px`, ...place }}
+      role="presentation"
+    >
       <p>
         <b>{names.target}</b> by {names.renderer}
       </p>
       {image ? <img src={image} alt="" width={256} /> : null}
       <p>{reasonOf(overview, index)}</p>
       <p class="quiet">
-        {seconds(overview.cells.wall_seconds[index])} · {bytes(overview.cells.peak_rss_bytes[index])}
+        {seconds(overview.cells.wall_seconds[index])} ·{" "}
+        {bytes(overview.cells.peak_rss_bytes[index])}
       </p>
     </div>
   );

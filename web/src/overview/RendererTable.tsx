@@ -23,12 +23,25 @@ export function RendererTable({ overview }: { overview: Overview }) {
         <thead>
           <tr>
             <th scope="col">Renderer</th>
-            <th scope="col" title="Feature number of ORB.S: the levels that the renderer claims, L4-(2) is L1 to L4 without L2">Declared</th>
-            <th scope="col" title="The levels whose images all pass in this run">Measured</th>
+            <th
+              scope="col"
+              title="Feature number of ORB.S: the levels that the renderer claims, L4-(2) is L1 to L4 without L2"
+            >
+              Declared
+            </th>
+            <th scope="col" title="The levels whose images all pass in this run">
+              Measured
+            </th>
             <th scope="col">Targets</th>
-            <th scope="col" class="number" title="Sum of the wall-clock time of its renders">Time</th>
-            <th scope="col" class="number" title="Sum of user and system time of its renders">CPU</th>
-            <th scope="col" class="number" title="Largest resident set of one of its renders">Peak memory</th>
+            <th scope="col" class="number" title="Sum of the wall-clock time of its renders">
+              Time
+            </th>
+            <th scope="col" class="number" title="Sum of user and system time of its renders">
+              CPU
+            </th>
+            <th scope="col" class="number" title="Largest resident set of one of its renders">
+              Peak memory
+            </th>
           </tr>
         </thead>
         <tbody>
@@ -37,8 +50,12 @@ export function RendererTable({ overview }: { overview: Overview }) {
               <th scope="row">
                 {renderer.name} <span class="quiet">{renderer.version}</span>
               </th>
-              <td data-label="Declared" class="features">{renderer.declared || "–"}</td>
-              <td data-label="Measured" class="features">{overview.run.finished ? renderer.measured || "–" : "…"}</td>
+              <td data-label="Declared" class="features">
+                {renderer.declared || "–"}
+              </td>
+              <td data-label="Measured" class="features">
+                {overview.run.finished ? renderer.measured || "–" : "…"}
+              </td>
               <td data-label="Images">
                 <ul class="counts">
                   {counts[r]?.map((count, s) => {
@@ -53,9 +70,15 @@ export function RendererTable({ overview }: { overview: Overview }) {
                   })}
                 </ul>
               </td>
-              <td data-label="Time" class="number">{renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}</td>
-              <td data-label="CPU" class="number">{renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}</td>
-              <td data-label="Peak memory" class="number">{bytes(renderer.peak_rss_bytes)}</td>
+              <td data-label="Time" class="number">
+                {renderer.wall_seconds ? seconds(renderer.wall_seconds) : "–"}
+              </td>
+              <td data-label="CPU" class="number">
+                {renderer.cpu_seconds ? seconds(renderer.cpu_seconds) : "–"}
+              </td>
+              <td data-label="Peak memory" class="number">
+                {bytes(renderer.peak_rss_bytes)}
+              </td>
             </tr>
           ))}
         </tbody>

@@ -28,7 +28,9 @@ export interface Filter {
 const rank = (overview: Overview, cell: number): number => {
   const state = overview.cells.state[cell] ?? 0;
   // A failure that nobody promised counts less than any that somebody did.
-  return (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state;
+  return (
+    (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state
+  );
 };
 
 /** Of two images the one that speaks for the requirement: the worse state, then the worse number, as in the terminal. */
@@ -63,17 +65,32 @@ export function groupsOf(overview: Overview): Group[] {
     let group = groups.get(groupKey);
     if (!group) {
       const title = titles.get(one.requirement) ?? one.title;
-      const row: Row = { key: groupKey, kind: "requirement", requirement: one.requirement, title, suite: one.suite,
-        cells: emptyCells(), below: 0, text: `${one.requirement} ${title} ${one.suite}`.toLowerCase() };
+      const row: Row = {
+        key: groupKey,
+        kind: "requirement",
+        requirement: one.requirement,
+        title,
+        suite: one.suite,
+        cells: emptyCells(),
+        below: 0,
+        text: `${one.requirement} ${title} ${one.suite}`.toLowerCase(),
+      };
       group = { row, targets: new Map() };
       groups.set(groupKey, group);
     }
     const targetKey = `${one.name}\n${target}`;
     let row = group.targets.get(targetKey);
     if (!row) {
-      row = { key: `${groupKey}\n${targetKey}`, kind: "target", requirement: one.requirement,
-        title: target === one.name ? target : `${target}`, suite: one.suite, cells: emptyCells(), below: 0,
-        text: `${one.requirement} ${one.title} ${one.name} ${target} ${one.suite}`.toLowerCase() };
+      row = {
+        key: `${groupKey}\n${targetKey}`,
+        kind: "target",
+        requirement: one.requirement,
+        title: target === one.name ? target : `${target}`,
+        suite: one.suite,
+        cells: emptyCells(),
+        below: 0,
+        text: `${one.requirement} ${one.title} ${one.name} ${target} ${one.suite}`.toLowerCase(),
+      };
       group.targets.set(targetKey, row);
       ++group.row.below;
       group.row.text += ` ${one.name} ${target}`.toLowerCase();
@@ -85,7 +102,10 @@ export function groupsOf(overview: Overview): Group[] {
 }
 
 function worstRank(overview: Overview, row: Row, renderers: number[]): number {
-  return Math.max(-1, ...renderers.map((r) => (row.cells[r] ?? -1) < 0 ? -1 : rank(overview, row.cells[r] ?? 0)));
+  return Math.max(
+    -1,
+    ...renderers.map((r) => ((row.cells[r] ?? -1) < 0 ? -1 : rank(overview, row.cells[r] ?? 0))),
+  );
 }
 
 /** The rows that the filter leaves, in the order of the grid. */
@@ -98,14 +118,18 @@ export function visibleRows(overview: Overview, groups: Group[], filter: Filter)
     (filter.states.length === 0 ||
       renderers.some((r) => {
         const cell = row.cells[r] ?? -1;
-        return cell >= 0 && filter.states.includes(overview.states[overview.cells.state[cell] ?? -1]?.name ?? "");
+        return (
+          cell >= 0 &&
+          filter.states.includes(overview.states[overview.cells.state[cell] ?? -1]?.name ?? "")
+        );
       }));
   const sorted = (rows: Row[]): Row[] => {
     if (!filter.failuresFirst) return rows;
     const ranks = new Map(rows.map((row) => [row, worstRank(overview, row, renderers)]));
     return [...rows].sort((a, b) => (ranks.get(b) ?? 0) - (ranks.get(a) ?? 0));
   };
-  if (filter.byTarget) return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));
+  if (filter.byTarget)
+    return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));
   const kept = new Map(groups.map((group) => [group.row, group]));
   return sorted([...kept.keys()].filter(keeps)).flatMap((row) => {
     if (!filter.open.includes(row.requirement)) return [row];

@@ -29,8 +29,18 @@ export function HistogramPlot({ statistics }: { statistics: Statistics }) {
   const last = edges[edges.length - 1] ?? 0;
   return (
     <figure class="histogram">
-      <canvas ref={canvas} width={320} height={90} role="img" aria-label={`Histogram from ${number(first)} to ${number(last)}`} />
-      <figcaption><span>{number(first)}</span><span class="quiet">symmetric log</span><span>{number(last)}</span></figcaption>
+      <canvas
+        ref={canvas}
+        width={320}
+        height={90}
+        role="img"
+        aria-label={`Histogram from ${number(first)} to ${number(last)}`}
+      />
+      <figcaption>
+        <span>{number(first)}</span>
+        <span class="quiet">symmetric log</span>
+        <span>{number(last)}</span>
+      </figcaption>
     </figure>
   );
 }
@@ -39,11 +49,29 @@ export function StatisticsTable({ statistics }: { statistics: Statistics }) {
   const { channels } = statistics;
   const row = (label: string, value: (i: number) => string, always = true) =>
     always || channels.some((_, i) => value(i) !== "0") ? (
-      <tr key={label}><th scope="row">{label}</th>{channels.map((one, i) => <td key={one.name} class="number">{value(i)}</td>)}</tr>
+      <tr key={label}>
+        <th scope="row">{label}</th>
+        {channels.map((one, i) => (
+          <td key={one.name} class="number">
+            {value(i)}
+          </td>
+        ))}
+      </tr>
     ) : null;
   return (
     <table class="statistics">
-      <thead><tr><th /><>{channels.map((one) => <th scope="col" key={one.name} class="number">{one.name}</th>)}</></tr></thead>
+      <thead>
+        <tr>
+          <th />
+          <>
+            {channels.map((one) => (
+              <th scope="col" key={one.name} class="number">
+                {one.name}
+              </th>
+            ))}
+          </>
+        </tr>
+      </thead>
       <tbody>
         {row("min", (i) => number(channels[i]?.min))}
         {row("mean", (i) => number(channels[i]?.mean))}

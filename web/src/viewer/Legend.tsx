@@ -7,21 +7,42 @@ import type { PaintSettings } from "./paint_settings";
 const kDecades = 4; // as in the shader
 
 /** Numbers of the scale with their places between 0 and 1. */
-export function ticksOf({ diverging, log, scaleEnd }: PaintSettings): { place: number; text: string }[] {
+export function ticksOf({
+  diverging,
+  log,
+  scaleEnd,
+}: PaintSettings): { place: number; text: string }[] {
   const positive = log
-    ? Array.from({ length: kDecades + 1 }, (_, k) => ({ t: k / kDecades, value: scaleEnd * 10 ** (k - kDecades) }))
+    ? Array.from({ length: kDecades + 1 }, (_, k) => ({
+        t: k / kDecades,
+        value: scaleEnd * 10 ** (k - kDecades),
+      }))
     : [0, 0.25, 0.5, 0.75, 1].map((t) => ({ t, value: t * scaleEnd }));
-  if (!diverging) return positive.map(({ t, value }) => ({ place: t, text: (log && t === 0 ? "≤ " : "") + number(value) }));
+  if (!diverging)
+    return positive.map(({ t, value }) => ({
+      place: t,
+      text: (log && t === 0 ? "≤ " : "") + number(value),
+    }));
   const half = positive.filter(({ t }) => t === 0 || t === 0.5 || t === 1);
   return [
-    ...half.filter(({ t }) => t > 0).reverse().map(({ t, value }) => ({ place: 0.5 - t / 2, text: `−${number(value)}` })),
+    ...half
+      .filter(({ t }) => t > 0)
+      .reverse()
+      .map(({ t, value }) => ({ place: 0.5 - t / 2, text: `−${number(value)}` })),
     { place: 0.5, text: log ? "0 ±" : "0" },
-    ...half.filter(({ t }) => t > 0).map(({ t, value }) => ({ place: 0.5 + t / 2, text: number(value) })),
+    ...half
+      .filter(({ t }) => t > 0)
+      .map(({ t, value }) => ({ place: 0.5 + t / 2, text: number(value) })),
   ];
 }
 
 /** The colour scale of the image in front, with its numbers. */
-export function Legend({ image, settings, onEnd, onLog }: {
+export function Legend({
+  image,
+  settings,
+  onEnd,
+  onLog,
+}: {
   image: ImageEntry;
   settings: PaintSettings;
   onEnd: (end: number | undefined) => void;
@@ -40,18 +61,37 @@ export function Legend({ image, settings, onEnd, onLog }: {
       <canvas ref={canvas} width={256} height={1} />
       <div class="ticks">
         {ticksOf(settings).map(({ place, text }) => (
-          <span key={place} style={{ left: `${place * 100}%` }} class={place === 0 ? "first" : place === 1 ? "last" : ""}>{text}</span>
+          <span
+            key={place}
+            style={{ left: `${place * 100}%` }}
+            class={place === 0 ? "first" : place === 1 ? "last" : ""}
+          >
+            {text}
+          </span>
         ))}
       </div>
       <figcaption>
-        <span><b>{image.name}</b> <span class="quiet">{image.definition ?? ""}</span></span>
+        <span>
+          <b>{image.name}</b> <span class="quiet">{image.definition ?? ""}</span>
+        </span>
         <span class="scale-buttons">
           <label>
             ends at{" "}
-            <input type="number" step="any" min="0" value={Number(settings.scaleEnd.toPrecision(4))}
-              onChange={(event) => onEnd(event.currentTarget.value === "" ? undefined : Number(event.currentTarget.value))} />
+            <input
+              type="number"
+              step="any"
+              min="0"
+              value={Number(settings.scaleEnd.toPrecision(4))}
+              onChange={(event) =>
+                onEnd(
+                  event.currentTarget.value === "" ? undefined : Number(event.currentTarget.value),
+                )
+              }
+            />
           </label>
-          <button aria-pressed={settings.log} onClick={onLog} title="Linear or logarithmic (L)">log</button>
+          <button aria-pressed={settings.log} onClick={onLog} title="Linear or logarithmic (L)">
+            log
+          </button>
         </span>
       </figcaption>
     </figure>

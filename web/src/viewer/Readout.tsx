@@ -14,7 +14,12 @@ function columns(raster: Raster, chosen: string): number[] {
 }
 
 /** The raw numbers of all images at one pixel. */
-export function Readout({ at, images, rasters, channel: chosen }: {
+export function Readout({
+  at,
+  images,
+  rasters,
+  channel: chosen,
+}: {
   at: { x: number; y: number } | undefined;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
@@ -33,12 +38,20 @@ export function Readout({ at, images, rasters, channel: chosen }: {
             const inside = at && x >= 0 && y >= 0 && x < loaded.width && y < loaded.height;
             return (
               <tr key={image.name}>
-                <th scope="row" title={image.name}>{image.name}</th>
+                <th scope="row" title={image.name}>
+                  {image.name}
+                </th>
                 {columns(loaded, chosen).map((c) => {
                   const { name = "", exact = true } = loaded.channels[c] ?? {};
                   return (
-                    <td key={c} class="number" title={exact ? name : `${name}, rounded to 11 bits in this file`}>
-                      {inside ? (exact ? "" : "≈ ") + rawFloat(valueAt(loaded, c, y * loaded.width + x)) : "–"}
+                    <td
+                      key={c}
+                      class="number"
+                      title={exact ? name : `${name}, rounded to 11 bits in this file`}
+                    >
+                      {inside
+                        ? (exact ? "" : "≈ ") + rawFloat(valueAt(loaded, c, y * loaded.width + x))
+                        : "–"}
                     </td>
                   );
                 })}

@@ -22,7 +22,12 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
 }
 
 /** Statistics and metrics of the region that was drawn. */
-export function RegionPanel({ region, images, rasters, onClear }: {
+export function RegionPanel({
+  region,
+  images,
+  rasters,
+  onClear,
+}: {
   region: Region;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
@@ -35,7 +40,8 @@ export function RegionPanel({ region, images, rasters, onClear }: {
   };
   const result = loaded("result");
   const reference = loaded("reference");
-  const fitting = (raster: Raster | undefined): Raster | undefined => (raster && isWithin(region, raster) ? raster : undefined);
+  const fitting = (raster: Raster | undefined): Raster | undefined =>
+    raster && isWithin(region, raster) ? raster : undefined;
   const statistics = useStatistics(fitting(result), region);
   const metrics = useRegionMetrics(fitting(result), fitting(reference), region);
   const image = result ?? reference;
@@ -43,19 +49,33 @@ export function RegionPanel({ region, images, rasters, onClear }: {
   return (
     <section class="region" aria-label="Region">
       <h3>
-        Region {x0}, {y0} – {x1}, {y1} <span class="quiet">{x1 - x0} × {y1 - y0}</span>{" "}
+        Region {x0}, {y0} – {x1}, {y1}{" "}
+        <span class="quiet">
+          {x1 - x0} × {y1 - y0}
+        </span>{" "}
         <button onClick={onClear}>Clear</button>
       </h3>
       {image && !fitting(image) ? (
-        <p role="alert">The region does not lie within the image, which has {image.width} × {image.height} pixels.</p>
+        <p role="alert">
+          The region does not lie within the image, which has {image.width} × {image.height} pixels.
+        </p>
       ) : null}
       <table>
         <tbody>
           {metrics ? (
             <>
-              <tr title="mean of |result − reference| over R, G, B, linear"><th scope="row">mean |Δ|</th><td class="number">{text(metrics.absolute)}</td></tr>
-              <tr title="mean of (result − reference)² over R, G, B, linear"><th scope="row">mean Δ²</th><td class="number">{text(metrics.squared)}</td></tr>
-              <tr title="mean of result − reference over R, G, B, linear: the bias"><th scope="row">mean Δ</th><td class="number">{text(metrics.signed)}</td></tr>
+              <tr title="mean of |result − reference| over R, G, B, linear">
+                <th scope="row">mean |Δ|</th>
+                <td class="number">{text(metrics.absolute)}</td>
+              </tr>
+              <tr title="mean of (result − reference)² over R, G, B, linear">
+                <th scope="row">mean Δ²</th>
+                <td class="number">{text(metrics.squared)}</td>
+              </tr>
+              <tr title="mean of result − reference over R, G, B, linear: the bias">
+                <th scope="row">mean Δ</th>
+                <td class="number">{text(metrics.signed)}</td>
+              </tr>
             </>
           ) : null}
           {images.map((image) => {
@@ -66,7 +86,12 @@ export function RegionPanel({ region, images, rasters, onClear }: {
           })}
         </tbody>
       </table>
-      {statistics ? <><h4>result in the region</h4><StatisticsTable statistics={statistics} /></> : null}
+      {statistics ? (
+        <>
+          <h4>result in the region</h4>
+          <StatisticsTable statistics={statistics} />
+        </>
+      ) : null}
     </section>
   );
 }

@@ -34,10 +34,22 @@ interface Props {
 
 const kSurround = 0.18; // neutral: a coloured or bright surround changes how colours are judged
 
-function paintOf(shown: Shown, raster: Raster, view: ViewState, pane: Pane, scale: number, size: Size): Paint {
+function paintOf(
+  shown: Shown,
+  raster: Raster,
+  view: ViewState,
+  pane: Pane,
+  scale: number,
+  size: Size,
+): Paint {
   const at = placed(view, pane, size);
   const settings: PaintSettings = paintSettings(shown.image, view, raster, shown.range);
-  const box = [pane.x, pane.y, pane.width, pane.height].map((v) => v * scale) as [number, number, number, number];
+  const box = [pane.x, pane.y, pane.width, pane.height].map((v) => v * scale) as [
+    number,
+    number,
+    number,
+    number,
+  ];
   return {
     ...settings,
     raster,
@@ -58,13 +70,21 @@ export function Stage(props: Props) {
   const overlay = useRef<HTMLCanvasElement>(null);
   const painter = useRef<Painter | undefined>(undefined);
   const [problem, setProblem] = useState<string>();
-  const [stage, setStage] = useState<Size & { scale: number }>({ width: 600, height: 400, scale: 1 });
+  const [stage, setStage] = useState<Size & { scale: number }>({
+    width: 600,
+    height: 400,
+    scale: 1,
+  });
 
   useLayoutEffect(() => {
     const element = box.current;
     if (!element) return undefined;
     const measure = (): void =>
-      setStage({ width: element.clientWidth, height: element.clientHeight, scale: devicePixelRatio || 1 });
+      setStage({
+        width: element.clientWidth,
+        height: element.clientHeight,
+        scale: devicePixelRatio || 1,
+      });
     measure();
     const observer = new ResizeObserver(measure);
     observer.observe(element);
@@ -86,7 +106,9 @@ export function Stage(props: Props) {
       event.preventDefault(); // or the browser never starts it again
       painter.current = undefined;
       delete element.dataset["drawn"];
-      setProblem("the graphics driver has stopped; the images are drawn as soon as it starts again");
+      setProblem(
+        "the graphics driver has stopped; the images are drawn as soon as it starts again",
+      );
     };
     start();
     element.addEventListener("webglcontextlost", stop);
@@ -100,8 +122,18 @@ export function Stage(props: Props) {
 
   const swiping = view.mode === "swipe" && shown.length === 2;
   const panes = swiping
-    ? shown.map(({ image }) => ({ name: image.name, x: 0, y: 0, width: stage.width, height: stage.height }))
-    : panesOf(shown.map(({ image }) => image.name), stage, size);
+    ? shown.map(({ image }) => ({
+        name: image.name,
+        x: 0,
+        y: 0,
+        width: stage.width,
+        height: stage.height,
+      }))
+    : panesOf(
+        shown.map(({ image }) => image.name),
+        stage,
+        size,
+      );
 
   useEffect(() => {
     const frame = requestAnimationFrame(() => {
@@ -119,23 +151,40 @@ export function Stage(props: Props) {
         if (!pane || !isRaster(one.loaded)) return;
         const most = painter.current?.mostPixels ?? 0;
         if (Math.max(one.loaded.width, one.loaded.height) > most)
-          return setProblem(`the image is larger than the ${most} pixels that this graphics driver draws`);
+          return setProblem(
+            `the image is larger than the ${most} pixels that this graphics driver draws`,
+          );
         const paint = paintOf(one, one.loaded, view, pane, stage.scale, size);
         if (swiping) {
           const divider = Math.round(stage.width * stage.scale * view.swipe);
           const height = stage.height * stage.scale;
-          paint.clip = i === 0 ? [0, 0, divider, height] : [divider, 0, stage.width * stage.scale - divider, height];
+          paint.clip =
+            i === 0
+              ? [0, 0, divider, height]
+              : [divider, 0, stage.width * stage.scale - divider, height];
         }
         painter.current?.paint(paint, kSurround);
       });
-      drawOverlay(overlay.current, { shown, panes, view, size, stage, swiping, marked: props.marked });
-      element.dataset["drawn"] = shown.map((one) => (isRaster(one.loaded) ? one.image.name : "")).join(" ");
+      drawOverlay(overlay.current, {
+        shown,
+        panes,
+        view,
+        size,
+        stage,
+        swiping,
+        marked: props.marked,
+      });
+      element.dataset["drawn"] = shown
+        .map((one) => (isRaster(one.loaded) ? one.image.name : ""))
+        .join(" ");
     });
     return () => cancelAnimationFrame(frame);
   });
 
   const paneAt = (x: number, y: number): Pane =>
-    panes.find((pane) => x >= pane.x && x < pane.x + pane.width && y >= pane.y && y < pane.y + pane.height) ??
+    panes.find(
+      (pane) => x >= pane.x && x < pane.x + pane.width && y >= pane.y && y < pane.y + pane.height,
+    ) ??
     panes[0] ?? { name: "", x: 0, y: 0, ...stage };
   const handlers = usePointer({
     box,
@@ -154,23 +203,48 @@ export function Stage(props: Props) {
   });
 
   const waiting = shown.filter((one) => one.loaded === undefined).map((one) => one.image.name);
-  const failed = shown.flatMap((one) => (one.loaded && !isRaster(one.loaded) ? [one.loaded.problem] : []));
+  const failed = shown.flatMap((one) =>
+    one.loaded && !isRaster(one.loaded) ? [one.loaded.problem] : [],
+  );
   return (
     <div class={`stage ${props.selecting ? "selecting" : ""}`} ref={box} {...handlers}>
-      <canvas ref={canvas} role="img" aria-label={`Image: ${shown.map(({ image }) => image.name).join(", ")}`} />
+      <canvas
+        ref={canvas}
+        role="img"
+        aria-label={`Image: ${shown.map(({ image }) => image.name).join(", ")}`}
+      />
       <canvas ref={overlay} class="overlay" aria-hidden="true" />
       {swiping ? <Divider view={view} onView={props.onView} width={stage.width} /> : null}
-      {[problem, ...failed].filter(Boolean).map((text) => <p class="stage-note" role="alert" key={text}>{text}</p>)}
+      {[problem, ...failed].filter(Boolean).map((text) => (
+        <p class="stage-note" role="alert" key={text}>
+          {text}
+        </p>
+      ))}
       {waiting.length > 0 ? <p class="stage-note">Loading {waiting.join(", ")} …</p> : null}
     </div>
   );
 }
 
-function Divider({ view, onView, width }: { view: ViewState; onView: (view: ViewState) => void; width: number }) {
+function Divider({
+  view,
+  onView,
+  width,
+}: {
+  view: ViewState;
+  onView: (view: ViewState) => void;
+  width: number;
+}) {
   const move = (swipe: number): void => onView({ ...view, swipe: Math.min(1, Math.max(0, swipe)) });
   return (
-    <div class="divider" role="slider" tabIndex={0} aria-label="Divider" aria-valuemin={0} aria-valuemax={100}
-      aria-valuenow={Math.round(view.swipe * 100)} style={{ left: `${view.swipe * 100}%` }}
+    <div
+      class="divider"
+      role="slider"
+      tabIndex={0}
+      aria-label="Divider"
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={Math.round(view.swipe * 100)}
+      style={{ left: `${view.swipe * 100}%` }}
       onPointerDown={(event) => {
         event.stopPropagation();
         event.currentTarget.setPointerCapture(event.pointerId);
@@ -187,6 +261,7 @@ function Divider({ view, onView, width }: { view: ViewState; onView: (view: View
         event.preventDefault();
         event.stopPropagation();
         move(view.swipe + step);
-      }} />
+      }}
+    />
   );
 }

@@ -80,7 +80,15 @@ const rangeSeen = (raster: Raster, channel: string): Shown["range"] => {
   return statistics && rangeOf(statistics, seenChannels(raster, channel));
 };
 
-export function Viewer({ session, images, route }: { session: Session; images: ImageEntry[]; route: Route }) {
+export function Viewer({
+  session,
+  images,
+  route,
+}: {
+  session: Session;
+  images: ImageEntry[];
+  route: Route;
+}) {
   const [view, setView] = useView(route);
   const [hover, setHover] = useState<{ x: number; y: number }>();
   const [selecting, setSelecting] = useState(false);
@@ -101,7 +109,14 @@ export function Viewer({ session, images, route }: { session: Session; images: I
     return view.mode === "swipe" && other && other !== front ? [front, other] : [front];
   }, [images, view.mode, front, other, ticked.join()]);
 
-  const wanted = [...new Set(["result", "reference"].flatMap((kind) => images.filter((i) => i.kind === kind)).concat(panes).map((i) => i.name))];
+  const wanted = [
+    ...new Set(
+      ["result", "reference"]
+        .flatMap((kind) => images.filter((i) => i.kind === kind))
+        .concat(panes)
+        .map((i) => i.name),
+    ),
+  ];
   const rasters = useRasters(session, images, wanted, view.layer);
   const rasterOf = (image: ImageEntry | undefined): Raster | undefined => {
     const loaded = image && rasters.get(image.name);
@@ -111,8 +126,15 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const referenceRaster = rasterOf(reference);
   const result = images.find((image) => image.kind === "result");
   const errors = front?.kind === "map" ? raster : rasterOf(result);
-  const sameSize = errors && referenceRaster && errors.width === referenceRaster.width && errors.height === referenceRaster.height;
-  const worst = useWorst(front?.kind === "map" || sameSize ? errors : undefined, front?.kind === "map" ? undefined : referenceRaster);
+  const sameSize =
+    errors &&
+    referenceRaster &&
+    errors.width === referenceRaster.width &&
+    errors.height === referenceRaster.height;
+  const worst = useWorst(
+    front?.kind === "map" || sameSize ? errors : undefined,
+    front?.kind === "map" ? undefined : referenceRaster,
+  );
   const statistics = useStatistics(raster, undefined);
   const resultRaster = rasterOf(result);
   const layered = view.layer !== "";
@@ -122,8 +144,12 @@ export function Viewer({ session, images, route }: { session: Session; images: I
   const rangeFor = (image: ImageEntry, own: Raster): Shown["range"] => {
     const alike = layered && !isMap(image) ? [own, resultRaster, referenceRaster] : [own];
     const ranges = alike.flatMap((one) => (one && rangeSeen(one, view.channel)) ?? []);
-    return ranges.length === 0 ? undefined
-      : { min: Math.min(...ranges.map((one) => one.min)), max: Math.max(...ranges.map((one) => one.max)) };
+    return ranges.length === 0
+      ? undefined
+      : {
+          min: Math.min(...ranges.map((one) => one.min)),
+          max: Math.max(...ranges.map((one) => one.max)),
+        };
   };
   const size = raster ?? referenceRaster ?? rasterOf(result) ?? { width: 512, height: 512 };
   const range = front && raster && rangeFor(front, raster);
@@ -136,15 +162,32 @@ export function Viewer({ session, images, route }: { session: Session; images: I
     setHover(undefined); // until it moves again the pointer is where it was, and looked at is another pixel
   };
   const controls: Controls = {
-    images, view, setView, front, size, range, worst, worstIndex, setWorstIndex, selecting, setSelecting, blinking,
-    setBlinking, held, channels: channelChoices(raster), channel: channelInForce(raster, view.channel),
+    images,
+    view,
+    setView,
+    front,
+    size,
+    range,
+    worst,
+    worstIndex,
+    setWorstIndex,
+    selecting,
+    setSelecting,
+    blinking,
+    setBlinking,
+    held,
+    channels: channelChoices(raster),
+    channel: channelInForce(raster, view.channel),
     // A link may ask for a layer that these images do not have; it must be possible to choose another.
-    layers: layers.includes(view.layer) ? layers : [...layers, view.layer], ticked, falseColour: settings?.falseColour ?? false,
+    layers: layers.includes(view.layer) ? layers : [...layers, view.layer],
+    ticked,
+    falseColour: settings?.falseColour ?? false,
     scaleEnd: settings?.scaleEnd ?? 1,
   };
   const actions = viewActions(controls);
   useActions(actions);
-  if (images.length === 0) return <p class="quiet no-images">There is no image of this: nothing was rendered.</p>;
+  if (images.length === 0)
+    return <p class="quiet no-images">There is no image of this: nothing was rendered.</p>;
   const shown: Shown[] = panes.map((image) => {
     const own = rasterOf(image);
     return { image, loaded: rasters.get(image.name), range: own && rangeFor(image, own) };
@@ -155,22 +198,51 @@ export function Viewer({ session, images, route }: { session: Session; images: I
       <Toolbar controls={controls} actions={actions} />
       <div class="viewer-body">
         <div class="viewer-main">
-          <Stage shown={shown} loaded={[...rasters.values()].filter(isRaster)} view={view} size={size} marked={marked} selecting={selecting} onView={setView}
-            onHover={setHover} onRegion={(region) => setView({ ...view, region })} />
+          <Stage
+            shown={shown}
+            loaded={[...rasters.values()].filter(isRaster)}
+            view={view}
+            size={size}
+            marked={marked}
+            selecting={selecting}
+            onView={setView}
+            onHover={setHover}
+            onRegion={(region) => setView({ ...view, region })}
+          />
           {settings?.falseColour && front ? (
-            <Legend image={front} settings={settings} onLog={() => setView({ ...view, log: !view.log })}
+            <Legend
+              image={front}
+              settings={settings}
+              onLog={() => setView({ ...view, log: !view.log })}
               onEnd={(end) => {
                 const { [front.name]: _, ...ends } = view.ends;
                 setView({ ...view, ends: end && end > 0 ? { ...ends, [front.name]: end } : ends });
-              }} />
+              }}
+            />
           ) : null}
         </div>
         <aside class="viewer-side">
           <Readout at={hover ?? marked} images={images} rasters={rasters} channel={view.channel} />
-          {front ? <h3>{front.name}{view.region ? ", whole image" : ""}</h3> : null}
-          {statistics ? <><HistogramPlot statistics={statistics} /><StatisticsTable statistics={statistics} /></> : null}
-          {view.region ? <RegionPanel region={view.region} images={images} rasters={rasters}
-            onClear={() => setView({ ...view, region: undefined })} /> : null}
+          {front ? (
+            <h3>
+              {front.name}
+              {view.region ? ", whole image" : ""}
+            </h3>
+          ) : null}
+          {statistics ? (
+            <>
+              <HistogramPlot statistics={statistics} />
+              <StatisticsTable statistics={statistics} />
+            </>
+          ) : null}
+          {view.region ? (
+            <RegionPanel
+              region={view.region}
+              images={images}
+              rasters={rasters}
+              onClear={() => setView({ ...view, region: undefined })}
+            />
+          ) : null}
         </aside>
       </div>
     </section>

@@ -6,7 +6,12 @@ const kLuminance = "luminance";
 export function channelChoices(raster: Raster | undefined): { value: string; label: string }[] {
   const names = raster?.channels.map(({ name }) => name) ?? [];
   const each = names.map((name) => ({ value: name, label: name }));
-  if (names.length >= 3) return [{ value: "", label: names.slice(0, 3).join("") }, ...each, { value: kLuminance, label: kLuminance }];
+  if (names.length >= 3)
+    return [
+      { value: "", label: names.slice(0, 3).join("") },
+      ...each,
+      { value: kLuminance, label: kLuminance },
+    ];
   return [{ value: "", label: names[0] ?? "RGB" }, ...each.slice(1)];
 }
 

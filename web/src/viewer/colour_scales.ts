@@ -13,11 +13,12 @@ function linearRgb(lightness: number, chroma: number, hueDegrees: number): Rgb {
   return [
     4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
     -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-    -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s,
+    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
   ];
 }
 
-export const srgbEncode = (v: number): number => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+export const srgbEncode = (v: number): number =>
+  v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055;
 
 function bytesOf(rgb: Rgb): number[] {
   return [...rgb.map((v) => Math.round(255 * srgbEncode(Math.min(1, Math.max(0, v))))), 255];
@@ -29,7 +30,9 @@ export function scaleBytes(diverging: boolean): Uint8Array {
   for (let i = 0; i < 256; ++i) {
     if (diverging) {
       const t = (i / 255) * 2 - 1;
-      out.push(...bytesOf(linearRgb(0.12 + 0.63 * Math.abs(t), 0.13 * Math.abs(t), t < 0 ? 255 : 50)));
+      out.push(
+        ...bytesOf(linearRgb(0.12 + 0.63 * Math.abs(t), 0.13 * Math.abs(t), t < 0 ? 255 : 50)),
+      );
     } else {
       const t = i / 255;
       out.push(...bytesOf(linearRgb(0.15 + 0.83 * t, 0.045 + 0.52 * t * (1 - t), 290 + 175 * t)));

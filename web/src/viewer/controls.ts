@@ -62,7 +62,10 @@ export function normalise(c: Controls): void {
   if (!c.range || !c.front) return;
   const { min, max } = c.range;
   if (c.falseColour) {
-    c.setView({ ...c.view, ends: { ...c.view.ends, [c.front.name]: Math.max(Math.abs(min), Math.abs(max)) || 1 } });
+    c.setView({
+      ...c.view,
+      ends: { ...c.view.ends, [c.front.name]: Math.max(Math.abs(min), Math.abs(max)) || 1 },
+    });
   } else if (max > min) {
     c.setView({ ...c.view, exposure: Math.log2(1 / (max - min)), offset: -min / (max - min) });
   }
@@ -93,8 +96,15 @@ export function viewActions(c: Controls): Action[] {
       act(String(i + 1), image.name, () => {
         c.setBlinking(false);
         set({ image: image.name });
-      })),
-    { key: "Shift", keyName: "hold Shift", label: "reference", group: "Images", run: () => undefined },
+      }),
+    ),
+    {
+      key: "Shift",
+      keyName: "hold Shift",
+      label: "reference",
+      group: "Images",
+      run: () => undefined,
+    },
     act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
     act("s", "swipe", () => set({ mode: view.mode === "swipe" ? "flip" : "swipe" })),
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
@@ -110,17 +120,53 @@ export function viewActions(c: Controls): Action[] {
     act("n", "normalise to the image's range", () => normalise(c)),
     act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
     act("z", "zebra on clipped values", () => set({ zebra: !view.zebra })),
-    act("x", "next channel", () => set({ channel: next(c.channels.map(({ value }) => value), c.channel) })),
+    act("x", "next channel", () =>
+      set({
+        channel: next(
+          c.channels.map(({ value }) => value),
+          c.channel,
+        ),
+      }),
+    ),
     act("r", "reset how it looks", () =>
-      set({ exposure: 0, offset: 0, curve: "srgb", gamma: 2.2, channel: "", layer: "", log: false, zebra: false, ends: {} })),
+      set({
+        exposure: 0,
+        offset: 0,
+        curve: "srgb",
+        gamma: 2.2,
+        channel: "",
+        layer: "",
+        log: false,
+        zebra: false,
+        ends: {},
+      }),
+    ),
     act("f", "fit", () => set({ zoom: 0 })),
     act("0", "one to one", () => zoomTo(c, 1)),
     act("+", "closer", () => zoomTo(c, Math.min(256, zoomNow * 2))),
     act("-", "further away", () => zoomTo(c, Math.max(1 / 16, zoomNow / 2))),
     act("ArrowLeft", "move by a pixel", () => nudge(c, -1, 0), "← → ↑ ↓"),
-    { key: "ArrowRight", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 1, 0) },
-    { key: "ArrowUp", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 0, -1) },
-    { key: "ArrowDown", keyName: "← → ↑ ↓", label: "move by a pixel", group: "Images", run: () => nudge(c, 0, 1) },
+    {
+      key: "ArrowRight",
+      keyName: "← → ↑ ↓",
+      label: "move by a pixel",
+      group: "Images",
+      run: () => nudge(c, 1, 0),
+    },
+    {
+      key: "ArrowUp",
+      keyName: "← → ↑ ↓",
+      label: "move by a pixel",
+      group: "Images",
+      run: () => nudge(c, 0, -1),
+    },
+    {
+      key: "ArrowDown",
+      keyName: "← → ↑ ↓",
+      label: "move by a pixel",
+      group: "Images",
+      run: () => nudge(c, 0, 1),
+    },
     act("u", "next worst pixel", () => toWorst(c, 1)),
     act("y", "previous worst pixel", () => toWorst(c, -1)),
     act("w", "worst tile", () => toWorstTile(c)),

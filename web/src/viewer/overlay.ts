@@ -23,11 +23,21 @@ function tiny(value: number): string {
   if (!Number.isFinite(value)) return rawFloat(value);
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e-3 && size < 1e4) return value.toPrecision(3).slice(0, 7).replace(/^(-?)0\./, "$1.");
+  if (size >= 1e-3 && size < 1e4)
+    return value
+      .toPrecision(3)
+      .slice(0, 7)
+      .replace(/^(-?)0\./, "$1.");
   return value.toExponential(1).replace("e+", "e");
 }
 
-function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, view: ViewState, size: Size): void {
+function drawNumbers(
+  pen: CanvasRenderingContext2D,
+  raster: Raster,
+  pane: Pane,
+  view: ViewState,
+  size: Size,
+): void {
   const at = placed(view, pane, size);
   const left = pane.x + pane.width / 2 - at.x * at.zoom;
   const top = pane.y + pane.height / 2 - at.y * at.zoom;
@@ -50,13 +60,20 @@ function drawNumbers(pen: CanvasRenderingContext2D, raster: Raster, pane: Pane, 
         // Readable on any colour: light letters with a dark rim.
         pen.strokeStyle = "rgba(0,0,0,.75)";
         pen.strokeText(text, tx, ty);
-        pen.fillStyle = channels.length === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
+        pen.fillStyle =
+          channels.length === 1 ? "#fff" : (["#ff9d94", "#8fe89a", "#9cc4ff"][c] ?? "#fff");
         pen.fillText(text, tx, ty);
       });
 }
 
-function drawBox(pen: CanvasRenderingContext2D, pane: Pane, view: ViewState, size: Size,
-                 [x0, y0, x1, y1]: [number, number, number, number], colour: string): void {
+function drawBox(
+  pen: CanvasRenderingContext2D,
+  pane: Pane,
+  view: ViewState,
+  size: Size,
+  [x0, y0, x1, y1]: [number, number, number, number],
+  colour: string,
+): void {
   const at = placed(view, pane, size);
   const left = pane.x + pane.width / 2 + (x0 - at.x) * at.zoom;
   const top = pane.y + pane.height / 2 + (y0 - at.y) * at.zoom;
@@ -105,7 +122,15 @@ export function drawOverlay(canvas: HTMLCanvasElement, scene: Scene): void {
     }
     if (view.region) drawBox(pen, pane, view, size, view.region, "#ffd84d");
     const { marked } = scene;
-    if (marked) drawBox(pen, pane, view, size, [marked.x - 0.5, marked.y - 0.5, marked.x + 1.5, marked.y + 1.5], "#ff4dff");
+    if (marked)
+      drawBox(
+        pen,
+        pane,
+        view,
+        size,
+        [marked.x - 0.5, marked.y - 0.5, marked.x + 1.5, marked.y + 1.5],
+        "#ff4dff",
+      );
     pen.restore();
     if (scene.swiping && i === 1)
       drawTitle(pen, one.image.name, Math.min(divider + 8, stage.width - 90), 8);

@@ -25,19 +25,29 @@ export const isMap = (image: ImageEntry): boolean => image.kind === "map";
  * Maps, and layers beyond the colour itself, are numbers and get false colours; what holds both signs a diverging scale.
  * `range` is that of the channels that are seen, where it has been counted.
  */
-export function paintSettings(image: ImageEntry, view: ViewState, raster: Raster | undefined,
-                              range: Range | undefined): PaintSettings {
+export function paintSettings(
+  image: ImageEntry,
+  view: ViewState,
+  raster: Raster | undefined,
+  range: Range | undefined,
+): PaintSettings {
   const layered = !isMap(image) && view.layer !== "";
   const numbers = isMap(image) || layered;
   const largest = range ? Math.max(Math.abs(range.min), Math.abs(range.max)) : 1;
-  const usual = isMap(image) ? (image.scale_maximum ?? largest) : layered ? largest : 2 ** -view.exposure;
+  const usual = isMap(image)
+    ? (image.scale_maximum ?? largest)
+    : layered
+      ? largest
+      : 2 ** -view.exposure;
   return {
     falseColour: numbers || view.curve === "false",
     diverging: image.signed ?? (layered && (range?.min ?? 0) < 0),
     log: view.log,
     scaleEnd: view.ends[image.name] ?? usual,
     channels: raster ? seenChannels(raster, view.channel) : [],
-    luminance: raster !== undefined && (isLuminance(raster, view.channel) || (view.curve === "false" && !numbers)),
+    luminance:
+      raster !== undefined &&
+      (isLuminance(raster, view.channel) || (view.curve === "false" && !numbers)),
     gain: 2 ** view.exposure,
     offset: view.offset,
     curve: Math.max(0, Math.min(2, kCurves.indexOf(view.curve))),

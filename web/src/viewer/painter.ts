@@ -35,7 +35,11 @@ export class Painter {
 
   /** Fails with an Error that says what the browser lacks. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
+    const gl = canvas.getContext("webgl2", {
+      antialias: false,
+      alpha: false,
+      preserveDrawingBuffer: true,
+    });
     if (!gl) throw new Error("this browser has no WebGL2, which the viewer draws with");
     this.gl = gl;
     this.program = this.link();
@@ -46,7 +50,8 @@ export class Painter {
     gl.bindTexture(gl.TEXTURE_2D, this.scales);
     const rows = new Uint8Array([...scaleBytes(false), ...scaleBytes(true)]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     ["first", "second", "third"].forEach((name, unit) => gl.uniform1i(this.uniform(name), unit));
     gl.uniform1i(this.uniform("scaleColours"), kScales);
   }
@@ -54,22 +59,29 @@ export class Painter {
   private link(): WebGLProgram {
     const { gl } = this;
     const program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, kVertexShader], [gl.FRAGMENT_SHADER, kFragmentShader]] as const) {
+    for (const [type, text] of [
+      [gl.VERTEX_SHADER, kVertexShader],
+      [gl.FRAGMENT_SHADER, kFragmentShader],
+    ] as const) {
       const shader = gl.createShader(type);
       if (!shader) throw new Error("the graphics driver is gone");
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
-        throw new Error(`the viewer's shader does not compile here: ${gl.getShaderInfoLog(shader) ?? ""}`);
+        throw new Error(
+          `the viewer's shader does not compile here: ${gl.getShaderInfoLog(shader) ?? ""}`,
+        );
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error("the viewer's shader does not link here");
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw new Error("the viewer's shader does not link here");
     return program;
   }
 
   private uniform(name: string): WebGLUniformLocation | null {
-    if (!this.uniforms.has(name)) this.uniforms.set(name, this.gl.getUniformLocation(this.program, name));
+    if (!this.uniforms.has(name))
+      this.uniforms.set(name, this.gl.getUniformLocation(this.program, name));
     return this.uniforms.get(name) ?? null;
   }
 
@@ -87,13 +99,23 @@ export class Painter {
     if (known) return gl.bindTexture(gl.TEXTURE_2D, known);
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
     const { width, height } = raster;
     const half = isHalf(raster, channel);
     gl.texStorage2D(gl.TEXTURE_2D, 1, half ? gl.R16UI : gl.R32UI, width, height);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED_INTEGER, half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
-      half ? (raster.planes[channel] as Uint16Array) : floatBits(raster, channel));
+    gl.texSubImage2D(
+      gl.TEXTURE_2D,
+      0,
+      0,
+      0,
+      width,
+      height,
+      gl.RED_INTEGER,
+      half ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
+      half ? (raster.planes[channel] as Uint16Array) : floatBits(raster, channel),
+    );
     own.set(channel, texture);
   }
 
@@ -129,7 +151,10 @@ export class Painter {
     set("inverseGamma", 1 / p.gamma);
     set("scaleEnd", p.scaleEnd);
     setInt("curve", p.curve);
-    gl.uniform3iv(this.uniform("areHalf"), channels.map((channel) => (isHalf(p.raster, channel) ? 1 : 0)));
+    gl.uniform3iv(
+      this.uniform("areHalf"),
+      channels.map((channel) => (isHalf(p.raster, channel) ? 1 : 0)),
+    );
     setInt("isColour", p.channels.length === 3 ? 1 : 0);
     setInt("isLuminance", p.luminance ? 1 : 0);
     setInt("falseColour", p.falseColour ? 1 : 0);
@@ -154,7 +179,8 @@ export class Painter {
   }
 }
 
-const isHalf = (raster: Raster, channel: number): boolean => raster.planes[channel] instanceof Uint16Array;
+const isHalf = (raster: Raster, channel: number): boolean =>
+  raster.planes[channel] instanceof Uint16Array;
 
 function floatBits(raster: Raster, channel: number): Uint32Array {
   const floats = floatsOf(raster, channel, 0, raster.width * raster.height);

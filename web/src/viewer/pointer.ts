@@ -24,8 +24,11 @@ interface Point {
 function regionBetween(a: Point, b: Point, size: Size): Region | undefined {
   const clamp = (v: number, most: number): number => Math.min(most, Math.max(0, v));
   const region: Region = [
-    clamp(Math.floor(Math.min(a.x, b.x)), size.width), clamp(Math.floor(Math.min(a.y, b.y)), size.height),
-    clamp(Math.ceil(Math.max(a.x, b.x)), size.width), clamp(Math.ceil(Math.max(a.y, b.y)), size.height)];
+    clamp(Math.floor(Math.min(a.x, b.x)), size.width),
+    clamp(Math.floor(Math.min(a.y, b.y)), size.height),
+    clamp(Math.ceil(Math.max(a.x, b.x)), size.width),
+    clamp(Math.ceil(Math.max(a.y, b.y)), size.height),
+  ];
   return region[2] > region[0] && region[3] > region[1] ? region : undefined;
 }
 
@@ -53,7 +56,7 @@ export function usePointer(options: Options) {
       event.preventDefault();
       const at = local(event);
       const lines = event.deltaMode === 1 ? 16 : 1;
-      now.current.zoomBy(at.x, at.y, 2 ** (-event.deltaY * lines / 200));
+      now.current.zoomBy(at.x, at.y, 2 ** ((-event.deltaY * lines) / 200));
     };
     element?.addEventListener("wheel", wheel, { passive: false });
     addEventListener("keydown", keys);

@@ -8,7 +8,12 @@ export interface RegionMetrics {
 }
 
 /** Means of the difference of two images in a region that lies within both, in the linear values of the images. */
-export async function regionMetrics(result: Raster, reference: Raster, region: Region, signal: AbortSignal): Promise<RegionMetrics> {
+export async function regionMetrics(
+  result: Raster,
+  reference: Raster,
+  region: Region,
+  signal: AbortSignal,
+): Promise<RegionMetrics> {
   const sum: RegionMetrics = { absolute: 0, squared: 0, signed: 0 };
   let count = 0;
   const channels = Math.min(3, result.planes.length, reference.planes.length);
@@ -27,5 +32,9 @@ export async function regionMetrics(result: Raster, reference: Raster, region: R
         ++count;
       }
     });
-  return { absolute: sum.absolute / count, squared: sum.squared / count, signed: sum.signed / count };
+  return {
+    absolute: sum.absolute / count,
+    squared: sum.squared / count,
+    signed: sum.signed / count,
+  };
 }

@@ -37,9 +37,14 @@ export interface Range {
 
 /** Of the finite numbers of some channels; undefined when they have none. */
 export function rangeOf(statistics: Statistics, channels: number[]): Range | undefined {
-  const counted = statistics.channels.filter((one, c) => channels.includes(c) && one.min <= one.max);
+  const counted = statistics.channels.filter(
+    (one, c) => channels.includes(c) && one.min <= one.max,
+  );
   if (counted.length === 0) return undefined;
-  return { min: Math.min(...counted.map((one) => one.min)), max: Math.max(...counted.map((one) => one.max)) };
+  return {
+    min: Math.min(...counted.map((one) => one.min)),
+    max: Math.max(...counted.map((one) => one.max)),
+  };
 }
 
 const kPixelsAtOnce = 1 << 20; // about 10 ms: the page stays quick while large images are counted
@@ -51,8 +56,12 @@ export async function breathe(signal: AbortSignal): Promise<void> {
 }
 
 /** Calls work with the begin and end index of pieces of the region's rows. */
-export async function forPieces(raster: Raster, region: Region | undefined, signal: AbortSignal,
-                                work: (begin: number, end: number) => void): Promise<void> {
+export async function forPieces(
+  raster: Raster,
+  region: Region | undefined,
+  signal: AbortSignal,
+  work: (begin: number, end: number) => void,
+): Promise<void> {
   const [x0, y0, x1, y1] = region ?? [0, 0, raster.width, raster.height];
   let since = 0;
   for (let y = y0; y < y1; ++y) {
@@ -69,10 +78,22 @@ const kLinear = 1e-3;
 const squeezed = (v: number): number => Math.asinh(v / kLinear);
 const kBins = 160;
 
-async function channelStatistics(raster: Raster, c: number, region: Region | undefined,
-                                 signal: AbortSignal): Promise<ChannelStatistics> {
-  const out: ChannelStatistics = { name: raster.channels[c]?.name ?? "", min: Infinity, max: -Infinity, mean: NaN,
-    nan: 0, infinite: 0, aboveOne: 0, belowZero: 0 };
+async function channelStatistics(
+  raster: Raster,
+  c: number,
+  region: Region | undefined,
+  signal: AbortSignal,
+): Promise<ChannelStatistics> {
+  const out: ChannelStatistics = {
+    name: raster.channels[c]?.name ?? "",
+    min: Infinity,
+    max: -Infinity,
+    mean: NaN,
+    nan: 0,
+    infinite: 0,
+    aboveOne: 0,
+    belowZero: 0,
+  };
   let sum = 0;
   let count = 0;
   await forPieces(raster, region, signal, (begin, end) => {
@@ -94,11 +115,20 @@ async function channelStatistics(raster: Raster, c: number, region: Region | und
 }
 
 /** Counts an image, or a region of it, in pieces. */
-export async function statisticsOf(raster: Raster, region: Region | undefined, signal: AbortSignal): Promise<Statistics> {
+export async function statisticsOf(
+  raster: Raster,
+  region: Region | undefined,
+  signal: AbortSignal,
+): Promise<Statistics> {
   const channels: ChannelStatistics[] = [];
-  for (let c = 0; c < raster.planes.length; ++c) channels.push(await channelStatistics(raster, c, region, signal));
-  const low = squeezed(Math.min(...channels.map((one) => (Number.isFinite(one.min) ? one.min : 0))));
-  const high = squeezed(Math.max(...channels.map((one) => (Number.isFinite(one.max) ? one.max : 0))));
+  for (let c = 0; c < raster.planes.length; ++c)
+    channels.push(await channelStatistics(raster, c, region, signal));
+  const low = squeezed(
+    Math.min(...channels.map((one) => (Number.isFinite(one.min) ? one.min : 0))),
+  );
+  const high = squeezed(
+    Math.max(...channels.map((one) => (Number.isFinite(one.max) ? one.max : 0))),
+  );
   const width = (high - low || 1) / kBins;
   const counts: number[][] = [];
   for (let c = 0; c < raster.planes.length; ++c) {

@@ -11,7 +11,10 @@ const worsts = new WeakMap<Raster, Map<Raster | undefined, Worst>>();
 export const knownStatistics = (raster: Raster): Statistics | undefined => statistics.get(raster);
 
 /** What `count` finds, as soon as it has; it counts anew when one of `of` changes. */
-function useCounted<T>(of: readonly unknown[], count: ((signal: AbortSignal) => Promise<T>) | undefined): T | undefined {
+function useCounted<T>(
+  of: readonly unknown[],
+  count: ((signal: AbortSignal) => Promise<T>) | undefined,
+): T | undefined {
   const [found, setFound] = useState<{ of: readonly unknown[]; value: T }>();
   useEffect(() => {
     if (!count) return undefined;
@@ -28,30 +31,48 @@ function useCounted<T>(of: readonly unknown[], count: ((signal: AbortSignal) => 
 }
 
 /** Statistics of an image, or of a region of it. */
-export function useStatistics(raster: Raster | undefined, region: Region | undefined): Statistics | undefined {
+export function useStatistics(
+  raster: Raster | undefined,
+  region: Region | undefined,
+): Statistics | undefined {
   const known = raster && !region ? statistics.get(raster) : undefined;
   const count = async (signal: AbortSignal, of: Raster): Promise<Statistics> => {
     const result = await statisticsOf(of, region, signal);
     if (!region) statistics.set(of, result);
     return result;
   };
-  const counted = useCounted([raster, region?.join()], raster && !known ? (signal) => count(signal, raster) : undefined);
+  const counted = useCounted(
+    [raster, region?.join()],
+    raster && !known ? (signal) => count(signal, raster) : undefined,
+  );
   return known ?? counted;
 }
 
 /** Where the errors are largest: of a map itself, or of an image against its reference. */
-export function useWorst(raster: Raster | undefined, reference: Raster | undefined): Worst | undefined {
+export function useWorst(
+  raster: Raster | undefined,
+  reference: Raster | undefined,
+): Worst | undefined {
   const known = raster && worsts.get(raster)?.get(reference);
   const count = async (signal: AbortSignal, of: Raster): Promise<Worst> => {
     const worst = await worstOf(of, reference, signal);
     worsts.set(of, (worsts.get(of) ?? new Map<Raster | undefined, Worst>()).set(reference, worst));
     return worst;
   };
-  const counted = useCounted([raster, reference], raster && !known ? (signal) => count(signal, raster) : undefined);
+  const counted = useCounted(
+    [raster, reference],
+    raster && !known ? (signal) => count(signal, raster) : undefined,
+  );
   return known ?? counted;
 }
 
 /** Numbers of the difference of two images in a region that lies within both. */
-export const useRegionMetrics = (result: Raster | undefined, reference: Raster | undefined, region: Region): RegionMetrics | undefined =>
-  useCounted([result, reference, region.join()],
-    result && reference ? (signal) => regionMetrics(result, reference, region, signal) : undefined);
+export const useRegionMetrics = (
+  result: Raster | undefined,
+  reference: Raster | undefined,
+  region: Region,
+): RegionMetrics | undefined =>
+  useCounted(
+    [result, reference, region.join()],
+    result && reference ? (signal) => regionMetrics(result, reference, region, signal) : undefined,
+  );

@@ -6,10 +6,16 @@ import type { ImageEntry } from "../data/types";
 
 export type Loaded = Raster | { problem: string } | undefined;
 
-export const isRaster = (loaded: Loaded): loaded is Raster => loaded !== undefined && "planes" in loaded;
+export const isRaster = (loaded: Loaded): loaded is Raster =>
+  loaded !== undefined && "planes" in loaded;
 
 /** The images among `images` that are `wanted`, each loaded when it is wanted first. */
-export function useRasters(session: Session, images: ImageEntry[], wanted: string[], layer: string): Map<string, Loaded> {
+export function useRasters(
+  session: Session,
+  images: ImageEntry[],
+  wanted: string[],
+  layer: string,
+): Map<string, Loaded> {
   const [loaded, setLoaded] = useState(new Map<string, Loaded>());
   const asked = useRef(new Set<string>());
   const abort = useRef(new AbortController());
@@ -31,8 +37,9 @@ export function useRasters(session: Session, images: ImageEntry[], wanted: strin
       };
       // Only images have layers; a map has one, whatever is chosen.
       const own = image.kind === "map" ? "" : layer;
-      source.raster(run, image.file, own, signal).then(put, (error: unknown) =>
-        put({ problem: `${image.name}: ${reasonOf(error)}` }));
+      source
+        .raster(run, image.file, own, signal)
+        .then(put, (error: unknown) => put({ problem: `${image.name}: ${reasonOf(error)}` }));
     }
   }, [source, run, key, layer, wanted.join("\n")]);
   return loaded;

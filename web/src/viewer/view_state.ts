@@ -24,8 +24,23 @@ export interface ViewState {
 }
 
 export const kDefaultView: ViewState = {
-  image: "result", mode: "flip", zoom: 0, x: 0, y: 0, swipe: 0.5, exposure: 0, offset: 0, curve: "srgb", gamma: 2.2,
-  channel: "", layer: "", log: false, zebra: false, ticked: [], region: undefined, ends: {},
+  image: "result",
+  mode: "flip",
+  zoom: 0,
+  x: 0,
+  y: 0,
+  swipe: 0.5,
+  exposure: 0,
+  offset: 0,
+  curve: "srgb",
+  gamma: 2.2,
+  channel: "",
+  layer: "",
+  log: false,
+  zebra: false,
+  ticked: [],
+  region: undefined,
+  ends: {},
 };
 
 const finite = (text: string | undefined, fallback: number): number => {
@@ -62,7 +77,10 @@ export function parseView(query: Record<string, string>): ViewState {
     log: query["log"] === "1",
     zebra: query["zebra"] === "1",
     ticked: query["tick"] ? query["tick"].split("|") : [],
-    region: region.length === 4 && region.every(Number.isInteger) ? (region as [number, number, number, number]) : undefined,
+    region:
+      region.length === 4 && region.every(Number.isInteger)
+        ? (region as [number, number, number, number])
+        : undefined,
     ends,
   };
 }
@@ -89,6 +107,8 @@ export function viewQuery(view: ViewState): Record<string, string> {
     zebra: view.zebra ? "1" : "",
     tick: view.ticked.join("|"),
     region: view.region ? view.region.join(",") : "",
-    ends: Object.entries(view.ends).map(([name, end]) => `${name}:${short(end)}`).join("|"),
+    ends: Object.entries(view.ends)
+      .map(([name, end]) => `${name}:${short(end)}`)
+      .join("|"),
   };
 }

@@ -32,7 +32,11 @@ class Largest {
   add(error: number, place: number): void {
     if (this.size < kMost) {
       let at = this.size++;
-      for (let parent = (at - 1) >> 1; at > 0 && (this.errors[parent] ?? 0) > error; parent = (at - 1) >> 1) {
+      for (
+        let parent = (at - 1) >> 1;
+        at > 0 && (this.errors[parent] ?? 0) > error;
+        parent = (at - 1) >> 1
+      ) {
         this.move(parent, at);
         at = parent;
       }
@@ -43,7 +47,8 @@ class Largest {
     for (;;) {
       let child = 2 * at + 1;
       if (child >= this.size) break;
-      if (child + 1 < this.size && (this.errors[child + 1] ?? 0) < (this.errors[child] ?? 0)) ++child;
+      if (child + 1 < this.size && (this.errors[child + 1] ?? 0) < (this.errors[child] ?? 0))
+        ++child;
       if ((this.errors[child] ?? 0) >= error) break;
       this.move(child, at);
       at = child;
@@ -52,8 +57,10 @@ class Largest {
   }
 
   sorted(): { error: number; place: number }[] {
-    return Array.from({ length: this.size }, (_, i) => ({ error: this.errors[i] ?? 0, place: this.places[i] ?? 0 }))
-      .sort((a, b) => b.error - a.error || a.place - b.place);
+    return Array.from({ length: this.size }, (_, i) => ({
+      error: this.errors[i] ?? 0,
+      place: this.places[i] ?? 0,
+    })).sort((a, b) => b.error - a.error || a.place - b.place);
   }
 
   private move(from: number, to: number): void {
@@ -66,7 +73,12 @@ class Largest {
 }
 
 /** Largest |number| of a pixel: of a map itself, or of the difference to `reference`. What is not a number is worst. */
-function errorsOf(raster: Raster, reference: Raster | undefined, begin: number, end: number): Float32Array {
+function errorsOf(
+  raster: Raster,
+  reference: Raster | undefined,
+  begin: number,
+  end: number,
+): Float32Array {
   const out = new Float32Array(end - begin);
   const planes = Math.min(3, raster.planes.length, reference?.planes.length ?? 3);
   for (let c = 0; c < planes; ++c) {
@@ -75,13 +87,18 @@ function errorsOf(raster: Raster, reference: Raster | undefined, begin: number, 
     for (let i = 0; i < out.length; ++i) {
       const error = Math.abs((a[i] ?? 0) - (b?.[i] ?? 0));
       // NaN in a map means that there is no value, in an image that the number is wrong.
-      if (Number.isNaN(error) ? reference : error > (out[i] ?? 0)) out[i] = Number.isNaN(error) ? Infinity : error;
+      if (Number.isNaN(error) ? reference : error > (out[i] ?? 0))
+        out[i] = Number.isNaN(error) ? Infinity : error;
     }
   }
   return out;
 }
 
-export async function worstOf(raster: Raster, reference: Raster | undefined, signal: AbortSignal): Promise<Worst> {
+export async function worstOf(
+  raster: Raster,
+  reference: Raster | undefined,
+  signal: AbortSignal,
+): Promise<Worst> {
   const largest = new Largest();
   const columns = Math.ceil(raster.width / kTile);
   const sums = new Float64Array(columns * Math.ceil(raster.height / kTile));
@@ -104,14 +121,22 @@ export async function worstOf(raster: Raster, reference: Raster | undefined, sig
     const x = (tile % columns) * kTile;
     const y = Math.floor(tile / columns) * kTile;
     // Tiles at the edges are smaller.
-    const mean = (sums[tile] ?? 0) / (Math.min(kTile, raster.width - x) * Math.min(kTile, raster.height - y));
+    const mean =
+      (sums[tile] ?? 0) / (Math.min(kTile, raster.width - x) * Math.min(kTile, raster.height - y));
     if (mean > most) [best, most] = [tile, mean];
   }
   const x = (best % columns) * kTile;
   const y = Math.floor(best / columns) * kTile;
   return {
-    pixels: largest.sorted().map(({ error, place }) => ({ x: place % raster.width, y: Math.floor(place / raster.width), error })),
+    pixels: largest.sorted().map(({ error, place }) => ({
+      x: place % raster.width,
+      y: Math.floor(place / raster.width),
+      error,
+    })),
     count,
-    tile: best < 0 ? undefined : [x, y, Math.min(x + kTile, raster.width), Math.min(y + kTile, raster.height)],
+    tile:
+      best < 0
+        ? undefined
+        : [x, y, Math.min(x + kTile, raster.width), Math.min(y + kTile, raster.height)],
   };
 }
