@@ -7,7 +7,7 @@ namespace orbs::results {
 std::string scenes_json(const std::vector<SceneRecord>& scenes) {
   json::Writer out;
   out.begin_object().member("format", "orbs-plan/2");
-  FieldWriter(out)("scenes", scenes);
+  FieldWriter{out}("scenes", scenes);
   return out.end_object().text();
 }
 
@@ -15,7 +15,7 @@ std::string job_json(const JobRecord& job, const std::vector<TargetRecord>& targ
   json::Writer out;
   out.begin_object().member("format", "orbs-job/2");
   write_fields(out, job);
-  FieldWriter(out)("targets", targets);
+  FieldWriter{out}("targets", targets);
   return out.end_object().text();
 }
 

@@ -11,6 +11,7 @@ import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Provenance } from "./Provenance";
+import { RenderRecord } from "./RenderRecord";
 
 /** Cells of the same renderer before and after this one, and the others of the same image. */
 function neighbours(session: Session, index: number) {
@@ -140,6 +141,7 @@ function Detail({
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />
         <Logs session={session} detail={detail} />
+        <RenderRecord detail={detail} />
       </div>
     </>
   );
