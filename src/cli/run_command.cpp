@@ -110,8 +110,9 @@ std::string progress_line(std::size_t done,
                           std::size_t count,
                           const results::JobRecord& job,
                           const std::vector<results::TargetRecord>& targets) {
-  auto verdict = job.verdict;
-  std::string reason = job.reason;
+  // What was rendered and not judged for any case has no worse verdict than a pass.
+  auto verdict = results::verdict_without_image(job.end.outcome).value_or(results::Verdict::Pass);
+  std::string reason = job.end.reason;
   std::optional<double> psnr;
   for (const auto& target : targets) {
     if (results::worse(verdict, target.verdict) != verdict) reason = target.reason;
@@ -121,9 +122,9 @@ std::string progress_line(std::size_t done,
   }
   const bool good = verdict == results::Verdict::Pass;
   auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
-                          fmt::formatted_size("{}", count), count, job.renderer, job.scene,
+                          fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
                           good && targets.empty() ? "rendered" : verdict_name(verdict),
-                          report::decibels(psnr), job.wall_seconds);
+                          report::decibels(psnr), job.cost.wall_seconds);
   if (!good) line += fmt::format("  {}", reason);
   return line;
 }

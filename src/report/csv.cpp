@@ -55,15 +55,15 @@ Cost cost_of(const RunRecord& run, const TargetRecord& target) {
   Cost cost;
   for (const auto& id : target.jobs)
     for (const auto& job : run.jobs) {
-      if (job.id != id || job.started.empty()) continue;
-      const auto machine = results::timing_machine(job.host);
+      if (job.identity.id != id || job.cost.started.empty()) continue;
+      const auto machine = results::timing_machine(job.cost.host);
       cost.machine = !cost.is_known || machine == cost.machine ? machine : "";
       cost.is_known = true;
-      cost.wall_seconds += job.wall_seconds;
-      cost.cpu_seconds += job.cpu_seconds;
-      cost.has_render_seconds = cost.has_render_seconds && job.render_seconds.has_value();
-      cost.render_seconds += job.render_seconds.value_or(0);
-      cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, job.peak_rss_bytes);
+      cost.wall_seconds += job.cost.wall_seconds;
+      cost.cpu_seconds += job.cost.cpu_seconds;
+      cost.has_render_seconds = cost.has_render_seconds && job.cost.render_seconds.has_value();
+      cost.render_seconds += job.cost.render_seconds.value_or(0);
+      cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, job.cost.peak_rss_bytes);
     }
   return cost;
 }

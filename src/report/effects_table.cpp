@@ -18,7 +18,7 @@ void add_rows(const std::vector<EffectRecord>& effects, const char* mark, Rows& 
     while (next < effects.size() && effects[next].effect == effects[i].effect) ++next;
     const auto others = next - i - 1;
     rows.push_back({fmt::format("  {}{}", mark, effects[i].effect),
-                    fmt::format("{} {}{}", effects[i].thing, effects[i].reason,
+                    fmt::format("{} {}{}", effects[i].subject, effects[i].reason,
                                 others == 0 ? "" : fmt::format(" (and {} more)", others))});
     i = next;
   }

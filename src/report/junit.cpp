@@ -65,8 +65,8 @@ double seconds_of(const RunRecord& run, const std::string& requirement, const st
   for (const auto& job : run.jobs)
     for (const auto& target : run.targets)
       if (target.requirement == requirement && target.renderer == renderer &&
-          target.jobs == std::vector{job.id})
-        seconds += job.wall_seconds;
+          target.jobs == std::vector{job.identity.id})
+        seconds += job.cost.wall_seconds;
   return seconds;
 }
 

@@ -1,7 +1,7 @@
 #include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
-#include "results/record_json.h"
+#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@ namespace orbs::report {
 namespace {
 
 using json::Writer;
-using results::JobRecord;
 using results::JobState;
 using results::RunRecord;
 using results::RunView;
@@ -81,14 +80,14 @@ void add_cost(const TargetRecord& target,
   const auto add = [](double& sum, double value) { sum = std::isnan(sum) ? value : sum + value; };
   for (const auto& id : target.jobs) {
     const auto found = jobs.find(id);
-    if (found == jobs.end() || run.jobs[found->second].started.empty()) continue;
-    const JobRecord& job = run.jobs[found->second];
-    add(wall, job.wall_seconds);
-    add(cpu, job.cpu_seconds);
-    if (job.render_seconds) add(own, *job.render_seconds);
-    memory = std::fmax(memory, static_cast<double>(job.peak_rss_bytes));
-    spp = job.spp;
-    machines.push_back(results::timing_machine(job.host));
+    if (found == jobs.end() || run.jobs[found->second].cost.started.empty()) continue;
+    const auto& job = run.jobs[found->second];
+    add(wall, job.cost.wall_seconds);
+    add(cpu, job.cost.cpu_seconds);
+    if (job.cost.render_seconds) add(own, *job.cost.render_seconds);
+    memory = std::fmax(memory, static_cast<double>(job.cost.peak_rss_bytes));
+    spp = job.identity.spp;
+    machines.push_back(results::timing_machine(job.cost.host));
   }
   const bool one_machine =
       !machines.empty() && !machines.front().empty() && machines.front() == machines.back();
@@ -114,7 +113,7 @@ Columns columns_of(const RunView& view) {
   const auto& run = view.run;
   Columns columns;
   std::map<std::string, std::size_t> jobs;
-  for (std::size_t i = 0; i < run.jobs.size(); ++i) jobs[run.jobs[i].id] = i;
+  for (std::size_t i = 0; i < run.jobs.size(); ++i) jobs[run.jobs[i].identity.id] = i;
   for (const auto& one_case : run.cases) columns.cases.of(one_case.name);
   for (const auto& renderer : run.renderers) columns.renderers.of(renderer.name);
   std::error_code ignored;
@@ -152,7 +151,7 @@ void write_run(Writer& out, const RunView& view) {
   out.member("orbs_version", run.orbs_version).member("command", shell_text(run.command_line));
   out.member("interrupted", run.interrupted).member("finished", run.finished).member("live", view.is_live);
   out.member("load", run.load).key("host");
-  results::write_host(out, run.host);
+  results::write_record(out, run.host);
   out.end_object();
 }
 
@@ -194,10 +193,10 @@ void write_costs(Writer& out, const RunRecord& run, const std::string& renderer)
   double cpu_seconds = 0;
   std::size_t peak_rss_bytes = 0;
   for (const auto& job : run.jobs) {
-    if (job.renderer != renderer) continue;
-    wall_seconds += job.wall_seconds;
-    cpu_seconds += job.cpu_seconds;
-    peak_rss_bytes = std::max(peak_rss_bytes, job.peak_rss_bytes);
+    if (job.identity.renderer != renderer) continue;
+    wall_seconds += job.cost.wall_seconds;
+    cpu_seconds += job.cost.cpu_seconds;
+    peak_rss_bytes = std::max(peak_rss_bytes, job.cost.peak_rss_bytes);
   }
   out.member("wall_seconds", wall_seconds).member("cpu_seconds", cpu_seconds);
   out.member("peak_rss_bytes", static_cast<unsigned long long>(peak_rss_bytes));
@@ -217,8 +216,7 @@ void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
     out.end_object();
   }
   out.end_array().key("left_out").begin_array();
-  for (const auto& left : run.left_out)
-    out.begin_object().member("renderer", left.renderer).member("reason", left.reason).end_object();
+  for (const auto& left : run.left_out) results::write_record(out, left);
   out.end_array();
 }
 
@@ -247,7 +245,7 @@ std::string overview_json(const RunView& view) {
   const auto& run = view.run;
   auto columns = columns_of(view);
   Writer out;
-  out.begin_object().member("format", "orbs-page/1");
+  out.begin_object().member("format", "orbs-page/2");
   write_run(out, view);
   write_states(out);
   write_renderers(out, run, columns.renderers);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// A run as the page reads it (format "orbs-page/1"). The page knows no metric, map, suite or verdict by
+/// A run as the page reads it (format "orbs-page/2"). The page knows no metric, map, suite or verdict by
 /// name: all that it shows stands here.
 namespace orbs::report {
 

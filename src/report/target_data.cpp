@@ -2,7 +2,7 @@
 #include "base/shell.h"
 #include "json/writer.h"
 #include "report/page_data.h"
-#include "results/record_json.h"
+#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,27 +34,13 @@ std::string log_tail(const RunRecord& run, const std::string& name) {
   return begin > 0 ? text.substr(std::min(text.find('\n') + 1, text.size())) : text;
 }
 
+// The whole record of the render, and the end of its log.
 void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
-  out.begin_object()
-      .member("id", job.id)
-      .member("scene", job.scene)
-      .member("folder", job.folder)
-      .member("native_scene", job.native_scene);
-  out.member("renderer_version", job.renderer_version)
-      .member("command", job.command.empty() ? shell_text(job.argv) : job.command);
-  out.member("spp", job.spp)
-      .member("seed", job.seed)
-      .member("seeds", job.seeds)
-      .member("threads", job.threads);
-  out.member("started", job.started).member("reason", job.reason);
-  out.member("wall_seconds", job.wall_seconds).member("cpu_seconds", job.cpu_seconds);
-  if (job.render_seconds) out.member("render_seconds", *job.render_seconds);
-  out.member("peak_rss_bytes", static_cast<unsigned long long>(job.peak_rss_bytes));
-  out.member("exit_code", job.exit_code).member("signal", job.signal);
-  out.member("core_dumped", job.core_dumped).member("log_file", job.log).member("load", job.load).key("host");
-  results::write_host(out, job.host);
-  out.member("log", log_tail(run, job.log));
-  out.end_object();
+  auto shown = job;
+  if (shown.program.shell.empty()) shown.program.shell = shell_text(job.program.argv);
+  out.begin_object();
+  results::write_fields(out, shown);
+  out.member("log", log_tail(run, job.files.log)).end_object();
 }
 
 Writer& write_image(Writer& out, std::string_view name, std::string_view kind, const std::string& file) {
@@ -77,15 +63,9 @@ void write_images(Writer& out, const TargetRecord& target) {
 
 void write_measures(Writer& out, const TargetRecord& target) {
   out.key("measures").begin_array();
-  for (const auto& measure : target.measures) results::write_measure(out, measure);
+  for (const auto& measure : target.measures) results::write_record(out, measure);
   out.end_array().key("checks").begin_array();
-  for (const auto& check : target.checks) {
-    out.begin_object().member("what", check.what).member("passed", check.passed);
-    out.member("reason", check.reason);
-    if (check.min) out.member("min", *check.min);
-    if (check.max) out.member("max", *check.max);
-    out.end_object();
-  }
+  for (const auto& check : target.checks) results::write_record(out, check);
   out.end_array();
 }
 
@@ -94,10 +74,10 @@ void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target)
   out.key("scenes").begin_array();
   for (const auto& scene : run.scenes)
     if (std::any_of(run.jobs.begin(), run.jobs.end(), [&](const JobRecord& job) {
-          return job.scene == scene.name &&
-                 std::find(target.jobs.begin(), target.jobs.end(), job.id) != target.jobs.end();
+          return job.identity.scene == scene.name &&
+                 std::find(target.jobs.begin(), target.jobs.end(), job.identity.id) != target.jobs.end();
         }))
-      results::write_scene(out, scene);
+      results::write_record(out, scene);
   out.end_array();
 }
 
@@ -105,7 +85,7 @@ void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target)
 std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& target, const JobRecord* job) {
   std::vector<std::string> words{"orbs",           "run",     "--suite",     run.suite,    "--case",
                                  target.case_name, "--scene", target.target, "--renderer", target.renderer};
-  if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->seed)});
+  if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->identity.seed)});
   // The scale of the samples stands in no record but in the command line.
   const auto given = std::find(run.command_line.begin(), run.command_line.end(), "--spp-scale");
   if (given != run.command_line.end() && given + 1 != run.command_line.end())
@@ -123,7 +103,7 @@ double seconds_left(const RunView& view) {
   int running = 0;
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
     if (view.states[i] == JobState::Done) {
-      sum += view.run.jobs[i].wall_seconds;
+      sum += view.run.jobs[i].cost.wall_seconds;
       ++done;
     } else {
       ++open;
@@ -163,7 +143,7 @@ std::string target_json(const RunView& view, std::size_t index) {
   for (const auto& [name, text] : target.reference_provenance) out.member(name, text);
   out.end_object().key("jobs").begin_array();
   for (const auto& job : view.run.jobs) {
-    if (std::find(target.jobs.begin(), target.jobs.end(), job.id) == target.jobs.end()) continue;
+    if (std::find(target.jobs.begin(), target.jobs.end(), job.identity.id) == target.jobs.end()) continue;
     if (first == nullptr) first = &job;
     write_job(out, job, view.run);
   }
@@ -180,7 +160,7 @@ std::string progress_json(const RunView& view) {
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
     if (view.states[i] == JobState::Done) ++done;
     if (view.states[i] == JobState::Running)
-      out.value(fmt::format("{} {}", view.run.jobs[i].renderer, view.run.jobs[i].scene));
+      out.value(fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
   }
   out.end_array().member("done", done).member("total", static_cast<int>(view.run.jobs.size()));
   return out.member("seconds_left", seconds_left(view)).end_object().text();

@@ -1,33 +1,49 @@
 #pragma once
 
+#include "results/fields.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
 
 namespace orbs::results {
 
-/// What images were rendered on. Texts are "" and numbers 0 where the system does not say.
+/// The machine that images were rendered on. Texts are "" and numbers 0 where the system does not say.
 struct Host {
   std::string name;
-  std::string cpu;       // its model
-  int cores = 0;         // that a process may use
-  std::string governor;  // of the clock: "performance"
+  std::string cpu;       // the processor's model
+  int cores = 0;         // the cores that a process may use
+  std::string governor;  // the clock's governor: "performance"
   std::size_t memory_bytes = 0;
-  std::string system;        // kernel, its release, architecture
+  std::string system;        // kernel, release, architecture
   std::string distribution;  // "Debian GNU/Linux 12 (bookworm)"
-  std::string compiler;      // of orbs and its tracer
-  // Of the container, which a process does not see otherwise; nothing where there is no limit.
-  std::optional<double> cpu_limit;  // in cores
+  std::string compiler;      // what orbs and its tracer were compiled with
+  // Limits of the container, which a process does not see otherwise; none where there is no limit.
+  std::optional<double> cpu_limit_cores;
   std::optional<std::size_t> memory_limit_bytes;
 
   friend bool operator==(const Host&, const Host&) = default;
 };
 
-/// What times depend on, as one text: processor, cores, governor, the container's share of them,
-/// distribution. Times are of the same kind of machine where the texts are equal and not ""; "" is for an
-/// unknown processor. Neither the name of the machine nor its memory nor the kernel's release are in it,
-/// which differ between nodes that are as fast as each other; and not the compiler or the versions of
-/// programs, as what a change of these costs is a question that times are compared for.
+template <class Visitor, RecordOf<Host> Record>
+void fields(Visitor& visit, Record& host) {
+  visit("name", host.name);
+  visit("cpu", host.cpu);
+  visit("cores", host.cores);
+  visit("governor", host.governor);
+  visit("memory_bytes", host.memory_bytes);
+  visit("system", host.system);
+  visit("distribution", host.distribution);
+  visit("compiler", host.compiler);
+  visit("cpu_limit_cores", host.cpu_limit_cores);
+  visit("memory_limit_bytes", host.memory_limit_bytes);
+}
+
+/// The facts that times depend on, as one text: processor, cores, governor, the container's share of them,
+/// distribution. Two times can be compared if their texts are equal and not ""; "" stands for an unknown
+/// processor. The name of the machine, its memory and the kernel's release are left out because they differ
+/// between nodes of equal speed; the compiler and the versions of programs are left out because the cost of
+/// changing them is a question that times are compared for.
 std::string timing_machine(const Host& host);
 
 }  // namespace orbs::results

@@ -7,14 +7,14 @@
 
 namespace orbs::results {
 
-/// What job.json holds: the render, and what was said about the images that it alone makes.
+/// The contents of a job.json: the render, and the targets whose image it makes alone.
 struct JobFile {
   JobRecord job;
   std::vector<TargetRecord> targets;
 };
 
-/// Reads a job.json. InputError with file, line and key. Members that this program does not know are left
-/// out, since a newer one may have written them; a member that is missing has its default.
+/// Reads a job.json. InputError with file, line and key. Unknown members are ignored, since a newer program
+/// may have written them; a missing member keeps its default unless it is required.
 JobFile read_job_file(const std::filesystem::path& file);
 
 /// Reads a results.json in the same way. `folder` of the record is the one that the file lies in now, not the

@@ -17,7 +17,7 @@ constexpr const char* kLockFile = "run.lock";
 // Takes over what the job's own file says; false when there is nothing to take, or nothing readable.
 bool take_job_file(RunView& view, std::size_t index) {
   auto& job = view.run.jobs[index];
-  const auto file = fs::path(view.run.folder) / job.folder / "job.json";
+  const auto file = fs::path(view.run.folder) / job.files.folder / "job.json";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return false;
   JobFile found;
@@ -26,7 +26,7 @@ bool take_job_file(RunView& view, std::size_t index) {
   } catch (const InputError&) {
     return false;  // results.json will say what became of it
   }
-  if (found.job.id != job.id) return false;
+  if (found.job.identity.id != job.identity.id) return false;
   job = std::move(found.job);
   for (auto& target : found.targets)
     for (auto& known : view.run.targets)
@@ -43,7 +43,7 @@ bool update_jobs(RunView& view) {
     auto state = view.states[i];
     if (take_job_file(view, i)) {
       state = JobState::Done;
-    } else if (is_unfinished(view.run.folder, view.run.jobs[i].folder)) {
+    } else if (is_unfinished(view.run.folder, view.run.jobs[i].files.folder)) {
       state = JobState::Running;
     }
     changed = changed || state != view.states[i];

@@ -26,7 +26,7 @@ namespace orbs::runner {
 namespace {
 
 using results::JobRecord;
-using results::Verdict;
+using results::JobOutcome;
 
 adapters::ProcessRequest process_request(const registry::Renderer& renderer,
                                          const adapters::Job& job,
@@ -84,14 +84,15 @@ void note_process(const adapters::ProcessResult& process,
                   const registry::Renderer& renderer,
                   const std::filesystem::path& folder,
                   JobRecord& record) {
-  record.wall_seconds += process.wall_seconds;
-  record.cpu_seconds += process.user_seconds + process.system_seconds;
-  record.peak_rss_bytes = std::max(record.peak_rss_bytes, process.peak_rss_bytes);
-  record.exit_code = process.exit_code;
-  record.core_dumped = process.core_dumped;
-  if (process.signal != 0) record.signal = adapters::signal_name(process.signal);
+  auto& cost = record.cost;
+  cost.wall_seconds += process.wall_seconds;
+  cost.cpu_seconds += process.user_seconds + process.system_seconds;
+  cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, process.peak_rss_bytes);
   if (const auto seconds = render_seconds(renderer.render_seconds, process.output, folder))
-    record.render_seconds = record.render_seconds.value_or(0) + *seconds;
+    cost.render_seconds = cost.render_seconds.value_or(0) + *seconds;
+  record.end.exit_code = process.exit_code;
+  record.end.core_dumped = process.core_dumped;
+  if (process.signal != 0) record.end.signal = adapters::signal_name(process.signal);
 }
 
 // The image of all seeds in `file`, in place of their own.
@@ -118,21 +119,21 @@ std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::
     make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
-    if (outcome.verdict != Verdict::Pass || turns.size() == 1) return {std::move(outcome), job.image};
+    if (outcome.kind != JobOutcome::Image || turns.size() == 1) return {std::move(outcome), job.image};
     images.push_back(std::move(*outcome.image));
   }
   const auto file = turns.front().folder / adapters::JobSettings{}.image_file;
-  return {{Verdict::Pass, "", put_together(turns, images, file)}, file};
+  return {{JobOutcome::Image, "", put_together(turns, images, file)}, file};
 }
 
 // The same renders again, as they can be repeated once the folder is in its place.
 void note_command(const std::vector<adapters::Job>& turns,
                   const std::vector<std::string>& environment,
                   JobRecord& record) {
-  record.argv = turns.front().argv;
+  record.program.argv = turns.front().argv;
   std::vector<std::string> commands;
   for (const auto& job : turns) commands.push_back(shell_command(job.folder, environment, job.argv));
-  record.command = fmt::format("{}", fmt::join(commands, " && "));
+  record.program.shell = fmt::format("{}", fmt::join(commands, " && "));
 }
 
 }  // namespace
@@ -148,18 +149,14 @@ std::string local_time_now() {
 
 JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   JobRecord record;
-  record.id = job.id;
-  record.suite = plan.suite.name;
-  record.scene = plan.scenes[job.scene].name;
-  record.renderer = plan.renderers[job.renderer].entry.name;
-  record.spp = job.spp;
-  record.seed = plan.settings.seed;
-  record.seeds = plan.renderers[job.renderer].entry.seeds;
-  record.threads = plan.threads;
-  record.folder = job.folder.string();
+  const auto& renderer = plan.renderers[job.renderer].entry;
+  record.identity = {job.id, plan.suite.name,    plan.scenes[job.scene].name, renderer.name,
+                     job.spp, plan.settings.seed, renderer.seeds};
+  record.program.threads = plan.threads;
+  record.files.folder = job.folder.string();
   if (!job.native_scene.empty())
-    record.native_scene = job.native_scene.lexically_proximate(plan.root).string();
-  record.reason = "the run ended before its turn";
+    record.files.native_scene = job.native_scene.lexically_proximate(plan.root).string();
+  record.end.reason = "the run ended before its turn";
   return record;
 }
 
@@ -171,28 +168,25 @@ Execution execute(const Plan& plan,
   const auto& renderer = plan.renderers[planned.renderer].entry;
   Execution execution{skipped_record(plan, planned), {}};
   auto& record = execution.record;
-  record.renderer_version = version;
+  record.program.version = version;
   const auto prepared = scene_for(plan, planned);
   if (const auto* reason = std::get_if<std::string>(&prepared)) {
-    record.verdict = Verdict::Unsupported;
-    record.reason = *reason;
+    record.end.outcome = JobOutcome::Unsupported;
+    record.end.reason = *reason;
     return execution;
   }
   const auto turns = prepare_turns(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
   note_command(turns_of(plan, planned, folders.run),
                process_request(renderer, turns.front(), stop).environment, record);
-  record.started = local_time_now();
-  record.load = load_average();
+  record.cost.started = local_time_now();
+  record.cost.load = load_average();
   auto [outcome, file] = run_turns(turns, renderer, stop, record);
-  record.verdict = outcome.verdict;
-  record.reason = outcome.reason;
-  record.rendered = outcome.verdict == Verdict::Pass;
-  // An image that cannot be judged can still be looked at.
-  if (record.rendered || record.verdict == Verdict::InvalidPixels || record.verdict == Verdict::WrongSize ||
-      record.verdict == Verdict::Stale)
-    record.image = (planned.folder / file.filename()).string();
-  const bool keep_log = plan.settings.log || !record.rendered;
-  if (keep_log) record.log = (planned.folder / "log.txt").string();
+  record.end.outcome = outcome.kind;
+  record.end.reason = outcome.reason;
+  if (results::leaves_visible_image(outcome.kind))
+    record.files.image = (planned.folder / file.filename()).string();
+  const bool keep_log = plan.settings.log || !has_image(record);
+  if (keep_log) record.files.log = (planned.folder / "log.txt").string();
   std::error_code ignored;
   if (!keep_log) std::filesystem::remove(turns.front().folder / "log.txt", ignored);
   execution.image = std::move(outcome.image);

@@ -81,7 +81,7 @@ void lower(std::optional<T>& limit, T to) {
 void limit_cpu(std::string_view quota, std::string_view period, results::Host& host) {
   const auto used = to_number(quota);
   const auto of = to_number(period);
-  if (used && of && *used > 0 && *of > 0) lower(host.cpu_limit, *used / *of);
+  if (used && of && *used > 0 && *of > 0) lower(host.cpu_limit_cores, *used / *of);
 }
 
 // No limit is "max", or in the older files a number beyond all memory.

@@ -44,8 +44,9 @@ TargetRecord undeclared_target(const Plan& plan,
 }
 
 void take_job_verdict(const JobRecord& job, TargetRecord& record) {
-  record.verdict = job.verdict;
-  record.reason = job.reason;
+  // A usable image that nobody has judged yet waits for its verdict.
+  record.verdict = results::verdict_without_image(job.end.outcome).value_or(Verdict::Skipped);
+  record.reason = job.end.reason;
 }
 
 namespace {
@@ -129,7 +130,7 @@ std::vector<TargetRecord> judge_scene(const Plan& plan,
   for (const auto& planned : plan.targets) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != job) continue;
     auto& record = records.emplace_back(blank_target(plan, planned, folders.run));
-    record.image = execution.record.image;
+    record.image = execution.record.files.image;
     if (execution.image) {
       judge_target(plan, planned, *execution.image, folders.unfinished, record);
     } else {
@@ -145,13 +146,13 @@ TargetRecord judge_difference(const Plan& plan,
                               const WorkFolders& folders) {
   auto record = blank_target(plan, planned, folders.run);
   for (const auto job : planned.jobs)
-    if (!jobs[job].rendered) {
+    if (!has_image(jobs[job])) {
       take_job_verdict(jobs[job], record);
-      record.reason = fmt::format("its scene '{}': {}", jobs[job].scene, jobs[job].reason);
+      record.reason = fmt::format("its scene '{}': {}", jobs[job].identity.scene, jobs[job].end.reason);
       return record;
     }
-  const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].image);
-  const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].image);
+  const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].files.image);
+  const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].files.image);
   const auto result = difference_of(of, minus);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   make_folder(folders.unfinished / relative);

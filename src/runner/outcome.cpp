@@ -16,7 +16,7 @@ namespace orbs::runner {
 namespace {
 
 namespace fs = std::filesystem;
-using results::Verdict;
+using results::JobOutcome;
 using supervisor::Cause;
 
 // The folder of the render is elsewhere when the run has ended, so its files are named within it.
@@ -55,25 +55,26 @@ Outcome limit_outcome(Cause cause, const ProcessLimits& limits) {
     case Cause::Nothing:
       break;
     case Cause::WallTime:
-      return {
-          Verdict::Timeout, fmt::format("was ended after its time limit of {} s", limits.wall_seconds), {}};
+      return {JobOutcome::Timeout,
+              fmt::format("was ended after its time limit of {} s", limits.wall_seconds),
+              {}};
     case Cause::CpuTime:
       return {
-          Verdict::Timeout,
+          JobOutcome::Timeout,
           fmt::format("was ended after {} s of processor time, its limit", limits.cpu_seconds.value_or(0)),
           {}};
     case Cause::Memory:
-      return {Verdict::OutOfMemory,
+      return {JobOutcome::OutOfMemory,
               fmt::format("was ended because it took more than its {} of memory",
                           megabytes(limits.memory_bytes.value_or(0))),
               {}};
     case Cause::Output:
-      return {Verdict::Crash,
+      return {JobOutcome::Crash,
               fmt::format("was ended because it wrote more than its {} of files",
                           megabytes(limits.output_bytes.value_or(0))),
               {}};
     case Cause::Stopped:
-      return {Verdict::Skipped, "was ended because the run was interrupted", {}};
+      return {JobOutcome::Skipped, "was ended because the run was interrupted", {}};
   }
   return {};
 }
@@ -89,14 +90,15 @@ Outcome process_outcome(const adapters::ProcessResult& process,
                         const fs::path& folder,
                         const ProcessLimits& limits) {
   if (!process.start_error.empty())
-    return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (!process.orphaned.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
+    return {JobOutcome::Crash, fmt::format("could not start: {}", process.start_error), {}};
+  if (!process.orphaned.empty())
+    return {JobOutcome::Crash, fmt::format("was lost: {}", process.orphaned), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
-    outcome = {Verdict::Crash, signal_message(process), {}};
+    outcome = {JobOutcome::Crash, signal_message(process), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
-    outcome = {Verdict::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
-  if (outcome.verdict != Verdict::Pass && outcome.verdict != Verdict::Skipped)
+    outcome = {JobOutcome::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
+  if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)
     outcome.reason += last_words(process.output, folder);
   return outcome;
 }
@@ -105,16 +107,16 @@ Outcome process_outcome(const adapters::ProcessResult& process,
 Outcome file_outcome(const adapters::Job& job, const std::string& name) {
   std::error_code ignored;
   const auto type = fs::symlink_status(job.image, ignored).type();
-  if (type == fs::file_type::not_found) return {Verdict::NoOutput, fmt::format("wrote no {}", name), {}};
+  if (type == fs::file_type::not_found) return {JobOutcome::NoOutput, fmt::format("wrote no {}", name), {}};
   if (type != fs::file_type::regular)
-    return {Verdict::NoOutput,
+    return {JobOutcome::NoOutput,
             fmt::format("{} is no file of its own but {}", name,
                         type == fs::file_type::symlink ? "a symbolic link" : "a folder or a device"),
             {}};
   if (job.ready_since && fs::last_write_time(job.image, ignored) < *job.ready_since)
-    return {Verdict::Stale, fmt::format("{} is older than its render", name), {}};
+    return {JobOutcome::Stale, fmt::format("{} is older than its render", name), {}};
   if (fs::file_size(job.image, ignored) == 0)
-    return {Verdict::Unreadable, fmt::format("{} is empty", name), {}};
+    return {JobOutcome::Unreadable, fmt::format("{} is empty", name), {}};
   return {};
 }
 
@@ -127,16 +129,17 @@ Outcome provenance_outcome(const adapters::Job& job,
     return !expected.empty() && said != attributes.end() && said->second != expected;
   };
   if (differs("orbs.scene_hash", job.scene_file_hash))
-    return {
-        Verdict::Stale, fmt::format("{} is an image of another scene, says its orbs.scene_hash", name), {}};
+    return {JobOutcome::Stale,
+            fmt::format("{} is an image of another scene, says its orbs.scene_hash", name),
+            {}};
   if (differs("orbs.job", job.id))
-    return {Verdict::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
+    return {JobOutcome::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
   return {};
 }
 
 Outcome size_outcome(const adapters::Job& job, int width_px, int height_px, const std::string& name) {
   if (width_px == job.width_px && height_px == job.height_px) return {};
-  return {Verdict::WrongSize,
+  return {JobOutcome::WrongSize,
           fmt::format("{} is {} x {} pixels, expected {} x {}", name, width_px, height_px, job.width_px,
                       job.height_px),
           {}};
@@ -144,32 +147,32 @@ Outcome size_outcome(const adapters::Job& job, int width_px, int height_px, cons
 
 Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
-  if (auto outcome = file_outcome(job, name); outcome.verdict != Verdict::Pass) return outcome;
+  if (auto outcome = file_outcome(job, name); outcome.kind != JobOutcome::Image) return outcome;
   image::Image image;
   try {
     // Before a pixel is decoded: two megabytes can stand for two gigabytes.
     const auto header = image::read_header(job.image);
-    if (auto outcome = provenance_outcome(job, header.attributes, name); outcome.verdict != Verdict::Pass)
+    if (auto outcome = provenance_outcome(job, header.attributes, name); outcome.kind != JobOutcome::Image)
       return outcome;
     if (auto outcome = size_outcome(job, header.width_px, header.height_px, name);
-        outcome.verdict != Verdict::Pass)
+        outcome.kind != JobOutcome::Image)
       return outcome;
     image = image::read_image(job.image);
   } catch (const InputError& e) {
-    return {Verdict::Unreadable, named_within(job.folder, e.what()), {}};
+    return {JobOutcome::Unreadable, named_within(job.folder, e.what()), {}};
   }
-  if (auto outcome = check_pixels(job, image, name); outcome.verdict != Verdict::Pass) return outcome;
-  return {Verdict::Pass, "", std::move(image)};
+  if (auto outcome = check_pixels(job, image, name); outcome.kind != JobOutcome::Image) return outcome;
+  return {JobOutcome::Image, "", std::move(image)};
 }
 
 }  // namespace
 
 Outcome check_pixels(const adapters::Job& job, const image::Image& image, const std::string& name) {
-  if (auto outcome = size_outcome(job, image.width, image.height, name); outcome.verdict != Verdict::Pass)
+  if (auto outcome = size_outcome(job, image.width, image.height, name); outcome.kind != JobOutcome::Image)
     return outcome;
   for (const char* channel : {"R", "G", "B"})
     if (image::channel_index(image, channel) < 0)
-      return {Verdict::WrongChannels,
+      return {JobOutcome::WrongChannels,
               fmt::format("{} has the channels {}, expected R, G, B", name, fmt::join(image.channels, ", ")),
               {}};
   const auto negatives =
@@ -177,7 +180,7 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& image, const 
   const auto faults = metrics::check_alignment(image, image, negatives).result;
   if (!faults.first.empty())
     return {
-        Verdict::InvalidPixels,
+        JobOutcome::InvalidPixels,
         fmt::format("{} pixels are NaN, {} infinite, {} negative; the first is {}; all lie in [{}]",
                     faults.nan, faults.infinite, faults.negative, faults.first, fmt::join(faults.box, ",")),
         {}};
@@ -188,7 +191,7 @@ Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits) {
   auto outcome = process_outcome(process, job.folder, limits);
-  if (outcome.verdict == Verdict::Pass) outcome = image_outcome(job);
+  if (outcome.kind == JobOutcome::Image) outcome = image_outcome(job);
   // Channels and what a reader quotes of a file are the renderer's words, too.
   outcome.reason = clean_text(outcome.reason);
   return outcome;

@@ -3,18 +3,18 @@
 #include "adapters/job.h"
 #include "adapters/process/process.h"
 #include "image/image.h"
-#include "results/verdict.h"
+#include "results/job_outcome.h"
 
 #include <optional>
 #include <string>
 
 namespace orbs::runner {
 
-/// How a render ended: Pass when there is a usable image (whether it is right is another question).
+/// How a render ended, why, and the image if there is a usable one.
 struct Outcome {
-  results::Verdict verdict = results::Verdict::Pass;
+  results::JobOutcome kind = results::JobOutcome::Image;
   std::string reason;
-  std::optional<image::Image> image;  // with Pass
+  std::optional<image::Image> image;
 };
 
 /// Asks in this fixed order, and the first that applies is the answer: could not start, ended by us (a limit,
@@ -24,8 +24,8 @@ Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits);
 
-/// The part of this that is about the pixels: size, channels, values. Pass without the image when all are
-/// usable. `name` is the image's in the reason.
+/// The part of classify that checks the pixels: size, channels, values. JobOutcome::Image, but without the
+/// image itself, if all are usable. `name` is what the reason calls the image.
 Outcome check_pixels(const adapters::Job& job, const image::Image& image, const std::string& name);
 
 }  // namespace orbs::runner

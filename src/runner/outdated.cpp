@@ -61,22 +61,21 @@ void note_hashes(const Plan& plan,
                  std::size_t index,
                  const std::string& orbs_version,
                  results::JobRecord& record) {
-  record.scene_hash = scene_hash(plan, plan.jobs[index]);
-  record.settings_hash = settings_hash(plan, plan.jobs[index]);
-  record.limits_hash = limits_hash(plan, plan.jobs[index]);
-  record.judged_hash = judged_hash(plan, index, orbs_version);
+  const auto& job = plan.jobs[index];
+  record.hashes = {scene_hash(plan, job), settings_hash(plan, job), limits_hash(plan, job),
+                   judged_hash(plan, index, orbs_version)};
 }
 
 std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now) {
-  if (found.id != now.id) return "its samples or its seed have changed";
-  if (found.scene_hash != now.scene_hash) return "its scene has changed";
-  if (found.renderer_version != now.renderer_version)
-    return fmt::format("it was rendered by '{}', now there is '{}'", found.renderer_version,
-                       now.renderer_version);
-  if (found.settings_hash != now.settings_hash)
+  if (found.identity.id != now.identity.id) return "its samples or its seed have changed";
+  if (found.hashes.scene != now.hashes.scene) return "its scene has changed";
+  if (found.program.version != now.program.version)
+    return fmt::format("it was rendered by '{}', now there is '{}'", found.program.version,
+                       now.program.version);
+  if (found.hashes.settings != now.hashes.settings)
     return "its program, command, environment or threads have changed";
   // An image that was finished within the old limits is the same under new ones.
-  if (!found.rendered && found.limits_hash != now.limits_hash) return "its limits have changed";
+  if (!has_image(found) && found.hashes.limits != now.hashes.limits) return "its limits have changed";
   return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using results::JobFile;
 using results::JobRecord;
-using results::Verdict;
+using results::JobOutcome;
 
 bool is_stopped(const RunContext& context) { return context.stop != nullptr && context.stop->load(); }
 
@@ -59,9 +59,9 @@ Execution execute_or_say_why(const Plan& plan,
     throw;
   } catch (const InputError& e) {
     refuse_full_disk(folders.run);
-    execution.record.renderer_version = version;
-    execution.record.verdict = Verdict::Crash;
-    execution.record.reason = fmt::format("could not start: {}", e.what());
+    execution.record.program.version = version;
+    execution.record.end.outcome = JobOutcome::Crash;
+    execution.record.end.reason = fmt::format("could not start: {}", e.what());
     return execution;
   }
 }
@@ -73,7 +73,7 @@ std::optional<Execution> take_over(const JobRecord& found,
                                    const WorkFolders& folders) {
   Execution execution{found, {}};
   try {
-    if (found.rendered) execution.image = image::read_image(folders.run / found.image);
+    if (has_image(found)) execution.image = image::read_image(folders.run / found.files.image);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -108,11 +108,11 @@ class Renders {
   void one(std::size_t index) {
     const auto& job = plan_.jobs[index];
     auto now = skipped_record(plan_, job);
-    now.renderer_version = versions_[job.renderer];
+    now.program.version = versions_[job.renderer];
     note_hashes(plan_, index, context_.orbs_version, now);
     auto found = found_job(folders_.run / job.folder);
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
-    if (found && !reason && found->job.judged_hash == now.judged_hash &&
+    if (found && !reason && found->job.hashes.judged == now.hashes.judged &&
         found->targets.size() == images_of(plan_, index)) {
       keep(index, std::move(*found));
       return;
@@ -121,7 +121,7 @@ class Renders {
       skip(index, now);
       return;
     }
-    if (reason) say(fmt::format("{} {}: {}", now.renderer, now.scene, *reason));
+    if (reason) say(fmt::format("{} {}: {}", now.identity.renderer, now.identity.scene, *reason));
     auto execution = found && !reason ? take_over(found->job, job.folder, folders_) : std::nullopt;
     finish(index, execution ? std::move(*execution) : render(job), now);
   }
@@ -131,7 +131,7 @@ class Renders {
  private:
   Execution render(const PlannedJob& job) {
     auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
-    execution.record.host = host_;
+    execution.record.cost.host = host_;
     return execution;
   }
 
@@ -151,18 +151,15 @@ class Renders {
 
   void finish(std::size_t index, Execution execution, const JobRecord& now) {
     const auto& folder = plan_.jobs[index].folder;
-    if (execution.record.verdict == Verdict::Skipped) {
+    if (execution.record.end.outcome == JobOutcome::Skipped) {
       std::error_code ignored;
       fs::remove_all(folders_.unfinished / folder, ignored);
       skip(index, execution.record);
       return;
     }
-    if (!execution.record.rendered && execution.record.verdict != Verdict::Unsupported)
+    if (!has_image(execution.record) && execution.record.end.outcome != JobOutcome::Unsupported)
       refuse_full_disk(folders_.run);
-    execution.record.scene_hash = now.scene_hash;
-    execution.record.settings_hash = now.settings_hash;
-    execution.record.limits_hash = now.limits_hash;
-    execution.record.judged_hash = now.judged_hash;
+    execution.record.hashes = now.hashes;
     make_folder(folders_.unfinished / folder);
     work_.targets[index] = judge_scene(plan_, index, execution, folders_);
     write_file(folders_.unfinished / folder / "job.json",

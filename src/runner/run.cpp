@@ -25,7 +25,6 @@ namespace {
 
 using results::JobRecord;
 using results::TargetRecord;
-using results::Verdict;
 
 // In the order of the plan, whatever order the renders ended in.
 std::vector<TargetRecord> all_targets(const Plan& plan, Work& work, const WorkFolders& folders) {
@@ -100,7 +99,7 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   record.jobs = std::move(work.jobs);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(),
-                                   [](const JobRecord& job) { return job.verdict == Verdict::Skipped; });
+                                   [](const JobRecord& job) { return job.end.outcome == results::JobOutcome::Skipped; });
   record.finished = true;
   summarise(plan, versions, record);
   record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -51,9 +51,9 @@ results::RendererRecord renderer_record(const ChosenRenderer& chosen,
     if (const auto cell = requirement.cells.find(record.name); cell != requirement.cells.end())
       ++record.counts[std::string(results::verdict_name(cell->second.verdict))];
   for (const auto& job : run.jobs) {
-    if (job.renderer != record.name) continue;
-    record.wall_seconds += job.wall_seconds;
-    record.cpu_seconds += job.cpu_seconds;
+    if (job.identity.renderer != record.name) continue;
+    record.wall_seconds += job.cost.wall_seconds;
+    record.cpu_seconds += job.cost.cpu_seconds;
   }
   return record;
 }

@@ -51,11 +51,11 @@ double harness_ms(const runner::Plan& plan,
   const bool stopped = stop != nullptr && stop->load();
   if (!execution.image && !stopped)
     throw InputError(
-        fmt::format("{}: {}", plan.renderers.front().executable.string(), execution.record.reason));
+        fmt::format("{}: {}", plan.renderers.front().executable.string(), execution.record.end.reason));
   if (!execution.image) return 0;
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(execution.record, {}));
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
-  argv = execution.record.argv;
+  argv = execution.record.program.argv;
   return ms_since(begin);
 }
 

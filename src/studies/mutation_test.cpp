@@ -36,8 +36,8 @@ TargetRecord judged(const GateTrial& trial, const Image& image) {
   expected.height_px = trial.reference.image->height;
   expected.may_be_negative = is_difference(trial) || !trial.one_case.negative_values.empty();
   const auto usable = runner::check_pixels(expected, image, "the image");
-  if (usable.verdict != Verdict::Pass) {
-    record.verdict = usable.verdict;
+  if (const auto verdict = results::verdict_without_image(usable.kind)) {
+    record.verdict = *verdict;
     record.reason = usable.reason;
     return record;
   }

@@ -147,8 +147,8 @@ TEST(Faults, TheRecordedCommandRepeatsTheRender) {
   const Sandbox sandbox;
   sandbox.orbs(run_of("exit3"));
   const auto job = results::read_job_file(sandbox.folder() / "out/exit3/grey/job.json").job;
-  const auto answer = sandbox.shell(job.command);
-  EXPECT_EQ(answer.status, 3) << job.command << "\n" << answer.text;
+  const auto answer = sandbox.shell(job.program.shell);
+  EXPECT_EQ(answer.status, 3) << job.program.shell << "\n" << answer.text;
   EXPECT_EQ(answer.text, "fake: cannot find the sun\n");
   EXPECT_NE(sandbox.read("out/results.csv").find("--mode exit3"), std::string::npos);
   EXPECT_NE(sandbox.read("out/junit.xml").find("--mode exit3"), std::string::npos);

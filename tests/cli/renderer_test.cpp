@@ -56,8 +56,8 @@ TEST(AddedRenderer, InAnotherLanguagePassesWithoutFurtherEdits) {
   EXPECT_EQ(answer.status, 0) << answer.text << sandbox.read("out/emitter/flags/log.txt");
   const auto job = results::read_job_file(sandbox.folder() / "out/emitter/flags/job.json");
   EXPECT_EQ(job.targets.at(0).verdict, results::Verdict::Pass);
-  EXPECT_EQ(job.job.renderer_version, "emitter renderer 1.0");
-  EXPECT_EQ(job.job.native_scene, "");
+  EXPECT_EQ(job.job.program.version, "emitter renderer 1.0");
+  EXPECT_EQ(job.job.files.native_scene, "");
   // The built-in tracer sees the same.
   sandbox.orbs({"renderer", "add", "tracer", "--executable", "{build}/orbs-tracer", "--declares", "G5/M8"});
   const auto tracer = sandbox.orbs({"run", "-r", "tracer", "-c", "m2_flags"});
@@ -77,9 +77,9 @@ TEST(AddedRenderer, MaySayItsTimeInAFile) {
   sandbox.write("configuration.json", text);
   sandbox.orbs({"run", "-r", "emitter", "-c", "m2_flags", "-o", "out"});
   const auto job = results::read_job_file(sandbox.folder() / "out/emitter/flags/job.json").job;
-  ASSERT_TRUE(job.render_seconds);
-  EXPECT_GT(*job.render_seconds, 0);
-  EXPECT_LT(*job.render_seconds, job.wall_seconds);
+  ASSERT_TRUE(job.cost.render_seconds);
+  EXPECT_GT(*job.cost.render_seconds, 0);
+  EXPECT_LT(*job.cost.render_seconds, job.cost.wall_seconds);
 }
 
 TEST(AddedRenderer, WithATakenNameIsRefused) {
@@ -123,7 +123,7 @@ TEST(HandWrittenScene, IsUsedInPlaceOfTheExportedOneAndKeptApart) {
   const auto answer = sandbox.orbs(run);
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto job = results::read_job_file(sandbox.folder() / "out/art/flags/job.json").job;
-  EXPECT_EQ(job.native_scene, "cases/m2_flags/art/flags.arm");
+  EXPECT_EQ(job.files.native_scene, "cases/m2_flags/art/flags.arm");
   EXPECT_TRUE(sandbox.has("out/art/flags/flags.arm"));
   EXPECT_EQ(sandbox.orbs({"probe", "-r", "art", "-s", "flags"}).status, 0);
   // What it includes belongs to it.

@@ -79,7 +79,7 @@ TEST(Resume, JudgesAgainWhatHasLostItsVerdicts) {
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
   EXPECT_EQ(now.targets.size(), job.targets.size());
-  EXPECT_EQ(now.job.wall_seconds, job.job.wall_seconds);
+  EXPECT_EQ(now.job.cost.wall_seconds, job.job.cost.wall_seconds);
 }
 
 TEST(Resume, RendersAgainWhatCannotBeJudgedForWantOfItsImage) {
@@ -143,7 +143,7 @@ TEST(Resume, JudgesAgainWithoutRenderingWhenTheReferenceHasChanged) {
   EXPECT_EQ(resume(sandbox).status, 1);
   const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
   EXPECT_EQ(now.targets.at(0).verdict, results::Verdict::MissingReference);
-  EXPECT_EQ(now.job.wall_seconds, job.wall_seconds);
+  EXPECT_EQ(now.job.cost.wall_seconds, job.cost.wall_seconds);
   EXPECT_EQ(sandbox.read("out/good/grey/log.txt"), log);
 }
 
@@ -157,7 +157,7 @@ TEST(Resume, OnAnotherMachineKeepsTheHostOfEachRender) {
   EXPECT_EQ(resume(sandbox).status, 0);
   const auto run = results::read_results_file(sandbox.folder() / "out/results.json");
   EXPECT_EQ(run.host.cpu, cpu);
-  for (const auto& job : run.jobs) EXPECT_EQ(job.host.cpu, job.scene == "grey" ? "Another Processor" : cpu);
+  for (const auto& job : run.jobs) EXPECT_EQ(job.cost.host.cpu, job.identity.scene == "grey" ? "Another Processor" : cpu);
   EXPECT_TRUE(contains(sandbox.read("out/results.csv"), "Another Processor"));
 }
 
@@ -177,7 +177,7 @@ TEST(Resume, TakesTheSettingsOfTheRunAndRefusesOtherChoices) {
   sandbox.orbs({"run", "-r", "good", "-s", "grey", "--seed", "5", "-o", "out"});
   std::filesystem::remove_all(sandbox.folder() / "out/good");
   EXPECT_EQ(resume(sandbox).status, 0);
-  EXPECT_EQ(results::read_job_file(sandbox.folder() / "out/good/grey/job.json").job.seed, 5);
+  EXPECT_EQ(results::read_job_file(sandbox.folder() / "out/good/grey/job.json").job.identity.seed, 5);
   EXPECT_FALSE(sandbox.has("out/good/mirror"));
   EXPECT_EQ(sandbox.orbs({"run", "--resume", "out", "-s", "mirror"}).status, 2);
 }

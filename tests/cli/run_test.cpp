@@ -87,7 +87,7 @@ TEST(Run, RecordsWhatMadeAnImageAndWhatItCost) {
   const auto json = sandbox.read("out/good/grey/job.json");
   EXPECT_NO_THROW(orbs::json::parse("job.json", json));
   EXPECT_EQ(member(json, "renderer"), "\"good\"");
-  EXPECT_EQ(member(json, "renderer_version"), "\"fake renderer 7.8\"");
+  EXPECT_EQ(member(json, "version"), "\"fake renderer 7.8\"");
   EXPECT_EQ(member(json, "spp"), "4");
   EXPECT_EQ(member(json, "seed"), "9");
   EXPECT_EQ(member(json, "threads"), "3");

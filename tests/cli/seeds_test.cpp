@@ -49,10 +49,10 @@ TEST(Seeds, ShareTheSamplesAndAddUpTheirTimes) {
   EXPECT_FALSE(contains(dry.text, "--seed 5")) << dry.text;
   sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "-o", "out"});
   const auto job = job_of(sandbox, "noisy");
-  EXPECT_EQ(job.spp, 8);
-  EXPECT_EQ(job.seeds, 4);
-  EXPECT_EQ(job.render_seconds, 4 * 0.25);
-  EXPECT_TRUE(contains(job.command, "--seed 4")) << job.command;
+  EXPECT_EQ(job.identity.spp, 8);
+  EXPECT_EQ(job.identity.seeds, 4);
+  EXPECT_EQ(job.cost.render_seconds, 4 * 0.25);
+  EXPECT_TRUE(contains(job.program.shell, "--seed 4")) << job.program.shell;
   EXPECT_FALSE(sandbox.has("out/noisy/grey/seed-1.exr"));
   const auto log = sandbox.read("out/noisy/grey/log.txt");
   std::size_t said = 0;
@@ -66,9 +66,9 @@ TEST(Seeds, ABadImageOfOneOfThemIsTheVerdict) {
   const auto answer = sandbox.orbs({"run", "-r", "noisy-nan", "-s", "grey", "-o", "out"});
   EXPECT_EQ(answer.status, 1);
   const auto job = job_of(sandbox, "noisy-nan");
-  EXPECT_EQ(job.verdict, results::Verdict::InvalidPixels);
-  EXPECT_TRUE(contains(job.reason, "1 pixels are NaN")) << job.reason;
-  EXPECT_TRUE(contains(job.image, "seed-2.exr")) << job.image;
+  EXPECT_EQ(job.end.outcome, results::JobOutcome::InvalidPixels);
+  EXPECT_TRUE(contains(job.end.reason, "1 pixels are NaN")) << job.end.reason;
+  EXPECT_TRUE(contains(job.files.image, "seed-2.exr")) << job.files.image;
   EXPECT_FALSE(sandbox.has("out/noisy-nan/grey/result.exr"));
 }
 

@@ -58,24 +58,23 @@ results::Host the_host() {
 
 JobRecord job_of(const std::string& scene, const std::string& renderer, double seconds) {
   JobRecord job;
-  job.id = hash_text(content_hash(scene + "\n" + renderer));
-  job.suite = "alpha";
-  job.scene = scene;
-  job.renderer = renderer;
-  job.renderer_version = renderer + " 1.0";
-  job.argv = {"/opt/" + renderer, "scene.json", "with space", "it's"};
-  job.folder = renderer + "/" + scene;
-  job.spp = 16;
-  job.seed = 1;
-  job.threads = 2;
-  job.host = the_host();
-  job.started = "2026-01-02T03:04:05";
-  job.wall_seconds = seconds;
-  job.cpu_seconds = 2 * seconds;
-  job.render_seconds = seconds / 2;
-  job.peak_rss_bytes = 123'000'000;
-  job.rendered = true;
-  job.verdict = Verdict::Pass;
+  job.identity.id = hash_text(content_hash(scene + "\n" + renderer));
+  job.identity.suite = "alpha";
+  job.identity.scene = scene;
+  job.identity.renderer = renderer;
+  job.program.version = renderer + " 1.0";
+  job.program.argv = {"/opt/" + renderer, "scene.json", "with space", "it's"};
+  job.files.folder = renderer + "/" + scene;
+  job.identity.spp = 16;
+  job.identity.seed = 1;
+  job.program.threads = 2;
+  job.cost.host = the_host();
+  job.cost.started = "2026-01-02T03:04:05";
+  job.cost.wall_seconds = seconds;
+  job.cost.cpu_seconds = 2 * seconds;
+  job.cost.render_seconds = seconds / 2;
+  job.cost.peak_rss_bytes = 123'000'000;
+  job.end.outcome = results::JobOutcome::Image;
   return job;
 }
 
@@ -83,14 +82,14 @@ TargetRecord target_of(const std::string& case_name, const JobRecord& job, Verdi
   TargetRecord target;
   target.requirement = {static_cast<char>(std::toupper(case_name[0])), case_name[1]};
   target.case_name = case_name;
-  target.target = job.scene;
-  target.renderer = job.renderer;
-  target.jobs = {job.id};
+  target.target = job.identity.scene;
+  target.renderer = job.identity.renderer;
+  target.jobs = {job.identity.id};
   target.declared = true;
   target.verdict = verdict;
   target.reason = fmt::format("psnr_srgb8 is told for {}", verdict_name(verdict));
   const double psnr = verdict == Verdict::Pass ? 41.5 : 20.25;
-  target.measures = {{"l1", 0.01 * job.wall_seconds, "radiance", "mean of |result - reference|", true},
+  target.measures = {{"l1", 0.01 * job.cost.wall_seconds, "radiance", "mean of |result - reference|", true},
                      {"psnr_srgb8", psnr, "dB", "10 log10(255^2 / MSE)", false},
                      {"lean", -0.0125, "1", "how far it leans", true, true, -0.02, -0.005, {8, 16, 24, 32}}};
   target.remarks = {"it leans to the left"};
@@ -177,11 +176,11 @@ void add_markup(const fs::path& folder, RunRecord& run) {
       "</script><script>document.title='owned'</script><img src=x onerror=\"document.title='owned'\">";
   run.cases.push_back(case_of("beta", "e1_markup", "Title " + attack));
   auto job = job_of("markup", "one", 1);
-  job.log = "one/markup/log.txt";
-  job.exit_code = 3;
-  job.reason = attack;
+  job.files.log = "one/markup/log.txt";
+  job.end.exit_code = 3;
+  job.end.reason = attack;
   fs::create_directories(folder / "one/markup");
-  write_file(folder / job.log, "line one\n" + attack + "\n\x1b[31mred\x1b[0m \xff\n");
+  write_file(folder / job.files.log, "line one\n" + attack + "\n\x1b[31mred\x1b[0m \xff\n");
   auto target = target_of("e1_markup", job, Verdict::Crash);
   target.reason = attack;
   target.measures.clear();
@@ -266,9 +265,9 @@ void write_earlier_run(const fs::path& folder) {
   add_case(run, "g9_gone");
   // Rendered elsewhere, as after a resume on another machine.
   for (auto& job : run.jobs)
-    if (job.renderer == "three") job.host.cpu = "another processor";
+    if (job.identity.renderer == "three") job.cost.host.cpu = "another processor";
   for (auto& job : run.jobs)
-    if (job.renderer == "two") job.wall_seconds *= 2;
+    if (job.identity.renderer == "two") job.cost.wall_seconds *= 2;
   write_run(std::move(run), folder);
 }
 
@@ -284,7 +283,7 @@ void write_run_of_many_cells(const fs::path& folder) {
     for (const auto& renderer : names) {
       const auto job = job_of(fmt::format("scene-{}", p), renderer, 0.1 + p % 17);
       // Every seventh cell fails, each row at other renderers.
-      const auto hash = content_hash(job.id);
+      const auto hash = content_hash(job.identity.id);
       run.targets.push_back(
           target_of(run.cases.back().name, job, hash % 7 == 0 ? Verdict::Fail : Verdict::Pass));
       run.jobs.push_back(job);
@@ -321,9 +320,8 @@ void play_live_run(const fs::path& folder) {
   for (const char* scene : {"first", "second", "third"}) {
     done.push_back(job_of(scene, "one", 10));
     auto waiting = done.back();
-    waiting.started.clear();
-    waiting.rendered = false;
-    waiting.verdict = Verdict::Skipped;
+    waiting.cost.started.clear();
+    waiting.end.outcome = results::JobOutcome::Skipped;
     run.jobs.push_back(waiting);
     run.targets.push_back(target_of("m1_live", waiting, Verdict::Skipped));
   }
@@ -331,11 +329,11 @@ void play_live_run(const fs::path& folder) {
   std::cout << "ready" << std::endl;
   std::string line;
   for (std::size_t i = 0; i < done.size() && std::getline(std::cin, line); ++i) {
-    fs::create_directories(folder / done[i].folder);
-    fs::remove_all(unfinished.path() / done[i].folder);
-    if (i + 1 < done.size()) fs::create_directories(unfinished.path() / done[i + 1].folder);
+    fs::create_directories(folder / done[i].files.folder);
+    fs::remove_all(unfinished.path() / done[i].files.folder);
+    if (i + 1 < done.size()) fs::create_directories(unfinished.path() / done[i + 1].files.folder);
     const auto target = target_of("m1_live", done[i], i == 0 ? Verdict::Pass : Verdict::Fail);
-    write_file(folder / done[i].folder / "job.json", results::job_json(done[i], {target}));
+    write_file(folder / done[i].files.folder / "job.json", results::job_json(done[i], {target}));
     run.jobs[i] = done[i];
     run.targets[i] = target;
   }

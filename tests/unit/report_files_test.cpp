@@ -26,13 +26,13 @@ RunRecord run_of(Verdict verdict, const std::string& reason) {
   target.measures = {{"psnr_srgb8", 41.25, "dB", ""}, {"l1", 0.5, "", ""}};
   run.targets = {target};
   JobRecord job;
-  job.id = "id";
-  job.started = "2026-01-01T00:00:00";
-  job.host.cpu = "a processor";
-  job.host.cores = 2;
-  job.wall_seconds = 1.5;
-  job.cpu_seconds = 2.5;
-  job.peak_rss_bytes = 1024;
+  job.identity.id = "id";
+  job.cost.started = "2026-01-01T00:00:00";
+  job.cost.host.cpu = "a processor";
+  job.cost.host.cores = 2;
+  job.cost.wall_seconds = 1.5;
+  job.cost.cpu_seconds = 2.5;
+  job.cost.peak_rss_bytes = 1024;
   run.jobs = {job};
   return run;
 }

@@ -126,14 +126,14 @@ TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
 // A render that a difference looks at, too, took its time once.
 TEST(PageData, CountsEachRenderOnce) {
   results::JobRecord job;
-  job.id = "full";
-  job.renderer = "r";
-  job.wall_seconds = 3;
-  job.cpu_seconds = 5;
-  job.peak_rss_bytes = 700;
+  job.identity.id = "full";
+  job.identity.renderer = "r";
+  job.cost.wall_seconds = 3;
+  job.cost.cpu_seconds = 5;
+  job.cost.peak_rss_bytes = 700;
   auto other = job;
-  other.id = "direct";
-  other.peak_rss_bytes = 900;
+  other.identity.id = "direct";
+  other.cost.peak_rss_bytes = 900;
   results::TargetRecord target;
   target.renderer = "r";
   target.jobs = {"full"};
@@ -213,9 +213,9 @@ TEST(PageData, ADifferenceOfRendersOnTwoMachinesHasNone) {
   results::TargetRecord difference;
   for (const char* cpu : {"a", "b"}) {
     results::JobRecord job;
-    job.id = cpu;
-    job.started = "2026-01-01T00:00:00";
-    job.host.cpu = cpu;
+    job.identity.id = cpu;
+    job.cost.started = "2026-01-01T00:00:00";
+    job.cost.host.cpu = cpu;
     view.run.jobs.push_back(job);
     view.states.push_back(results::JobState::Done);
     difference.jobs.emplace_back(cpu);

@@ -20,12 +20,11 @@ namespace {
 
 JobRecord job_called(const std::string& id, bool done) {
   JobRecord job;
-  job.id = id;
-  job.scene = id;
-  job.renderer = "r";
-  job.folder = "r/" + id;
-  job.rendered = done;
-  job.verdict = done ? Verdict::Pass : Verdict::Skipped;
+  job.identity.id = id;
+  job.identity.scene = id;
+  job.identity.renderer = "r";
+  job.files.folder = "r/" + id;
+  job.end.outcome = done ? JobOutcome::Image : JobOutcome::Skipped;
   return job;
 }
 
@@ -33,10 +32,10 @@ TargetRecord target_of(const JobRecord& job) {
   TargetRecord target;
   target.requirement = "M1";
   target.case_name = "c";
-  target.target = job.scene;
-  target.renderer = job.renderer;
-  target.jobs = {job.id};
-  target.verdict = job.verdict;
+  target.target = job.identity.scene;
+  target.renderer = job.identity.renderer;
+  target.jobs = {job.identity.id};
+  target.verdict = verdict_without_image(job.end.outcome).value_or(Verdict::Pass);
   return target;
 }
 
@@ -69,9 +68,24 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
   EXPECT_EQ(run_json(read_results_file(scratch.path() / "again.json")), run_json(run));
 }
 
+// What a killed or older program left must not pass for a render of today.
+TEST(ReadRecord, AnUnknownOutcomeIsNamedWithItsPlace) {
+  const structure::TestFolder scratch("read-outcome");
+  scratch.write("job.json", R"({"format": "orbs-job/2", "identity": {"id": "i", "scene": "s", "renderer": "r"},
+ "end": {"outcome": "pass"}})");
+  try {
+    read_job_file(scratch.path() / "job.json");
+    FAIL() << "was read";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("job.json:2:21: /end/outcome: 'pass' is no outcome"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(ReadRecord, AnUnknownVerdictIsNamedWithItsPlace) {
   const structure::TestFolder scratch("read-verdict");
-  scratch.write("results.json", R"({"format": "orbs-results/1",
+  scratch.write("results.json", R"({"format": "orbs-results/2",
  "targets": [{"requirement": "M1", "case": "c", "target": "p", "renderer": "r", "verdict": "perfect"}]})");
   try {
     read_results_file(scratch.path() / "results.json");

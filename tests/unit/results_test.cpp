@@ -38,6 +38,16 @@ TEST(Verdicts, HaveDifferentNames) {
     for (const auto b : kVerdicts) EXPECT_EQ(a == b, verdict_name(a) == verdict_name(b));
 }
 
+TEST(JobOutcomes, OtherThanAnImageAreVerdictsOfTheSameName) {
+  for (const auto outcome : kJobOutcomes) {
+    const auto verdict = verdict_without_image(outcome);
+    EXPECT_EQ(verdict.has_value(), outcome != JobOutcome::Image);
+    if (verdict) EXPECT_EQ(job_outcome_name(outcome), verdict_name(*verdict));
+    EXPECT_EQ(job_outcome_named(job_outcome_name(outcome)), outcome);
+  }
+  EXPECT_EQ(job_outcome_named("pass"), std::nullopt);
+}
+
 TEST(ExitStatus, IsOneForEveryFailureOnWhatARendererDeclares) {
   RunRecord run;
   run.targets = {target(Verdict::Pass, true), target(Verdict::Unsupported, true),
@@ -64,20 +74,20 @@ TEST(ResultsJson, KeepsAllThatIsKnownOfTheMachines) {
   run.load = 0.75;
   run.jobs.resize(2);
   for (auto& job : run.jobs) {
-    job.started = "2026-01-01T00:00:00";
-    job.host = host;
+    job.cost.started = "2026-01-01T00:00:00";
+    job.cost.host = host;
   }
-  run.jobs[1].host.cpu_limit.reset();
-  run.jobs[1].load = 3.5;
+  run.jobs[1].cost.host.cpu_limit_cores.reset();
+  run.jobs[1].cost.load = 3.5;
   scratch.write("results.json", run_json(run));
   const auto read = read_results_file(scratch.path() / "results.json");
   EXPECT_EQ(read.host, host);
   EXPECT_EQ(read.load, 0.75);
-  EXPECT_EQ(read.jobs[0].host, host);
-  EXPECT_EQ(read.jobs[1].host, run.jobs[1].host);
-  EXPECT_EQ(read.jobs[1].load, 3.5);
+  EXPECT_EQ(read.jobs[0].cost.host, host);
+  EXPECT_EQ(read.jobs[1].cost.host, run.jobs[1].cost.host);
+  EXPECT_EQ(read.jobs[1].cost.load, 3.5);
   scratch.write("job.json", job_json(run.jobs[1], {}));
-  EXPECT_EQ(read_job_file(scratch.path() / "job.json").job.host, run.jobs[1].host);
+  EXPECT_EQ(read_job_file(scratch.path() / "job.json").job.cost.host, run.jobs[1].cost.host);
 }
 
 TEST(ResultsJson, IsJsonWhateverTheTextsHold) {

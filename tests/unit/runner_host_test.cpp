@@ -28,7 +28,7 @@ Host known_host() {
 TEST(TimingMachine, NamesWhatTimesDependOn) {
   auto host = known_host();
   EXPECT_EQ(timing_machine(host), "Processor 9000, 8 cores, governor performance, Debian 12");
-  host.cpu_limit = 1.5;
+  host.cpu_limit_cores = 1.5;
   EXPECT_EQ(timing_machine(host),
             "Processor 9000, 8 cores, governor performance, container limited to 1.5 cores, Debian 12");
 }
@@ -43,7 +43,7 @@ TEST(TimingMachine, IsAnotherOneWhenAnythingDiffersThatMakesItFasterOrSlower) {
   EXPECT_TRUE(differs([](Host& host) { host.cores = 4; }));
   EXPECT_TRUE(differs([](Host& host) { host.governor = "powersave"; }));
   EXPECT_TRUE(differs([](Host& host) { host.governor = ""; }));
-  EXPECT_TRUE(differs([](Host& host) { host.cpu_limit = 2; }));
+  EXPECT_TRUE(differs([](Host& host) { host.cpu_limit_cores = 2; }));
   EXPECT_TRUE(differs([](Host& host) { host.distribution = "Debian 13"; }));
   // Nodes of one cluster, and two builds on one machine.
   EXPECT_FALSE(differs([](Host& host) { host.name = "b"; }));
@@ -68,7 +68,7 @@ TEST(ThisHost, IsReadFromTheFilesOfTheKernel) {
   EXPECT_GT(host.cores, 0);
   EXPECT_FALSE(host.system.empty());
   EXPECT_FALSE(host.compiler.empty());
-  EXPECT_FALSE(host.cpu_limit || host.memory_limit_bytes);
+  EXPECT_FALSE(host.cpu_limit_cores || host.memory_limit_bytes);
 }
 
 // The smallest limit of all groups that we are in is the one that counts.
@@ -81,7 +81,7 @@ TEST(ThisHost, KnowsTheLimitsOfItsContainer) {
   root.write("sys/fs/cgroup/pod/ours/memory.max", "1073741824\n");
   root.write("sys/fs/cgroup/pod/memory.max", "max\n");
   const auto host = this_host(root.path());
-  EXPECT_EQ(host.cpu_limit, 1.5);
+  EXPECT_EQ(host.cpu_limit_cores, 1.5);
   EXPECT_EQ(host.memory_limit_bytes, std::size_t{1} << 30);
 }
 
@@ -95,7 +95,7 @@ TEST(ThisHost, ReadsTheOlderControlGroupsToo) {
   root.write("sys/fs/cgroup/cpu/cpu.cfs_period_us", "100000\n");
   root.write("sys/fs/cgroup/memory/ours/memory.limit_in_bytes", "9223372036854771712\n");  // none
   const auto host = this_host(root.path());
-  EXPECT_EQ(host.cpu_limit, 0.5);
+  EXPECT_EQ(host.cpu_limit_cores, 0.5);
   EXPECT_FALSE(host.memory_limit_bytes);
 }
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 using orbs::adapters::ProcessResult;
-using orbs::results::Verdict;
+using orbs::results::JobOutcome;
 using orbs::runner::classify;
 using orbs::structure::TestFolder;
 using orbs::supervisor::Cause;
@@ -49,7 +49,7 @@ class OutcomeTest : public testing::Test {
 TEST_F(OutcomeTest, AGoodImageIsAPassAndIsThere) {
   write(4, 3, {"R", "G", "B"});
   const auto result = outcome();
-  EXPECT_EQ(result.verdict, Verdict::Pass);
+  EXPECT_EQ(result.kind, JobOutcome::Image);
   ASSERT_TRUE(result.image);
   EXPECT_EQ(result.image->width, 4);
 }
@@ -61,9 +61,9 @@ TEST_F(OutcomeTest, TheFirstFaultInTheFixedOrderIsTheAnswer) {
   EXPECT_EQ(outcome(process).reason, "ended with exit code 3");
   process.signal = SIGSEGV;
   EXPECT_EQ(outcome(process).reason, "was killed by SIGSEGV");
-  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
   process.cause = Cause::WallTime;
-  EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Timeout);
   EXPECT_EQ(outcome(process).reason, "was ended after its time limit of 9 s");
   process.start_error = "Permission denied";
   EXPECT_EQ(outcome(process).reason, "could not start: Permission denied");
@@ -73,19 +73,19 @@ TEST_F(OutcomeTest, AGoodImageDoesNotExcuseABadEnd) {
   write(4, 3, {"R", "G", "B"});
   ProcessResult process;
   process.signal = SIGABRT;
-  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
 }
 
 TEST_F(OutcomeTest, NoImageIsNoOutput) {
-  EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
+  EXPECT_EQ(outcome().kind, JobOutcome::NoOutput);
   EXPECT_EQ(outcome().reason, "wrote no result.exr");
 }
 
 TEST_F(OutcomeTest, WhatCannotBeReadIsUnreadable) {
   scratch_.write("result.exr", "this is no image");
-  EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
+  EXPECT_EQ(outcome().kind, JobOutcome::Unreadable);
   scratch_.write("result.exr", "");
-  EXPECT_EQ(outcome().verdict, Verdict::Unreadable);
+  EXPECT_EQ(outcome().kind, JobOutcome::Unreadable);
   EXPECT_EQ(outcome().reason, "result.exr is empty");
 }
 
@@ -102,7 +102,7 @@ TEST_F(OutcomeTest, FilesAreNamedWithinTheFolderOfTheRender) {
 TEST_F(OutcomeTest, ALostSupervisorIsNoRendererThatDidNotStart) {
   ProcessResult process;
   process.orphaned = "its supervisor was killed by SIGKILL";
-  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
   EXPECT_EQ(outcome(process).reason, "was lost: its supervisor was killed by SIGKILL");
 }
 
@@ -118,16 +118,16 @@ TEST_F(OutcomeTest, AnImageFromElsewhereIsNone) {
   write(4, 3, {"R", "G", "B"});
   std::filesystem::rename(job_.image, scratch_.path() / "other.exr");
   std::filesystem::create_symlink("other.exr", job_.image);
-  EXPECT_EQ(outcome().verdict, Verdict::NoOutput);
+  EXPECT_EQ(outcome().kind, JobOutcome::NoOutput);
   EXPECT_EQ(outcome().reason, "result.exr is no file of its own but a symbolic link");
 }
 
 TEST_F(OutcomeTest, AnImageOlderThanItsRenderIsStale) {
   write(4, 3, {"R", "G", "B"});
   job_.ready_since = std::filesystem::last_write_time(job_.image);
-  EXPECT_EQ(outcome().verdict, Verdict::Pass);
+  EXPECT_EQ(outcome().kind, JobOutcome::Image);
   job_.ready_since = *job_.ready_since + std::chrono::milliseconds(1);
-  EXPECT_EQ(outcome().verdict, Verdict::Stale);
+  EXPECT_EQ(outcome().kind, JobOutcome::Stale);
 }
 
 TEST_F(OutcomeTest, AnImageThatSaysItIsOfSomethingElseIsStale) {
@@ -135,29 +135,29 @@ TEST_F(OutcomeTest, AnImageThatSaysItIsOfSomethingElseIsStale) {
   job_.scene_file_hash = "b";
   auto image = orbs::image::make_image(4, 3, {"R", "G", "B"});
   orbs::image::write_exr(image, job_.image);
-  EXPECT_EQ(outcome().verdict, Verdict::Pass);  // says nothing
+  EXPECT_EQ(outcome().kind, JobOutcome::Image);  // says nothing
   image.attributes = {{"orbs.job", "a"}, {"orbs.scene_hash", "b"}};
   orbs::image::write_exr(image, job_.image);
-  EXPECT_EQ(outcome().verdict, Verdict::Pass);
+  EXPECT_EQ(outcome().kind, JobOutcome::Image);
   image.attributes["orbs.job"] = "c";
   orbs::image::write_exr(image, job_.image);
-  EXPECT_EQ(outcome().verdict, Verdict::Stale);
+  EXPECT_EQ(outcome().kind, JobOutcome::Stale);
 }
 
-TEST_F(OutcomeTest, EachLimitHasItsVerdictAndSaysItself) {
+TEST_F(OutcomeTest, EachLimitHasItsOutcomeAndSaysItself) {
   ProcessResult process;
   process.signal = SIGKILL;
   process.cause = Cause::CpuTime;
-  EXPECT_EQ(outcome(process).verdict, Verdict::Timeout);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Timeout);
   EXPECT_EQ(outcome(process).reason, "was ended after 4 s of processor time, its limit");
   process.cause = Cause::Memory;
-  EXPECT_EQ(outcome(process).verdict, Verdict::OutOfMemory);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::OutOfMemory);
   EXPECT_EQ(outcome(process).reason, "was ended because it took more than its 3 MB of memory");
   process.cause = Cause::Output;
-  EXPECT_EQ(outcome(process).verdict, Verdict::Crash);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
   EXPECT_EQ(outcome(process).reason, "was ended because it wrote more than its 0.5 MB of files");
   process.cause = Cause::Stopped;
-  EXPECT_EQ(outcome(process).verdict, Verdict::Skipped);
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Skipped);
 }
 
 TEST_F(OutcomeTest, TheLastWordsAndTheCoreAreToldWithACrash) {
@@ -172,29 +172,29 @@ TEST_F(OutcomeTest, TheLastWordsAndTheCoreAreToldWithACrash) {
 TEST_F(OutcomeTest, NegativeValuesAreForJobsThatMayHaveThem) {
   write(4, 3, {"R", "G", "B"}, -1.0F);
   job_.may_be_negative = true;
-  EXPECT_EQ(outcome().verdict, Verdict::Pass);
+  EXPECT_EQ(outcome().kind, JobOutcome::Image);
 }
 
-TEST_F(OutcomeTest, AnotherSizeIsAVerdictOfItsOwn) {
+TEST_F(OutcomeTest, AnotherSizeIsAnOutcomeOfItsOwn) {
   write(4, 2, {"R", "G", "B"});
-  EXPECT_EQ(outcome().verdict, Verdict::WrongSize);
+  EXPECT_EQ(outcome().kind, JobOutcome::WrongSize);
   EXPECT_EQ(outcome().reason, "result.exr is 4 x 2 pixels, expected 4 x 3");
 }
 
 TEST_F(OutcomeTest, MissingChannelsAreNamed) {
   write(4, 3, {"Y"});
-  EXPECT_EQ(outcome().verdict, Verdict::WrongChannels);
+  EXPECT_EQ(outcome().kind, JobOutcome::WrongChannels);
   EXPECT_EQ(outcome().reason, "result.exr has the channels Y, expected R, G, B");
 }
 
 TEST_F(OutcomeTest, BadNumbersAreCountedWithThePlaceOfTheFirst) {
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
+  EXPECT_EQ(outcome().kind, JobOutcome::InvalidPixels);
   EXPECT_EQ(outcome().reason,
             "1 pixels are NaN, 0 infinite, 0 negative; the first is (3, 2), channel B, value nan; all "
             "lie in [3,2,4,3]");
   write(4, 3, {"R", "G", "B"}, std::numeric_limits<float>::infinity());
-  EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
+  EXPECT_EQ(outcome().kind, JobOutcome::InvalidPixels);
   write(4, 3, {"R", "G", "B"}, -1.0F);
-  EXPECT_EQ(outcome().verdict, Verdict::InvalidPixels);
+  EXPECT_EQ(outcome().kind, JobOutcome::InvalidPixels);
 }

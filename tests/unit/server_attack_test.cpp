@@ -240,7 +240,7 @@ TEST(ServerAttack, TextsOfTheRunAreNeverMarkup) {
 TEST(Server, ServesTheRunAndTheBundle) {
   EXPECT_EQ(body_of(server().get("/")), "index.html");
   EXPECT_EQ(body_of(server().get("/page.js")), "page.js");
-  EXPECT_NE(body_of(server().get("/data/0/overview.json")).find("\"format\": \"orbs-page/1\""),
+  EXPECT_NE(body_of(server().get("/data/0/overview.json")).find("\"format\": \"orbs-page/2\""),
             std::string::npos);
   EXPECT_NE(body_of(server().get("/data/0/target/0.json")).find("a map that nobody knows"),
             std::string::npos);

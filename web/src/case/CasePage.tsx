@@ -11,6 +11,7 @@ import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Provenance } from "./Provenance";
+import { RenderRecord } from "./RenderRecord";
 
 /** The previous and the next cell of the same renderer, and the cells of the same target. */
 function neighbours(session: Session, index: number) {
@@ -159,6 +160,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />
         <Logs session={session} detail={detail} />
+        <RenderRecord detail={detail} />
       </div>
     </>
   );

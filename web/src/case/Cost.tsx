@@ -32,12 +32,12 @@ export function Cost({ detail }: { detail: TargetDetail }) {
           </thead>
           <tbody>
             {detail.jobs.map((job) => (
-              <tr key={job.id}>
-                <th scope="row">{job.scene}</th>
-                <td class="number">{seconds(job.started ? job.wall_seconds : null)}</td>
-                <td class="number">{seconds(job.started ? job.cpu_seconds : null)}</td>
-                <td class="number">{seconds(job.render_seconds)}</td>
-                <td class="number">{bytes(job.peak_rss_bytes)}</td>
+              <tr key={job.identity.id}>
+                <th scope="row">{job.identity.scene}</th>
+                <td class="number">{seconds(job.cost.started ? job.cost.wall_seconds : null)}</td>
+                <td class="number">{seconds(job.cost.started ? job.cost.cpu_seconds : null)}</td>
+                <td class="number">{seconds(job.cost.render_seconds)}</td>
+                <td class="number">{bytes(job.cost.peak_rss_bytes)}</td>
               </tr>
             ))}
           </tbody>
@@ -47,11 +47,11 @@ export function Cost({ detail }: { detail: TargetDetail }) {
       )}
       <Copyable label="Render and judge this target again" text={detail.command} />
       {detail.jobs.map((job) =>
-        job.command ? (
+        job.program.shell ? (
           <Copyable
-            key={job.id}
-            label={`Run the renderer alone, ${job.scene}`}
-            text={job.command}
+            key={job.identity.id}
+            label={`Run the renderer alone, ${job.identity.scene}`}
+            text={job.program.shell}
           />
         ) : null,
       )}

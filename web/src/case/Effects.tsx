@@ -1,6 +1,6 @@
 import type { Effect, TargetDetail, Scene } from "../data/types";
 
-/** The effects, each with the first object that calls for it and the number of others that do. */
+/** Groups the parts of a scene by effect; the first of a group stands for all. */
 function grouped(effects: Effect[]): { first: Effect; others: number }[] {
   const groups = new Map<string, { first: Effect; others: number }>();
   for (const one of effects) {
@@ -16,7 +16,7 @@ function List({ effects }: { effects: Effect[] }) {
     <ul>
       {grouped(effects).map(({ first, others }) => (
         <li key={first.effect}>
-          <b>{first.effect}</b>: {first.thing} {first.reason}
+          <b>{first.effect}</b>: {first.subject} {first.reason}
           {others > 0 ? <span class="quiet"> and {others} more</span> : null}
         </li>
       ))}

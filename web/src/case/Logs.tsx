@@ -3,20 +3,21 @@ import type { TargetDetail } from "../data/types";
 
 /** The ends of the logs, always shown as plain text. */
 export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {
-  const jobs = detail.jobs.filter((job) => job.log !== "" || job.reason !== "");
+  const jobs = detail.jobs.filter((job) => job.log !== "" || job.end.reason !== "");
   if (jobs.length === 0) return null;
   return (
     <section class="logs">
       <h2>Output of the renderer</h2>
       {jobs.map((job) => {
-        const address = job.log_file
-          ? session.source.fileAddress(session.run, job.log_file)
+        const address = job.files.log
+          ? session.source.fileAddress(session.run, job.files.log)
           : undefined;
         return (
-          <details key={job.id} open={job.exit_code !== 0 || job.signal !== ""}>
+          <details key={job.identity.id} open={job.end.exit_code !== 0 || job.end.signal !== ""}>
             <summary>
-              {job.scene}: {job.signal ? `killed by ${job.signal}` : `exit code ${job.exit_code}`}
-              {job.reason ? ` · ${job.reason}` : ""}
+              {job.identity.scene}:{" "}
+              {job.end.signal ? `killed by ${job.end.signal}` : `exit code ${job.end.exit_code}`}
+              {job.end.reason ? ` · ${job.end.reason}` : ""}
             </summary>
             <pre tabIndex={0}>{job.log || "(no output)"}</pre>
             {address ? <a href={address}>Whole log</a> : null}

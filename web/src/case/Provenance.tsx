@@ -22,8 +22,8 @@ function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
 
 function hostPairs(host: Host, load: number): [string, string][] {
   const limits = [
-    host.cpu_limit === null ? "" : `${host.cpu_limit} cores`,
-    host.memory_limit_bytes === null ? "" : bytes(host.memory_limit_bytes),
+    host.cpu_limit_cores === undefined ? "" : `${host.cpu_limit_cores} cores`,
+    host.memory_limit_bytes === undefined ? "" : bytes(host.memory_limit_bytes),
   ];
   return [
     ["host", `${host.name}, ${host.cpu}, ${host.cores} cores`],
@@ -45,23 +45,23 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
       <div class="columns">
         {detail.jobs.map((job) => (
           <Pairs
-            key={job.id}
-            title={`Result: ${job.scene}`}
+            key={job.identity.id}
+            title={`Result: ${job.identity.scene}`}
             pairs={[
-              ["program", job.renderer_version],
-              ["hand-written scene", job.native_scene],
-              ["samples per pixel", String(job.spp)],
+              ["program", job.program.version],
+              ["hand-written scene", job.files.native_scene],
+              ["samples per pixel", String(job.identity.spp)],
               [
                 "seed",
-                job.seeds > 1
-                  ? `${job.seed} to ${job.seed + job.seeds - 1}, averaged`
-                  : String(job.seed),
+                job.identity.seeds > 1
+                  ? `${job.identity.seed} to ${job.identity.seed + job.identity.seeds - 1}, averaged`
+                  : String(job.identity.seed),
               ],
-              ["threads", String(job.threads)],
-              ["started", job.started.replace("T", " ")],
-              ...hostPairs(job.host, job.load),
+              ["threads", String(job.program.threads)],
+              ["started", job.cost.started.replace("T", " ")],
+              ...(job.cost.host ? hostPairs(job.cost.host, job.cost.load) : []),
               ["orbs", run.orbs_version],
-              ["job", job.id],
+              ["job", job.identity.id],
             ]}
           />
         ))}

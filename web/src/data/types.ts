@@ -1,4 +1,4 @@
-// The page data that src/report writes (orbs-page/1). The page knows no metric, map, suite or state
+// The page data that src/report writes (orbs-page/2). The page knows no metric, map, suite or state
 // by name.
 
 export interface Host {
@@ -10,9 +10,9 @@ export interface Host {
   system: string;
   distribution: string;
   compiler: string;
-  /** Limit of the container in cores; null without a limit. */
-  cpu_limit: number | null;
-  memory_limit_bytes: number | null;
+  /** Limits of the container, if it has any. */
+  cpu_limit_cores?: number;
+  memory_limit_bytes?: number;
 }
 
 export interface RunInfo {
@@ -167,36 +167,41 @@ export interface ImageEntry {
   scale_maximum?: number;
 }
 
+/**
+ * The record of one render, as job.json holds it. The page names the members that it lays out itself; the list of all
+ * members (RenderRecord) shows the others.
+ */
 export interface Job {
-  id: string;
-  scene: string;
-  folder: string;
-  /** The scene file written by hand for this renderer; "" if it was exported. */
-  native_scene: string;
-  renderer_version: string;
-  command: string;
-  spp: number;
-  seed: number;
-  seeds: number; // number of seeds, from `seed` on, that share the samples
-  threads: number;
-  started: string;
-  load: number;
-  host: Host;
-  reason: string;
-  wall_seconds: number;
-  cpu_seconds: number;
-  render_seconds?: number;
-  peak_rss_bytes: number;
-  exit_code: number;
-  signal: string;
-  log_file: string;
+  identity: {
+    id: string;
+    scene: string;
+    spp: number;
+    seed: number;
+    /** Number of consecutive seeds that share the samples. */
+    seeds: number;
+  };
+  program: { version: string; shell: string; threads: number };
+  cost: {
+    started: string;
+    load: number;
+    wall_seconds: number;
+    cpu_seconds: number;
+    render_seconds?: number;
+    peak_rss_bytes: number;
+    host?: Host;
+  };
+  end: { outcome: string; reason: string; exit_code: number; signal: string };
+  /** `native_scene` was written by hand for this renderer; "" if the scene was exported. */
+  files: { folder: string; native_scene: string; log: string };
+  /** The end of the log's text. */
   log: string;
 }
 
-/** An effect of light, and the object of the scene that calls for it. */
+/** An effect of light, and the part of the scene that calls for it. */
 export interface Effect {
   effect: string;
-  thing: string;
+  /** "material 'copper'" */
+  subject: string;
   reason: string;
 }
 

@@ -1,0 +1,147 @@
+#pragma once
+
+#include "results/fields.h"
+#include "results/host.h"
+#include "results/job_outcome.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is recorded of one render. Each member is also listed in the struct's fields(): see fields.h.
+namespace orbs::results {
+
+/// What was rendered.
+struct JobIdentity {
+  std::string id;  // the same for the same suite, scene, renderer, samples and seed
+  std::string suite;
+  std::string scene;
+  std::string renderer;
+  int spp = 0;
+  int seed = 0;   // the first seed
+  int seeds = 1;  // number of consecutive seeds that share the samples
+};
+
+template <class Visitor, RecordOf<JobIdentity> Record>
+void fields(Visitor& visit, Record& identity) {
+  visit.required("id", identity.id);
+  visit("suite", identity.suite);
+  visit.required("scene", identity.scene);
+  visit.required("renderer", identity.renderer);
+  visit("spp", identity.spp);
+  visit("seed", identity.seed);
+  visit("seeds", identity.seeds);
+}
+
+/// What was started.
+struct JobProgram {
+  std::string version;
+  std::vector<std::string> argv;
+  std::string shell;  // a command for a shell that repeats the render in the same place
+  int threads = 0;
+};
+
+template <class Visitor, RecordOf<JobProgram> Record>
+void fields(Visitor& visit, Record& program) {
+  visit("version", program.version);
+  visit("argv", program.argv);
+  visit("shell", program.shell);
+  visit("threads", program.threads);
+}
+
+/// What the render and its verdict depend on: --resume renders or judges again where a hash differs.
+struct JobHashes {
+  std::string scene;
+  std::string settings;  // what else makes the image: command, environment, threads
+  std::string limits;    // what may end the render without an image: time, memory, files
+  std::string judged;    // what its images were judged by: cases, references, the version of orbs
+};
+
+template <class Visitor, RecordOf<JobHashes> Record>
+void fields(Visitor& visit, Record& hashes) {
+  visit("scene", hashes.scene);
+  visit("settings", hashes.settings);
+  visit("limits", hashes.limits);
+  visit("judged", hashes.judged);
+}
+
+/// When and where the render ran, and what it took. Several seeds add up.
+struct JobCost {
+  std::string started;  // local time, ISO 8601; "" if it never was
+  double load = 0;      // processes that wanted to run on the machine then, mean of the minute before
+  double wall_seconds = 0;
+  double cpu_seconds = 0;                // user and system
+  std::optional<double> render_seconds;  // as the renderer itself reports
+  std::size_t peak_rss_bytes = 0;
+  Host host;
+};
+
+template <class Visitor, RecordOf<JobCost> Record>
+void fields(Visitor& visit, Record& cost) {
+  visit("started", cost.started);
+  visit("load", cost.load);
+  visit("wall_seconds", cost.wall_seconds);
+  visit("cpu_seconds", cost.cpu_seconds);
+  visit("render_seconds", cost.render_seconds);
+  visit("peak_rss_bytes", cost.peak_rss_bytes);
+  visit("host", cost.host);
+}
+
+/// How the render ended.
+struct JobEnd {
+  JobOutcome outcome = JobOutcome::Skipped;
+  std::string reason;  // "" for a usable image
+  int exit_code = 0;
+  std::string signal;  // "SIGSEGV", "" for none
+  bool core_dumped = false;
+};
+
+template <class Visitor, RecordOf<JobEnd> Record>
+void fields(Visitor& visit, Record& end) {
+  visit.required("outcome", end.outcome);
+  visit("reason", end.reason);
+  visit("exit_code", end.exit_code);
+  visit("signal", end.signal);
+  visit("core_dumped", end.core_dumped);
+}
+
+/// Paths, relative to the run's folder.
+struct JobFiles {
+  std::string folder;
+  std::string native_scene;  // the hand-written scene, relative to the program's data; "" for an exported one
+  std::string image;         // "" if nothing can be looked at
+  std::string log;           // "" if it was not kept
+};
+
+template <class Visitor, RecordOf<JobFiles> Record>
+void fields(Visitor& visit, Record& files) {
+  visit("folder", files.folder);
+  visit("native_scene", files.native_scene);
+  visit("image", files.image);
+  visit("log", files.log);
+}
+
+/// One render: what was started, what it cost, how it ended.
+struct JobRecord {
+  JobIdentity identity;
+  JobProgram program;
+  JobHashes hashes;
+  JobCost cost;
+  JobEnd end;
+  JobFiles files;
+};
+
+template <class Visitor, RecordOf<JobRecord> Record>
+void fields(Visitor& visit, Record& job) {
+  visit.required("identity", job.identity);
+  visit("program", job.program);
+  visit("hashes", job.hashes);
+  visit("cost", job.cost);
+  visit.required("end", job.end);
+  visit("files", job.files);
+}
+
+inline bool has_image(const JobRecord& job) { return job.end.outcome == JobOutcome::Image; }
+
+}  // namespace orbs::results

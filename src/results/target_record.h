@@ -1,0 +1,116 @@
+#pragma once
+
+#include "results/fields.h"
+#include "results/verdict.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is recorded of one judged target. Each member is also listed in the struct's fields(): see fields.h.
+namespace orbs::results {
+
+/// A number with what it means, for readers outside this program.
+struct Measure {
+  std::string name;  // "psnr_srgb8"
+  double value = 0;  // infinite for equal images under a ratio in dB
+  std::string unit;
+  std::string definition;
+  bool lower_is_better = false;
+  bool is_signed = false;          // values nearer to zero are better
+  std::optional<double> low = {};  // ends of its interval, if it has one
+  std::optional<double> high = {};
+  std::vector<double> where = {};  // x0, y0, x1, y1 of the pixels that it measures; empty: all
+};
+
+template <class Visitor, RecordOf<Measure> Record>
+void fields(Visitor& visit, Record& measure) {
+  visit.required("name", measure.name);
+  visit.maybe_infinite("value", measure.value);
+  visit("unit", measure.unit);
+  visit("definition", measure.definition);
+  visit("lower_is_better", measure.lower_is_better);
+  visit("signed", measure.is_signed);
+  visit("low", measure.low);
+  visit("high", measure.high);
+  visit.rectangle("where", measure.where);
+}
+
+/// An image of the error that lies beside the result.
+struct MapRecord {
+  std::string name;   // "l1"
+  std::string image;  // EXR of the raw numbers
+  std::string definition;
+  bool is_signed = false;
+  double scale_maximum = 1;  // upper end of its colour scale; the same for every renderer
+};
+
+template <class Visitor, RecordOf<MapRecord> Record>
+void fields(Visitor& visit, Record& map) {
+  visit.required("name", map.name);
+  visit.required("image", map.image);
+  visit("definition", map.definition);
+  visit("signed", map.is_signed);
+  visit("scale_maximum", map.scale_maximum);
+}
+
+/// One condition that an image had to meet.
+struct Check {
+  std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
+  bool passed = false;
+  std::string reason;
+  std::optional<double> min;  // limits of a condition on a number
+  std::optional<double> max;
+};
+
+template <class Visitor, RecordOf<Check> Record>
+void fields(Visitor& visit, Record& check) {
+  visit.required("what", check.what);
+  visit("passed", check.passed);
+  visit("reason", check.reason);
+  visit("min", check.min);
+  visit("max", check.max);
+}
+
+/// One target by one renderer, judged for one case.
+struct TargetRecord {
+  std::string requirement;
+  std::string case_name;
+  std::string target;  // a scene, or a difference of two
+  std::string renderer;
+  std::vector<std::string> jobs;  // ids of the renders that its image is made from
+  bool declared = false;          // the renderer claims the requirement
+  Verdict verdict = Verdict::Skipped;
+  std::string reason;
+  std::vector<Measure> measures;
+  std::vector<Check> checks;
+  std::vector<std::string> remarks;                         // facts that change no verdict
+  std::string reference;                                    // absolute path
+  std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
+  std::string image;
+  std::string reference_image;  // the copy of the reference in the run's folder; "" if there is none
+  std::vector<MapRecord> maps;
+};
+
+template <class Visitor, RecordOf<TargetRecord> Record>
+void fields(Visitor& visit, Record& target) {
+  visit.required("requirement", target.requirement);
+  visit.required("case", target.case_name);
+  visit.required("target", target.target);
+  visit.required("renderer", target.renderer);
+  visit("jobs", target.jobs);
+  visit("declared", target.declared);
+  visit.required("verdict", target.verdict);
+  visit("reason", target.reason);
+  visit("measures", target.measures);
+  visit("checks", target.checks);
+  visit("remarks", target.remarks);
+  visit("reference", target.reference);
+  visit("reference_provenance", target.reference_provenance);
+  visit("image", target.image);
+  visit("reference_image", target.reference_image);
+  visit("maps", target.maps);
+}
+
+}  // namespace orbs::results

@@ -1,0 +1,42 @@
+import type { Job, TargetDetail } from "../data/types";
+import { recordedValues } from "./recorded";
+
+function Values({ job }: { job: Job }) {
+  const { log: _log, ...record } = job;
+  return (
+    <table>
+      <thead>
+        <tr>
+          <th scope="col">Name</th>
+          <th scope="col">Value</th>
+          <th scope="col">Unit</th>
+        </tr>
+      </thead>
+      <tbody>
+        {recordedValues(record).map(({ name, value, unit }) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            <td>{value}</td>
+            <td>{unit}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** Every member of the renders' records, including those that no other section of the page knows. */
+export function RenderRecord({ detail }: { detail: TargetDetail }) {
+  if (detail.jobs.length === 0) return null;
+  return (
+    <section class="records">
+      <h2>Record of the render</h2>
+      {detail.jobs.map((job) => (
+        <details key={job.identity.id}>
+          <summary>{job.identity.scene}</summary>
+          <Values job={job} />
+        </details>
+      ))}
+    </section>
+  );
+}
