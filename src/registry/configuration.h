@@ -1,6 +1,6 @@
 #pragma once
 
-#include "registry/defaults.h"
+#include "registry/run_settings.h"
 #include "registry/features.h"
 #include "supervisor/limits.h"
 
@@ -70,7 +70,7 @@ struct Renderer {
 struct Configuration {
   std::filesystem::path file;
   std::filesystem::path root;  // the folder of the file; what {root} stands for
-  Defaults defaults;
+  RunSettings defaults;
   std::vector<Suite> suites;
   std::vector<Renderer> renderers;
 };

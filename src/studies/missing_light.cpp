@@ -1,8 +1,8 @@
 #include "studies/missing_light.h"
 
+#include "runner/render_once.h"
 #include "scene/called.h"
 #include "scene/lower_parts.h"
-#include "studies/bench_render.h"
 
 #include <algorithm>
 #include <variant>
@@ -40,8 +40,8 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
     const auto name = "without " + scene::called("light", dark.lights[i].name, i);
     dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
     const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
-    const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);
-    auto made = render(subject, {spp, kSeed, plan.threads}, stop);
+    const auto subject = runner::prepare_render(plan.renderers.front(), plan, dark, folder);
+    auto made = runner::render_once(subject, {spp, kSeed, plan.threads}, stop);
     if (!made) return std::nullopt;
     images.push_back({name, std::move(made->image)});
     std::filesystem::remove_all(folder);
