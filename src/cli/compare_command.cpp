@@ -5,11 +5,12 @@
 #include "cli/number_checks.h"
 #include "image/colour.h"
 #include "image/image_io.h"
+#include "judge/maps.h"
+#include "judge/noise.h"
+#include "metrics/bias_message.h"
 #include "metrics/compare.h"
-#include "metrics/noise_numbers.h"
+#include "metrics/image_pair.h"
 #include "metrics/table.h"
-#include "runner/judge.h"
-#include "runner/noise.h"
 
 #include <cmath>
 #include <optional>
@@ -42,16 +43,11 @@ image::Image read_linear(const std::string& file) {
 
 // Noise and bias would be numbers that mean nothing.
 void check_variances(const image::Image& image, const std::string& file) {
-  if (const auto problem = runner::variance_problem(image); !problem.empty())
+  if (const auto problem = judge::variance_problem(image); !problem.empty())
     throw InputError(
         fmt::format("{}: {}, so noise cannot be told from bias; mend these channels, or leave out all of "
                     "variance.R, G and B",
                     file, problem));
-}
-
-std::string place_text(const std::optional<metrics::Rectangle>& where) {
-  return where ? fmt::format("  in [{},{},{},{}]", where->x0, where->y0, where->x1, where->y1)
-               : std::string();
 }
 
 void print_measurement(const metrics::Measurement& measurement, bool definitions) {
@@ -59,19 +55,12 @@ void print_measurement(const metrics::Measurement& measurement, bool definitions
   const auto value = !measurement.value               ? "undefined"
                      : std::isinf(*measurement.value) ? "infinite"
                                                       : fmt::format("{:.9g}", *measurement.value);
-  fmt::print("{:<20} {:>14} {}{}\n", metric.name, value, metric.unit, place_text(measurement.where));
+  auto line = fmt::format("{:<20} {:>14} {}", metric.name, value, metric.unit);
+  if (measurement.low && measurement.high)
+    line += fmt::format("  {:.4g} to {:.4g}", *measurement.low, *measurement.high);
+  if (measurement.where) line += fmt::format("  in {}", rectangle_text(*measurement.where));
+  fmt::print("{}\n", line);
   if (definitions) fmt::print("    {}\n", metric.definition);
-}
-
-void print_noise(const metrics::NoiseTest& test, bool definitions) {
-  for (const auto& number : metrics::noise_numbers(test)) {
-    const auto interval =
-        number.low ? fmt::format("  {:.4g} to {:.4g}", *number.low, *number.high) : std::string();
-    fmt::print("{:<20} {:>14.9g} {}{}{}\n", number.name, number.value, number.unit, interval,
-               place_text(number.where));
-    if (definitions) fmt::print("    {}\n", number.definition);
-  }
-  if (const auto bias = metrics::bias_message(test); !bias.empty()) fmt::print("{}\n", bias);
 }
 
 // Also true for a number that does not exist: what cannot be measured is not within a tolerance.
@@ -87,18 +76,19 @@ int compare_files(CompareOptions options) {
   const auto second = read_linear(options.second);
   check_variances(first, options.first);
   check_variances(second, options.second);
-  metrics::CompareSettings settings{
-      .negatives = metrics::NegativePixels::Allowed, .threads = 0, .all = options.all};
-  if (!options.metric.empty()) settings.also = {options.metric};
-  const auto comparison = metrics::compare(first, second, {}, settings);
-  if (comparison.alignment.alignment != metrics::Alignment::Comparable)
+  const auto alignment = metrics::check_alignment(first, second, metrics::NegativePixels::Allowed);
+  if (alignment.alignment != metrics::Alignment::Comparable)
     throw InputError(fmt::format("{} (the result) and {} (the reference) cannot be compared: {}",
-                                 options.first, options.second, comparison.alignment.reason));
+                                 options.first, options.second, alignment.reason));
+  const auto pair = metrics::make_image_pair(first, second, {}, {.threads = 0});
+  metrics::MetricSelection selection{.all = options.all};
+  if (!options.metric.empty()) selection.also = {options.metric};
+  const auto comparison = metrics::compare(pair, selection);
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
-  print_noise(metrics::test_noise(first, second), options.definitions);
+  if (const auto bias = metrics::bias_message(pair.noise); !bias.empty()) fmt::print("{}\n", bias);
   if (!options.maps.empty()) {
     make_folder(options.maps);
-    runner::write_maps(first, comparison, options.maps);
+    judge::write_maps(first, comparison, options.maps);
   }
   if (options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric))) return 0;
   fmt::print("beyond the tolerance: {}{}{}\n", options.metric,

@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "registry/cases.h"
+#include "runner/choose_renderers.h"
 #include "runner/renderer_version.h"
 
 #include <optional>

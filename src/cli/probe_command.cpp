@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/not_empty.h"
+#include "runner/make_plan.h"
 #include "studies/probe.h"
 
 #include <algorithm>

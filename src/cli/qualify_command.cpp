@@ -5,6 +5,7 @@
 #include "cli/not_empty.h"
 #include "cli/number_checks.h"
 #include "results/run_folder.h"
+#include "runner/make_plan.h"
 #include "studies/qualify.h"
 
 #include <algorithm>

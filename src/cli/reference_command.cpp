@@ -1,7 +1,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/number_checks.h"
-#include "runner/reference.h"
+#include "references/references.h"
 
 #include <cstdio>
 
@@ -13,7 +13,7 @@ namespace orbs::cli {
 void add_reference_command(CLI::App& app, const Program& program, Action& action) {
   auto* command = app.add_subcommand("reference", "Renders references with the built-in tracer");
   const auto configuration = add_configuration_option(*command);
-  const auto settings = std::make_shared<runner::ReferenceSettings>();
+  const auto settings = std::make_shared<references::ReferenceSettings>();
   const auto cases = std::make_shared<std::vector<std::string>>();
   const auto scenes = std::make_shared<std::vector<std::string>>();
   const auto suite = std::make_shared<std::string>();
@@ -23,7 +23,7 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
   command
       ->add_option("--spp", settings->spp,
                    "samples per pixel (default: until the noise is 10 dB below the gate)")
-      ->check(CLI::Range(1, runner::kMostReferenceSpp));
+      ->check(CLI::Range(1, references::kMostReferenceSpp));
   command->add_option("--seed", settings->seed, "seed; keep it away from the seeds of runs")
       ->check(zero_or_more())
       ->capture_default_str();
@@ -35,7 +35,7 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
   command->callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      auto selection = registry::Defaults{};
+      auto selection = registry::RunSettings{};
       selection.suite = suite->empty() ? read.defaults.suite : *suite;
       if (!cases->empty()) selection.cases = joined_list(*cases);
       if (!scenes->empty()) selection.scenes = joined_list(*scenes);
@@ -45,8 +45,8 @@ void add_reference_command(CLI::App& app, const Program& program, Action& action
         fmt::print("{}\n", line);
         std::fflush(stdout);
       };
-      return runner::render_references(read, selection, *settings,
-                                       {program.folder / "orbs-tracer", &stop, say});
+      return references::render_references(read, selection, *settings,
+                                           {program.folder / "orbs-tracer", &stop, say});
     };
   });
 }

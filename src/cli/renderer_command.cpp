@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "registry/new_renderer.h"
 #include "registry/placeholders.h"
-#include "runner/plan.h"
+#include "runner/choose_renderers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

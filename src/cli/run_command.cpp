@@ -6,6 +6,8 @@
 #include "report/files.h"
 #include "report/table.h"
 #include "runner/execute.h"
+#include "runner/make_plan.h"
+#include "runner/plan_text.h"
 #include "runner/run.h"
 #include "runner/run_file.h"
 
@@ -84,9 +86,9 @@ void take_list(const CLI::App& command,
   if (command.count(option) > 0) setting = joined_list(given);
 }
 
-registry::Defaults settings_of(const CLI::App& command,
-                               const RunOptions& options,
-                               registry::Defaults settings) {
+registry::RunSettings settings_of(const CLI::App& command,
+                                  const RunOptions& options,
+                                  registry::RunSettings settings) {
   take(command, "--suite", options.suite, settings.suite);
   take_list(command, "--case", options.cases, settings.cases);
   take_list(command, "--scene", options.scenes, settings.scenes);
@@ -153,13 +155,13 @@ int run_plan(const registry::Configuration& configuration,
              const RunOptions& options) {
   for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
   runner::RunContext context;
-  context.orbs_version = program.version;
+  context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;
-  context.stop = &catch_interrupts();
-  context.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& targets) {
+  context.rendering.stop = &catch_interrupts();
+  context.rendering.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& targets) {
     fmt::print(stderr, "{}\n", progress_line(done, count, job, targets));
   };
-  context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  context.rendering.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   std::filesystem::path folder;
   context.file = run_file_of(configuration, plan, options.resume, folder);
   const auto record =
@@ -191,7 +193,7 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
   command->callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;
-      std::optional<registry::Defaults> resumed;
+      std::optional<registry::RunSettings> resumed;
       if (!options->resume.empty()) {
         const auto file = runner::read_run_file(options->resume);
         if (from.empty()) from = file.configuration.string();

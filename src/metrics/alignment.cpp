@@ -66,6 +66,14 @@ void stretch(std::array<int, 4>& box, std::size_t pixel, int width) {
   box = {std::min(box[0], x), box[1], std::max(box[2], x + 1), y + 1};
 }
 
+std::string describe_faults(const char* whose, const PixelFaults& faults) {
+  return fmt::format(
+      "the {} has pixels with bad numbers: {} with NaN, {} infinite, {} negative; the first at {}", whose,
+      faults.nan, faults.infinite, faults.negative, faults.first);
+}
+
+}  // namespace
+
 PixelFaults count_faults(const Image& image, NegativePixels negatives) {
   const auto index = colour_indices(image);
   PixelFaults faults;
@@ -83,14 +91,6 @@ PixelFaults count_faults(const Image& image, NegativePixels negatives) {
   }
   return faults;
 }
-
-std::string describe_faults(const char* whose, const PixelFaults& faults) {
-  return fmt::format(
-      "the {} has pixels with bad numbers: {} with NaN, {} infinite, {} negative; the first at {}", whose,
-      faults.nan, faults.infinite, faults.negative, faults.first);
-}
-
-}  // namespace
 
 AlignmentReport check_alignment(const Image& result, const Image& reference, NegativePixels negatives) {
   AlignmentReport report;

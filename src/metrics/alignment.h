@@ -23,6 +23,10 @@ struct PixelFaults {
   std::string first;         // "(12, 7), channel G, value nan", first by rows; empty when there are none
 };
 
+/// Counts the bad pixels of an image that has the channels R, G, B. Masked pixels are counted too: a bad
+/// number is a fault of the renderer wherever it is.
+PixelFaults count_faults(const image::Image& image, NegativePixels negatives);
+
 /// The answer to "can these two be compared at all", asked once before any metric.
 struct AlignmentReport {
   Alignment alignment = Alignment::Comparable;
@@ -31,8 +35,8 @@ struct AlignmentReport {
   PixelFaults reference;
 };
 
-/// Same size, channels R, G, B in both, no NaN, infinite or (unless allowed) negative value in them. Masked
-/// pixels are looked at too: a bad number is a fault of the renderer wherever it is.
+/// Same size, channels R, G, B in both, no NaN, infinite or (unless allowed) negative value in them,
+/// masked pixels included.
 AlignmentReport check_alignment(const image::Image& result,
                                 const image::Image& reference,
                                 NegativePixels negatives = NegativePixels::Refused);

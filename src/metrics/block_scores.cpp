@@ -23,7 +23,7 @@ double score(double difference, double reference, double variance) {
   return std::fabs(difference) / std::sqrt(variance);  // infinite without noise
 }
 
-Score score_of_block(const NoiseSamples& samples, const Rectangle& block, std::size_t channel) {
+Score score_of_block(const PairSamples& samples, const Rectangle& block, std::size_t channel) {
   DifferenceVariance variance(samples, channel, 1);
   double difference = 0;
   double reference = 0;
@@ -37,7 +37,7 @@ Score score_of_block(const NoiseSamples& samples, const Rectangle& block, std::s
   return {score(difference, reference, pooled.sum), pooled.degrees()};
 }
 
-int counted_pixels(const NoiseSamples& samples, const Rectangle& block) {
+int counted_pixels(const PairSamples& samples, const Rectangle& block) {
   int count = 0;
   for_each_block_pixel(samples, block, [&](std::size_t) { ++count; });
   return count;
@@ -54,7 +54,7 @@ int count_findings(std::vector<double> probabilities, int tests, double rate) {
 
 }  // namespace
 
-BlockScores score_blocks(const NoiseSamples& samples, double false_alarms) {
+BlockScores score_blocks(const PairSamples& samples, double false_alarms) {
   constexpr int kFewestPixels = kBlock_px * kBlock_px / 4;
   constexpr double kWorthATest =
       3;  // below, no t has a probability under 0.0027, and no finding is above the rate
@@ -75,7 +75,7 @@ BlockScores score_blocks(const NoiseSamples& samples, double false_alarms) {
   return scores;
 }
 
-PixelScores score_pixels(const NoiseSamples& samples) {
+PixelScores score_pixels(const PairSamples& samples) {
   constexpr double kBeyond = 3;
   PixelScores scores;
   std::size_t counted = 0;

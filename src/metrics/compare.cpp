@@ -24,28 +24,23 @@ bool has_map(const Comparison& comparison, std::string_view name) {
                      [&](const ErrorMap& map) { return map.info.name == name; });
 }
 
-bool is_wanted(const MetricInfo& metric, const CompareSettings& settings) {
-  return (metric.computed == Computed::Always && !settings.no_others) || settings.all ||
-         std::any_of(settings.also.begin(), settings.also.end(),
+bool is_wanted(const MetricInfo& metric, const MetricSelection& selection) {
+  return (metric.computed == Computed::Always && !selection.no_others) || selection.all ||
+         std::any_of(selection.also.begin(), selection.also.end(),
                      [&](const std::string& name) { return metric.name == name; });
 }
 
 }  // namespace
 
-Comparison compare(const image::Image& result,
-                   const image::Image& reference,
-                   const Mask& mask,
-                   const CompareSettings& settings) {
+Comparison compare(const ImagePair& pair, const MetricSelection& selection) {
   Comparison comparison;
-  for (const std::string& name : settings.also) find_metric(name);
-  comparison.alignment = check_alignment(result, reference, settings.negatives);
-  if (comparison.alignment.alignment != Alignment::Comparable) return comparison;
-  const ImagePair pair = make_image_pair(result, reference, mask, settings.threads);
+  for (const std::string& name : selection.also) find_metric(name);
   comparison.pixels_counted = pair.included_count;
   for (const MetricInfo& metric : kMetrics) {
-    if (!is_wanted(metric, settings)) continue;
+    if (!is_wanted(metric, selection)) continue;
     MetricResult computed = metric.compute(pair);
-    comparison.measurements.push_back({&metric, computed.value, computed.where});
+    comparison.measurements.push_back(
+        {&metric, computed.value, computed.where, computed.low, computed.high, computed.absence});
     if (!metric.map.name.empty() && !has_map(comparison, metric.map.name))
       comparison.maps.push_back({metric.map, std::move(computed.map)});
   }
@@ -53,11 +48,29 @@ Comparison compare(const image::Image& result,
   return comparison;
 }
 
-std::optional<double> value_of(const Comparison& comparison, std::string_view metric) {
+Comparison compare(const image::Image& result,
+                   const image::Image& reference,
+                   const Mask& mask,
+                   const CompareSettings& settings) {
+  auto alignment = check_alignment(result, reference, settings.negatives);
+  Comparison comparison;
+  if (alignment.alignment == Alignment::Comparable)
+    comparison = compare(make_image_pair(result, reference, mask, {settings.threads}),
+                         {settings.all, settings.no_others, settings.also});
+  comparison.alignment = std::move(alignment);
+  return comparison;
+}
+
+const Measurement* find_measurement(const Comparison& comparison, std::string_view metric) {
   const MetricInfo& wanted = find_metric(metric);
   for (const Measurement& measurement : comparison.measurements)
-    if (measurement.metric->name == wanted.name) return measurement.value;
-  return std::nullopt;
+    if (measurement.metric->name == wanted.name) return &measurement;
+  return nullptr;
+}
+
+std::optional<double> value_of(const Comparison& comparison, std::string_view metric) {
+  const Measurement* const measurement = find_measurement(comparison, metric);
+  return measurement == nullptr ? std::nullopt : measurement->value;
 }
 
 }  // namespace orbs::metrics

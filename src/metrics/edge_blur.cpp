@@ -1,11 +1,13 @@
 #include "metrics/edge_blur.h"
 
-#include "metrics/noise_samples.h"
+#include "metrics/describe.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace orbs::metrics {
 
@@ -17,7 +19,7 @@ constexpr std::array<double, 9> kFilter{1 / 16.0, 2 / 16.0, 1 / 16.0, 2 / 16.0, 
                                         2 / 16.0, 1 / 16.0, 2 / 16.0, 1 / 16.0};
 using Neighbours = std::array<std::size_t, 9>;  // pixels
 
-Neighbours neighbours_of(const NoiseSamples& samples, int x, int y) {
+Neighbours neighbours_of(const PairSamples& samples, int x, int y) {
   Neighbours all{};
   std::size_t next = 0;
   for (int v = y - 1; v <= y + 1; ++v)
@@ -35,7 +37,7 @@ double filtered(const std::vector<float>& image, const Neighbours& around, std::
 }
 
 // Of filtered reference - reference, as the noise of pixels is independent.
-double change_variance(const NoiseSamples& samples, const Neighbours& around, std::size_t channel) {
+double change_variance(const PairSamples& samples, const Neighbours& around, std::size_t channel) {
   double sum = 0;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const double weight = kFilter.at(i) - (i == kMiddle ? 1 : 0);
@@ -44,7 +46,7 @@ double change_variance(const NoiseSamples& samples, const Neighbours& around, st
   return sum;
 }
 
-std::array<double, 3> reference_means(const NoiseSamples& samples) {
+std::array<double, 3> reference_means(const PairSamples& samples) {
   std::array<double, 3> means{};
   double count = 0;
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
@@ -63,7 +65,7 @@ struct Edge {
   double error = 0;   // in the direction of the change
 };
 
-Edge edge_at(const NoiseSamples& samples, const Neighbours& around, const std::array<double, 3>& means) {
+Edge edge_at(const PairSamples& samples, const Neighbours& around, const std::array<double, 3>& means) {
   constexpr double kEdge = 0.05;
   constexpr double kStandardDeviations = 5;
   Edge edge;
@@ -74,15 +76,17 @@ Edge edge_at(const NoiseSamples& samples, const Neighbours& around, const std::a
     // Below 0 only in a difference of images.
     const double scale = std::max(0.0, soft) + means.at(c);
     const double change = (soft - static_cast<double>(samples.reference[here])) / scale;
+    // In this order, as most pixels lie at no edge and their noise need not be known.
+    if (std::fabs(change) <= kEdge) continue;
     const double deviation = std::sqrt(change_variance(samples, around, c)) / scale;
-    if (std::fabs(change) <= std::max(kEdge, kStandardDeviations * deviation)) continue;
+    if (std::fabs(change) <= kStandardDeviations * deviation) continue;
     edge.change += std::fabs(change);
     edge.error += std::copysign(1.0, change) * samples.difference(here) / scale;
   }
   return edge;
 }
 
-std::vector<Edge> edges_of(const NoiseSamples& samples) {
+std::vector<Edge> edges_of(const PairSamples& samples) {
   const auto means = reference_means(samples);
   std::vector<Edge> edges;
   for (int y = 1; y + 1 < samples.height; ++y)
@@ -98,11 +102,9 @@ std::vector<Edge> edges_of(const NoiseSamples& samples) {
 
 }  // namespace
 
-std::optional<EdgeBlur> edge_blur(const image::Image& result,
-                                  const image::Image& reference,
-                                  const Mask& mask) {
+std::optional<EdgeBlur> edge_blur(const PairSamples& samples) {
   constexpr std::size_t kFewestPixels = 100;
-  const auto edges = edges_of(noise_samples(result, reference, mask));
+  const auto edges = edges_of(samples);
   if (edges.size() < kFewestPixels) return std::nullopt;
   Edge sum;
   for (const auto& [change, error] : edges) {
@@ -116,6 +118,21 @@ std::optional<EdgeBlur> edge_blur(const image::Image& result,
     scatter += rest * rest;
   }
   return EdgeBlur{value, std::sqrt(scatter) / sum.change};
+}
+
+MetricResult compute_edge_blur(const ImagePair& pair) {
+  constexpr double kStandardErrors = 3;
+  const auto blur = edge_blur(pair);
+  if (!blur) return {.value = std::nullopt, .absence = Absence::NothingInReference};
+  const double reach = kStandardErrors * blur->standard_error;
+  return {.value = blur->value, .low = blur->value - reach, .high = blur->value + reach};
+}
+
+std::string describe_edge_blur(const Measurement& measurement, const Limits& limits) {
+  if (!measurement.value) return "the reference has no edges to be compared with";
+  return fmt::format("its edges are {} than the reference's by {:.3g} ({:.3g} to {:.3g}), {}",
+                     *measurement.value > 0 ? "softer" : "sharper", *measurement.value,
+                     measurement.low.value_or(0), measurement.high.value_or(0), limits_text(limits));
 }
 
 }  // namespace orbs::metrics

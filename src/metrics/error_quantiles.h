@@ -55,7 +55,7 @@ inline MetricResult compute_error_max(const ImagePair& pair) {
 inline constexpr MetricInfo kErrorP95{
     "error_p95",
     "radiance",
-    true,
+    Better::Lower,
     "the smallest error that 95 % of the unmasked pixels do not exceed; the error of a pixel is the "
     "largest |result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
     kNoMap,
@@ -64,7 +64,7 @@ inline constexpr MetricInfo kErrorP95{
 inline constexpr MetricInfo kErrorP99{
     "error_p99",
     "radiance",
-    true,
+    Better::Lower,
     "the smallest error that 99 % of the unmasked pixels do not exceed; the error of a pixel is the "
     "largest |result - reference| of its channels R, G, B; linear Rec.709, no clamp, no exposure",
     kNoMap,
@@ -73,7 +73,7 @@ inline constexpr MetricInfo kErrorP99{
 inline constexpr MetricInfo kErrorMax{
     "error_max",
     "radiance",
-    true,
+    Better::Lower,
     "the largest |result - reference| of any channel R, G, B of any unmasked pixel, and the pixel that "
     "has it (the first by rows from the top); linear Rec.709, no clamp, no exposure",
     kNoMap,

@@ -66,7 +66,7 @@ inline MetricResult compute_hdr_flip(const ImagePair& pair) {
 inline constexpr MetricInfo kFlip{
     "flip",
     "1",
-    true,
+    Better::Lower,
     "LDR-FLIP of Andersson et al. 2020 at 67.02 pixels per degree (a screen 0.7 m wide with 3840 px seen "
     "from 0.7 m), qc 0.7, pc 0.4, pt 0.95, w 0.082 degrees, qf 0.5, border pixels repeated; on linear "
     "Rec.709 values after the clamp to [0, 1], no exposure; mean over all unmasked pixels, from 0 to 1",
@@ -77,7 +77,7 @@ inline constexpr MetricInfo kFlip{
 inline constexpr MetricInfo kHdrFlip{
     "flip_hdr_fixed",
     "1",
-    true,
+    Better::Lower,
     "HDR-FLIP of Andersson et al. 2021 with fixed exposures: for each of 0.08, 1.24, 2.40 and 3.56 stops "
     "the linear Rec.709 values are multiplied by 2^stops, taken through the ACES curve (0.9036 x^2 + "
     "0.018 x) / (0.8748 x^2 + 0.354 x + 0.14) with the clamp to [0, 1], and compared by LDR-FLIP as in "

@@ -33,19 +33,18 @@ DisplayForm display_form(const std::vector<float>& linear) {
 ImagePair make_image_pair(const image::Image& result,
                           const image::Image& reference,
                           const Mask& mask,
-                          int threads) {
+                          const PairSettings& settings) {
   ImagePair pair;
-  pair.width = result.width;
-  pair.height = result.height;
-  pair.threads = threads;
-  pair.included = included_pixels(mask, result.width, result.height);
-  pair.included_count = static_cast<std::size_t>(std::count(pair.included.begin(), pair.included.end(), 1));
-  pair.result = image::select_rgb(result, "").pixels;
-  pair.reference = image::select_rgb(reference, "").pixels;
-  for_each_index(2, threads, [&](int which) {
-    DisplayForm form = display_form(which == 0 ? pair.result : pair.reference);
-    (which == 0 ? pair.result_display : pair.reference_display) = std::move(form.samples);
-    (which == 0 ? pair.result_luma : pair.reference_luma) = std::move(form.luma);
+  static_cast<PairSamples&>(pair) = pair_samples(result, reference, mask, settings.result_noise);
+  pair.threads = settings.threads;
+  for_each_index(3, settings.threads, [&](int task) {
+    if (task == 2) {
+      pair.noise = test_noise(pair);
+      return;
+    }
+    DisplayForm form = display_form(task == 0 ? pair.result : pair.reference);
+    (task == 0 ? pair.result_display : pair.reference_display) = std::move(form.samples);
+    (task == 0 ? pair.result_luma : pair.reference_luma) = std::move(form.luma);
   });
   return pair;
 }

@@ -2,36 +2,32 @@
 
 #include "image/image.h"
 #include "metrics/mask.h"
+#include "metrics/noise_test.h"
+#include "metrics/pair_samples.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace orbs::metrics {
 
-/// Two comparable images in the forms that metrics need, each made once and shared. Samples are interleaved
-/// R, G, B.
-struct ImagePair {
-  int width = 0;
-  int height = 0;
+/// Two comparable images in all forms that metrics need, each made once and shared.
+struct ImagePair : PairSamples {
   int threads = 1;
-  std::vector<float> result;  // linear, as given
-  std::vector<float> reference;
-  std::vector<float> result_display;  // clamped to [0, 1], then sRGB-encoded
+  std::vector<float> result_display;  // clamped to [0, 1], then sRGB-encoded; interleaved R, G, B
   std::vector<float> reference_display;
   std::vector<double> result_luma;  // .2126 R + .7152 G + .0722 B of the display values
   std::vector<double> reference_luma;
-  std::vector<std::uint8_t> included;  // 1: the pixel counts
-  std::size_t included_count = 0;
-
-  std::size_t pixel_count() const { return included.size(); }
+  NoiseTest noise;
 };
 
-/// Both images must have passed check_alignment. `threads` is how many a metric may use; no result depends
-/// on it. InputError when the mask does not fit the images.
+struct PairSettings {
+  int threads = 1;  // that a metric may use, 0: all cores; no result depends on it
+  ResultNoise result_noise = ResultNoise::AsTheImageSays;
+};
+
+/// Both images must have passed check_alignment. InputError when the mask does not fit them.
 ImagePair make_image_pair(const image::Image& result,
                           const image::Image& reference,
-                          const Mask& mask,
-                          int threads);
+                          const Mask& mask = {},
+                          const PairSettings& settings = {});
 
 }  // namespace orbs::metrics

@@ -13,7 +13,7 @@ inline MetricResult compute_l1(const ImagePair& pair) {
 inline constexpr MetricInfo kL1{
     "l1",
     "radiance",
-    true,
+    Better::Lower,
     "mean of |result - reference| over the channels R, G, B of all unmasked pixels; linear Rec.709, no "
     "clamp, no exposure",
     {"l1", "|result - reference| in each channel; linear Rec.709, no clamp", false, 0.2F},

@@ -1,25 +1,16 @@
 #include "metrics/local_bias.h"
 
+#include "metrics/describe.h"
 #include "metrics/worst_tile.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <vector>
+
+#include <fmt/format.h>
 
 namespace orbs::metrics {
 
 namespace {
-
-struct Samples {
-  image::Image result;
-  image::Image reference;
-  std::vector<std::uint8_t> included;
-
-  std::size_t pixel(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
-  }
-};
 
 struct Sums {
   double count = 0;
@@ -28,15 +19,16 @@ struct Sums {
   double reference = 0;
 };
 
-Sums sums_of(const Samples& samples, const Rectangle& tile, std::size_t channel) {
+Sums sums_of(const PairSamples& samples, const Rectangle& tile, std::size_t channel) {
   Sums sums;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const auto pixel = samples.pixel(x, y);
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
       if (samples.included[pixel] == 0) continue;
       const std::size_t i = 3 * pixel + channel;
-      const double reference = static_cast<double>(samples.reference.pixels[i]);
-      const double difference = static_cast<double>(samples.result.pixels[i]) - reference;
+      const double reference = static_cast<double>(samples.reference[i]);
+      const double difference = static_cast<double>(samples.result[i]) - reference;
       sums.count += 1;
       sums.difference += difference;
       sums.squares += difference * difference;
@@ -53,9 +45,9 @@ double sure_difference(const Sums& tile) {
   return std::fabs(mean) - kStandardErrors * std::sqrt(variance / tile.count);
 }
 
-void look_at_channel(const Samples& samples, std::size_t channel, std::optional<LocalBias>& worst) {
+void find_worst_tile(const PairSamples& samples, std::size_t channel, std::optional<LocalBias>& worst) {
   constexpr int kSize = worst_tile::kSize_px;
-  const Rectangle all{0, 0, samples.result.width, samples.result.height};
+  const Rectangle all{0, 0, samples.width, samples.height};
   const Sums image = sums_of(samples, all, channel);
   const double image_mean = image.reference / image.count;
   if (!(image_mean > 0)) return;
@@ -73,14 +65,24 @@ void look_at_channel(const Samples& samples, std::size_t channel, std::optional<
 
 }  // namespace
 
-std::optional<LocalBias> local_bias(const image::Image& result,
-                                    const image::Image& reference,
-                                    const Mask& mask) {
-  const Samples samples{image::select_rgb(result, ""), image::select_rgb(reference, ""),
-                        included_pixels(mask, result.width, result.height)};
+std::optional<LocalBias> local_bias(const PairSamples& samples) {
   std::optional<LocalBias> worst;
-  for (std::size_t channel = 0; channel < 3; ++channel) look_at_channel(samples, channel, worst);
+  for (std::size_t channel = 0; channel < 3; ++channel) find_worst_tile(samples, channel, worst);
   return worst;
+}
+
+MetricResult compute_local_bias(const ImagePair& pair) {
+  const auto worst = local_bias(pair);
+  if (!worst) return {.value = std::nullopt, .absence = Absence::NothingInReference};
+  return {.value = worst->value, .where = worst->where};
+}
+
+std::string describe_local_bias(const Measurement& measurement, const Limits& limits) {
+  if (!measurement.value) return "the reference has no tile with light to be compared with";
+  constexpr double kPercent = 100;
+  return fmt::format("the mean of the tile {} is off by {:.3g} % or more for sure, {}",
+                     rectangle_text(measurement.where.value_or(Rectangle{})), kPercent * *measurement.value,
+                     limits_text(limits, kPercent, " %"));
 }
 
 }  // namespace orbs::metrics

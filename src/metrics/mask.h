@@ -1,17 +1,11 @@
 #pragma once
 
+#include "base/rectangle.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace orbs::metrics {
-
-/// Pixels x0 <= x < x1, y0 <= y < y1, y from the top.
-struct Rectangle {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-};
 
 /// Pixels that no number counts: those in any rectangle and those whose byte is not 0. Empty: every pixel
 /// counts.

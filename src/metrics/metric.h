@@ -6,15 +6,25 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace orbs::metrics {
 
+/// Why a metric has no value for a pair, which decides what a gate makes of it. Undefined: the definition
+/// gives no number here, so the gate is inconclusive. NothingInReference: the reference has nothing of what
+/// the metric compares, so the gate is met. MissingInResult: the reference has it and the result lacks it, so
+/// the gate fails.
+enum class Absence { Undefined, NothingInReference, MissingInResult };
+
 struct MetricResult {
-  std::optional<double> value;          // nothing where the definition gives no number; +infinity is a number
-  image::Image map;                     // one or three channels; NaN where the definition gives no value
-  std::optional<Rectangle> where = {};  // the pixels that the number is of, where it is not of all
+  std::optional<double> value;          // +infinity is a number
+  image::Image map = {};                // one or three channels; NaN where the definition gives no value
+  std::optional<Rectangle> where = {};  // the pixels that the number is of, unless it is of all
+  std::optional<double> low = {};       // ends of its interval, where it has one
+  std::optional<double> high = {};
+  Absence absence = Absence::Undefined;  // where there is no value
 };
 
 /// The error map that a metric leaves behind.
@@ -33,16 +43,46 @@ inline constexpr MapInfo kNoMap{"", "", false, 0.0F};
 /// Whether every comparison computes a metric, or only one that asks for it.
 enum class Computed { Always, OnDemand };
 
-/// One metric: what it is called, what exactly it computes, how. Everything that help texts, results and
-/// reports say about a metric comes from here.
+/// Which values of a metric are good ones.
+enum class Better { Lower, Higher, NearZero };
+
+/// What a gate compares with its limits. Value: the number. WholeInterval: fails where the whole interval
+/// lies beyond a limit, and is inconclusive where only a part does. AnyOfInterval: fails where the whole
+/// interval lies beyond, and passes else. NoiseAware: the number, but a miss that noise alone explains is
+/// inconclusive.
+enum class GateRule { Value, WholeInterval, AnyOfInterval, NoiseAware };
+
+/// What a gate allows; nothing: no limit on that side.
+struct Limits {
+  std::optional<double> min;
+  std::optional<double> max;
+};
+
+struct Measurement;
+
+/// One metric: what it is called, what exactly it computes, how. Everything that help texts, results,
+/// verdicts and reports say about a metric comes from here.
 struct MetricInfo {
   std::string_view name;
   std::string_view unit;
-  bool lower_is_better;
+  Better better;
   std::string_view definition;
   MapInfo map;
   MetricResult (*compute)(const ImagePair&);
   Computed computed = Computed::Always;
+  GateRule rule = GateRule::Value;
+  /// How a verdict states the number beside what its gate allows; nullptr: "<name> is <value> <unit>".
+  std::string (*describe)(const Measurement&, const Limits&) = nullptr;
+};
+
+/// The number of one metric for one pair of images.
+struct Measurement {
+  const MetricInfo* metric;
+  std::optional<double> value;  // +infinity for the PSNR of equal images
+  std::optional<Rectangle> where = {};
+  std::optional<double> low = {};
+  std::optional<double> high = {};
+  Absence absence = Absence::Undefined;
 };
 
 /// Mean of error(result sample, reference sample) over the three channels of the included pixels, and the

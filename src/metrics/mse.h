@@ -13,7 +13,7 @@ inline constexpr MapInfo kSquaredMap{
 
 inline constexpr MetricInfo kMse{"mse",
                                  "radiance^2",
-                                 true,
+                                 Better::Lower,
                                  "mean of (result - reference)^2 over the channels R, G, B of all "
                                  "unmasked pixels; linear Rec.709, no clamp, no exposure",
                                  kSquaredMap,

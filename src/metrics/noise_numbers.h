@@ -1,35 +1,95 @@
 #pragma once
 
-#include "metrics/noise_test.h"
-
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "metrics/metric.h"
 
 namespace orbs::metrics {
 
-/// One number of a NoiseTest with what it means, as MetricInfo is for the metrics.
-struct NoiseNumber {
-  std::string_view name;
-  std::string_view unit;
-  std::string_view definition;
-  bool is_signed = false;  // nearer to zero is better; else lower is better
-  double value = 0;
-  std::optional<double> low;  // ends of its interval, where it has one
-  std::optional<double> high;
-  std::optional<Rectangle> where;  // the pixels that it is of, where it is not of all
-};
+// The numbers of the noise test beside the mean ratios. Each definition holds for all noise sources, as it
+// must not change with the image.
 
-/// Everything that the test found, in a fixed order. What it could not say is left out.
-std::vector<NoiseNumber> noise_numbers(const NoiseTest& test);
+inline MetricResult compute_noise_squared(const ImagePair& pair) { return {pair.noise.noise_squared}; }
 
-/// That the means, else the blocks, differ by more than noise: what a reader must be told of an image that
-/// passes. "" when they do not. Images of two renderers that are both right differ at the edges of objects,
-/// so their squares are left to whom they matter to.
-std::string bias_remark(const NoiseTest& test);
+inline MetricResult compute_bias_squared(const ImagePair& pair) {
+  const auto& bias = pair.noise.bias_squared;
+  return {.value = bias.value, .low = bias.low, .high = bias.high};
+}
 
-/// All that is_biased saw: the remark, else the squares. "" when it saw nothing.
-std::string bias_message(const NoiseTest& test);
+inline MetricResult compute_blocks_off(const ImagePair& pair) {
+  if (!pair.noise.blocks) return {std::nullopt};
+  return {static_cast<double>(pair.noise.blocks->off)};
+}
+
+inline MetricResult compute_block_z_max(const ImagePair& pair) {
+  if (!pair.noise.blocks) return {std::nullopt};
+  return {.value = pair.noise.blocks->largest, .where = pair.noise.blocks->where};
+}
+
+inline MetricResult compute_pixel_z_max(const ImagePair& pair) {
+  if (!pair.noise.pixels) return {std::nullopt};
+  return {.value = pair.noise.pixels->largest, .where = pair.noise.pixels->where};
+}
+
+inline MetricResult compute_pixels_beyond_3(const ImagePair& pair) {
+  if (!pair.noise.pixels) return {std::nullopt};
+  return {pair.noise.pixels->share_beyond_3};
+}
+
+inline constexpr MetricInfo kNoiseSquared{
+    "noise_squared",
+    "radiance^2",
+    Better::Lower,
+    "mean over R, G, B of all unmasked pixels of the variances of both images; by half the squared "
+    "difference of the errors of horizontal neighbours where the result has no variance; that of the "
+    "reference alone where the result's renderer has no noise; linear Rec.709, no clamp",
+    kNoMap,
+    compute_noise_squared};
+
+inline constexpr MetricInfo kBiasSquared{
+    "bias_squared",
+    "radiance^2",
+    Better::NearZero,
+    "mse - noise_squared: the part of the mean squared error that noise does not explain, below zero by "
+    "chance; over R, G, B of all unmasked pixels; linear Rec.709, no clamp. The interval leaves out a right "
+    "image in 1 of 3000",
+    kNoMap,
+    compute_bias_squared};
+
+inline constexpr MetricInfo kBlocksOff{
+    "blocks_off",
+    "blocks",
+    Better::Lower,
+    "how many means of the unmasked pixels of 8 x 8 px blocks, each channel one, differ from the reference "
+    "by more than noise and 0.1 % (Student's test, Benjamini and Hochberg's correction; in 1 of 3000 right "
+    "images it is not 0); linear Rec.709, no clamp. No value where the result has no variance",
+    kNoMap,
+    compute_blocks_off};
+
+inline constexpr MetricInfo kBlockZMax{
+    "block_z_max",
+    "1",
+    Better::Lower,
+    "the largest |z| of any 8 x 8 px block: difference of the means of its unmasked pixels over its standard "
+    "deviation; linear Rec.709, no clamp. No value where the result has no variance",
+    kNoMap,
+    compute_block_z_max};
+
+inline constexpr MetricInfo kPixelZMax{
+    "pixel_z_max",
+    "1",
+    Better::Lower,
+    "the largest |z| of any unmasked pixel and channel: difference over its standard deviation, which is at "
+    "least that of the 8 x 8 px around; linear Rec.709, no clamp. It points at a place and decides nothing. "
+    "No value where the result has no variance",
+    kNoMap,
+    compute_pixel_z_max};
+
+inline constexpr MetricInfo kPixelsBeyond3{
+    "pixels_beyond_3",
+    "1",
+    Better::Lower,
+    "share of unmasked pixels and channels with |z| above 3; 0.0027 where noise is normally distributed; "
+    "linear Rec.709, no clamp. No value where the result has no variance",
+    kNoMap,
+    compute_pixels_beyond_3};
 
 }  // namespace orbs::metrics

@@ -2,7 +2,6 @@
 
 #include "base/student_t.h"
 #include "metrics/block_scores.h"
-#include "metrics/noise_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ struct Totals {
   double reference = 0;
 };
 
-Totals totals_of(const NoiseSamples& samples, std::size_t channel) {
+Totals totals_of(const PairSamples& samples, std::size_t channel) {
   Totals totals;
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
     if (samples.included[pixel] == 0) continue;
@@ -35,7 +34,7 @@ Totals totals_of(const NoiseSamples& samples, std::size_t channel) {
 }
 
 // Variance of sum(result - ratio * reference), the numerator of the ratio's error by the delta method.
-PooledVariance from_variances(const NoiseSamples& samples, std::size_t channel, double ratio) {
+PooledVariance from_variances(const PairSamples& samples, std::size_t channel, double ratio) {
   DifferenceVariance variance(samples, channel, ratio);
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel)
     if (samples.included[pixel] != 0) variance.add(pixel);
@@ -46,7 +45,7 @@ PooledVariance from_variances(const NoiseSamples& samples, std::size_t channel, 
 // begin the next: (A - B)^2, whose expectation is the variance of both where the error is noise, and more
 // where it has structure. Whole blocks, so that a filter that reaches over a
 // pixel's border hides little. A last block without a neighbour is taken to be like the others.
-PooledVariance from_scatter(const NoiseSamples& samples, std::size_t channel, double ratio) {
+PooledVariance from_scatter(const PairSamples& samples, std::size_t channel, double ratio) {
   std::vector<double> sums;
   for (const Rectangle& block : blocks_of(samples)) {
     double sum = 0;
@@ -64,7 +63,7 @@ PooledVariance from_scatter(const NoiseSamples& samples, std::size_t channel, do
   return {pooled.sum * scale, pooled.squares * scale * scale};
 }
 
-std::optional<Estimate> ratio_of(const NoiseSamples& samples, std::size_t channel, NoiseSource source) {
+std::optional<Estimate> ratio_of(const PairSamples& samples, std::size_t channel, NoiseSource source) {
   constexpr double kFirmness = 10;  // the delta method is first order: the divisor must stand firm
   const Totals totals = totals_of(samples, channel);
   double reference_variance = 0;
@@ -97,7 +96,7 @@ struct PixelVariances {
   double own_sum = 0, expected_sum = 0;
 };
 
-PixelVariances pixel_variances(const NoiseSamples& samples) {
+PixelVariances pixel_variances(const PairSamples& samples) {
   PixelVariances all;
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
     if (samples.included[pixel] == 0) continue;
@@ -118,7 +117,7 @@ PixelVariances pixel_variances(const NoiseSamples& samples) {
 
 // (result - reference)^2 - variances has the expectation bias^2. The mean of its channels, which are far from
 // independent, is one number per pixel.
-void split_by_variances(const NoiseSamples& samples, NoiseTest& test) {
+void split_by_variances(const PairSamples& samples, NoiseTest& test) {
   const PixelVariances all = pixel_variances(samples);
   const auto& variances = all.own_sum >= all.expected_sum ? all.own : all.expected;
   std::vector<double> excess;
@@ -136,7 +135,7 @@ void split_by_variances(const NoiseSamples& samples, NoiseTest& test) {
 
 // The product of the differences of two neighbours has the expectation of the product of their biases, and
 // half the square of their distance that of the noise, both where neighbours have the same bias.
-void split_by_scatter(const NoiseSamples& samples, NoiseTest& test) {
+void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
   std::vector<double> products;
   double noise = 0;
   for (int y = 0; y < samples.height; ++y)
@@ -158,7 +157,7 @@ void split_by_scatter(const NoiseSamples& samples, NoiseTest& test) {
   test.bias_squared = mean_of(products);
 }
 
-double mean_square(const NoiseSamples& samples) {
+double mean_square(const PairSamples& samples) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
@@ -172,19 +171,9 @@ double mean_square(const NoiseSamples& samples) {
 
 }  // namespace
 
-NoiseTest test_noise(const image::Image& result,
-                     const image::Image& reference,
-                     const Mask& mask,
-                     ResultNoise result_noise) {
-  NoiseSamples samples = noise_samples(result, reference, mask);
+NoiseTest test_noise(const PairSamples& samples) {
   NoiseTest test;
-  if (result_noise == ResultNoise::NoiseFree) {
-    test.source = NoiseSource::Reference;
-    samples.result_variance.clear();
-    samples.variance_ratio = {};
-  } else if (samples.result_variance.empty()) {
-    test.source = NoiseSource::Scatter;
-  }
+  test.source = samples.noise_source;
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
   test.reference_squared = mean_square(samples);
@@ -197,6 +186,13 @@ NoiseTest test_noise(const image::Image& result,
   test.blocks = score_blocks(samples, kPerTest);
   test.pixels = score_pixels(samples);
   return test;
+}
+
+NoiseTest test_noise(const image::Image& result,
+                     const image::Image& reference,
+                     const Mask& mask,
+                     ResultNoise result_noise) {
+  return test_noise(pair_samples(result, reference, mask, result_noise));
 }
 
 std::optional<Estimate> mean_error(const NoiseTest& test) {

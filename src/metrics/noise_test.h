@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "metrics/mask.h"
+#include "metrics/pair_samples.h"
 
 #include <array>
 #include <optional>
@@ -37,18 +38,6 @@ struct Estimate {
   double high = 0;
 };
 
-/// Variances: from the images' channels; a reference without them counts as exact. Scatter: the result does
-/// not know its noise, so it is read off the differences of neighbours; structure in the error then counts as
-/// noise, and noise that filters spread over more than a few pixels is taken for less than it is. Reference:
-/// the result is known to have none, so only the reference's counts.
-enum class NoiseSource { Variances, Scatter, Reference };
-
-/// What is known of the result beside its image. NoiseFree: its renderer draws no random samples, so there
-/// is nothing that more of them would lower, and what differs is an error.
-enum class ResultNoise { AsTheImageSays, NoiseFree };
-
-constexpr int kBlock_px = 8;
-
 /// Means of result and reference over blocks of 8 x 8 px, each channel one test.
 struct BlockScores {
   int tested = 0;      // blocks with at least 16 counted pixels, times channels
@@ -77,7 +66,9 @@ struct NoiseTest {
   std::optional<PixelScores> pixels;
 };
 
-/// The images must be Comparable; InputError when the mask does not fit them.
+NoiseTest test_noise(const PairSamples& samples);
+
+/// As above. The images must have passed check_alignment; InputError when the mask does not fit them.
 NoiseTest test_noise(const image::Image& result,
                      const image::Image& reference,
                      const Mask& mask = {},

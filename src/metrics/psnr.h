@@ -32,17 +32,19 @@ inline MetricResult compute_psnr_linear(const ImagePair& pair) {
 inline constexpr MetricInfo kPsnrSrgb8{
     "psnr_srgb8",
     "dB",
-    false,
+    Better::Higher,
     "10 log10(255^2 / MSE); MSE over the channels R, G, B of all unmasked pixels after the clamp of each "
     "linear Rec.709 value to [0, 1], the sRGB encoding (12.92 c up to 0.0031308, else 1.055 c^(1/2.4) - "
     "0.055) and the factor 255; not rounded to whole steps; infinite for equal images",
     {"squared_srgb8", "squared difference in each channel of the clamped, sRGB-encoded values times 255",
      false, 650.25F},
-    compute_psnr_srgb8};
+    compute_psnr_srgb8,
+    Computed::Always,
+    GateRule::NoiseAware};
 
 inline constexpr MetricInfo kPsnrLinear{"psnr_linear",
                                         "dB",
-                                        false,
+                                        Better::Higher,
                                         "10 log10(1 / MSE) with the peak 1; MSE over the channels R, G, "
                                         "B of all unmasked pixels; linear Rec.709, no clamp, no "
                                         "exposure; infinite for equal images",

@@ -39,7 +39,7 @@ inline MetricResult compute_psnr_pu21(const ImagePair& pair) {
 inline constexpr MetricInfo kPsnrPu21{
     "psnr_pu21",
     "dB",
-    false,
+    Better::Higher,
     "10 log10(256^2 / MSE); MSE over the channels R, G, B of all unmasked pixels, each linear Rec.709 "
     "value times 100 cd/m^2, with the clamp to [0.005, 10000] cd/m^2 of PU21 (Mantiuk and Azimi 2021, "
     "banding_glare) and its encoding; no exposure; infinite where no encoded value differs",

@@ -58,7 +58,7 @@ inline MetricResult compute_relmse_trimmed(const ImagePair& pair) {
 inline constexpr MetricInfo kRelMse{
     "relmse_eps01",
     "1",
-    true,
+    Better::Lower,
     "mean of (result - reference)^2 / (reference^2 + 0.01) over the channels R, G, B of all unmasked "
     "pixels; linear Rec.709, no clamp, no exposure",
     {"relmse_eps01",
@@ -68,7 +68,7 @@ inline constexpr MetricInfo kRelMse{
 inline constexpr MetricInfo kRelMseTrimmed{
     "relmse_eps01_trimmed",
     "1",
-    true,
+    Better::Lower,
     "relmse_eps01 without the 0.1 % of the unmasked pixels (rounded down) whose mean over R, G, B is "
     "largest; linear Rec.709, no clamp, no exposure. For noisy images, always beside the untrimmed "
     "number: what fireflies are dropped from, small faults are dropped from as well",

@@ -17,7 +17,7 @@ inline MetricResult compute_smape(const ImagePair& pair) {
 inline constexpr MetricInfo kSmape{
     "smape",
     "1",
-    true,
+    Better::Lower,
     "mean of 2 |result - reference| / (|result| + |reference| + 0.02) over the channels R, G, B of all "
     "unmasked pixels, from 0 to 2; linear Rec.709, no clamp, no exposure",
     {"smape",

@@ -118,7 +118,7 @@ inline MetricResult compute_ssim(const ImagePair& pair) {
 inline constexpr MetricInfo kSsim{
     "ssim",
     "1",
-    false,
+    Better::Higher,
     "structural similarity of Wang et al. 2004: window 11 x 11 Gaussian, sigma 1.5 px, weights of sum 1; "
     "K1 0.01, K2 0.03, L 1; population variance and covariance; on the luma .2126 R + .7152 G + .0722 B "
     "of the linear Rec.709 values clamped to [0, 1] and sRGB-encoded; mean over the windows that lie "

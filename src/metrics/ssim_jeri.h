@@ -79,7 +79,7 @@ inline MetricResult compute_ssim_jeri(const ImagePair& pair) {
 inline constexpr MetricInfo kSsimJeri{
     "ssim_jeri",
     "1",
-    false,
+    Better::Higher,
     "structural similarity as JERI's viewer computes it: window 5 x 5 without weights, border pixels "
     "repeated; K1 0.01, K2 0.03, L 1; variance and covariance divided by 26; on .2126 R + .7152 G + "
     ".0722 B of max(c, 0)^(1/2.2) of the linear Rec.709 values, no clamp at 1, no exposure; mean over "

@@ -1,24 +1,33 @@
 #pragma once
 
-#include "image/image.h"
-#include "metrics/mask.h"
+#include "metrics/metric.h"
 
-#include <array>
 #include <optional>
+#include <string>
 
 namespace orbs::metrics {
-
-/// Layers of polarised light that an image may hold beside its colour.
-inline constexpr std::array kStokesLayers{"S1.", "S2.", "S3."};
-
-bool has_stokes(const image::Image& image);
 
 /// Root mean square, over S1 to S3 and the blocks of 8 x 8 px, of the difference of the block means in
 /// Rec.709 luminance, over the reference's mean luminance. Block means, because single pixels are mostly
 /// noise: half of unpolarised light is in each of these differences. Nothing where one of the images has no
-/// such layers or the reference is black. Masked pixels do not count; InputError when the mask does not fit.
-std::optional<double> stokes_error(const image::Image& result,
-                                   const image::Image& reference,
-                                   const Mask& mask = {});
+/// Stokes parameters or the reference is black. Masked pixels do not count.
+std::optional<double> stokes_error(const PairSamples& samples);
+
+MetricResult compute_stokes_error(const ImagePair& pair);
+
+/// "its Stokes parameters are off by 3 % of the light, at most 2 % is allowed".
+std::string describe_stokes_error(const Measurement& measurement, const Limits& limits);
+
+inline constexpr MetricInfo kStokesError{
+    "stokes_error",
+    "1",
+    Better::Lower,
+    "root mean square over S1, S2, S3 and blocks of 8 x 8 px of mean(result) - mean(reference) of the unmasked "
+    "pixels in linear Rec.709 luminance, over the reference's mean luminance; no clamp",
+    kNoMap,
+    compute_stokes_error,
+    Computed::Always,
+    GateRule::Value,
+    describe_stokes_error};
 
 }  // namespace orbs::metrics

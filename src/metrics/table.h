@@ -1,15 +1,20 @@
 #pragma once
 
+#include "metrics/edge_blur.h"
 #include "metrics/error_quantiles.h"
 #include "metrics/flip.h"
 #include "metrics/l1.h"
+#include "metrics/local_bias.h"
+#include "metrics/mean_ratio.h"
 #include "metrics/mse.h"
+#include "metrics/noise_numbers.h"
 #include "metrics/psnr.h"
 #include "metrics/psnr_pu21.h"
 #include "metrics/relmse.h"
 #include "metrics/smape.h"
 #include "metrics/ssim.h"
 #include "metrics/ssim_jeri.h"
+#include "metrics/stokes.h"
 #include "metrics/worst_tile.h"
 
 #include <array>
@@ -17,10 +22,13 @@
 
 namespace orbs::metrics {
 
-/// Every metric there is. To add one: its file, and its line here.
+/// Every number by which two images are compared; each can be a gate. To add one: its file, and its line
+/// here.
 inline constexpr std::array kMetrics{
-    kL1,       kMse,      kPsnrSrgb8, kPsnrLinear, kSsim, kRelMse,  kRelMseTrimmed, kSmape,
-    kErrorP95, kErrorP99, kErrorMax,  kWorstTile,  kFlip, kHdrFlip, kPsnrPu21,      kSsimJeri,
+    kL1,          kMse,          kPsnrSrgb8,   kPsnrLinear, kSsim,       kRelMse,    kRelMseTrimmed,
+    kSmape,       kErrorP95,     kErrorP99,    kErrorMax,   kWorstTile,  kFlip,      kHdrFlip,
+    kPsnrPu21,    kSsimJeri,     kMeanRatioR,  kMeanRatioG, kMeanRatioB, kLocalBias, kEdgeBlur,
+    kStokesError, kNoiseSquared, kBiasSquared, kBlocksOff,  kBlockZMax,  kPixelZMax, kPixelsBeyond3,
 };
 
 /// The metric of this name. InputError that lists the metrics when there is none.

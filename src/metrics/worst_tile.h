@@ -50,7 +50,7 @@ inline MetricResult compute_worst_tile(const ImagePair& pair) {
 inline constexpr MetricInfo kWorstTile{
     "l1_worst_tile",
     "radiance",
-    true,
+    Better::Lower,
     "the largest l1 of any tile of 16 x 16 pixels, and the tile that has it (the first by rows); tiles "
     "are counted from the upper left corner, those at the right and lower edge may be smaller, and tiles "
     "with less than 64 unmasked pixels are left out; linear Rec.709, no clamp, no exposure",

@@ -22,7 +22,6 @@ using json::ObjectReader;
 
 constexpr int kMostSpp = 1 << 24;
 constexpr int kLargestPixel = 1 << 20;
-constexpr double kLeastRatio = 1e-4;  // below, rounding in float alone would fail it
 
 std::string target_name(ObjectReader& in, std::set<std::string>& names) {
   auto name = plain_name(in, "name");
@@ -64,27 +63,15 @@ Difference load_difference(ObjectReader in,
   return difference;
 }
 
-Gate load_gate(ObjectReader in) {
-  Gate gate;
-  gate.metric = in.text("metric");
-  if (in.has("min")) gate.min = in.number("min");
-  if (in.has("max")) gate.max = in.number("max");
-  if (!gate.min && !gate.max) in.fail("", "a gate needs 'min' or 'max', or it lets everything pass");
-  if (gate.min && gate.max && *gate.min > *gate.max)
-    in.fail("max", fmt::format("must not be below 'min', which is {}", *gate.min));
-  in.finish();
-  return gate;
-}
-
 Rectangle checked_rectangle(const ObjectReader& in, const std::string& key, const std::vector<double>& n) {
-  Rectangle r{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    r.at(i) = static_cast<int>(n[i]);
-    if (r.at(i) != n[i]) in.fail(key, fmt::format("pixels are whole numbers, {} is none", n[i]));
-  }
-  if (r[0] >= r[2] || r[1] >= r[3])
+  for (const double edge : n)
+    if (edge != static_cast<int>(edge))
+      in.fail(key, fmt::format("pixels are whole numbers, {} is none", edge));
+  const Rectangle r{static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
+                    static_cast<int>(n[3])};
+  if (r.x0 >= r.x1 || r.y0 >= r.y1)
     in.fail(key,
-            fmt::format("[x0,y0,x1,y1] = [{}] holds no pixel: x1 and y1 are exclusive", fmt::join(r, ",")));
+            fmt::format("[x0,y0,x1,y1] = {} holds no pixel: x1 and y1 are exclusive", rectangle_text(r)));
   return r;
 }
 
@@ -179,26 +166,12 @@ std::vector<std::filesystem::path> case_folders(const Suite& suite) {
   return folders;
 }
 
-// A tolerance that is not that of all cases has a reason, which says how it was found.
-void load_tolerances(ObjectReader& in, Case& one_case) {
-  const bool has_own = in.has("mean_ratio") || in.has("tile_ratio") || in.has("edge_blur");
-  one_case.mean_ratio = in.number_or("mean_ratio", kMeanRatio, {kLeastRatio, 1});
-  one_case.tile_ratio = in.number_or("tile_ratio", kTileRatio, {kLeastRatio, 1});
-  one_case.edge_blur = in.number_or("edge_blur", kEdgeBlur, {kLeastRatio, 2});
-  if (in.has("stokes_error")) one_case.stokes_error = in.number("stokes_error", {kLeastRatio, 1});
-  // One of Stokes vectors has no usual value that it departs from; it may say why all the same.
-  const bool says_why = in.has("stokes_error") && in.has("tolerance_reason");
-  if (!has_own && !says_why) return;
-  one_case.tolerance_reason = in.text("tolerance_reason");
-  if (one_case.tolerance_reason.empty()) in.fail("tolerance_reason", "must say why this case has its own");
-}
-
 }  // namespace
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
   const auto document = json::parse(file.string(), text);
   ObjectReader in(document);
-  in.one_of("format", {"orbs-case/1"});
+  in.one_of("format", {"orbs-case/2"});
   Case one_case;
   one_case.file = std::filesystem::absolute(file).lexically_normal();
   one_case.name = one_case.file.parent_path().filename().string();
@@ -206,9 +179,7 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
   one_case.title = in.text("title");
   one_case.tests = in.text("tests");
   one_case.typical_mistake = in.text("typical_mistake");
-  one_case.gate.min = 35;  // ORB.S section 2: PSNR above 35 if otherwise is not specified
-  if (in.has("gate")) one_case.gate = load_gate(in.object("gate"));
-  load_tolerances(in, one_case);
+  one_case.gates = load_gates(in);
   load_scenes(in, one_case);
   if (in.has("negative_values")) {
     one_case.negative_values = in.text("negative_values");

@@ -1,14 +1,15 @@
 #pragma once
 
+#include "base/rectangle.h"
 #include "registry/configuration.h"
+#include "registry/gates.h"
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-/// case.json (format "orbs-case/1") as plain data: what a requirement needs tested, and what counts as right.
+/// case.json (format "orbs-case/2") as plain data: what a requirement needs tested, and what counts as right.
 namespace orbs::registry {
 
 struct CaseScene {
@@ -25,23 +26,13 @@ struct Difference {
   std::string minus;
 };
 
-/// Passed when the number of `metric` is not below `min` and not above `max`.
-struct Gate {
-  std::string metric = "psnr_srgb8";
-  std::optional<double> min;
-  std::optional<double> max;
-};
-
-/// x0, y0, x1, y1 in pixels; x1 and y1 exclusive, y from the top.
-using Rectangle = std::array<int, 4>;
-
 struct Mask {
   std::string target;  // a scene or a difference of the case
   std::vector<Rectangle> rectangles;
   std::string reason;
 };
 
-/// The mean linear value of a region of the renderer's image, per channel.
+/// What the mean linear value of a region of the renderer's image must be, per channel.
 struct PixelCheck {
   std::string target;
   Rectangle region{};
@@ -67,30 +58,12 @@ struct Case {
   std::string typical_mistake;
   std::vector<CaseScene> scenes;
   std::vector<Difference> differences;
-  Gate gate;
-  /// How far the mean of each channel may be from the reference's, relative to it; nothing: no condition.
-  std::optional<double> mean_ratio;
-  /// How large metrics::local_bias may be; nothing: no condition.
-  std::optional<double> tile_ratio;
-  /// How large |metrics::edge_blur| may be; nothing: no condition.
-  std::optional<double> edge_blur;
-  /// How large metrics::stokes_error may be where the reference has Stokes parameters; nothing: no condition.
-  std::optional<double> stokes_error;
-  std::string tolerance_reason;  // why one of these four is not that of all cases; "" when they are
+  std::vector<Gate> gates;  // all must be met; in the order in which verdicts name them
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;
   std::string negative_values;  // why images may hold negative values; "" when they may not
 };
-
-/// What images must keep beside the gate of ORB.S, which 4 % more light can pass and which does not notice
-/// a lost detail in a large image. Independent renderers that are right keep them: where the models are the
-/// same, Cycles' images of the orbs suite differ by 0.3 % in the mean and 6 % in a tile at most, and their
-/// edges by 0.05. POV-Ray's anti-aliasing makes 0.12 of that, half the resolution 0.8 to 1.4. The mean's
-/// tolerance leaves room for the noise (0.22 % at most): all of a bias of 1 % lies beyond it.
-constexpr double kMeanRatio = 0.007;
-constexpr double kTileRatio = 0.1;
-constexpr double kEdgeBlur = 0.2;
 
 /// Reads and checks one case.json. InputError with file, line and key.
 Case load_case(const std::filesystem::path& file);

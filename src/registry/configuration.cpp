@@ -4,7 +4,7 @@
 #include "base/pattern.h"
 #include "base/text.h"
 #include "json/object_reader.h"
-#include "registry/defaults.h"
+#include "registry/run_settings.h"
 #include "registry/limits.h"
 #include "registry/placeholders.h"
 #include "registry/plain_name.h"
@@ -206,7 +206,7 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   Configuration configuration;
   configuration.file = std::filesystem::absolute(file).lexically_normal();
   configuration.root = configuration.file.parent_path();
-  if (in.has("defaults")) configuration.defaults = read_defaults(in.object("defaults"));
+  if (in.has("defaults")) configuration.defaults = read_run_settings(in.object("defaults"));
   refuse_doubles(in.objects("suites"));
   for (auto& entry : in.objects("suites"))
     configuration.suites.push_back(load_suite_entry(std::move(entry), configuration.root));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/process_limits.h"
-#include "registry/defaults.h"
+#include "registry/run_settings.h"
 #include "registry/features.h"
 
 #include <filesystem>
@@ -73,7 +73,7 @@ struct Renderer {
 struct Configuration {
   std::filesystem::path file;
   std::filesystem::path root;  // the folder of the file; what {root} stands for
-  Defaults defaults;
+  RunSettings defaults;
   std::vector<Suite> suites;
   std::vector<Renderer> renderers;
 };

@@ -11,6 +11,7 @@
 #include "runner/host.h"
 #include "runner/job_folder.h"
 #include "runner/outcome.h"
+#include "runner/prepare.h"
 #include "runner/render_seconds.h"
 
 #include <algorithm>
@@ -44,23 +45,13 @@ adapters::ProcessRequest process_request(const registry::Renderer& renderer,
   return request;
 }
 
-// The job once for each seed of the renderer.
-std::vector<adapters::Job> turns_of(const Plan& plan,
-                                    const PlannedJob& planned,
-                                    const std::filesystem::path& folder) {
-  std::vector<adapters::Job> turns;
-  for (int turn = 0; turn < plan.renderers[planned.renderer].entry.seeds; ++turn)
-    turns.push_back(job_in(plan, planned, folder, turn));
-  return turns;
-}
-
 // The job in its folder, with the scene written there and all that will prove its images to be its own.
-std::vector<adapters::Job> prepare_turns(const Plan& plan,
-                                         const PlannedJob& planned,
-                                         const scene::Scene& prepared,
-                                         const std::filesystem::path& folder) {
-  auto turns = turns_of(plan, planned, folder);
-  const auto& first = turns.front();
+std::vector<adapters::Job> prepare_replicas(const Plan& plan,
+                                            const PlannedJob& planned,
+                                            const scene::Scene& prepared,
+                                            const std::filesystem::path& folder) {
+  auto replicas = replicas_of(plan, planned, folder);
+  const auto& first = replicas.front();
   make_folder(first.folder);
   if (planned.native_scene.empty()) {
     adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, first.scene_file);
@@ -70,13 +61,13 @@ std::vector<adapters::Job> prepare_turns(const Plan& plan,
   const auto scene_file_hash = hash_text(content_hash(read_file(first.scene_file)));
   // By the clock of that disk, as the image will be.
   const auto ready_since = std::filesystem::last_write_time(first.scene_file);
-  for (auto& job : turns) {
+  for (auto& job : replicas) {
     job.id = planned.id;
     job.scene_file_hash = scene_file_hash;
     job.ready_since = ready_since;
     job.may_be_negative = planned.may_be_negative;
   }
-  return turns;
+  return replicas;
 }
 
 // Adds to what the seeds before took; how it ended is its own.
@@ -96,11 +87,11 @@ void note_process(const adapters::ProcessResult& process,
 }
 
 // The image of all seeds in `file`, in place of their own.
-image::Image put_together(const std::vector<adapters::Job>& turns,
+image::Image merged_image(const std::vector<adapters::Job>& replicas,
                           const std::vector<image::Image>& images,
                           const std::filesystem::path& file) {
   // A later seed may have left anything under any of these names.
-  for (const auto& job : turns) std::filesystem::remove_all(job.image);
+  for (const auto& job : replicas) std::filesystem::remove_all(job.image);
   std::filesystem::remove_all(file);
   auto image = metrics::are_equal(images) ? images.front() : metrics::mean_and_variance_of(images);
   image::write_exr(image, file);
@@ -108,31 +99,31 @@ image::Image put_together(const std::vector<adapters::Job>& turns,
 }
 
 // One process after the other, until one leaves no usable image. The file is where the image lies.
-std::pair<Outcome, std::filesystem::path> run_turns(const std::vector<adapters::Job>& turns,
-                                                    const registry::Renderer& renderer,
-                                                    const std::atomic<bool>* stop,
-                                                    JobRecord& record) {
+std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapters::Job>& replicas,
+                                                       const registry::Renderer& renderer,
+                                                       const std::atomic<bool>* stop,
+                                                       JobRecord& record) {
   std::vector<image::Image> images;
-  for (const auto& job : turns) {
+  for (const auto& job : replicas) {
     forget_render_seconds(renderer.render_seconds, job.folder);
     const auto process = adapters::run_process(process_request(renderer, job, stop));
     make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
-    if (outcome.kind != JobOutcome::Image || turns.size() == 1) return {std::move(outcome), job.image};
+    if (outcome.kind != JobOutcome::Image || replicas.size() == 1) return {std::move(outcome), job.image};
     images.push_back(std::move(*outcome.image));
   }
-  const auto file = turns.front().folder / adapters::JobSettings{}.image_file;
-  return {{JobOutcome::Image, "", put_together(turns, images, file)}, file};
+  const auto file = replicas.front().folder / adapters::JobSettings{}.image_file;
+  return {{JobOutcome::Image, "", merged_image(replicas, images, file)}, file};
 }
 
 // The same renders again, as they can be repeated once the folder is in its place.
-void note_command(const std::vector<adapters::Job>& turns,
+void note_command(const std::vector<adapters::Job>& replicas,
                   const std::vector<std::string>& environment,
                   JobRecord& record) {
-  record.program.argv = turns.front().argv;
+  record.program.argv = replicas.front().argv;
   std::vector<std::string> commands;
-  for (const auto& job : turns) commands.push_back(shell_command(job.folder, environment, job.argv));
+  for (const auto& job : replicas) commands.push_back(shell_command(job.folder, environment, job.argv));
   record.program.shell = fmt::format("{}", fmt::join(commands, " && "));
 }
 
@@ -175,12 +166,12 @@ Execution execute(const Plan& plan,
     record.end.reason = *reason;
     return execution;
   }
-  const auto turns = prepare_turns(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
-  note_command(turns_of(plan, planned, folders.run),
-               process_request(renderer, turns.front(), stop).environment, record);
+  const auto replicas = prepare_replicas(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished);
+  note_command(replicas_of(plan, planned, folders.run),
+               process_request(renderer, replicas.front(), stop).environment, record);
   record.cost.started = local_time_now();
   record.cost.load = load_average();
-  auto [outcome, file] = run_turns(turns, renderer, stop, record);
+  auto [outcome, file] = run_replicas(replicas, renderer, stop, record);
   record.end.outcome = outcome.kind;
   record.end.reason = outcome.reason;
   if (results::leaves_visible_image(outcome.kind))
@@ -188,7 +179,7 @@ Execution execute(const Plan& plan,
   const bool keep_log = plan.settings.log || !has_image(record);
   if (keep_log) record.files.log = (planned.folder / "log.txt").string();
   std::error_code ignored;
-  if (!keep_log) std::filesystem::remove(turns.front().folder / "log.txt", ignored);
+  if (!keep_log) std::filesystem::remove(replicas.front().folder / "log.txt", ignored);
   execution.image = std::move(outcome.image);
   return execution;
 }

@@ -2,9 +2,9 @@
 
 #include "base/files.h"
 #include "image/image_io.h"
-#include "image/linear_rgb.h"
-#include "metrics/alignment.h"
-#include "runner/difference.h"
+#include "judge/difference.h"
+#include "judge/judge.h"
+#include "judge/maps.h"
 
 #include <algorithm>
 
@@ -51,45 +51,6 @@ void take_job_verdict(const JobRecord& job, TargetRecord& record) {
 
 namespace {
 
-bool is_difference(const registry::Case& one_case, const std::string& target) {
-  return std::any_of(one_case.differences.begin(), one_case.differences.end(),
-                     [&](const auto& difference) { return difference.name == target; });
-}
-
-// Another case may allow what this one does not, so this is asked for each. Counts them where they are
-// allowed.
-bool refuse_negative(const registry::Case& one_case, const image::Image& result, TargetRecord& record) {
-  if (is_difference(one_case, record.target)) return false;
-  const auto faults = metrics::check_alignment(result, result).result;
-  if (faults.negative == 0) return false;
-  if (one_case.negative_values.empty()) {
-    record.verdict = Verdict::InvalidPixels;
-    record.reason = fmt::format("{} pixels are negative, which its case does not allow; the first is {}",
-                                faults.negative, faults.first);
-    return true;
-  }
-  record.measures.push_back(
-      {"negative_pixels", static_cast<double>(faults.negative), "1",
-       fmt::format("pixels with a negative R, G or B, allowed here: {}", one_case.negative_values), true});
-  return false;
-}
-
-bool is_constant(const image::Image& target) {
-  const auto colours = image::select_rgb(target, "").pixels;
-  for (std::size_t i = 3; i < colours.size(); ++i)
-    if (colours[i] != colours[i - 3]) return false;
-  return true;
-}
-
-// One colour all over is what a renderer leaves that found no light or no scene, and a small or dark image
-// may measure well all the same.
-void refuse_constant(const image::Image& result, const image::Image& reference, TargetRecord& record) {
-  if (!is_constant(result) || is_constant(reference)) return;
-  record.verdict = results::worse(record.verdict, Verdict::ConstantImage);
-  if (record.verdict == Verdict::ConstantImage)
-    record.reason = "every pixel has the same colour, which the reference's have not";
-}
-
 // Judges one image that is there, and writes its maps unless another case has done so.
 void judge_target(const Plan& plan,
                   const PlannedTarget& planned,
@@ -98,29 +59,18 @@ void judge_target(const Plan& plan,
                   TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
   const auto reference =
-      load_reference(one_case, planned.target, plan.suite.references, plan.reference_hashes);
+      judge::load_reference(one_case, planned.target, plan.suite.references, plan.reference_hashes);
   const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
   const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
-  const auto comparison =
-      judge_values(one_case, result, reference, {.threads = plan.threads, .result_noise = noise}, record);
+  const auto comparison = judge::judge_image(one_case, result, reference,
+                                             {.threads = plan.threads, .result_noise = noise}, record);
   if (!comparison) return;
   const auto relative = std::filesystem::path(record.renderer) / record.target;
-  record.maps = write_maps(result, *comparison, folder / relative);
+  record.maps = judge::write_maps(result, *comparison, folder / relative);
   for (auto& map : record.maps) map.image = (relative / map.image).string();
 }
 
 }  // namespace
-
-std::optional<metrics::Comparison> judge_values(const registry::Case& one_case,
-                                                const image::Image& result,
-                                                const Reference& reference,
-                                                const JudgeSettings& settings,
-                                                TargetRecord& record) {
-  if (refuse_negative(one_case, result, record)) return std::nullopt;
-  auto comparison = judge(one_case, result, reference, settings, record);
-  if (comparison) refuse_constant(result, *reference.image, record);
-  return comparison;
-}
 
 std::vector<TargetRecord> judge_scene(const Plan& plan,
                                       std::size_t job,
@@ -153,7 +103,7 @@ TargetRecord judge_difference(const Plan& plan,
     }
   const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].files.image);
   const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].files.image);
-  const auto result = difference_of(of, minus);
+  const auto result = judge::difference_of(of, minus);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");

@@ -177,7 +177,7 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& image, const 
               {}};
   const auto negatives =
       job.may_be_negative ? metrics::NegativePixels::Allowed : metrics::NegativePixels::Refused;
-  const auto faults = metrics::check_alignment(image, image, negatives).result;
+  const auto faults = metrics::count_faults(image, negatives);
   if (!faults.first.empty())
     return {
         JobOutcome::InvalidPixels,

@@ -24,7 +24,7 @@ using results::JobFile;
 using results::JobRecord;
 using results::JobOutcome;
 
-bool is_stopped(const RunContext& context) { return context.stop != nullptr && context.stop->load(); }
+bool is_stopped(const RenderContext& context) { return context.stop != nullptr && context.stop->load(); }
 
 // What an earlier run left of this render; nothing when there is nothing, or nothing whole.
 std::optional<JobFile> found_job(const fs::path& folder) {
@@ -51,7 +51,7 @@ Execution execute_or_say_why(const Plan& plan,
                              const PlannedJob& job,
                              const std::string& version,
                              const WorkFolders& folders,
-                             const RunContext& context) {
+                             const RenderContext& context) {
   Execution execution{skipped_record(plan, job), {}};
   try {
     return execute(plan, job, version, folders, context.stop);
@@ -85,27 +85,28 @@ std::optional<Execution> take_over(const JobRecord& found,
   return execution;
 }
 
-// How many images the plan makes of this job alone.
-std::size_t images_of(const Plan& plan, std::size_t job) {
+// How many targets the plan judges from this job alone.
+std::size_t targets_of(const Plan& plan, std::size_t job) {
   return static_cast<std::size_t>(
       std::count_if(plan.targets.begin(), plan.targets.end(),
                     [&](const auto& target) { return target.jobs == std::vector<std::size_t>{job}; }));
 }
 
-class Renders {
+// Carries out jobs from several threads and collects their records.
+class JobRunner {
  public:
-  Renders(const Plan& plan,
-          const std::vector<std::string>& versions,
-          const WorkFolders& folders,
-          const RunContext& context)
+  JobRunner(const Plan& plan,
+            const std::vector<std::string>& versions,
+            const WorkFolders& folders,
+            const RenderContext& context)
       : plan_(plan),
         versions_(versions),
         folders_(folders),
         context_(context),
-        work_{std::vector<JobRecord>(plan.jobs.size()),
-              std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {}
+        judged_{std::vector<JobRecord>(plan.jobs.size()),
+                std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {}
 
-  void one(std::size_t index) {
+  void run_or_keep(std::size_t index) {
     const auto& job = plan_.jobs[index];
     auto now = skipped_record(plan_, job);
     now.program.version = versions_[job.renderer];
@@ -113,7 +114,7 @@ class Renders {
     auto found = found_job(folders_.run / job.folder);
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
     if (found && !reason && found->job.hashes.judged == now.hashes.judged &&
-        found->targets.size() == images_of(plan_, index)) {
+        found->targets.size() == targets_of(plan_, index)) {
       keep(index, std::move(*found));
       return;
     }
@@ -126,7 +127,7 @@ class Renders {
     finish(index, execution ? std::move(*execution) : render(job), now);
   }
 
-  Work take() { return std::move(work_); }
+  JudgedJobs take() { return std::move(judged_); }
 
  private:
   Execution render(const PlannedJob& job) {
@@ -136,16 +137,16 @@ class Renders {
   }
 
   void keep(std::size_t index, JobFile found) {
-    work_.jobs[index] = std::move(found.job);
-    work_.targets[index] = std::move(found.targets);
+    judged_.jobs[index] = std::move(found.job);
+    judged_.targets[index] = std::move(found.targets);
     const std::lock_guard lock(mutex_);
     ++done_;
   }
 
   // Leaves nothing on disk, so that a resumed run renders it.
   void skip(std::size_t index, const JobRecord& record) {
-    work_.targets[index] = judge_scene(plan_, index, {record, {}}, folders_);
-    work_.jobs[index] = record;
+    judged_.targets[index] = judge_scene(plan_, index, {record, {}}, folders_);
+    judged_.jobs[index] = record;
     report(index);
   }
 
@@ -161,11 +162,11 @@ class Renders {
       refuse_full_disk(folders_.run);
     execution.record.hashes = now.hashes;
     make_folder(folders_.unfinished / folder);
-    work_.targets[index] = judge_scene(plan_, index, execution, folders_);
+    judged_.targets[index] = judge_scene(plan_, index, execution, folders_);
     write_file(folders_.unfinished / folder / "job.json",
-               results::job_json(execution.record, work_.targets[index]));
+               results::job_json(execution.record, judged_.targets[index]));
     put_in_place(folders_.unfinished / folder, folders_.run / folder);
-    work_.jobs[index] = std::move(execution.record);
+    judged_.jobs[index] = std::move(execution.record);
     report(index);
   }
 
@@ -173,7 +174,7 @@ class Renders {
     const std::lock_guard lock(mutex_);
     ++done_;
     if (context_.progress)
-      context_.progress(done_, plan_.jobs.size(), work_.jobs[index], work_.targets[index]);
+      context_.progress(done_, plan_.jobs.size(), judged_.jobs[index], judged_.targets[index]);
   }
 
   void say(const std::string& line) {
@@ -184,23 +185,23 @@ class Renders {
   const Plan& plan_;
   const std::vector<std::string>& versions_;
   const WorkFolders& folders_;
-  const RunContext& context_;
+  const RenderContext& context_;
   const results::Host host_ = this_host();
-  Work work_;
+  JudgedJobs judged_;
   std::mutex mutex_;
   std::size_t done_ = 0;
 };
 
 }  // namespace
 
-Work render_jobs(const Plan& plan,
-                 const std::vector<std::string>& versions,
-                 const WorkFolders& folders,
-                 const RunContext& context) {
-  Renders renders(plan, versions, folders, context);
+JudgedJobs render_jobs(const Plan& plan,
+                       const std::vector<std::string>& versions,
+                       const WorkFolders& folders,
+                       const RenderContext& context) {
+  JobRunner runner(plan, versions, folders, context);
   for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs,
-                 [&](int index) { renders.one(static_cast<std::size_t>(index)); });
-  return renders.take();
+                 [&](int index) { runner.run_or_keep(static_cast<std::size_t>(index)); });
+  return runner.take();
 }
 
 }  // namespace orbs::runner

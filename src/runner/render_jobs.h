@@ -3,25 +3,38 @@
 #include "results/record.h"
 #include "runner/execute.h"
 #include "runner/plan.h"
-#include "runner/run.h"
 
+#include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace orbs::runner {
 
-/// All renders of a plan and the images judged from each, by job.
-struct Work {
+/// Called after each render, one at a time: how many are done, of how many, the render, and the images
+/// judged from it.
+using Progress = std::function<void(
+    std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::TargetRecord>&)>;
+
+struct RenderContext {
+  std::string orbs_version;
+  const std::atomic<bool>* stop = nullptr;           // set when the user interrupts
+  Progress progress;                                 // not called for jobs that an earlier run has finished
+  std::function<void(const std::string&)> say = {};  // why something is rendered again
+};
+
+/// The records of all jobs of a plan and of the targets judged from each job alone, both by job.
+struct JudgedJobs {
   std::vector<results::JobRecord> jobs;
   std::vector<std::vector<results::TargetRecord>> targets;
 };
 
-/// Renders and judges what is not in the run's folder yet or is there but outdated; what only has another
-/// reference or gate now is judged again. Each render's folder takes its place when it is whole. WriteError
-/// when the disk refuses: what is in its place by then stays.
-Work render_jobs(const Plan& plan,
-                 const std::vector<std::string>& versions,
-                 const WorkFolders& folders,
-                 const RunContext& context);
+/// Renders and judges each job that is not in the run's folder yet or is outdated there; a job that only has
+/// another reference or gate now is judged again. Each job's folder is renamed into place when it is
+/// complete. WriteError when the disk refuses: the jobs that are in place by then stay.
+JudgedJobs render_jobs(const Plan& plan,
+                       const std::vector<std::string>& versions,
+                       const WorkFolders& folders,
+                       const RenderContext& context);
 
 }  // namespace orbs::runner

@@ -1,6 +1,8 @@
 #include "runner/run.h"
 
 #include "base/files.h"
+#include "judge/qualified.h"
+#include "judge/reference.h"
 #include "results/effect_costs.h"
 #include "results/qualification.h"
 #include "results/record_json.h"
@@ -8,9 +10,7 @@
 #include "results/work_folder.h"
 #include "runner/execute.h"
 #include "runner/host.h"
-#include "runner/judge.h"
 #include "runner/judge_targets.h"
-#include "runner/qualified.h"
 #include "runner/render_jobs.h"
 #include "runner/renderer_version.h"
 #include "runner/scene_record.h"
@@ -27,7 +27,7 @@ using results::JobRecord;
 using results::TargetRecord;
 
 // In the order of the plan, whatever order the renders ended in.
-std::vector<TargetRecord> all_targets(const Plan& plan, Work& work, const WorkFolders& folders) {
+std::vector<TargetRecord> all_targets(const Plan& plan, JudgedJobs& judged, const WorkFolders& folders) {
   std::vector<TargetRecord> records;
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
   for (const auto& planned : plan.targets) {
@@ -35,9 +35,9 @@ std::vector<TargetRecord> all_targets(const Plan& plan, Work& work, const WorkFo
       records.push_back(undeclared_target(plan, planned, folders.run));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
-      records.push_back(work.targets[job][taken[job]++]);
+      records.push_back(judged.targets[job][taken[job]++]);
     } else {
-      records.push_back(judge_difference(plan, planned, work.jobs, folders));
+      records.push_back(judge_difference(plan, planned, judged.jobs, folders));
     }
   }
   return records;
@@ -52,7 +52,7 @@ results::RunRecord record_at_start(const Plan& plan,
   record.suite = plan.suite.name;
   record.folder = folder.string();
   record.started = context.file.started;
-  record.orbs_version = context.orbs_version;
+  record.orbs_version = context.rendering.orbs_version;
   record.command_line = context.command_line;
   record.host = this_host();
   record.load = load_average();
@@ -62,7 +62,7 @@ results::RunRecord record_at_start(const Plan& plan,
   for (const auto& one_case : plan.cases)
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
                             one_case.tests, one_case.typical_mistake,
-                            smallest_error_seen(one_case, plan.suite.references, gates)});
+                            judge::smallest_error_seen(one_case, plan.suite.references, gates)});
   auto effect_costs = results::read_effect_costs(plan.suite.references / results::kEffectCostsFile);
   for (const auto& scene : plan.scenes) {
     record.scenes.push_back(scene_record(scene.name, *scene.scene));
@@ -91,12 +91,12 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   const WorkFolders folders{folder, work_folder.path()};
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) versions.push_back(renderer_version(renderer, plan));
-  copy_references(plan.cases, plan.suite.references, plan.reference_hashes, folder / kReferenceFolder);
+  judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes, folder / kReferenceFolder);
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
-  auto work = render_jobs(plan, versions, folders, context);
-  record.targets = all_targets(plan, work, folders);
-  record.jobs = std::move(work.jobs);
+  auto judged = render_jobs(plan, versions, folders, context.rendering);
+  record.targets = all_targets(plan, judged, folders);
+  record.jobs = std::move(judged.jobs);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(),
                                    [](const JobRecord& job) { return job.end.outcome == results::JobOutcome::Skipped; });

@@ -2,27 +2,19 @@
 
 #include "results/record.h"
 #include "runner/plan.h"
+#include "runner/render_jobs.h"
 #include "runner/run_file.h"
 
-#include <atomic>
-#include <functional>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace orbs::runner {
 
-/// Called after each render, one at a time: how many are done, of how many, the render, and the images
-/// judged from it.
-using Progress = std::function<void(
-    std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::TargetRecord>&)>;
-
 struct RunContext {
-  std::string orbs_version;
   std::vector<std::string> command_line;
-  const std::atomic<bool>* stop = nullptr;           // set when the user wants no more
-  RunFile file;                                      // written into the folder once it is ours
-  Progress progress;                                 // not called for what is there already
-  std::function<void(const std::string&)> say = {};  // why something is rendered again
+  RunFile file;  // written into the folder once it is ours
+  RenderContext rendering;
 };
 
 /// Carries out the plan in `folder`: leaves there results.json of what will be rendered and the references,

@@ -54,7 +54,8 @@ RunFile read_run_file(const std::filesystem::path& folder) {
   const auto document = json::parse_file(folder / kRunFile);
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-run/1"});
-  RunFile file{in.text("configuration"), registry::read_defaults(in.object("settings")), in.text("started")};
+  RunFile file{in.text("configuration"), registry::read_run_settings(in.object("settings")),
+               in.text("started")};
   in.finish();
   return file;
 }
@@ -63,7 +64,7 @@ void write_run_file(const RunFile& file, const std::filesystem::path& folder) {
   json::Writer out;
   out.begin_object().member("format", "orbs-run/1").member("configuration", file.configuration.string());
   out.member("started", file.started).key("settings");
-  registry::write_defaults(out, file.settings);
+  registry::write_run_settings(out, file.settings);
   write_file(folder / kRunFile, out.end_object().text());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "registry/defaults.h"
+#include "registry/run_settings.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@ namespace orbs::runner {
 /// What a run was asked for, in its folder as run.json (format "orbs-run/1"): all that --resume needs.
 struct RunFile {
   std::filesystem::path configuration;  // absolute
-  registry::Defaults settings;          // after the command line
+  registry::RunSettings settings;       // after the command line
   std::string started;                  // local time, ISO 8601
 };
 

@@ -1,15 +1,16 @@
 #include "studies/bench.h"
 
 #include "adapters/process/programs.h"
+#include "base/scratch_folder.h"
 #include "metrics/compare.h"
 #include "metrics/seeds.h"
-#include "runner/choose.h"
+#include "runner/choose_renderers.h"
 #include "runner/execute.h"
 #include "runner/host.h"
+#include "runner/render_once.h"
 #include "runner/renderer_version.h"
 #include "scene/load_scene.h"
 #include "studies/bench_overhead.h"
-#include "studies/bench_render.h"
 #include "studies/spread.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ struct Images {
 
 // Returns whether it was carried out to the end.
 bool render_round(int round,
-                  const std::vector<BenchSubject>& subjects,
+                  const std::vector<runner::PreparedRender>& subjects,
                   const BenchContext& context,
                   BenchRecord& record,
                   Images& images) {
@@ -66,15 +67,17 @@ bool render_round(int round,
   for (std::size_t turn = 0; turn < subjects.size(); ++turn) {
     // Every other round backwards: none is always the one that comes after a rest.
     const std::size_t i = round % 2 == 0 ? turn : subjects.size() - 1 - turn;
-    const auto small = render(subjects[i], {small_spp, round + 1, record.settings.threads}, context.stop);
+    const auto small =
+        runner::render_once(subjects[i], {small_spp, round + 1, record.settings.threads}, context.stop);
     if (!small) return false;
-    auto large = render(subjects[i], {record.settings.spp, round + 1, record.settings.threads}, context.stop);
+    auto large = runner::render_once(subjects[i], {record.settings.spp, round + 1, record.settings.threads},
+                                     context.stop);
     if (!large) return false;
-    record.renderers[i].rounds.push_back({small->render, large->render});
+    record.renderers[i].rounds.push_back({small->cost, large->cost});
     images.large[i].push_back(std::move(large->image));
     context.say(fmt::format("[{}/{}] {:<8} {} and {} spp took {:.2f} and {:.2f} s of CPU", round + 1,
                             record.settings.rounds, record.renderers[i].name, small_spp, record.settings.spp,
-                            small->render.cpu_seconds, large->render.cpu_seconds));
+                            small->cost.cpu_seconds, large->cost.cpu_seconds));
   }
   return true;
 }
@@ -122,9 +125,9 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   for (const auto& left : plan.left_out)
     context.say(fmt::format("left out: {}: {}", left.renderer, left.reason));
   const ScratchFolder scratch("orbs-bench");
-  std::vector<BenchSubject> subjects;
+  std::vector<runner::PreparedRender> subjects;
   for (const auto& chosen : plan.renderers) {
-    subjects.push_back(prepare_subject(chosen, plan, scene, scratch.path() / chosen.entry.name));
+    subjects.push_back(runner::prepare_render(chosen, plan, scene, scratch.path() / chosen.entry.name));
     record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, plan), {}, {}});
   }
   Images images{std::vector<std::vector<image::Image>>(subjects.size())};

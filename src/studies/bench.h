@@ -2,6 +2,7 @@
 
 #include "registry/configuration.h"
 #include "results/record.h"
+#include "runner/render_once.h"
 #include "studies/seed_noise.h"
 #include "studies/spread.h"
 
@@ -38,22 +39,12 @@ struct BenchContext {
   std::function<void(const std::string&)> say;
 };
 
-/// One render as a process: start, scene and image file are in these times.
-struct BenchRender {
-  int spp = 0;
-  double cpu_seconds = 0;  // user and system
-  double wall_seconds = 0;
-  double supervisor_cpu_seconds = 0;               // what watching it cost beside that
-  std::optional<double> traversal_share;           // of its threads' time; only the built-in tracer says it
-  std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
-};
-
 /// Two renders of one seed right after each other. They differ in their samples alone, so the difference of
 /// their times is what these samples cost: the start of the program, which takes Blender seconds, drops out,
 /// as do reading, building and writing.
 struct BenchRound {
-  BenchRender small;
-  BenchRender large;
+  runner::RenderCost small;
+  runner::RenderCost large;
 };
 
 struct BenchRenderer {

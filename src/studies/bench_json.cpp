@@ -24,7 +24,7 @@ void put(json::Writer& out, const char* name, const std::optional<double>& numbe
   number ? out.value(*number) : out.null();
 }
 
-void put(json::Writer& out, const char* name, const BenchRender& render) {
+void put(json::Writer& out, const char* name, const runner::RenderCost& render) {
   out.key(name).begin_object();
   out.member("spp", render.spp)
       .member("cpu_seconds", render.cpu_seconds)

@@ -9,7 +9,7 @@ namespace {
 
 // Of the large render's samples, from the slope between the two renders; nothing when noise of the clock ate
 // it.
-std::optional<double> sample_seconds(const BenchRound& round, double BenchRender::*time) {
+std::optional<double> sample_seconds(const BenchRound& round, double runner::RenderCost::*time) {
   const double seconds = round.large.*time - round.small.*time;
   if (!(seconds > 0)) return std::nullopt;
   return seconds * round.large.spp / (round.large.spp - round.small.spp);
@@ -24,7 +24,7 @@ std::optional<Spread> spread_of_rounds(const std::vector<BenchRound>& rounds, au
 
 std::optional<double> median_cpu_seconds(const BenchRenderer& renderer) {
   const auto seconds = spread_of_rounds(renderer.rounds, [](const BenchRound& round) {
-    return sample_seconds(round, &BenchRender::cpu_seconds);
+    return sample_seconds(round, &runner::RenderCost::cpu_seconds);
   });
   if (!seconds) return std::nullopt;
   return seconds->median;
@@ -32,7 +32,7 @@ std::optional<double> median_cpu_seconds(const BenchRenderer& renderer) {
 
 std::optional<Spread> rate(const BenchRecord& record,
                            const BenchRenderer& renderer,
-                           double BenchRender::*time) {
+                           double runner::RenderCost::*time) {
   const double pixels = static_cast<double>(record.settings.size_px) * record.settings.size_px;
   return spread_of_rounds(renderer.rounds, [&](const BenchRound& round) -> std::optional<double> {
     const auto seconds = sample_seconds(round, time);
@@ -46,21 +46,21 @@ std::optional<Spread> rate(const BenchRecord& record,
 std::vector<std::optional<double>> sample_cpu_seconds(const BenchRenderer& renderer) {
   std::vector<std::optional<double>> seconds;
   for (const auto& round : renderer.rounds)
-    seconds.push_back(sample_seconds(round, &BenchRender::cpu_seconds));
+    seconds.push_back(sample_seconds(round, &runner::RenderCost::cpu_seconds));
   return seconds;
 }
 
 std::optional<Spread> paths_per_cpu_second(const BenchRecord& record, const BenchRenderer& renderer) {
-  return rate(record, renderer, &BenchRender::cpu_seconds);
+  return rate(record, renderer, &runner::RenderCost::cpu_seconds);
 }
 
 std::optional<Spread> paths_per_second(const BenchRecord& record, const BenchRenderer& renderer) {
-  return rate(record, renderer, &BenchRender::wall_seconds);
+  return rate(record, renderer, &runner::RenderCost::wall_seconds);
 }
 
 std::optional<Spread> start_cpu_seconds(const BenchRenderer& renderer) {
   return spread_of_rounds(renderer.rounds, [](const BenchRound& round) -> std::optional<double> {
-    const auto samples = sample_seconds(round, &BenchRender::cpu_seconds);
+    const auto samples = sample_seconds(round, &runner::RenderCost::cpu_seconds);
     if (!samples) return std::nullopt;
     return round.large.cpu_seconds - *samples;
   });

@@ -3,12 +3,12 @@
 #include "base/error.h"
 #include "base/scratch_folder.h"
 #include "registry/cases.h"
-#include "runner/choose.h"
+#include "runner/choose_renderers.h"
 #include "runner/execute.h"
 #include "runner/host.h"
+#include "runner/render_once.h"
 #include "scene/load_scene.h"
 #include "scene/without_effect.h"
-#include "studies/bench_render.h"
 #include "studies/image_change.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 // One way to render a scene.
 struct Way {
   std::string name;
-  BenchSubject subject;
+  runner::PreparedRender subject;
   std::vector<std::string> arguments;
   bool is_enough = false;
   std::vector<double> cpu_seconds{};  // of each round
@@ -49,7 +49,7 @@ std::vector<Way> ways_for(const scene::Scene& scene,
   const auto found = scene::effects(scene);
   const auto needed = scene::transport(found);
   std::vector<Way> ways;
-  const auto subject = prepare_subject(renderer, plan, scene, scratch / "scene");
+  const auto subject = runner::prepare_render(renderer, plan, scene, scratch / "scene");
   ways.push_back({std::string(transport_name(needed)), subject, {}, true});
   for (const auto transport : scene::kTransports) {
     if (transport == needed) continue;
@@ -64,7 +64,7 @@ std::vector<Way> ways_for(const scene::Scene& scene,
     const auto name = fmt::format("without {}", effect_name(effect));
     // As rich as before, or the saving of time would count for the effect.
     ways.push_back({name,
-                    prepare_subject(renderer, plan, without, scratch / name),
+                    runner::prepare_render(renderer, plan, without, scratch / name),
                     {"--transport", std::string(transport_name(needed))},
                     false});
   }
@@ -79,9 +79,10 @@ bool render_rounds(std::vector<Way>& ways,
     for (std::size_t turn = 0; turn < ways.size(); ++turn) {
       // Every other round backwards: none is always the one that comes after a rest.
       auto& way = ways[round % 2 == 0 ? turn : ways.size() - 1 - turn];
-      auto made = render(way.subject, {settings.spp, round + 1, 1, way.arguments, true}, context.stop);
+      auto made =
+          runner::render_once(way.subject, {settings.spp, round + 1, 1, way.arguments, true}, context.stop);
       if (!made) return false;
-      way.cpu_seconds.push_back(made->render.samples_cpu_seconds.value_or(made->render.cpu_seconds));
+      way.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
       way.images.push_back(std::move(made->image));
     }
   return true;

@@ -1,7 +1,7 @@
 #include "studies/image_change.h"
 
 #include "image/colour.h"
-#include "metrics/noise_numbers.h"
+#include "metrics/bias_message.h"
 #include "metrics/seeds.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "studies/missing_light.h"
 
 #include "scene/scene.h"
-#include "studies/bench_render.h"
+#include "runner/render_once.h"
 
 #include <algorithm>
 #include <variant>
@@ -39,8 +39,8 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
     const auto name = "without " + scene::display_name("light", dark.lights[i].name, i);
     dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
     const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
-    const auto subject = prepare_subject(plan.renderers.front(), plan, dark, folder);
-    auto made = render(subject, {spp, kSeed, plan.threads}, stop);
+    const auto subject = runner::prepare_render(plan.renderers.front(), plan, dark, folder);
+    auto made = runner::render_once(subject, {spp, kSeed, plan.threads}, stop);
     if (!made) return std::nullopt;
     images.push_back({name, std::move(made->image)});
     std::filesystem::remove_all(folder);

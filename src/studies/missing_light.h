@@ -17,12 +17,12 @@ struct MissingLight {
   image::Image image;
 };
 
-/// Whether the scene has a light that can be missing while another still lights it: another light, a thing
-/// that glows, or the environment. Else why not.
+/// Why no light of the scene can be left out such that another one still lights it: another light, a visible
+/// emitter or the environment. "" when one can.
 std::string why_no_light_can_miss(const scene::Scene& scene);
 
-/// Each light left out in turn, rendered by the plan's first renderer in `scratch`. Nothing when stopped.
-/// InputError when the renderer fails.
+/// The scene with one light left out, for each light, rendered by the plan's first renderer in `scratch`.
+/// Nothing when stopped. InputError when the renderer fails.
 std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& plan,
                                                             const runner::PlannedScene& scene,
                                                             int spp,

@@ -27,10 +27,10 @@ int variance_index(const Image& image, std::size_t colour) {
   return image::channel_index(image, std::string("variance.") + kColours.at(colour));
 }
 
-// Calls change(value, variance) for each pixel and colour; the variance is 0 and comes to nothing where there
-// is none.
-template <typename Work>
-Image changed(Image image, Work change) {
+// Calls change(value, variance) for each pixel and colour; without variance channels it gets a 0 that is
+// discarded.
+template <typename PixelChange>
+Image changed(Image image, PixelChange change) {
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const auto value = colour_index(image, colour);
     const int variance = variance_index(image, colour);
@@ -160,7 +160,7 @@ Image with_more_light(const Image& image, double share) {
   });
 }
 
-Image with_leak(const Image& image, const metrics::Rectangle& where, double radiance) {
+Image with_leak(const Image& image, const Rectangle& where, double radiance) {
   Image out = image;
   for (int y = where.y0; y < where.y1; ++y)
     for (int x = where.x0; x < where.x1; ++x)
@@ -169,11 +169,11 @@ Image with_leak(const Image& image, const metrics::Rectangle& where, double radi
   return out;
 }
 
-metrics::Rectangle place_of_leak(const Image& reference, const metrics::Mask& mask) {
+Rectangle place_of_leak(const Image& reference, const metrics::Mask& mask) {
   constexpr int kSide_px = 16;
   constexpr int kOff_px = 4;
   const auto included = metrics::included_pixels(mask, reference.width, reference.height);
-  std::vector<std::pair<double, metrics::Rectangle>> places;
+  std::vector<std::pair<double, Rectangle>> places;
   for (int y = kOff_px; y + kSide_px <= reference.height; y += kSide_px)
     for (int x = kOff_px; x + kSide_px <= reference.width; x += kSide_px) {
       double sum = 0;

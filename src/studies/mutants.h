@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Faulty mutants: what a control image would have been had its renderer made one of the usual mistakes. Each
-/// has the noise of the control image and says so in its variance, as the mistaken renderer would.
+/// Mutants: what a control image would have been had its renderer made one of the usual mistakes. Each has
+/// the noise of the control image and states it in its variance, as the mistaken renderer would.
 namespace orbs::studies {
 
 /// A mistake as a change of a linear image with R, G, B and, where it has them, their variances.
@@ -19,7 +19,7 @@ struct Fault {
   Change apply;
 };
 
-/// The faults that an image alone can be given, each with its name:
+/// The faults that need no other render, each with its name:
 /// black; constant (the mean of the image all over); one NaN pixel in the middle; all shifted to the right
 /// by 1 px (the left column stays); 2 % more and 2 % less light; two channels swapped, those two that differ
 /// most in `reference`; the sRGB curve applied once too often; half the resolution, scaled up again; values
@@ -30,11 +30,11 @@ std::vector<Fault> faults_of(const image::Image& reference);
 image::Image with_more_light(const image::Image& image, double share);
 
 /// `radiance` added to R, G, B of these pixels.
-image::Image with_leak(const image::Image& image, const metrics::Rectangle& where, double radiance);
+image::Image with_leak(const image::Image& image, const Rectangle& where, double radiance);
 
-/// Where a leak is put: 16 x 16 px, the place whose mean luminance is the median of all places without masked
-/// pixels, 4 px off any grid of 8 or 16 px. All of the image when it is smaller than that.
-metrics::Rectangle place_of_leak(const image::Image& reference, const metrics::Mask& mask);
+/// Where a light leak is put: the 16 x 16 px whose mean luminance is the median of all such places without
+/// masked pixels, 4 px off any grid of 8 or 16 px. The whole image when it is smaller than that.
+Rectangle place_of_leak(const image::Image& reference, const metrics::Mask& mask);
 
 /// Mean of R, G and B over all pixels.
 double mean_radiance(const image::Image& image);

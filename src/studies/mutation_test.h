@@ -1,8 +1,9 @@
 #pragma once
 
 #include "image/image.h"
+#include "judge/reference.h"
+#include "registry/cases.h"
 #include "results/qualification.h"
-#include "runner/judge.h"
 #include "studies/missing_light.h"
 
 #include <map>
@@ -11,19 +12,20 @@
 
 namespace orbs::studies {
 
-/// All that the gate of one image is tried with.
-struct GateTrial {
+/// All that the gates of one target are tested with.
+struct MutationSubject {
   const registry::Case& one_case;
-  std::string image;
-  runner::Reference reference;  // there
+  std::string target;
+  judge::Reference reference;  // its image is there
   image::Image control;
   const std::map<std::string, image::Image>& others;  // references of the suite, by name
-  const std::vector<MissingLight>& dark;
-  std::string no_dark;  // why `dark` is empty
+  const std::vector<MissingLight>& missing_lights;
+  std::string why_no_light_can_miss;  // "" when `missing_lights` are mutants
 };
 
-/// Judges the control image, all mutants, and looks for the smallest faults; the rest of the record is the
-/// caller's. By what judges the images of a run, and nothing else.
-results::GateRecord try_gate(const GateTrial& trial);
+/// Mutation test of the gates of one target: judges the control image and all mutants, and searches for the
+/// smallest faults that are rejected. Judged exactly as the images of a run are. Fills all of the record but
+/// control, judged_by and provenance.
+results::GateRecord mutation_test(const MutationSubject& subject);
 
 }  // namespace orbs::studies

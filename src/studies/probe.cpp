@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/scratch_folder.h"
 #include "base/text.h"
-#include "studies/bench_render.h"
+#include "runner/render_once.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +36,9 @@ ProbeImage take_image(const Stand& stand,
   try {
     const auto folder = stand.scratch / renderer.entry.name;
     std::filesystem::remove_all(folder);
-    const auto subject = prepare_subject(renderer, stand.plan, scene, folder);
-    const auto made = render(subject, {stand.settings.spp, 1, stand.settings.threads}, stand.context.stop);
+    const auto subject = runner::prepare_render(renderer, stand.plan, scene, folder);
+    const auto made =
+        runner::render_once(subject, {stand.settings.spp, 1, stand.settings.threads}, stand.context.stop);
     if (!made) {
       taken.no_image = "was stopped";
       return taken;

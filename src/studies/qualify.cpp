@@ -5,12 +5,10 @@
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
 #include "image/image_io.h"
+#include "judge/provenance.h"
+#include "judge/qualified.h"
 #include "runner/execute.h"
 #include "runner/host.h"
-#include "runner/judge.h"
-#include "runner/provenance.h"
-#include "runner/qualified.h"
-#include "runner/summary.h"
 #include "studies/mutation_test.h"
 
 #include <algorithm>
@@ -26,13 +24,14 @@ namespace {
 using image::Image;
 using results::GateRecord;
 
-struct Work {
+// What all targets of a qualification share.
+struct Qualification {
   const runner::Plan& plan;
   const results::RunRecord& run;
   const QualifySettings& settings;
   const QualifyContext& context;
-  std::map<std::string, Image> references;                // of the whole suite
-  std::map<std::string, std::vector<MissingLight>> dark;  // by scene
+  std::map<std::string, Image> references;                          // of the whole suite
+  std::map<std::string, std::vector<MissingLight>> missing_lights;  // by scene
 };
 
 struct Subject {
@@ -52,75 +51,76 @@ std::map<std::string, Image> all_references(const std::filesystem::path& folder)
   return references;
 }
 
-bool is_wanted(const Work& work, const std::string& scene) {
-  return std::any_of(work.plan.cases.begin(), work.plan.cases.end(), [&](const auto& one_case) {
+bool is_wanted(const Qualification& shared, const std::string& scene) {
+  return std::any_of(shared.plan.cases.begin(), shared.plan.cases.end(), [&](const auto& one_case) {
     return std::any_of(one_case.scenes.begin(), one_case.scenes.end(),
                        [&](const auto& one) { return one.name == scene; });
   });
 }
 
-void render_without_lights(Work& work) {
+void render_without_lights(Qualification& shared) {
   const ScratchFolder scratch("orbs-qualify");
-  for (const auto& scene : work.plan.scenes) {
-    if (!is_wanted(work, scene.name) || !why_no_light_can_miss(*scene.scene).empty()) continue;
-    const int spp = adapters::scaled_spp(scene.spp, 1, work.settings.missing_light_spp_scale);
-    auto targets = without_each_light(work.plan, scene, spp, scratch.path(), work.context.stop);
+  for (const auto& scene : shared.plan.scenes) {
+    if (!is_wanted(shared, scene.name) || !why_no_light_can_miss(*scene.scene).empty()) continue;
+    const int spp = adapters::scaled_spp(scene.spp, 1, shared.settings.missing_light_spp_scale);
+    auto targets = without_each_light(shared.plan, scene, spp, scratch.path(), shared.context.stop);
     if (!targets) return;
-    work.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
-    work.dark[scene.name] = std::move(*targets);
+    shared.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
+    shared.missing_lights[scene.name] = std::move(*targets);
   }
 }
 
-// Throws InputError where there is none that could be judged.
-Image control_target(const Work& work, const Subject& subject) {
-  for (const auto& target : work.run.targets) {
-    if (target.renderer != work.settings.renderer || target.case_name != subject.one_case->name ||
+// InputError where the run has none that could be judged.
+Image control_image(const Qualification& shared, const Subject& subject) {
+  for (const auto& target : shared.run.targets) {
+    if (target.renderer != shared.settings.renderer || target.case_name != subject.one_case->name ||
         target.target != subject.target)
       continue;
     if (target.image.empty())
       throw InputError(
-          fmt::format("{} has no image in {}: {}", target.renderer, work.run.folder, target.reason));
-    return image::read_image(std::filesystem::path(work.run.folder) / target.image);
+          fmt::format("{} has no image in {}: {}", target.renderer, shared.run.folder, target.reason));
+    return image::read_image(std::filesystem::path(shared.run.folder) / target.image);
   }
-  throw InputError(fmt::format("{} holds no image of it by {}", work.run.folder, work.settings.renderer));
+  throw InputError(fmt::format("{} holds no image of it by {}", shared.run.folder, shared.settings.renderer));
 }
 
-std::string why_not_dark(const Work& work, const std::string& target) {
-  const auto scene = std::find_if(work.plan.scenes.begin(), work.plan.scenes.end(),
+std::string why_no_missing_light(const Qualification& shared, const std::string& target) {
+  const auto scene = std::find_if(shared.plan.scenes.begin(), shared.plan.scenes.end(),
                                   [&](const auto& one) { return one.name == target; });
-  if (scene == work.plan.scenes.end()) return "a difference of two scenes, which are tried themselves";
+  if (scene == shared.plan.scenes.end()) return "a difference of two scenes, which are tried themselves";
   return why_no_light_can_miss(*scene->scene);
 }
 
-GateRecord tried_gate(const Work& work, const Subject& subject) {
+GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
   static const std::vector<MissingLight> kNone;
-  const auto control = control_target(work, subject);
-  auto reference = runner::load_reference(*subject.one_case, subject.target, work.plan.suite.references,
-                                          work.plan.reference_hashes);
+  const auto control = control_image(shared, subject);
+  auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
+                                         shared.plan.reference_hashes);
   if (!reference.image) throw InputError(reference.problem);
-  const auto seed = runner::provenance_of(control)["seed"];
-  if (!seed.empty() && runner::provenance_of(*reference.image)["seed"] == seed)
+  const auto seed = judge::provenance_of(control)["seed"];
+  if (!seed.empty() && judge::provenance_of(*reference.image)["seed"] == seed)
     throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
-  const auto dark = work.dark.find(subject.target);
-  auto gate = try_gate({*subject.one_case, subject.target, reference, control, work.references,
-                        dark == work.dark.end() ? kNone : dark->second, why_not_dark(work, subject.target)});
+  const auto missing = shared.missing_lights.find(subject.target);
+  auto gate = mutation_test({*subject.one_case, subject.target, reference, control, shared.references,
+                             missing == shared.missing_lights.end() ? kNone : missing->second,
+                             why_no_missing_light(shared, subject.target)});
   for (const char* key : {"program", "version", "spp", "seed"})
-    gate.control[key] = runner::provenance_of(control)[key];
+    gate.control[key] = judge::provenance_of(control)[key];
   return gate;
 }
 
-GateRecord gate_record(const Work& work, const Subject& subject) {
+GateRecord gate_record(const Qualification& shared, const Subject& subject) {
   GateRecord gate;
   try {
-    gate = tried_gate(work, subject);
+    gate = tested_gate(shared, subject);
   } catch (const InputError& e) {
     gate.case_name = subject.one_case->name;
     gate.target = subject.target;
     gate.control_reason = fmt::format("not tried: {}", e.what());
   }
-  gate.judged_by = runner::gate_hash(*subject.one_case, subject.target, work.plan.suite.references);
+  gate.judged_by = judge::gate_hash(*subject.one_case, subject.target, shared.plan.suite.references);
   gate.provenance = {{"program", "orbs"},
-                     {"version", work.context.orbs_version},
+                     {"version", shared.context.orbs_version},
                      {"date", runner::local_time_now()},
                      {"cpu", runner::this_host().cpu}};
   return gate;
@@ -132,8 +132,8 @@ std::vector<GateRecord> qualify(const runner::Plan& plan,
                                 const results::RunRecord& run,
                                 const QualifySettings& settings,
                                 const QualifyContext& context) {
-  Work work{plan, run, settings, context, all_references(plan.suite.references), {}};
-  render_without_lights(work);
+  Qualification shared{plan, run, settings, context, all_references(plan.suite.references), {}};
+  render_without_lights(shared);
   std::vector<Subject> subjects;
   for (const auto& one_case : plan.cases)
     for (const auto& target : registry::target_names(one_case)) subjects.push_back({&one_case, target});
@@ -142,7 +142,7 @@ std::vector<GateRecord> qualify(const runner::Plan& plan,
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
     auto& gate = gates[static_cast<std::size_t>(index)];
-    gate = gate_record(work, subjects[static_cast<std::size_t>(index)]);
+    gate = gate_record(shared, subjects[static_cast<std::size_t>(index)]);
     const std::scoped_lock lock(saying);
     context.say(fmt::format("{} {}: {}", gate.case_name, gate.target,
                             results::is_qualified(gate) ? "qualified" : "not qualified"));

@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-/// Can a gate fail? Gives control images every usual fault and looks whether the gate of their case rejects
-/// each of these mutants and accepts the control image; and finds how small a fault may be.
+/// Mutation testing of the gates: do the gates of each case reject every mutant of a control image and accept
+/// the control image itself, and how small is the smallest fault that they reject?
 namespace orbs::studies {
 
 struct QualifySettings {
   std::string renderer = "orbs";  // whose images in the run are the control images
-  /// Of the samples of the case, for the renders without one of the lights: what is missing then is large.
+  /// Share of the case's samples for the renders without one of the lights; few do, as a missing light is a
+  /// large fault.
   double missing_light_spp_scale = 0.125;
 };
 
@@ -33,7 +34,7 @@ std::vector<results::GateRecord> qualify(const runner::Plan& plan,
                                          const QualifySettings& settings,
                                          const QualifyContext& context);
 
-/// `known` with what is new in the place of what it is about.
+/// `known` with each record of `found` in place of the one of the same target.
 std::vector<results::GateRecord> merged(std::vector<results::GateRecord> known,
                                         const std::vector<results::GateRecord>& found);
 

@@ -34,8 +34,11 @@ SeedNoise noise_of_seeds(const std::vector<image::Image>& images, const image::I
   noise.relative_mse = relative_mse(image::colours_of(images), mean);
   double mse = 0;
   for (std::size_t i = 1; i < images.size(); ++i) {
-    const auto comparison =
-        metrics::compare(images[i - 1], images[i], {}, {metrics::NegativePixels::Allowed, threads});
+    const auto comparison = metrics::compare(images[i - 1], images[i], {},
+                                             {.negatives = metrics::NegativePixels::Allowed,
+                                              .threads = threads,
+                                              .no_others = true,
+                                              .also = {"psnr_srgb8"}});
     const double psnr = metrics::value_of(comparison, "psnr_srgb8").value();
     mse += std::pow(10, -psnr / 10) * 255 * 255;
   }

@@ -24,9 +24,13 @@ TEST(QualifyCommand, LeavesWhatTheGatesSeeForTheNextRun) {
 TEST(QualifyCommand, FailsForAGateThatCannot) {
   const Sandbox sandbox;
   sandbox.write("cases/m1_grey/case.json",
-                R"({"format": "orbs-case/1", "requirement": "M1", "title": "Grey", "tests": "t",
-  "typical_mistake": "m", "gate": {"metric": "l1", "max": 100}, "mean_ratio": 1, "tile_ratio": 1,
-  "tolerance_reason": "a gate that cannot fail",
+                R"({"format": "orbs-case/2", "requirement": "M1", "title": "Grey", "tests": "t",
+  "typical_mistake": "m", "gates": [
+    {"metric": "psnr_srgb8", "min": 0, "reason": "a gate that cannot fail"},
+    {"metric": "mean_ratio_r", "min": -1, "max": 1, "reason": "a gate that cannot fail"},
+    {"metric": "mean_ratio_g", "min": -1, "max": 1, "reason": "a gate that cannot fail"},
+    {"metric": "mean_ratio_b", "min": -1, "max": 1, "reason": "a gate that cannot fail"},
+    {"metric": "local_bias", "max": 1, "reason": "a gate that cannot fail"}],
   "scenes": [{"name": "grey", "file": "grey.json", "spp": 8}, {"name": "v1.5", "file": "grey.json", "spp": 8}]})");
   sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"});
   const auto answer = sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey"});
@@ -61,8 +65,17 @@ TEST(QualifyCommand, AChangedCaseIsNotShownWithOldNumbers) {
   const Sandbox sandbox;
   sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "control"});
   sandbox.orbs({"qualify", "control", "-r", "good", "-c", "m1_grey"});
-  sandbox.write("cases/m1_grey/case.json", sandbox.read("cases/m1_grey/case.json") + "\n");
-  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "next"});
-  EXPECT_NE(sandbox.read("next/results.json").find("not known since the case or a reference changed"),
-            std::string::npos);
+  const auto text = sandbox.read("cases/m1_grey/case.json");
+  constexpr const char* kOutdated = "not known since the case or a reference changed";
+  // The verdicts do not depend on what the case says in prose.
+  auto reworded = text;
+  reworded.replace(reworded.find("\"tests\": \"t\""), 12, "\"tests\": \"u\"");
+  sandbox.write("cases/m1_grey/case.json", reworded);
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "reworded"});
+  EXPECT_EQ(sandbox.read("reworded/results.json").find(kOutdated), std::string::npos);
+  auto stricter = text;
+  stricter.insert(1, "\"gates\": [{\"metric\": \"l1\", \"max\": 9, \"reason\": \"r\"}], ");
+  sandbox.write("cases/m1_grey/case.json", stricter);
+  sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-o", "stricter"});
+  EXPECT_NE(sandbox.read("stricter/results.json").find(kOutdated), std::string::npos);
 }

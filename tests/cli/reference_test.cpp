@@ -1,13 +1,13 @@
 // References are rendered by the built-in tracer itself.
-#include "runner/reference.h"
+#include "references/references.h"
 
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "registry/configuration.h"
-#include "runner/provenance.h"
-#include "runner/reference_history.h"
+#include "judge/provenance.h"
+#include "references/history.h"
 
 #include <atomic>
 #include <functional>
@@ -65,17 +65,17 @@ TEST(Reference, CarriesItsProvenance) {
   EXPECT_EQ(provenance.at("orbs.seed"), "77");
   EXPECT_EQ(provenance.at("orbs.settings"), "--spp 16 --seed 77");
   EXPECT_FALSE(provenance.contains("orbs.host"));  // references are published
-  EXPECT_EQ(provenance.at("orbs.image_hash"), runner::image_hash(image));
+  EXPECT_EQ(provenance.at("orbs.image_hash"), judge::image_hash(image));
   EXPECT_FALSE(sandbox.has("references/grey.history.json"));  // it is the first
 }
 
 TEST(Reference, ThatIsReplacedLeavesItsProvenanceInItsHistory) {
   const Sandbox sandbox;
   const auto file = sandbox.folder() / "references" / "grey.exr";
-  const auto first = runner::image_hash(image::read_image(file));
+  const auto first = judge::image_hash(image::read_image(file));
   for (const char* reason : {"a scene of its own", "the lamp was moved"})
     EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", reason}).status, 2);
-  const auto history = runner::read_history(file);
+  const auto history = references::read_history(file);
   ASSERT_EQ(history.size(), 2U);
   EXPECT_EQ(history[0].reason, "a scene of its own");
   EXPECT_EQ(history[0].provenance.at("image_hash"), first);
@@ -88,7 +88,7 @@ TEST(Reference, ThatCannotBeReadLeavesThatInItsHistory) {
   const Sandbox sandbox;
   sandbox.write("references/grey.exr", "torn");
   EXPECT_NE(sandbox.orbs({"reference", "-s", "grey", "--spp", "4", "--accept", "torn"}).status, 2);
-  const auto history = runner::read_history(sandbox.folder() / "references" / "grey.exr");
+  const auto history = references::read_history(sandbox.folder() / "references" / "grey.exr");
   ASSERT_EQ(history.size(), 1U);
   EXPECT_NE(history[0].problem, "");
 }
@@ -183,11 +183,11 @@ struct Stoppable {
     const auto read = registry::load_configuration(sandbox.folder() / "configuration.json");
     auto selection = read.defaults;
     selection.scenes = {"grey"};
-    return runner::render_references(read, selection, {.seed = 40, .reason = reason},
+    return references::render_references(read, selection, {.seed = 40, .reason = reason},
                                      {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
   }
   std::string hash() const {
-    return runner::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
+    return judge::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
   }
 };
 

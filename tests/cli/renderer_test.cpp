@@ -30,7 +30,7 @@ constexpr const char* kFlags = R"({"format": "orbs-scene/1", "name": "flags",
 void write_case(const Sandbox& sandbox) {
   sandbox.write("cases/m2_flags/flags.json", kFlags);
   sandbox.write("cases/m2_flags/case.json",
-                R"({"format": "orbs-case/1", "requirement": "M2", "title": "Flags", "tests": "t",
+                R"({"format": "orbs-case/2", "requirement": "M2", "title": "Flags", "tests": "t",
  "typical_mistake": "m", "scenes": [{"name": "flags", "file": "flags.json", "spp": 1}]})");
   auto flags = image::make_image(12, 8, {"R", "G", "B"});
   for (int y = 0; y < 8; ++y)

@@ -86,8 +86,8 @@ TEST(Resume, RendersAgainWhatCannotBeJudgedForWantOfItsImage) {
   const Sandbox sandbox;
   first_run(sandbox);
   std::filesystem::remove(sandbox.folder() / "out/good/grey/result.exr");
-  replace_in(sandbox, "cases/m1_grey/case.json", R"("tests": "t")", R"("tests": "t", "mean_ratio": 0.2,
-             "tolerance_reason": "another")");
+  replace_in(sandbox, "cases/m1_grey/case.json", R"("tests": "t")", R"("tests": "t",
+             "gates": [{"metric": "l1", "max": 0.2, "reason": "another"}])");
   const auto answer = resume(sandbox);
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(sandbox.has("out/good/grey/result.exr"));

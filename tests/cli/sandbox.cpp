@@ -85,7 +85,7 @@ std::string scene_text(const std::string& material) {
 
 std::string case_text(const std::string& requirement, const std::string& title, const std::string& scenes) {
   return fmt::format(
-      R"({{"format": "orbs-case/1", "requirement": "{}", "title": "{}", "tests": "t", "typical_mistake": "m", {}}})",
+      R"({{"format": "orbs-case/2", "requirement": "{}", "title": "{}", "tests": "t", "typical_mistake": "m", {}}})",
       requirement, title, scenes);
 }
 

@@ -39,7 +39,7 @@ void write_suite(const Sandbox& sandbox) {
   sandbox.write(
       "cases/m1_grey/case.json",
       fmt::format(
-          R"({{"format": "orbs-case/1", "requirement": "M1", "title": "t", "tests": "t", "typical_mistake": "m", "scenes": [{}]}})",
+          R"({{"format": "orbs-case/2", "requirement": "M1", "title": "t", "tests": "t", "typical_mistake": "m", "scenes": [{}]}})",
           scenes));
   sandbox.write("copy.sh", "#!/bin/sh\nexec cp \"$1\" \"$2\"\n");
   ::chmod((sandbox.folder() / "copy.sh").c_str(), 0755);

@@ -44,17 +44,15 @@ SCENE = {
     "integrator": {"trace_depth": 5},
 }
 CASE = {
-    "format": "orbs-case/1",
+    "format": "orbs-case/2",
     "requirement": "M2",
     "title": "t",
     "tests": "t",
     "typical_mistake": "t",
     "scenes": [{"name": "1", "file": "1.json", "spp": 8}, {"name": "2", "file": "2.json", "reference": "1"}],
-    "gate": {"metric": "psnr_srgb8", "min": 35},
+    "gates": [{"metric": "psnr_srgb8", "min": 30, "reason": "another formula"}],
     "masks": [{"scene": "1", "rectangles": [[0, 0, 4, 4]], "reason": "edges"}],
     "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.01}],
-    "mean_ratio": 0.01,
-    "tolerance_reason": "another formula",
 }
 CONFIGURATION = {
     "format": "orbs-configuration/1",
@@ -62,6 +60,7 @@ CONFIGURATION = {
     "suites": [{"name": "orbs", "cases": "data/cases/orbs", "references": "data/references/orbs"}],
     "renderers": [{"name": "r", "executable": "r", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]}],
 }
+FORMATS = {"scene": "orbs-scene/1", "case": "orbs-case/2", "configuration": "orbs-configuration/1"}
 # Path to a member, and the wrong value that it is given there; the word None takes the member away.
 WRONG = [
     (SCENE, ["colour"], 1),
@@ -101,12 +100,15 @@ WRONG = [
     (SCENE, ["integrator", "trace_depth"], 0),
     (CASE, ["scenes"], []),
     (CASE, ["scenes", 1, "reference"], "../1"),
-    (CASE, ["gate", "min"], None),
+    (CASE, ["gates", 0, "min"], None),
     (CASE, ["requirement"], "M"),
     (CASE, ["masks", 0, "reason"], None),
     (CASE, ["path_shares", 0, "class"], "LDE"),
-    (CASE, ["tolerance_reason"], None),
-    (CASE, ["edge_blur"], 0),
+    (CASE, ["gates", 0, "reason"], None),
+    (CASE, ["gates", 0, "reason"], ""),
+    (CASE, ["gates", 0, "metric"], None),
+    (CASE, ["gates", 0, "max"], "1"),
+    (CASE, ["mean_ratio"], 0.01),
     (CONFIGURATION, ["renderers", 0, "comand"], []),
     (CONFIGURATION, ["renderers", 0, "name"], "a b"),
     (CONFIGURATION, ["renderers", 0, "native_scenes"], ".xml"),
@@ -133,10 +135,10 @@ def changed(document, path, value):
 
 def main(root):
     checkers = {}
-    for kind in ("scene", "case", "configuration"):
-        schema = json.loads((root / f"data/schema/orbs-{kind}-1.schema.json").read_text())
+    for format in FORMATS.values():
+        schema = json.loads((root / f"data/schema/{format.replace('/', '-')}.schema.json").read_text())
         jsonschema.Draft202012Validator.check_schema(schema)
-        checkers[f"orbs-{kind}/1"] = jsonschema.Draft202012Validator(schema)
+        checkers[format] = jsonschema.Draft202012Validator(schema)
 
     def complaints(document):
         return [f"{error.json_path}: {error.message[:300]}" for error in checkers[document["format"]].iter_errors(document)]
@@ -151,8 +153,8 @@ def main(root):
     for file in files:
         document = json.loads(file.read_text())
         expected = "case" if file.name == "case.json" else "configuration" if file == files[0] else "scene"
-        if document.get("format") != f"orbs-{expected}/1":
-            problems.append(f"{file.relative_to(root)}: format is {document.get('format')!r}, not orbs-{expected}/1")
+        if document.get("format") != FORMATS[expected]:
+            problems.append(f"{file.relative_to(root)}: format is {document.get('format')!r}, not {FORMATS[expected]}")
         else:
             problems += [f"{file.relative_to(root)}: {c}" for c in complaints(document)]
     print("\n".join(problems))

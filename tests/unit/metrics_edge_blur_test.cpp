@@ -64,17 +64,17 @@ image::Image noisy_reference(std::mt19937& random) {
 }  // namespace
 
 TEST(EdgeBlur, OfTheFilterItselfIsOne) {
-  const auto blur = metrics::edge_blur(filtered(stripes()), stripes());
+  const auto blur = metrics::edge_blur(metrics::pair_samples(filtered(stripes()), stripes()));
   ASSERT_TRUE(blur);
   EXPECT_NEAR(blur->value, 1, 1e-5);
   EXPECT_NEAR(blur->standard_error, 0, 1e-5);
-  EXPECT_EQ(metrics::edge_blur(stripes(), stripes())->value, 0);
+  EXPECT_EQ(metrics::edge_blur(metrics::pair_samples(stripes(), stripes()))->value, 0);
 }
 
 // An edge at an odd column becomes a pair of means, each half a step off where the filter changes a quarter:
 // 2. Every second edge of these stripes lies so.
 TEST(EdgeBlur, OfHalfTheResolutionIsOneOnAverage) {
-  EXPECT_NEAR(metrics::edge_blur(halved(stripes()), stripes())->value, 1, 0.1);
+  EXPECT_NEAR(metrics::edge_blur(metrics::pair_samples(halved(stripes()), stripes()))->value, 1, 0.1);
 }
 
 // Twice the image less its filtered self: what the filter takes from an edge is added to it.
@@ -83,13 +83,13 @@ TEST(EdgeBlur, OfAnImageThatIsSharperIsBelowZero) {
   const auto soft = filtered(sharp);
   for (std::size_t i = 0; i < sharp.pixels.size(); ++i)
     sharp.pixels[i] = 2 * sharp.pixels[i] - soft.pixels[i];
-  EXPECT_NEAR(metrics::edge_blur(sharp, stripes())->value, -1, 1e-5);
+  EXPECT_NEAR(metrics::edge_blur(metrics::pair_samples(sharp, stripes()))->value, -1, 1e-5);
 }
 
 TEST(EdgeBlur, NoiseOfTheResultDoesNotMoveIt) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) {
-    const auto blur = metrics::edge_blur(noisy(stripes(), 0.1F, random), stripes());
+    const auto blur = metrics::edge_blur(metrics::pair_samples(noisy(stripes(), 0.1F, random), stripes()));
     ASSERT_TRUE(blur);
     EXPECT_GT(blur->standard_error, 0.01);
     EXPECT_NEAR(blur->value, 0, 4 * blur->standard_error);
@@ -100,7 +100,8 @@ TEST(EdgeBlur, NoiseOfTheResultDoesNotMoveIt) {
 TEST(EdgeBlur, NoiseOfTheReferenceIsNoBlurOfTheResult) {
   std::mt19937 random(2);
   for (int i = 0; i < 20; ++i) {
-    const auto blur = metrics::edge_blur(noisy(stripes(), 0.1F, random), noisy_reference(random));
+    const auto blur =
+        metrics::edge_blur(metrics::pair_samples(noisy(stripes(), 0.1F, random), noisy_reference(random)));
     ASSERT_TRUE(blur);
     EXPECT_NEAR(blur->value, 0, 4 * blur->standard_error);
   }
@@ -109,10 +110,11 @@ TEST(EdgeBlur, NoiseOfTheReferenceIsNoBlurOfTheResult) {
 TEST(EdgeBlur, TheChannelsOfAPixelAreNotThreePixels) {
   std::mt19937 random(3);
   auto grey = noisy(stripes(), 0.1F, random);
-  const double independent = metrics::edge_blur(grey, stripes())->standard_error;
+  const double independent = metrics::edge_blur(metrics::pair_samples(grey, stripes()))->standard_error;
   for (std::size_t i = 0; i < grey.pixels.size(); i += 3)
     grey.pixels[i + 1] = grey.pixels[i + 2] = grey.pixels[i];
-  EXPECT_NEAR(metrics::edge_blur(grey, stripes())->standard_error / independent, std::sqrt(3.0), 0.1);
+  EXPECT_NEAR(metrics::edge_blur(metrics::pair_samples(grey, stripes()))->standard_error / independent,
+              std::sqrt(3.0), 0.1);
 }
 
 TEST(EdgeBlur, MaskedEdgesDoNotCount) {
@@ -121,12 +123,13 @@ TEST(EdgeBlur, MaskedEdgesDoNotCount) {
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < kSide_px; ++x)
       for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) = blurred.at(x, y, c);
-  EXPECT_GT(metrics::edge_blur(result, stripes())->value, 0.3);
-  EXPECT_EQ(metrics::edge_blur(result, stripes(), {{{0, 0, kSide_px, 30}}, {}})->value, 0);
+  EXPECT_GT(metrics::edge_blur(metrics::pair_samples(result, stripes()))->value, 0.3);
+  EXPECT_EQ(metrics::edge_blur(metrics::pair_samples(result, stripes(), {{{0, 0, kSide_px, 30}}, {}}))->value,
+            0);
 }
 
 TEST(EdgeBlur, OfAnImageWithoutEdgesThereIsNone) {
   auto grey = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
   grey.pixels.assign(grey.pixels.size(), 0.5F);
-  EXPECT_FALSE(metrics::edge_blur(grey, grey));
+  EXPECT_FALSE(metrics::edge_blur(metrics::pair_samples(grey, grey)));
 }

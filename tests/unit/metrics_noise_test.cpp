@@ -1,6 +1,6 @@
 #include "base/error.h"
 #include "base/random.h"
-#include "metrics/noise_numbers.h"
+#include "metrics/bias_message.h"
 #include "metrics/noise_test.h"
 #include "metrics/seeds.h"
 

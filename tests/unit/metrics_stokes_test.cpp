@@ -28,28 +28,32 @@ image::Image polarised(float s1, float s2, float s3, float ripple = 0) {
 
 TEST(Stokes, TheErrorIsTheRootMeanSquareOfTheThreeOverTheLight) {
   // sqrt((0.03^2 + 0.04^2 + 0) / 3) / 0.5
-  const auto error = metrics::stokes_error(polarised(0.13F, 0.24F, 0.1F), polarised(0.1F, 0.2F, 0.1F));
+  const auto error = metrics::stokes_error(
+      metrics::pair_samples(polarised(0.13F, 0.24F, 0.1F), polarised(0.1F, 0.2F, 0.1F)));
   ASSERT_TRUE(error);
   EXPECT_NEAR(*error, std::sqrt(0.0025 / 3) / 0.5, 1e-6);
 }
 
 TEST(Stokes, AMirroredConventionIsAnError) {
-  EXPECT_GT(*metrics::stokes_error(polarised(0, 0, -0.1F), polarised(0, 0, 0.1F)), 0.2);
+  EXPECT_GT(*metrics::stokes_error(metrics::pair_samples(polarised(0, 0, -0.1F), polarised(0, 0, 0.1F))),
+            0.2);
 }
 
 TEST(Stokes, NoiseFromPixelToPixelAveragesOut) {
-  EXPECT_NEAR(*metrics::stokes_error(polarised(0, 0, 0, 0.2F), polarised(0, 0, 0)), 0, 1e-6);
+  EXPECT_NEAR(*metrics::stokes_error(metrics::pair_samples(polarised(0, 0, 0, 0.2F), polarised(0, 0, 0))), 0,
+              1e-6);
 }
 
 TEST(Stokes, MaskedPixelsDoNotCount) {
   auto wrong = polarised(0, 0, 0);
   wrong.at(3, 3, 3) = 1;
-  EXPECT_GT(*metrics::stokes_error(wrong, polarised(0, 0, 0)), 1e-3);
-  EXPECT_EQ(*metrics::stokes_error(wrong, polarised(0, 0, 0), {{{3, 3, 4, 4}}, {}}), 0);
+  EXPECT_GT(*metrics::stokes_error(metrics::pair_samples(wrong, polarised(0, 0, 0))), 1e-3);
+  EXPECT_EQ(*metrics::stokes_error(metrics::pair_samples(wrong, polarised(0, 0, 0), {{{3, 3, 4, 4}}, {}})),
+            0);
 }
 
 TEST(Stokes, ImagesWithoutTheLayersHaveNone) {
   const auto plain = image::make_image(2, 2, {"R", "G", "B"});
   EXPECT_FALSE(metrics::has_stokes(plain));
-  EXPECT_FALSE(metrics::stokes_error(plain, plain));
+  EXPECT_FALSE(metrics::stokes_error(metrics::pair_samples(plain, plain)));
 }

@@ -16,7 +16,7 @@ std::string case_text(
     const std::string& more,
     const std::string& scenes = R"([{"name": "1", "file": "1.json"}, {"name": "2", "file": "2.json"}])",
     const std::string& requirement = "M2") {
-  return R"({"format": "orbs-case/1", "requirement": ")" + requirement +
+  return R"({"format": "orbs-case/2", "requirement": ")" + requirement +
          R"(", "title": "t", "tests": "t", "typical_mistake": "m",
 "scenes": )" +
          scenes + more + "}";
@@ -62,27 +62,50 @@ std::string suite_message(const SuiteOfTwo& folders) {
 
 }  // namespace
 
-TEST(Cases, TheGateIsTheOneOfTheSpecificationUnlessTheCaseSaysOtherwise) {
+TEST(Cases, TheGatesAreThoseOfAllCasesUnlessTheCaseOverridesThem) {
   const TestFolder scratch("registry-gate");
   scratch.write("m2/1.json", "{}");
-  scratch.write("m2/case.json", case_text("", R"([{"name": "1", "file": "1.json", "spp": 7}])"));
-  const auto one_case = load_case(scratch.path() / "m2" / "case.json");
-  EXPECT_EQ(one_case.gate.metric, "psnr_srgb8");
-  EXPECT_EQ(one_case.gate.min, 35);
-  EXPECT_EQ(one_case.name, "m2");
-  EXPECT_EQ(one_case.scenes[0].spp, 7);
+  const auto scene = R"([{"name": "1", "file": "1.json", "spp": 7}])";
+  scratch.write("m2/case.json", case_text("", scene));
+  const auto usual = load_case(scratch.path() / "m2" / "case.json");
+  ASSERT_EQ(usual.gates.size(), 6U);
+  EXPECT_EQ(usual.gates[0].metric, "psnr_srgb8");
+  EXPECT_EQ(usual.gates[0].min, 35);
+  EXPECT_EQ(usual.gates[0].max, std::nullopt);
+  EXPECT_EQ(usual.gates[2].metric, "mean_ratio_g");
+  EXPECT_EQ(usual.gates[2].min, -0.007);
+  EXPECT_EQ(usual.gates[5].max, 0.2);
+  EXPECT_EQ(usual.name, "m2");
+  EXPECT_EQ(usual.scenes[0].spp, 7);
+  scratch.write("m2/case.json", case_text(R"(, "gates": [{"metric": "local_bias", "max": 0.5, "reason": "r"},
+    {"metric": "flip", "max": 0.1, "reason": "s"}])",
+                                          scene));
+  const auto own = load_case(scratch.path() / "m2" / "case.json");
+  ASSERT_EQ(own.gates.size(), 7U);
+  EXPECT_EQ(own.gates[0].min, 35);
+  EXPECT_EQ(own.gates[4].metric, "local_bias");
+  EXPECT_EQ(own.gates[4].max, 0.5);
+  EXPECT_EQ(own.gates[4].reason, "r");
+  EXPECT_EQ(own.gates[6].metric, "flip");
+  EXPECT_TRUE(own.gates[6].place.ends_with("case.json:3")) << own.gates[6].place;
 }
 
-TEST(Cases, AToleranceOfItsOwnHasAReason) {
-  EXPECT_NE(message_of(case_text(R"(, "edge_blur": 0.5)")).find("key 'tolerance_reason' is missing"),
+TEST(Cases, AGateHasALimitAReasonAndAMetricOfItsOwn) {
+  const auto message = [](const std::string& gates) {
+    return message_of(case_text(R"(, "gates": [)" + gates + "]"));
+  };
+  EXPECT_EQ(message(R"({"metric": "l1", "max": 1, "reason": "r"})"), "no error");
+  EXPECT_NE(message(R"({"metric": "l1", "reason": "r"})").find("/gates/0: a gate needs 'min' or 'max'"),
             std::string::npos);
-  EXPECT_NE(message_of(case_text(R"(, "mean_ratio": 0.5, "tolerance_reason": "")")).find("must say why"),
+  EXPECT_NE(message(R"({"metric": "l1", "max": 1})").find("key 'reason' is missing"), std::string::npos);
+  EXPECT_NE(message(R"({"metric": "l1", "max": 1, "reason": ""})").find("/gates/0/reason: must say why"),
             std::string::npos);
-  EXPECT_NE(message_of(case_text(R"(, "tolerance_reason": "of nothing")")).find("tolerance_reason"),
+  EXPECT_NE(message(R"({"metric": "l1", "min": 2, "max": 1, "reason": "r"})")
+                .find("/gates/0/max: must not be below 'min', which is 2"),
             std::string::npos);
-  EXPECT_EQ(message_of(case_text(R"(, "tile_ratio": 0.5, "tolerance_reason": "r")")), "no error");
-  EXPECT_EQ(message_of(case_text(R"(, "stokes_error": 0.5, "tolerance_reason": "r")")), "no error");
-  EXPECT_EQ(message_of(case_text(R"(, "stokes_error": 0.5)")), "no error");
+  EXPECT_NE(message(R"({"metric": "l1", "min": 2, "reason": "r"}, {"metric": "l1", "max": 3, "reason": "r"})")
+                .find("/gates/1/metric: 'l1' has an earlier gate in this case"),
+            std::string::npos);
 }
 
 TEST(Cases, MistakesAreNamedWithTheirPlace) {
@@ -93,8 +116,6 @@ TEST(Cases, MistakesAreNamedWithTheirPlace) {
                 .find("/scenes/1/name: '1' is the name of an earlier image"),
             std::string::npos);
   EXPECT_NE(message_of(case_text("", "[]")).find("/scenes: must hold at least one scene"), std::string::npos);
-  EXPECT_NE(message_of(case_text(R"(, "gate": {"metric": "l1"})")).find("/gate: a gate needs 'min' or 'max'"),
-            std::string::npos);
   EXPECT_NE(message_of(case_text(R"(, "masks": [{"scene": "3", "rectangles": [[0,0,1,1]], "reason": "r"}])"))
                 .find("/masks/0/scene: no image of this case is called '3'"),
             std::string::npos);

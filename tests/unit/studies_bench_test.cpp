@@ -16,7 +16,7 @@ namespace {
 // A process that needs `start` seconds and then `per_spp` for each sample.
 BenchRound timed_round(double start, double per_spp) {
   const auto render = [&](int spp) {
-    return BenchRender{spp, start + per_spp * spp, (start + per_spp * spp) / 2, 0.001, 0.5};
+    return runner::RenderCost{spp, start + per_spp * spp, (start + per_spp * spp) / 2, 0.001, 0.5};
   };
   return {render(8), render(64)};
 }

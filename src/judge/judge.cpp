@@ -1,0 +1,203 @@
+#include "judge/judge.h"
+
+#include "base/text.h"
+#include "judge/gate.h"
+#include "judge/noise.h"
+#include "judge/provenance.h"
+#include "metrics/bias_message.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::judge {
+
+namespace {
+
+using registry::Case;
+using results::Check;
+using results::TargetRecord;
+using results::Verdict;
+
+// A worse verdict takes over, with its reason.
+void take(TargetRecord& record, Verdict verdict, const std::string& reason) {
+  if (record.verdict == Verdict::Skipped || results::worse(verdict, record.verdict) != record.verdict) {
+    record.verdict = verdict;
+    record.reason = reason;
+  }
+}
+
+std::array<double, 3> mean_of_region(const image::Image& image, const Rectangle& region) {
+  std::array<double, 3> sum{};
+  const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
+                                    image::channel_index(image, "B")};
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        sum.at(c) += static_cast<double>(image.at(x, y, static_cast<std::size_t>(channels.at(c))));
+  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
+  for (auto& value : sum) value /= count;
+  return sum;
+}
+
+Check check_pixels(const registry::PixelCheck& check, const image::Image& image) {
+  const auto mean = mean_of_region(image, check.region);
+  Check out{fmt::format("pixels {}", rectangle_text(check.region)), true, "", {}, {}};
+  for (std::size_t c = 0; c < 3; ++c)
+    out.passed = out.passed && std::fabs(mean.at(c) - check.expected.at(c)) <= check.tolerance;
+  out.reason =
+      fmt::format("{} have the linear mean ({:.6g}), expected ({:.6g}) within {} ({})", out.what,
+                  fmt::join(mean, ", "), fmt::join(check.expected, ", "), check.tolerance, check.why);
+  return out;
+}
+
+Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& provenance) {
+  Check out{fmt::format("paths {}", share.path_class), false, "", share.min_share, {}};
+  const auto found = provenance.find("path." + share.path_class);
+  const auto value = found == provenance.end() ? std::nullopt : to_number(found->second);
+  out.passed = value && *value >= share.min_share;
+  out.reason =
+      value ? fmt::format("{} carry {:.3g} of the reference's light, at least {} is needed", out.what, *value,
+                          share.min_share)
+            : fmt::format("the reference's provenance does not say what {} carry; render it again", out.what);
+  return out;
+}
+
+std::vector<double> rectangle_numbers(const std::optional<Rectangle>& where) {
+  if (!where) return {};
+  return {static_cast<double>(where->x0), static_cast<double>(where->y0), static_cast<double>(where->x1),
+          static_cast<double>(where->y1)};
+}
+
+void add_measures(const metrics::Comparison& comparison, TargetRecord& record) {
+  for (const auto& measurement : comparison.measurements) {
+    if (!measurement.value) continue;
+    const auto& metric = *measurement.metric;
+    record.measures.push_back({std::string(metric.name), *measurement.value, std::string(metric.unit),
+                               std::string(metric.definition), metric.better != metrics::Better::Higher,
+                               metric.better == metrics::Better::NearZero, measurement.low, measurement.high,
+                               rectangle_numbers(measurement.where)});
+  }
+}
+
+void check_gates(const Case& one_case,
+                 const metrics::ImagePair& pair,
+                 const metrics::Comparison& comparison,
+                 TargetRecord& record) {
+  for (const auto& gate : one_case.gates) {
+    const auto result = check_gate(gate, *metrics::find_measurement(comparison, gate.metric), pair);
+    record.checks.push_back(
+        {gate.metric, result.verdict == Verdict::Pass, result.reason, gate.min, gate.max});
+    take(record, result.verdict, result.reason);
+  }
+}
+
+void check_conditions(const Case& one_case, const image::Image& result, TargetRecord& record) {
+  for (const auto& pixels : one_case.pixel_checks) {
+    if (pixels.target != record.target) continue;
+    record.checks.push_back(check_pixels(pixels, result));
+    if (!record.checks.back().passed) take(record, Verdict::Fail, record.checks.back().reason);
+  }
+  for (const auto& share : one_case.path_shares) {
+    if (share.scene != record.target) continue;
+    record.checks.push_back(check_share(share, record.reference_provenance));
+    // Not the renderer's fault: the case does not show what it is about.
+    if (!record.checks.back().passed) take(record, Verdict::Inconclusive, record.checks.back().reason);
+  }
+}
+
+// Whether a negative pixel makes the image invalid. Another case may allow what this one does not, so each
+// case is asked. Counts them where they are allowed.
+bool refuse_negative(const Case& one_case, const metrics::PixelFaults& faults, TargetRecord& record) {
+  if (is_difference(one_case, record.target) || faults.negative == 0) return false;
+  if (one_case.negative_values.empty()) {
+    record.verdict = Verdict::InvalidPixels;
+    record.reason = fmt::format("{} pixels are negative, which its case does not allow; the first is {}",
+                                faults.negative, faults.first);
+    return true;
+  }
+  record.measures.push_back(
+      {"negative_pixels", static_cast<double>(faults.negative), "1",
+       fmt::format("pixels with a negative R, G or B, allowed here: {}", one_case.negative_values), true});
+  return false;
+}
+
+bool is_constant(const std::vector<float>& rgb) {
+  for (std::size_t i = 3; i < rgb.size(); ++i)
+    if (rgb[i] != rgb[i - 3]) return false;
+  return true;
+}
+
+// A renderer that found no light or no scene leaves one colour all over, and a small or dark image may pass
+// its gates all the same.
+void refuse_constant(const metrics::ImagePair& pair, TargetRecord& record) {
+  if (is_constant(pair.result) && !is_constant(pair.reference))
+    take(record, Verdict::ConstantImage, "every pixel has the same colour, which the reference's have not");
+}
+
+std::vector<std::string> gate_metrics(const Case& one_case) {
+  std::vector<std::string> names;
+  for (const auto& gate : one_case.gates) names.push_back(gate.metric);
+  return names;
+}
+
+}  // namespace
+
+metrics::Mask mask_of(const Case& one_case, const std::string& target) {
+  metrics::Mask mask;
+  for (const auto& one : one_case.masks)
+    if (one.target == target)
+      mask.rectangles.insert(mask.rectangles.end(), one.rectangles.begin(), one.rectangles.end());
+  return mask;
+}
+
+bool is_difference(const Case& one_case, const std::string& target) {
+  return std::any_of(one_case.differences.begin(), one_case.differences.end(),
+                     [&](const auto& difference) { return difference.name == target; });
+}
+
+std::optional<metrics::Comparison> judge_image(const Case& one_case,
+                                               const image::Image& result,
+                                               const Reference& reference,
+                                               const JudgeSettings& settings,
+                                               TargetRecord& record) {
+  record.reference = reference.file.string();
+  const auto negatives = is_difference(one_case, record.target) || !one_case.negative_values.empty()
+                             ? metrics::NegativePixels::Allowed
+                             : metrics::NegativePixels::Refused;
+  if (!reference.image) {
+    if (!refuse_negative(one_case, metrics::count_faults(result, negatives), record))
+      take(record, Verdict::MissingReference, reference.problem);
+    return std::nullopt;
+  }
+  if (const auto problem = variance_problem(result); !problem.empty()) {
+    record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
+    return judge_image(one_case, without_variances(result), reference, settings, record);
+  }
+  record.reference_provenance = provenance_of(*reference.image);
+  const auto alignment = metrics::check_alignment(result, *reference.image, negatives);
+  if (refuse_negative(one_case, alignment.result, record)) return std::nullopt;
+  if (alignment.alignment != metrics::Alignment::Comparable) {
+    // The result is usable by promise, so this is about the reference.
+    take(record, Verdict::MissingReference,
+         fmt::format("the reference cannot be used: {}", alignment.reason));
+    return std::nullopt;
+  }
+  const auto pair = metrics::make_image_pair(result, *reference.image, mask_of(one_case, record.target),
+                                             {settings.threads, settings.result_noise});
+  auto comparison = metrics::compare(
+      pair, {.no_others = settings.measured == Measured::ForTheVerdict, .also = gate_metrics(one_case)});
+  add_measures(comparison, record);
+  if (auto remark = metrics::bias_remark(pair.noise); !remark.empty())
+    record.remarks.push_back(std::move(remark));
+  check_gates(one_case, pair, comparison, record);
+  check_conditions(one_case, result, record);
+  refuse_constant(pair, record);
+  return comparison;
+}
+
+}  // namespace orbs::judge

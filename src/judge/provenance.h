@@ -1,0 +1,18 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <map>
+#include <string>
+
+/// What the header of an image says about who made it and how: its attributes "orbs.<key>".
+namespace orbs::judge {
+
+/// The provenance by key, without the prefix.
+std::map<std::string, std::string> provenance_of(const image::Image& image);
+
+/// Hash of size, channels and pixels, whatever the order of the channels: the "image_hash" of a provenance
+/// record. What the header says is not in it, as it holds this hash.
+std::string image_hash(const image::Image& image);
+
+}  // namespace orbs::judge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "registry/cases.h"
+#include "results/qualification.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What the stored qualification of gates says about a case as it is now.
+namespace orbs::judge {
+
+/// Hash of all that decides the verdict on an image of the target: the gates, masks, pixel checks and path
+/// shares of the case, whether it allows negative values, and the bytes of the target's references. What the
+/// case says in prose is not in it. A missing reference counts as empty.
+std::string gate_hash(const registry::Case& one_case,
+                      const std::string& target,
+                      const std::filesystem::path& references);
+
+/// The smallest errors that the gates of all targets of the case detect, in words; "" when none was tried.
+/// States it when the case or a reference has changed since.
+std::string smallest_error_seen(const registry::Case& one_case,
+                                const std::filesystem::path& references,
+                                const std::vector<results::GateRecord>& gates);
+
+}  // namespace orbs::judge

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "image/image.h"
+#include "metrics/mask.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace orbs::metrics {
+
+/// Where the noise of the result is known from. Variances: from its channels. Scatter: the result does not
+/// know its noise, so it is estimated from the differences of neighbours; structure in the error then counts
+/// as noise, and noise that a filter spreads over more than a few pixels is underestimated. Reference: the
+/// result is known to have no noise, so only that of the reference counts. A reference without variances
+/// counts as exact.
+enum class NoiseSource { Variances, Scatter, Reference };
+
+/// What is known of the result's noise beside its image. NoiseFree: its renderer draws no random samples, so
+/// every difference beyond the reference's noise is an error.
+enum class ResultNoise { AsTheImageSays, NoiseFree };
+
+/// S1, S2, S3, each interleaved R, G, B.
+using StokesSamples = std::array<std::vector<float>, 3>;
+
+/// The samples of two comparable images, unpacked once and shared by all metrics. Interleaved R, G, B.
+struct PairSamples {
+  int width = 0;
+  int height = 0;
+  std::vector<float> result;  // linear Rec.709, as given
+  std::vector<float> reference;
+  NoiseSource noise_source = NoiseSource::Variances;
+  std::vector<float> result_variance;     // of the mean; empty unless noise_source is Variances
+  std::vector<float> reference_variance;  // of the mean; empty: exact
+  /// By channel the variance of the result over that of the reference; 0 where one of them is unknown.
+  std::array<double, 3> variance_ratio{};
+  std::optional<StokesSamples> result_stokes;  // nothing where the image has no Stokes parameters
+  std::optional<StokesSamples> reference_stokes;
+  std::vector<std::uint8_t> included;  // 1: the pixel counts
+  std::size_t included_count = 0;
+
+  std::size_t pixel_count() const { return included.size(); }
+  double difference(std::size_t sample) const {
+    return static_cast<double>(result[sample]) - static_cast<double>(reference[sample]);
+  }
+};
+
+/// Unpacks images that have passed check_alignment. InputError when the mask does not fit them.
+///
+/// The variance ratio is that of the sums, or, where it is larger, that of the sample counts that the
+/// provenance records of images of one program state ("orbs.program", "orbs.spp"): a result that missed rare
+/// light underestimates its own variance.
+PairSamples pair_samples(const image::Image& result,
+                         const image::Image& reference,
+                         const Mask& mask = {},
+                         ResultNoise result_noise = ResultNoise::AsTheImageSays);
+
+/// Whether the image holds the layers S1, S2 and S3.
+bool has_stokes(const image::Image& image);
+
+/// The value of a variance, 0 where there are none.
+inline double variance_at(const std::vector<float>& variances, std::size_t sample) {
+  return variances.empty() ? 0.0 : static_cast<double>(variances[sample]);
+}
+
+/// Side of the blocks over which errors are averaged where single pixels are too noisy to be tested.
+constexpr int kBlock_px = 8;
+
+/// Calls visit(pixel) for each counted pixel of the block, by rows.
+template <typename Visit>
+void for_each_block_pixel(const PairSamples& samples, const Rectangle& block, Visit visit) {
+  for (int y = block.y0; y < block.y1; ++y)
+    for (int x = block.x0; x < block.x1; ++x) {
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
+      if (samples.included[pixel] != 0) visit(pixel);
+    }
+}
+
+/// Blocks of kBlock_px by rows, counted from the upper left corner; those at the right and lower edge may be
+/// smaller.
+std::vector<Rectangle> blocks_of(const PairSamples& samples);
+
+/// A sum of variances and how many pixels carry it; noise_test.h says what for.
+struct PooledVariance {
+  double sum = 0;
+  double squares = 0;
+
+  void add(double variance) {
+    sum += variance;
+    squares += variance * variance;
+  }
+  /// (sum w)^2 / sum w^2, at least 1 by Cauchy and Schwarz; 1 for no variance at all.
+  double degrees() const { return squares > 0 ? sum * sum / squares : 1.0; }
+};
+
+/// Variance of sum(result - weight * reference) over pixels of one channel. The result's own variance is too
+/// small by accident where its samples missed what is rare, and just there its mean is too dark. The
+/// reference has seen more: its variance, scaled to the result's samples, is taken where the sum of these is
+/// larger.
+class DifferenceVariance {
+ public:
+  DifferenceVariance(const PairSamples& samples, std::size_t channel, double weight)
+      : samples_(samples), channel_(channel), weight_(weight) {}
+
+  void add(std::size_t pixel) {
+    const std::size_t i = 3 * pixel + channel_;
+    const double of_reference = variance_at(samples_.reference_variance, i);
+    own_.add(variance_at(samples_.result_variance, i) + weight_ * weight_ * of_reference);
+    expected_.add((samples_.variance_ratio.at(channel_) + weight_ * weight_) * of_reference);
+  }
+  const PooledVariance& pooled() const { return own_.sum >= expected_.sum ? own_ : expected_; }
+
+ private:
+  const PairSamples& samples_;
+  std::size_t channel_;
+  double weight_;
+  PooledVariance own_;
+  PooledVariance expected_;
+};
+
+}  // namespace orbs::metrics

@@ -1,0 +1,136 @@
+#include "references/references.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "references/history.h"
+#include "references/render.h"
+#include "references/store.h"
+#include "registry/cases.h"
+#include "registry/choose_cases.h"
+#include "scene/load_scene.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::references {
+
+namespace {
+
+// What the psnr_srgb8 gate of a case asks for in dB; 0 where it has none.
+double gate_db(const registry::Case& one_case) {
+  const auto* const gate = registry::find_gate(one_case.gates, "psnr_srgb8");
+  return gate == nullptr ? 0 : gate->min.value_or(0);
+}
+
+// What all cases that look at the reference `wanted` ask of it, whether they are chosen or not: it is the
+// same file for each of them.
+void ask_for_enough(const std::vector<registry::Case>& cases, WantedReference& wanted) {
+  for (const auto& one_case : cases)
+    for (const auto& scene : one_case.scenes) {
+      if (registry::reference_name(scene) != wanted.name) continue;
+      wanted.noise_db = std::max(wanted.noise_db, gate_db(one_case) + kReferenceMargin_db);
+      for (const auto& share : one_case.path_shares)
+        wanted.split_paths = wanted.split_paths || share.scene == scene.name;
+    }
+}
+
+std::vector<WantedReference> wanted_references(const registry::Suite& suite,
+                                               const registry::RunSettings& selection,
+                                               const ReferenceContext& context) {
+  const auto cases = registry::load_cases(suite);
+  std::vector<WantedReference> all;
+  for (const auto& one_case : registry::choose_cases(cases, selection))
+    for (const auto& scene : one_case.scenes) {
+      const auto is_known = [&](const auto& wanted) { return wanted.name == scene.name; };
+      if (std::any_of(all.begin(), all.end(), is_known)) continue;
+      if (!scene.reference.empty()) {
+        context.say(fmt::format("{} is judged by the reference of {}", scene.name, scene.reference));
+        continue;
+      }
+      WantedReference wanted{scene.name, scene.file, suite.references / (scene.name + ".exr"), scene.spp};
+      const auto read = with_note(fmt::format("reading scene '{}'", scene.name),
+                                  [&] { return scene::load_scene(scene.file); });
+      wanted.pixels =
+          static_cast<std::size_t>(read.camera.width_px) * static_cast<std::size_t>(read.camera.height_px);
+      ask_for_enough(cases, wanted);
+      all.push_back(std::move(wanted));
+    }
+  return all;
+}
+
+bool exists(const WantedReference& wanted) {
+  std::error_code ignored;
+  return std::filesystem::exists(wanted.target, ignored);
+}
+
+// Without a reason only what is missing. Refuses before hours of rendering.
+std::vector<WantedReference> due_references(std::vector<WantedReference> all,
+                                            const std::string& reason,
+                                            const ReferenceContext& context) {
+  if (trim(reason).empty()) {
+    const auto missing = std::stable_partition(all.begin(), all.end(), exists);
+    std::vector<std::string> existing;
+    for (auto kept = all.begin(); kept != missing; ++kept) existing.push_back(kept->name);
+    if (missing == all.end() && !existing.empty())
+      throw InputError(
+          fmt::format("references exist for {}; say why they may be replaced with --accept \"reason\"",
+                      fmt::join(existing, ", ")));
+    if (!existing.empty())
+      context.say(fmt::format("kept, for want of a reason to replace them (--accept): {}",
+                              fmt::join(existing, ", ")));
+    all.erase(all.begin(), missing);
+  }
+  for (const auto& wanted : all)
+    with_note(fmt::format("reading the history of the reference '{}'", wanted.name),
+              [&] { read_history(wanted.target); });
+  return all;
+}
+
+// Those before it took hours, in which another call may have been quicker.
+bool is_kept(const WantedReference& wanted,
+             const ReferenceSettings& settings,
+             const ReferenceContext& context) {
+  if (!trim(settings.reason).empty() || !exists(wanted)) return false;
+  context.say(fmt::format("kept, as it has appeared meanwhile: {}", wanted.name));
+  return true;
+}
+
+}  // namespace
+
+int render_references(const registry::Configuration& configuration,
+                      const registry::RunSettings& selection,
+                      const ReferenceSettings& settings,
+                      const ReferenceContext& context) {
+  const auto& suite = registry::find_suite(configuration, selection.suite);
+  const auto all = due_references(wanted_references(suite, selection, context), settings.reason, context);
+  make_folder(suite.references);
+  bool too_noisy = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& wanted = all[i];
+    if (is_kept(wanted, settings, context)) continue;
+    auto unfinished = unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
+    const auto rendered = render_reference(wanted, settings, context, unfinished);
+    if (!rendered) {
+      context.say(fmt::format("stopped at {}, the same call goes on from there; {} of {} references are done",
+                              wanted.name, i, all.size()));
+      return kInterrupted;
+    }
+    // The passes stay, for a call with a reason.
+    if (is_kept(wanted, settings, context)) continue;
+    store_reference(*rendered, wanted, settings.reason);
+    remove_passes(std::move(unfinished));
+    const bool noisy = rendered->noise_db < wanted.noise_db;
+    too_noisy = too_noisy || noisy;
+    context.say(fmt::format("[{}/{}] {:<18} {:>7} spp, noise {:.2f} dB{}", i + 1, all.size(), wanted.name,
+                            rendered->sum.spp, rendered->noise_db,
+                            noisy ? fmt::format("; {} is needed, so more samples", wanted.noise_db) : ""));
+  }
+  return too_noisy ? 1 : 0;
+}
+
+}  // namespace orbs::references

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "references/passes.h"
+#include "references/settings.h"
+#include "references/unfinished.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace orbs::references {
+
+/// A scene whose reference is wanted, and what is asked of it.
+struct WantedReference {
+  std::string name;
+  std::filesystem::path file;
+  std::filesystem::path target;
+  int spp = 64;            // of the case: the first pass
+  double noise_db = 0;     // PSNR that the noise alone must reach
+  std::size_t pixels = 0;  // of the camera
+  bool split_paths = false;
+};
+
+struct RenderedReference {
+  PassSum sum;
+  image::Image image;   // its mean, with all layers
+  double noise_db = 0;  // PSNR that the noise of the image alone lets expect
+};
+
+/// Renders passes with the seeds settings.seed, settings.seed + 1, ... until the noise is low enough or
+/// kMostReferenceSpp is reached; with settings.spp, exactly that many samples. Nothing is rendered twice, not
+/// even what an earlier call has left in `unfinished`. Nothing when stopped. InputError with the tracer's
+/// last words when it fails: a fault of ours or of the scene.
+std::optional<RenderedReference> render_reference(const WantedReference& wanted,
+                                                  const ReferenceSettings& settings,
+                                                  const ReferenceContext& context,
+                                                  const UnfinishedReference& unfinished);
+
+}  // namespace orbs::references

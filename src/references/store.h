@@ -1,0 +1,26 @@
+#pragma once
+
+#include "image/image.h"
+#include "references/render.h"
+
+#include <map>
+#include <string>
+
+namespace orbs::references {
+
+/// Share of each light-path class in the mean radiance (R + G + B) of an image with layers
+/// "path.<class>.R/G/B", by class.
+std::map<std::string, double> path_shares(const image::Image& image);
+
+/// R, G, B, their variances and Stokes parameters S1 to S3 alone, rounded so that they compress: 9
+/// significant bits of a colour or Stokes parameter, 2 of a variance. A colour without variance (black, a
+/// lamp that fills the pixel) is exact and stays as it is.
+image::Image shortened_image(const image::Image& image);
+
+/// Writes the image with its provenance to wanted.target; the provenance of the one that it replaces goes to
+/// the history beside it. The provenance names no machine but its processor: it is published.
+void store_reference(const RenderedReference& rendered,
+                     const WantedReference& wanted,
+                     const std::string& reason);
+
+}  // namespace orbs::references

@@ -1,0 +1,77 @@
+#include "runner/choose_renderers.h"
+
+#include "adapters/export.h"
+#include "adapters/process/programs.h"
+#include "adapters/transports.h"
+#include "base/error.h"
+#include "registry/filters.h"
+#include "registry/placeholders.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+namespace {
+
+void take_executable(ChosenRenderer& chosen, const std::string& given) {
+  auto found = adapters::find_program(given);
+  if (!found)
+    throw InputError(
+        fmt::format("{}: is not there or cannot be executed; -e needs the program of renderer '{}'", given,
+                    chosen.entry.name));
+  chosen.executable = *found;
+}
+
+}  // namespace
+
+std::string program_name(const registry::Renderer& renderer,
+                         const std::filesystem::path& root,
+                         const std::filesystem::path& build) {
+  return registry::fill_placeholders(renderer.executable,
+                                     {{"root", root.string()}, {"build", build.string()}});
+}
+
+std::optional<std::filesystem::path> installed_executable(const registry::Renderer& renderer,
+                                                          const std::filesystem::path& root,
+                                                          const std::filesystem::path& build) {
+  return adapters::find_program(program_name(renderer, root, build));
+}
+
+void choose_renderers(const registry::Configuration& configuration, Plan& plan) {
+  const auto& all = configuration.renderers;
+  std::vector<std::string> all_names;
+  for (const auto& renderer : all) all_names.push_back(renderer.name);
+  const auto names = registry::select_names(all_names, plan.settings.renderers, "renderer");
+  const auto patterns = registry::patterns_of(plan.settings.renderers);
+  if (!plan.settings.executable.empty() && names.size() != 1)
+    throw InputError(fmt::format(
+        "-e/--exec is the program of one renderer, but {} are chosen; name one with -r", names.size()));
+  for (const auto& renderer : all) {
+    if (std::find(names.begin(), names.end(), renderer.name) == names.end()) continue;
+    adapters::check_scene_settings(renderer);
+    adapters::check_transports(renderer);
+    ChosenRenderer chosen{renderer, {}};
+    if (!plan.settings.executable.empty()) {
+      take_executable(chosen, plan.settings.executable);
+    } else if (const auto found = installed_executable(renderer, plan.root, plan.build)) {
+      chosen.executable = *found;
+    } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end()) {
+      throw InputError(
+          fmt::format("renderer '{}': there is no program '{}' here; install it, or name another with -e",
+                      renderer.name, program_name(renderer, plan.root, plan.build)));
+    } else {
+      plan.left_out.push_back({renderer.name, fmt::format("there is no program '{}' here",
+                                                          program_name(renderer, plan.root, plan.build))});
+      continue;
+    }
+    plan.renderers.push_back(std::move(chosen));
+  }
+  if (plan.renderers.empty())
+    throw InputError(fmt::format(
+        "no renderer is left: of those that '{}' chooses none is installed; 'orbs doctor' says more",
+        plan.settings.renderers));
+}
+
+}  // namespace orbs::runner

@@ -1,0 +1,31 @@
+#include "runner/plan_text.h"
+
+#include "base/shell.h"
+#include "runner/prepare.h"
+
+#include <fmt/format.h>
+
+namespace orbs::runner {
+
+std::string plan_text(const Plan& plan) {
+  std::string text = fmt::format("{} renders for {} images, {} at a time with {} threads each\n",
+                                 plan.jobs.size(), plan.targets.size(), plan.settings.jobs, plan.threads);
+  for (const auto& job : plan.jobs) {
+    const auto& scene = plan.scenes[job.scene];
+    const auto& renderer = plan.renderers[job.renderer];
+    text += fmt::format("{}  {}  {}\n", job.id, renderer.entry.name, scene.name);
+    const auto prepared = scene_for(plan, job);
+    if (const auto* reason = std::get_if<std::string>(&prepared)) {
+      text += fmt::format("    unsupported: {}\n", *reason);
+      continue;
+    }
+    if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
+    for (const auto& replica : replicas_of(plan, job, "OUTPUT"))
+      text += fmt::format("    {}\n", shell_text(replica.argv));
+  }
+  for (const auto& left : plan.left_out)
+    text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);
+  return text;
+}
+
+}  // namespace orbs::runner

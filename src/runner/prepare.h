@@ -1,0 +1,25 @@
+#pragma once
+
+#include "adapters/job.h"
+#include "runner/plan.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// From a planned job to what its renderer is given.
+namespace orbs::runner {
+
+/// The scene in the form that the job's renderer reads: lowered to its format, or unchanged where a
+/// hand-written scene exists for it. Else the reason why the renderer cannot render it.
+std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
+
+/// The job with all paths below `run_folder`, once for each seed that its renderer is given (seed replicas):
+/// the seeds count up from that of the plan, and the replicas share the samples. At least one.
+std::vector<adapters::Job> replicas_of(const Plan& plan,
+                                       const PlannedJob& job,
+                                       const std::filesystem::path& run_folder);
+
+}  // namespace orbs::runner
