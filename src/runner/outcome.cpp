@@ -55,8 +55,9 @@ Outcome limit_outcome(Cause cause, const supervisor::Limits& limits) {
     case Cause::Nothing:
       break;
     case Cause::WallTime:
-      return {
-          JobOutcome::Timeout, fmt::format("was ended after its time limit of {} s", limits.wall_seconds), {}};
+      return {JobOutcome::Timeout,
+              fmt::format("was ended after its time limit of {} s", limits.wall_seconds),
+              {}};
     case Cause::CpuTime:
       return {
           JobOutcome::Timeout,
@@ -125,8 +126,9 @@ Outcome provenance_outcome(const adapters::Job& job, const image::Image& image, 
     return !expected.empty() && said != image.attributes.end() && said->second != expected;
   };
   if (differs("orbs.scene_hash", job.scene_file_hash))
-    return {
-        JobOutcome::Stale, fmt::format("{} is an image of another scene, says its orbs.scene_hash", name), {}};
+    return {JobOutcome::Stale,
+            fmt::format("{} is an image of another scene, says its orbs.scene_hash", name),
+            {}};
   if (differs("orbs.job", job.id))
     return {JobOutcome::Stale, fmt::format("{} is of another render, says its orbs.job", name), {}};
   return {};

@@ -2,12 +2,10 @@
 
 #include "registry/configuration.h"
 #include "results/record.h"
+#include "studies/context.h"
 #include "studies/seed_noise.h"
 #include "studies/spread.h"
 
-#include <atomic>
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,13 +27,6 @@ struct BenchSettings {
   int size_px = 512;   // width and height
   int threads = 2;     // of each render
   std::string only{};  // names of renderers, comma-separated; "": orbs, and cycles where it is installed
-};
-
-struct BenchContext {
-  std::filesystem::path build;  // {build}
-  std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> say;
 };
 
 /// One render as a process: start, scene and image file are in these times.
@@ -82,6 +73,6 @@ struct BenchRecord {
 /// or when one gives no image.
 std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
                                      const BenchSettings& settings,
-                                     const BenchContext& context);
+                                     const StudyContext& context);
 
 }  // namespace orbs::studies

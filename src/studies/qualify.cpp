@@ -2,6 +2,7 @@
 
 #include "adapters/job.h"
 #include "base/error.h"
+#include "base/local_time.h"
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
 #include "image/image_io.h"
@@ -30,7 +31,7 @@ struct Work {
   const runner::Plan& plan;
   const results::RunRecord& run;
   const QualifySettings& settings;
-  const QualifyContext& context;
+  const StudyContext& context;
   std::map<std::string, Image> references;                // of the whole suite
   std::map<std::string, std::vector<MissingLight>> dark;  // by scene
 };
@@ -39,8 +40,6 @@ struct Subject {
   const registry::Case* one_case;
   std::string target;
 };
-
-bool is_stopped(const QualifyContext& context) { return context.stop != nullptr && context.stop->load(); }
 
 std::map<std::string, Image> all_references(const std::filesystem::path& folder) {
   std::map<std::string, Image> references;
@@ -121,7 +120,7 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
   gate.judged_by = runner::gate_hash(*subject.one_case, subject.target, work.plan.suite.references);
   gate.provenance = {{"program", "orbs"},
                      {"version", work.context.orbs_version},
-                     {"date", runner::local_time_now()},
+                     {"date", local_time_now()},
                      {"cpu", runner::this_host().cpu}};
   return gate;
 }
@@ -131,7 +130,7 @@ GateRecord gate_record(const Work& work, const Subject& subject) {
 std::vector<GateRecord> qualify(const runner::Plan& plan,
                                 const results::RunRecord& run,
                                 const QualifySettings& settings,
-                                const QualifyContext& context) {
+                                const StudyContext& context) {
   Work work{plan, run, settings, context, all_references(plan.suite.references), {}};
   render_without_lights(work);
   std::vector<Subject> subjects;
