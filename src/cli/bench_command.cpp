@@ -1,8 +1,9 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/not_empty.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
 #include "studies/bench.h"
 #include "studies/bench_report.h"
 
@@ -20,22 +21,23 @@ struct BenchOptions {
 };
 
 void add_options(CLI::App& command, BenchOptions& options) {
-  command.add_option("--rounds", options.bench.rounds, "rounds; each renders with its own seed")
+  command.add_option("--rounds", options.bench.rounds, "Rounds; each has its own seed")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
-      .add_option("--spp", options.bench.spp, "samples per pixel of the large render; the small one has 1/8")
+      .add_option("--spp", options.bench.spp,
+                  "Samples per pixel of the large render; the small one takes 1/8 of them")
       ->check(CLI::Range(2, 1 << 20))
       ->capture_default_str();
-  command.add_option("--size", options.bench.size_px, "width and height in pixels")
+  command.add_option("--size", options.bench.size_px, "Width and height in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
-  command.add_option("--threads", options.bench.threads, "threads of each renderer")
+  command.add_option("--threads", options.bench.threads, "Threads of each renderer")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command.add_option("--only", options.only,
-                     "these renderers (default: orbs, and cycles where it is installed)");
-  command.add_option("-o,--output", options.output, "file for all numbers")
+                     "Renderers to measure (default: orbs, and cycles if it is installed)");
+  command.add_option("-o,--output", options.output, "File for all numbers")
       ->capture_default_str()
       ->check(not_empty("a file"));
 }
@@ -43,12 +45,7 @@ void add_options(CLI::App& command, BenchOptions& options) {
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {
   check_output_file(options.output);
   options.bench.only = joined_list(options.only);
-  studies::BenchContext context;
-  context.build = program.folder;
-  context.orbs_version = program.version;
-  context.stop = &catch_interrupts();
-  context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  const auto record = studies::run_bench(configuration, options.bench, context);
+  const auto record = studies::run_bench(configuration, options.bench, study_context(program, stderr));
   if (!record) return kInterrupted;
   write_file(options.output, studies::bench_json(*record));
   fmt::print("\n{}\nall numbers: {}\n", studies::bench_table(*record), options.output);
@@ -57,15 +54,12 @@ int bench(const registry::Configuration& configuration, BenchOptions options, co
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command =
-      app.add_subcommand("bench", "Measures speed and noise of renderers side by side, on the Cornell box");
-  const auto configuration = add_configuration_option(*command);
+void add_bench_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<BenchOptions>();
-  add_options(*command, *options);
-  command->footer(
-      "Leave the machine alone meanwhile: other work takes cache and clock from what is measured.");
-  command->callback([=, &program, &action] {
+  add_options(command, *options);
+  command.footer("Renders the Cornell box. Run it on an idle machine: other work slows the renderers down.");
+  command.callback([=, &program, &action] {
     action = [=, &program] { return bench(read_configuration(*configuration, program), *options, program); };
   });
 }

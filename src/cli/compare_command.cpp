@@ -1,8 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/not_empty.h"
-#include "cli/number_checks.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "judge/maps.h"
@@ -99,23 +98,20 @@ int compare_files(CompareOptions options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, const Program& /*program*/, Action& action) {
-  auto* command =
-      app.add_subcommand("compare", "Compares two images by every metric and tells noise from bias");
+void add_compare_command(CLI::App& command, const Program& /*program*/, Action& action) {
   const auto options = std::make_shared<CompareOptions>();
-  command->add_option("image", options->first, "the result")->required();
-  command->add_option("reference", options->second, "what it should be")->required();
-  command->add_option("--metric", options->metric,
-                      "the metric of --min and --max, computed in any case (default: psnr_srgb8)");
-  command->add_option("--min", options->min, "least value that is within the tolerance")->check(any_number());
-  command->add_option("--max", options->max, "greatest value that is within the tolerance")
-      ->check(any_number());
-  command->add_option("--maps", options->maps, "folder for the error maps, EXR and PNG")
+  command.add_option("image", options->first, "The result")->required();
+  command.add_option("reference", options->second, "The image that it should equal")->required();
+  command.add_option("--metric", options->metric, "Metric that --min and --max limit (default: psnr_srgb8)");
+  command.add_option("--min", options->min, "Smallest value within the tolerance")->check(any_number());
+  command.add_option("--max", options->max, "Largest value within the tolerance")->check(any_number());
+  command.add_option("--maps", options->maps, "Folder for the error maps, as EXR and PNG")
       ->check(not_empty("a folder"));
-  command->add_flag("--all", options->all, "also the metrics that take long: FLIP, PU21, JERI's SSIM");
-  command->add_flag("--definitions", options->definitions, "say what each number means");
-  command->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 the images cannot be compared.");
-  command->callback([=, &action] { action = [=] { return compare_files(*options); }; });
+  command.add_flag("--all", options->all, "Compute the slow metrics too: FLIP, PU21, JERI's SSIM");
+  command.add_flag("--definitions", options->definitions, "Print the definition of each number");
+  command.footer(
+      "Exit status: 0 if the result is within the tolerance, 1 if it is not, 2 if the images cannot be compared.");
+  command.callback([=, &action] { action = [=] { return compare_files(*options); }; });
 }
 
 }  // namespace orbs::cli

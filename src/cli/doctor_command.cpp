@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/text.h"
-#include "cli/commands.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
 #include "registry/cases.h"
 #include "runner/choose_renderers.h"
 #include "runner/renderer_version.h"
@@ -58,11 +59,9 @@ void examine(const registry::Renderer& renderer,
 
 }  // namespace
 
-void add_doctor_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command =
-      app.add_subcommand("doctor", "Says which renderers are there, which versions, and what each declares");
-  const auto configuration = add_configuration_option(*command);
-  command->callback([=, &program, &action] {
+void add_doctor_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       fmt::print("configuration  {}\n", read.file.string());

@@ -1,8 +1,9 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/not_empty.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
 #include "results/effect_costs.h"
 #include "studies/effect_cost.h"
 
@@ -13,7 +14,7 @@ namespace orbs::cli {
 
 namespace {
 
-struct EffectsOptions {
+struct EffectCostOptions {
   studies::EffectCostSettings effect_costs;
   std::vector<std::string> scenes;
   std::string suite;
@@ -21,42 +22,36 @@ struct EffectsOptions {
   bool as_markdown = false;
 };
 
-void add_options(CLI::App& command, EffectsOptions& options) {
-  command.add_option("scenes", options.scenes,
-                     "scenes of the suite by name or pattern (default: the whole suite)");
-  command.add_option("--suite", options.suite, "the suite that has the scenes");
-  command.add_option("--rounds", options.effect_costs.rounds, "rounds; each renders with its own seed")
+void add_options(CLI::App& command, EffectCostOptions& options) {
+  command.add_option("scenes", options.scenes, "Scenes of the suite, by name or pattern (default: all)");
+  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  command.add_option("--rounds", options.effect_costs.rounds, "Rounds; each has its own seed")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  command.add_option("--spp", options.effect_costs.spp, "samples per pixel of each render")
+  command.add_option("--spp", options.effect_costs.spp, "Samples per pixel of each render")
       ->check(CLI::Range(8, 1 << 20))
       ->capture_default_str();
-  command.add_option("--size", options.effect_costs.size_px, "longer side in pixels")
+  command.add_option("--size", options.effect_costs.size_px, "Longer side of the images in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   command
       .add_option(
           "-o,--output", options.output,
-          "file for all numbers (default: effect-costs.json in the working folder; beside the references "
-          "of the suite, runs and their pages show it)")
+          "File for all numbers (default: effect-costs.json in the working folder). Runs and their pages "
+          "show the file that lies beside the references of the suite")
       ->check(not_empty("a file"));
-  command.add_flag("--markdown", options.as_markdown, "print the table in Markdown");
+  command.add_flag("--markdown", options.as_markdown, "Print the table as Markdown");
 }
 
-int effects(const registry::Configuration& configuration,
-            const EffectsOptions& options,
+int measure(const registry::Configuration& configuration,
+            const EffectCostOptions& options,
             const Program& program) {
   const auto file = options.output.empty() ? results::kEffectCostsFile : options.output;
   check_output_file(file);
-  studies::EffectCostContext context;
-  context.build = program.folder;
-  context.orbs_version = program.version;
-  context.stop = &catch_interrupts();
-  context.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
-  const auto list =
-      studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs, context);
+  const auto list = studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs,
+                                                  study_context(program, stderr));
   if (!list) return kInterrupted;
   write_file(file, studies::effect_cost_json(*list));
   fmt::print("{}\nall numbers: {}\n",
@@ -67,19 +62,16 @@ int effects(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_effect_cost_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand(
-      "effect-cost",
-      "Measures what effects of light cost: what richer transports cost, what poorer ones lose");
-  const auto configuration = add_configuration_option(*command);
-  const auto options = std::make_shared<EffectsOptions>();
-  add_options(*command, *options);
-  command->footer(
-      "Renders with the built-in tracer. Exit status: 0 every richer transport gives the same image, 1 "
-      "one does not.");
-  command->callback([=, &program, &action] {
+void add_effect_cost_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<EffectCostOptions>();
+  add_options(command, *options);
+  command.footer(
+      "Renders each scene with every transport, and without each of its effects, with the built-in tracer.\n"
+      "Exit status: 0 if every transport that carries enough gives the same image, 1 if one does not.");
+  command.callback([=, &program, &action] {
     action = [=, &program] {
-      return effects(read_configuration(*configuration, program), *options, program);
+      return measure(read_configuration(*configuration, program), *options, program);
     };
   });
 }

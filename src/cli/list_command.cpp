@@ -1,6 +1,7 @@
-#include "cli/commands.h"
+#include "base/text_table.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
 #include "registry/cases.h"
-#include "report/table.h"
 
 #include <algorithm>
 #include <map>
@@ -17,9 +18,7 @@ namespace {
 using registry::Case;
 using registry::Configuration;
 
-void print_columns(const std::vector<std::vector<std::string>>& rows) {
-  fmt::print("{}", report::aligned(rows));
-}
+void print_columns(const std::vector<std::vector<std::string>>& rows) { fmt::print("{}", text_table(rows)); }
 
 void list_suites(const Configuration& configuration) {
   std::vector<std::vector<std::string>> rows;
@@ -87,15 +86,14 @@ int list(const Configuration& configuration, const std::string& suite, const std
 
 }  // namespace
 
-void add_list_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand("list", "Shows suites, renderers, requirements, cases and scenes");
-  const auto configuration = add_configuration_option(*command);
+void add_list_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto what = std::make_shared<std::string>("all");
   const auto suite = std::make_shared<std::string>();
-  command->add_option("what", *what, "suites, renderers, requirements, cases, scenes or all")
+  command.add_option("what", *what, "Which list to print")
       ->check(CLI::IsMember({"all", "suites", "renderers", "requirements", "cases", "scenes"}));
-  command->add_option("--suite", *suite, "the suite whose cases are listed");
-  command->callback([=, &program, &action] {
+  command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       return list(read, suite->empty() ? read.defaults.suite : *suite, *what);

@@ -1,4 +1,4 @@
-#include "cli/commands.h"
+#include "cli/program.h"
 
 #ifndef ORBS_VERSION
 #  define ORBS_VERSION "unknown"

@@ -1,5 +1,6 @@
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
 #include "registry/cases.h"
 #include "report/effects_table.h"
 #include "results/record_json.h"
@@ -50,16 +51,15 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand(
-      "plan", "Shows which effects of light each scene calls for, why, and what a light path must carry");
-  const auto configuration = add_configuration_option(*command);
+void add_plan_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
-  command->add_option("scenes", options->scenes,
-                      "scenes of the suite by name or pattern, or scene files (default: the whole suite)");
-  command->add_option("--suite", options->suite, "the suite that has the scenes");
-  command->add_flag("--json", options->as_json, "everything that is known, for programs");
-  command->callback([=, &program, &action] {
+  command.add_option(
+      "scenes", options->scenes,
+      "Scenes of the suite, by name or pattern, or scene files (default: all scenes of the suite)");
+  command.add_option("--suite", options->suite, "The suite (default: that of the configuration)");
+  command.add_flag("--json", options->as_json, "Print everything as JSON, for programs");
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto found = records(*options, read_configuration(*configuration, program));
       fmt::print("{}", options->as_json ? results::scenes_json(found) : report::effects_text(found));

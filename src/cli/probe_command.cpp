@@ -1,8 +1,10 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/not_empty.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
+
 #include "runner/make_plan.h"
 #include "studies/probe.h"
 
@@ -25,20 +27,20 @@ struct ProbeOptions {
 
 void add_options(CLI::App& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
-  command.add_option("--suite", options.suite, "the suite");
-  command.add_option("-c,--case", options.cases, "only the scenes of these cases");
-  command.add_option("-s,--scene", options.scenes, "only these scenes");
+  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  command.add_option("-c,--case", options.cases, "Only the scenes of these cases");
+  command.add_option("-s,--scene", options.scenes, "Only these scenes");
   command.add_option("-r,--renderer", options.renderers,
-                     "only these renderers (default: all that are installed)");
+                     "Only these renderers (default: all that are installed)");
   command.add_option("-e,--exec", options.executable,
-                     "program to start instead of the chosen renderer's own");
-  command.add_option("--size", options.probe.most_px, "longer side of the images in pixels")
+                     "Program to start instead of the chosen renderer's own");
+  command.add_option("--size", options.probe.most_px, "Longer side of the images in pixels")
       ->check(CLI::Range(16, 1024))
       ->capture_default_str();
-  command.add_option("--spp", options.probe.spp, "samples per pixel")
+  command.add_option("--spp", options.probe.spp, "Samples per pixel")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command.add_option("--threads", options.probe.threads, "threads of each render")
+  command.add_option("--threads", options.probe.threads, "Threads of each render")
       ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str();
   command.add_option("-o,--output", options.output, "JSON file for all findings")->check(not_empty("a file"));
@@ -53,35 +55,28 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
-  const auto& stop = catch_interrupts();
-  const auto say = [](const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-  };
-  const auto records = studies::run_probe(plan, options.probe, {&stop, say});
+  const auto context = study_context(program, stdout);
+  const auto records = studies::run_probe(plan, options.probe, context);
   if (!options.output.empty()) write_file(options.output, studies::probe_json(records));
-  if (stop) return kInterrupted;
+  if (is_stopped(context)) return kInterrupted;
   const auto wrong = std::count_if(records.begin(), records.end(),
                                    [](const auto& record) { return !studies::is_mapped_right(record); });
-  say(wrong == 0 ? fmt::format("all {} are where they should be", records.size())
-                 : fmt::format("{} of {} are not right", wrong, records.size()));
+  context.say(wrong == 0 ? fmt::format("all {} are right", records.size())
+                         : fmt::format("{} of {} are not right", wrong, records.size()));
   return wrong == 0 ? 0 : 1;
 }
 
 }  // namespace
 
-void add_probe_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand(
-      "probe", "Checks that each renderer sees camera, geometry and texture coordinates as each scene says");
-  const auto configuration = add_configuration_option(*command);
+void add_probe_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<ProbeOptions>();
-  add_options(*command, *options);
-  command->footer(
-      "Every material of every instance, and every light, emits a flat colour of its own; a second "
-      "image\n"
-      "shows texture coordinates. Both are compared with what the scene's numbers say must be in each "
-      "pixel.");
-  command->callback([=, &program, &action] {
+  add_options(command, *options);
+  command.footer(
+      "Renders an id pass, in which every material of every instance and every light has a colour of its own,\n"
+      "and a uv pass. Both are compared with primary visibility as orbs computes it from the scene.\n"
+      "Exit status: 0 if all renderers are right, 1 if one is not.");
+  command.callback([=, &program, &action] {
     action = [=, &program] { return probe(read_configuration(*configuration, program), *options, program); };
   });
 }

@@ -1,8 +1,8 @@
-#include "adapters/export.h"
+#include "cli/program.h"
+
 #include "base/error.h"
 #include "base/text.h"
-#include "cli/commands.h"
-#include "cli/not_empty.h"
+#include "cli/command_table.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -27,7 +27,7 @@ std::filesystem::path own_folder() {
   return failed ? std::filesystem::current_path() : file.parent_path();
 }
 
-// CLI11 takes a word that is no command for a missing one.
+// CLI11 would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::set<std::string> names;
@@ -40,25 +40,20 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   CLI::App app{
-      "Renders small test scenes with every renderer that is configured, and says which requirements "
-      "each one meets."};
+      "Renders small test scenes with every configured renderer, compares the images with references, "
+      "and says which requirements each renderer meets."};
+  app.footer(
+      "First steps:\n"
+      "  orbs doctor                 lists the renderers that are installed\n"
+      "  orbs run -c 'm*' -r orbs    renders and judges some cases with the built-in tracer\n"
+      "  orbs serve                  shows the results in the browser\n"
+      "'orbs COMMAND --help' shows the options of a command.");
   app.name("orbs");
   app.set_version_flag("--version", "orbs " + version);
   app.require_subcommand(1);
   Action action;
-  add_run_command(app, program, action);
-  add_list_command(app, program, action);
-  add_doctor_command(app, program, action);
-  add_compare_command(app, program, action);
-  add_renderer_command(app, program, action);
-  add_reference_command(app, program, action);
-  add_plan_command(app, program, action);
-  add_effect_cost_command(app, program, action);
-  add_probe_command(app, program, action);
-  add_qualify_command(app, program, action);
-  add_bench_command(app, program, action);
-  add_serve_command(app, program, action);
-  add_report_command(app, program, action);
+  for (const auto& command : commands())
+    command.add(*app.add_subcommand(command.name, command.summary)->group(command.group), program, action);
   refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -66,7 +61,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
     if (e.get_exit_code() == 0) return app.exit(e);
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    throw InputError(fmt::format("{}; 'orbs {}--help' shows what there is", e.what(), command));
+    throw InputError(fmt::format("{}; 'orbs {}--help' lists the options", e.what(), command));
   }
   return action();
 }
@@ -84,27 +79,6 @@ int refuse_output() {
 }
 
 }  // namespace
-
-std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
-  auto file = std::make_shared<std::string>();
-  command
-      .add_option("--configuration", *file,
-                  "file with suites, renderers and defaults (default: the nearest configuration.json)")
-      ->check(not_empty("a file"));
-  return file;
-}
-
-registry::Configuration read_configuration(const std::string& named, const Program& program) {
-  if (!named.empty()) return checked_configuration(named);
-  for (const auto& from : {std::filesystem::current_path(), program.folder})
-    if (const auto file = registry::nearest_configuration(from)) return checked_configuration(*file);
-  throw InputError(fmt::format("there is no configuration.json in {} or above; name one with --configuration",
-                               std::filesystem::current_path().string()));
-}
-
-std::string joined_list(const std::vector<std::string>& values) {
-  return fmt::format("{}", fmt::join(values, ","));
-}
 
 int run_program(int argc, char** argv, const std::string& version) {
   try {

@@ -1,9 +1,10 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/not_empty.h"
-#include "cli/number_checks.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/show_runs.h"
+#include "cli/study_context.h"
 #include "results/run_folder.h"
 #include "runner/make_plan.h"
 #include "studies/qualify.h"
@@ -28,26 +29,28 @@ struct QualifyOptions {
 
 void add_options(CLI::App& command, QualifyOptions& options) {
   constexpr int kMostThreads = 1024;
-  command.add_option("run", options.run,
-                     "folder of a run with control images, of another seed than the references (default: "
-                     "the newest outputs-*)");
-  command.add_option("--suite", options.suite, "the suite");
-  command.add_option("-c,--case", options.cases, "only the gates of these cases");
-  command.add_option("-s,--scene", options.scenes, "only those of these scenes");
+  command.add_option(
+      "run", options.run,
+      "Folder of a run with the control images, whose seed differs from the references' (default: "
+      "the newest outputs-*)");
+  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  command.add_option("-c,--case", options.cases, "Only the gates of these cases");
+  command.add_option("-s,--scene", options.scenes, "Only the gates of these scenes");
   command
       .add_option(
           "-r,--renderer", options.qualify.renderer,
-          "whose images of the run are the control images; it also renders the scenes that lack a light")
+          "Renderer whose images in the run are the control images; it also renders the scenes without a light")
       ->capture_default_str();
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
-                  "multiplies the samples of the renders without one of the lights")
+                  "Factor of the samples of the renders without a light")
       ->check(above_zero())
       ->capture_default_str();
-  command.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, kMostThreads));
+  command.add_option("--threads", options.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0, kMostThreads));
   command
       .add_option("-o,--output", options.output,
-                  "file for the results (default: qualification.json beside the references)")
+                  "File for the results (default: qualification.json beside the references)")
       ->check(not_empty("a file"));
 }
 
@@ -67,10 +70,9 @@ int qualify(const registry::Configuration& configuration,
   check_output_file(file);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
   const auto run = results::read_run_folder(folder).run;
-  const auto& stop = catch_interrupts();
-  const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  const auto gates = studies::qualify(plan, run, options.qualify, {program.version, &stop, say});
-  if (stop) return kInterrupted;
+  const auto context = study_context(program, stderr);
+  const auto gates = studies::qualify(plan, run, options.qualify, context);
+  if (is_stopped(context)) return kInterrupted;
   write_file(file, results::qualification_json(studies::merged(results::read_qualification(file), gates)));
   fmt::print("{}{}\n", studies::qualification_text(gates), file.string());
   return std::all_of(gates.begin(), gates.end(), results::is_qualified) ? 0 : 1;
@@ -78,16 +80,15 @@ int qualify(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_qualify_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand(
-      "qualify", "Proves that each gate can fail: gives control images every usual fault and judges them");
-  const auto configuration = add_configuration_option(*command);
+void add_qualify_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<QualifyOptions>();
-  add_options(*command, *options);
-  command->footer(
-      "First: orbs run -r orbs. Exit status: 0 every gate accepts the control image and rejects every "
-      "fault, 1 one does not.");
-  command->callback([=, &program, &action] {
+  add_options(command, *options);
+  command.footer(
+      "Tests the gates by mutation: turns control images into faulty images (mutants) and judges all of them.\n"
+      "It needs a run first: orbs run -r orbs.\n"
+      "Exit status: 0 if every gate accepts the control image and rejects every mutant, 1 if one does not.");
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       return qualify(read_configuration(*configuration, program), *options, program);
     };

@@ -1,6 +1,7 @@
-#include "cli/commands.h"
 #include "cli/interrupt.h"
-#include "cli/number_checks.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
 #include "references/references.h"
 
 #include <cstdio>
@@ -10,29 +11,28 @@
 
 namespace orbs::cli {
 
-void add_reference_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand("reference", "Renders references with the built-in tracer");
-  const auto configuration = add_configuration_option(*command);
+void add_reference_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto settings = std::make_shared<references::ReferenceSettings>();
   const auto cases = std::make_shared<std::vector<std::string>>();
   const auto scenes = std::make_shared<std::vector<std::string>>();
   const auto suite = std::make_shared<std::string>();
-  command->add_option("--suite", *suite, "the suite");
-  command->add_option("-c,--case", *cases, "only the scenes of these cases");
-  command->add_option("-s,--scene", *scenes, "only these scenes");
+  command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
+  command.add_option("-c,--case", *cases, "Only the scenes of these cases");
+  command.add_option("-s,--scene", *scenes, "Only these scenes");
   command
-      ->add_option("--spp", settings->spp,
-                   "samples per pixel (default: until the noise is 10 dB below the gate)")
+      .add_option("--spp", settings->spp,
+                  "Samples per pixel (default: until the noise is 10 dB below the gate)")
       ->check(CLI::Range(1, references::kMostReferenceSpp));
-  command->add_option("--seed", settings->seed, "seed; keep it away from the seeds of runs")
+  command.add_option("--seed", settings->seed, "Seed; it must differ from the seeds of runs")
       ->check(zero_or_more())
       ->capture_default_str();
-  command->add_option("--threads", settings->threads, "0: all cores")->check(CLI::Range(0, 1024));
-  command->add_option(
+  command.add_option("--threads", settings->threads, "Threads; 0: all cores")->check(CLI::Range(0, 1024));
+  command.add_option(
       "--accept", settings->reason,
-      "why references that exist may be replaced; kept in their provenance records, and with those of "
-      "the replaced ones in <scene>.history.json beside them");
-  command->callback([=, &program, &action] {
+      "Reason for replacing references that exist. It is kept in the provenance record and, together with "
+      "the record of the replaced reference, in <scene>.history.json");
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       auto selection = registry::RunSettings{};

@@ -1,5 +1,6 @@
 #include "adapters/exporters.h"
-#include "cli/commands.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
 #include "registry/new_renderer.h"
 #include "registry/placeholders.h"
 #include "runner/choose_renderers.h"
@@ -37,24 +38,24 @@ int add(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_renderer_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand("renderer", "Adds renderers to configuration.json");
-  command->require_subcommand(1);
-  auto* adding = command->add_subcommand("add", "Writes a checked entry for a renderer, to be completed");
+void add_renderer_command(CLI::App& command, const Program& program, Action& action) {
+  command.require_subcommand(1);
+  auto* adding =
+      command.add_subcommand("add", "Write a checked entry for a renderer, to be completed by hand");
   const auto configuration = add_configuration_option(*adding);
   const auto added = std::make_shared<registry::NewRenderer>();
-  adding->add_option("name", added->name, "its name in lists, tables and folders")->required();
+  adding->add_option("name", added->name, "Its name in lists, tables and folders")->required();
   adding->add_option("--executable", added->executable,
-                     "path, or name of a program on PATH (default: the name)");
-  adding->add_option("--format", added->scene_format, "what its scenes are written as")
+                     "Path, or name of a program on PATH (default: the name)");
+  adding->add_option("--format", added->scene_format, "Scene format that it reads")
       ->check(CLI::IsMember(adapters::scene_formats()))
       ->capture_default_str();
   adding->add_option("--native-scenes", added->native_scenes,
-                     "ending of scenes written by hand for it, such as xml");
-  adding->add_option("--declares", added->declares, "ORB.S features that it has")->capture_default_str();
+                     "Ending of scenes written by hand for it, such as xml");
+  adding->add_option("--declares", added->declares, "ORB.S levels that it supports")->capture_default_str();
   adding->add_option(
       "command", added->command,
-      "after --: program and arguments (default: those of a renderer with the same format, or "
+      "Program and arguments, after -- (default: those of a renderer with the same format, or "
       "'{executable} {scene} --output {output} --spp {spp} --seed {seed} --threads {threads}')");
   adding->callback([=, &program, &action] {
     action = [=, &program] { return add(read_configuration(*configuration, program), *added, program); };

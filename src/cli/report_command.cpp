@@ -1,8 +1,8 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/commands.h"
-#include "cli/not_empty.h"
-#include "cli/number_checks.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/show_runs.h"
 #include "report/page_file.h"
 
 #include <CLI/CLI.hpp>
@@ -40,18 +40,19 @@ int write_report(const ReportOptions& options, const Program& program) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand("report", "Writes the page of a run as one HTML file");
+void add_report_command(CLI::App& command, const Program& program, Action& action) {
   const auto options = std::make_shared<ReportOptions>();
-  command->add_option("run", options->run, "folder of the run (default: the newest outputs-* here)");
-  command->add_option("-o,--output", options->output, "the file to write")
+  command.add_option("run", options->run,
+                     "Folder of the run (default: the newest outputs-* in the working folder)");
+  command.add_option("-o,--output", options->output, "The file to write")
       ->required()
       ->check(not_empty("a file"));
   command
-      ->add_option("--most-megabytes", options->most_megabytes, "room for images; failures are taken first")
+      .add_option("--most-megabytes", options->most_megabytes,
+                  "Room for images; those of failures come first")
       ->check(zero_or_more());
-  command->add_flag("--exact", options->exact, "images with all their digits instead of 16-bit floats");
-  command->callback(
+  command.add_flag("--exact", options->exact, "Store images with all digits instead of as 16-bit floats");
+  command.callback(
       [=, &program, &action] { action = [=, &program] { return write_report(*options, program); }; });
 }
 

@@ -1,8 +1,10 @@
 #include "base/error.h"
-#include "cli/commands.h"
+#include "base/local_time.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
 #include "cli/interrupt.h"
-#include "cli/not_empty.h"
-#include "cli/number_checks.h"
+#include "cli/options.h"
+#include "cli/show_runs.h"
 #include "report/files.h"
 #include "report/table.h"
 #include "runner/execute.h"
@@ -21,7 +23,7 @@ namespace orbs::cli {
 
 namespace {
 
-// What stands on the command line; what does not is left to the configuration.
+// The options of the command line; the configuration sets those that are not given.
 struct RunOptions {
   std::string suite;
   std::vector<std::string> cases, scenes, requirements, renderers;
@@ -39,39 +41,40 @@ struct RunOptions {
 
 void add_options(CLI::App& command, RunOptions& options) {
   constexpr int kMost = 1024;
-  command.add_option("--suite", options.suite, "the suite to run");
+  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
   command.add_option("-c,--case", options.cases,
-                     "only these cases: names or patterns like 'm*', separated by commas");
-  command.add_option("-s,--scene", options.scenes, "only these scenes");
-  command.add_option("--requirement", options.requirements, "only these requirements, for example 'M*,L3'");
+                     "Only these cases: names or patterns like 'm*', separated by commas");
+  command.add_option("-s,--scene", options.scenes, "Only these scenes");
+  command.add_option("--requirement", options.requirements, "Only these requirements, for example 'M*,L3'");
   command.add_option("-r,--renderer", options.renderers,
-                     "only these renderers (default: all that are installed)");
+                     "Only these renderers (default: all that are installed)");
   command.add_option("-e,--exec", options.executable,
-                     "program to start instead of the chosen renderer's own");
+                     "Program to start instead of the chosen renderer's own");
   command
       .add_option("-o,--output", options.output,
-                  "new folder for the results (default: outputs-YYMMDD-HHMMSS)")
+                  "New folder for the results (default: outputs-YYMMDD-HHMMSS)")
       ->check(not_empty("a folder"));
   auto* resume = command
                      .add_option("--resume", options.resume,
-                                 "go on with the run in this folder: render what is missing or outdated")
+                                 "Continue the run in this folder: render what is missing or outdated")
                      ->check(not_empty("a folder"));
   for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
     resume->excludes(command.get_option(choice));
-  command.add_option("-j,--jobs", options.jobs, "renders at a time")->check(CLI::Range(1, kMost));
-  command.add_option("--threads", options.threads, "threads of one render; 0: the cores divided by --jobs")
+  command.add_option("-j,--jobs", options.jobs, "Number of renders at the same time")
+      ->check(CLI::Range(1, kMost));
+  command.add_option("--threads", options.threads, "Threads of one render; 0: the cores divided by --jobs")
       ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "seed of all renders")
+  command.add_option("--seed", options.seed, "Seed of all renders")
       ->check(zero_or_more())
       ->check(CLI::Range(0, registry::kLargestSeed));
-  command.add_option("--spp-scale", options.spp_scale, "multiplies all samples per pixel")
+  command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel")
       ->check(above_zero());
   command.add_flag("-l,--log,!--no-log", options.log,
-                   "keep log.txt of every render; without, only where one goes wrong");
+                   "Keep log.txt of every render; --no-log keeps only those of failures");
   command.add_flag("-v,--view", options.view,
-                   "at the end, serve the results as a page and open it in the browser");
+                   "At the end, serve the results as a page and open it in the browser");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
-                   "print the renders and their commands, do nothing");
+                   "Print the renders and their commands, and start nothing");
 }
 
 template <typename T>
@@ -131,7 +134,7 @@ std::string progress_line(std::size_t done,
   return line;
 }
 
-// What the folder of the run says about it; the folder is made when it is a new one.
+// The run file of the folder that is resumed, or of a new folder, which is made.
 runner::RunFile run_file_of(const registry::Configuration& configuration,
                             const runner::Plan& plan,
                             const std::string& resumed,
@@ -143,7 +146,7 @@ runner::RunFile run_file_of(const registry::Configuration& configuration,
     return file;
   }
   folder = runner::make_run_folder(plan.settings.output);
-  runner::RunFile file{configuration.file, plan.settings, runner::local_time_now()};
+  runner::RunFile file{configuration.file, plan.settings, local_time_now()};
   if (file.settings.executable.find('/') != std::string::npos)
     file.settings.executable = std::filesystem::absolute(file.settings.executable).lexically_normal();
   return file;
@@ -165,7 +168,7 @@ int run_plan(const registry::Configuration& configuration,
   std::filesystem::path folder;
   context.file = run_file_of(configuration, plan, options.resume, folder);
   const auto record =
-      with_note(fmt::format("running in {0}; 'orbs run --resume {0}' goes on there", folder.string()), [&] {
+      with_note(fmt::format("running in {0}; 'orbs run --resume {0}' continues it", folder.string()), [&] {
         auto made = runner::run(plan, folder, context);
         report::write_reports(made, folder);
         return made;
@@ -174,23 +177,23 @@ int run_plan(const registry::Configuration& configuration,
              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
              folder.string());
   if (results::judged_nothing(record))
-    fmt::print(stderr, "orbs: nothing was judged: every image is unsupported, for the reasons above\n");
+    fmt::print(stderr, "orbs: nothing was judged: every target is unsupported, for the reasons above\n");
   if (options.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
 
 }  // namespace
 
-void add_run_command(CLI::App& app, const Program& program, Action& action) {
-  auto* command = app.add_subcommand("run", "Renders a suite and compares with the references");
-  const auto configuration = add_configuration_option(*command);
+void add_run_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<RunOptions>();
-  add_options(*command, *options);
-  command->footer(
-      "Every option has a default that may stand in configuration.json under \"defaults\".\n"
-      "Exit status: 0 all that the renderers declare passes, 1 something failed, 2 could not run, or "
-      "nothing was judged: every image is unsupported, 130 interrupted: --resume goes on.");
-  command->callback([=, &program, &action] {
+  add_options(command, *options);
+  command.footer(
+      "configuration.json can set the default of every option under \"defaults\".\n"
+      "Exit status: 0 if every target that a renderer declares passes, 1 if one fails, 2 if the run could not "
+      "start\nor every target is unsupported, 130 if it was interrupted (--resume continues it).");
+  const auto* chosen = &command;
+  command.callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;
       std::optional<registry::RunSettings> resumed;
@@ -200,7 +203,7 @@ void add_run_command(CLI::App& app, const Program& program, Action& action) {
         resumed = file.settings;
       }
       const auto read = read_configuration(from, program);
-      const auto settings = settings_of(*command, *options, resumed.value_or(read.defaults));
+      const auto settings = settings_of(*chosen, *options, resumed.value_or(read.defaults));
       const auto plan = runner::make_plan(read, settings, program.folder);
       if (!settings.dry_run) return run_plan(read, plan, program, *options);
       fmt::print("{}", runner::plan_text(plan));

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/local_time.h"
 #include "image/image_io.h"
 #include "json/object_reader.h"
 #include "json/writer.h"

@@ -1,6 +1,7 @@
 #include "references/store.h"
 
 #include "base/files.h"
+#include "base/local_time.h"
 #include "base/scratch_folder.h"
 #include "base/text.h"
 #include "image/half.h"

@@ -1,6 +1,6 @@
 #include "report/effects_table.h"
 
-#include "report/table.h"
+#include "base/text_table.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@ namespace orbs::report {
 namespace {
 
 using results::EffectRecord;
-using Rows = std::vector<std::vector<std::string>>;
+using Rows = std::vector<TableRow>;
 
 // Findings of one effect stand side by side: the first one speaks for the others.
 void add_rows(const std::vector<EffectRecord>& effects, const char* mark, Rows& rows) {
@@ -33,7 +33,7 @@ std::string effects_text(const std::vector<results::SceneRecord>& scenes) {
     add_rows(scene.called_for, "", rows);
     add_rows(scene.not_called_for, "not ", rows);
   }
-  return aligned(rows);
+  return text_table(rows);
 }
 
 }  // namespace orbs::report

@@ -1,5 +1,6 @@
 #include "report/table.h"
 
+#include "base/text_table.h"
 #include "report/probe_hint.h"
 
 #include <algorithm>
@@ -36,19 +37,17 @@ std::string cell_text(const Cell& cell, const TableStyle& style) {
                      painted(std::string(verdict_name(cell.verdict)), cell.verdict, style));
 }
 
-using Row = std::vector<std::string>;
-
 std::string requirement_table(const RunRecord& run, const TableStyle& style) {
-  std::vector<Row> rows{{"", "requirement"}};
+  std::vector<TableRow> rows{{"", "requirement"}};
   for (const auto& renderer : run.renderers) rows[0].push_back(fmt::format("    dB {}", renderer.name));
   for (const auto& requirement : run.requirements) {
-    auto& row = rows.emplace_back(Row{requirement.code, requirement.title});
+    auto& row = rows.emplace_back(TableRow{requirement.code, requirement.title});
     for (const auto& renderer : run.renderers) {
       const auto cell = requirement.cells.find(renderer.name);
       row.push_back(cell == requirement.cells.end() ? "" : cell_text(cell->second, style));
     }
   }
-  return aligned(rows);
+  return text_table(rows);
 }
 
 std::string counts_text(const results::RendererRecord& renderer) {
@@ -61,7 +60,7 @@ std::string counts_text(const results::RendererRecord& renderer) {
 }
 
 std::string renderer_lines(const RunRecord& run) {
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const auto& renderer : run.renderers) {
     rows.push_back({renderer.name, fmt::format("declared {} \u00b7 measured {}", renderer.declared,
                                                renderer.measured.empty() ? "nothing" : renderer.measured)});
@@ -70,7 +69,7 @@ std::string renderer_lines(const RunRecord& run) {
                          renderer.wall_seconds, renderer.cpu_seconds,
                          renderer.version.empty() ? "" : fmt::format(" \u00b7 {}", renderer.version))});
   }
-  return aligned(rows);
+  return text_table(rows);
 }
 
 // One line for all images of a renderer and requirement of which the same is said; failures before what is
@@ -96,23 +95,23 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   }
   std::stable_partition(remarks.begin(), remarks.end(),
                         [](const Remark& remark) { return remark.first->verdict != Verdict::Unsupported; });
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const auto& [first, targets] : remarks)
     rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
                     first->renderer, first->requirement, targets, first->reason});
-  return aligned(rows);
+  return text_table(rows);
 }
 
 // What must be known of an image beside its verdict. One that several cases look at is told once.
 std::string remark_lines(const RunRecord& run) {
   std::set<std::pair<std::string, std::string>> told;
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const auto& target : run.targets) {
     if (target.remarks.empty() || !told.emplace(target.renderer, target.target).second) continue;
     for (const auto& remark : target.remarks)
       rows.push_back({"remark", target.renderer, target.requirement, target.target, remark});
   }
-  return aligned(rows);
+  return text_table(rows);
 }
 
 }  // namespace
@@ -123,44 +122,6 @@ TableStyle style_for(int descriptor) {
   const bool wanted = no_colour == nullptr || *no_colour == '\0';
   const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
   return {wanted && able};
-}
-
-std::size_t display_width(std::string_view text) {
-  std::size_t width = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\x1b') {
-      i = std::min(text.find('m', i), text.size());
-    } else if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) {  // not a continuation byte
-      ++width;
-    }
-  }
-  return width;
-}
-
-std::string padded(std::string_view text, std::size_t width) {
-  std::string out(text);
-  out.append(width - std::min(width, display_width(text)), ' ');
-  return out;
-}
-
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i == widths.size()) widths.push_back(0);
-      widths[i] = std::max(widths[i], display_width(row[i]));
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) line += "  ";
-      line += i + 1 == row.size() ? row[i] : padded(row[i], widths[i]);
-    }
-    text += line;
-    text += '\n';
-  }
-  return text;
 }
 
 std::string decibels(const std::optional<double>& value) {

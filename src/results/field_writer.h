@@ -1,7 +1,7 @@
 #pragma once
 
 #include "json/writer.h"
-#include "results/host.h"
+#include "results/host_record.h"
 #include "results/job_outcome.h"
 #include "results/verdict.h"
 

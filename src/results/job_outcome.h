@@ -25,10 +25,9 @@ enum class JobOutcome {
 };
 
 inline constexpr std::array kJobOutcomes{
-    JobOutcome::Image,         JobOutcome::Unsupported, JobOutcome::Skipped, JobOutcome::InvalidPixels,
-    JobOutcome::WrongChannels, JobOutcome::WrongSize,   JobOutcome::Stale,   JobOutcome::Unreadable,
-    JobOutcome::NoOutput,      JobOutcome::Timeout,     JobOutcome::OutOfMemory,
-    JobOutcome::Crash};
+    JobOutcome::Image,         JobOutcome::Unsupported, JobOutcome::Skipped,     JobOutcome::InvalidPixels,
+    JobOutcome::WrongChannels, JobOutcome::WrongSize,   JobOutcome::Stale,       JobOutcome::Unreadable,
+    JobOutcome::NoOutput,      JobOutcome::Timeout,     JobOutcome::OutOfMemory, JobOutcome::Crash};
 
 /// The verdict on a target whose render ended so. None for a usable image: the judge has to look at it.
 std::optional<Verdict> verdict_without_image(JobOutcome outcome);

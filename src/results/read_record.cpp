@@ -32,8 +32,8 @@ class FieldReader {
     if (in_.has(key) && in_.holds_number(key)) {
       value = in_.number(key);
     } else {
-      value = is_infinite() ? std::numeric_limits<double>::infinity()
-                            : std::numeric_limits<double>::quiet_NaN();
+      value =
+          is_infinite() ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
     }
   }
 

@@ -8,7 +8,8 @@ std::string command_of(const RunRecord& run, const TargetRecord& target) {
   std::string commands;
   for (const auto& id : target.jobs)
     for (const auto& job : run.jobs)
-      if (job.identity.id == id && !job.program.shell.empty()) commands += (commands.empty() ? "" : " ; ") + job.program.shell;
+      if (job.identity.id == id && !job.program.shell.empty())
+        commands += (commands.empty() ? "" : " ; ") + job.program.shell;
   return commands;
 }
 

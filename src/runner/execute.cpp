@@ -5,6 +5,7 @@
 #include "adapters/process/process.h"
 #include "adapters/process/programs.h"
 #include "base/files.h"
+#include "base/local_time.h"
 #include "base/shell.h"
 #include "image/image_io.h"
 #include "metrics/seeds.h"
@@ -15,8 +16,6 @@
 #include "runner/render_seconds.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,8 +25,8 @@ namespace orbs::runner {
 
 namespace {
 
-using results::JobRecord;
 using results::JobOutcome;
+using results::JobRecord;
 
 adapters::ProcessRequest process_request(const registry::Renderer& renderer,
                                          const adapters::Job& job,
@@ -129,20 +128,12 @@ void note_command(const std::vector<adapters::Job>& replicas,
 
 }  // namespace
 
-std::string local_time_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  ::localtime_r(&now, &local);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &local);
-  return text.data();
-}
-
 JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   JobRecord record;
   const auto& renderer = plan.renderers[job.renderer].entry;
-  record.identity = {job.id, plan.suite.name,    plan.scenes[job.scene].name, renderer.name,
-                     job.spp, plan.settings.seed, renderer.seeds};
+  record.identity = {job.id,        plan.suite.name, plan.scenes[job.scene].name,
+                     renderer.name, job.spp,         plan.settings.seed,
+                     renderer.seeds};
   record.program.threads = plan.threads;
   record.files.folder = job.folder.string();
   if (!job.native_scene.empty())

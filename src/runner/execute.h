@@ -35,7 +35,4 @@ Execution execute(const Plan& plan,
 /// The record of a job that is not run any more.
 results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 
-/// "2026-11-21T14:03:00", local time.
-std::string local_time_now();
-
 }  // namespace orbs::runner

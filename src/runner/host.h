@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/host.h"
+#include "results/host_record.h"
 
 #include <filesystem>
 

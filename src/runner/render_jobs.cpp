@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::JobFile;
-using results::JobRecord;
 using results::JobOutcome;
+using results::JobRecord;
 
 bool is_stopped(const RenderContext& context) { return context.stop != nullptr && context.stop->load(); }
 

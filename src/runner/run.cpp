@@ -98,8 +98,9 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   record.targets = all_targets(plan, judged, folders);
   record.jobs = std::move(judged.jobs);
   // An interrupt that came when all was done has interrupted nothing.
-  record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(),
-                                   [](const JobRecord& job) { return job.end.outcome == results::JobOutcome::Skipped; });
+  record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(), [](const JobRecord& job) {
+    return job.end.outcome == results::JobOutcome::Skipped;
+  });
   record.finished = true;
   summarise(plan, versions, record);
   record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

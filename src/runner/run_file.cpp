@@ -2,10 +2,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/local_time.h"
 #include "json/object_reader.h"
-
-#include <array>
-#include <ctime>
 
 #include <fmt/format.h>
 
@@ -30,13 +28,9 @@ std::filesystem::path make_run_folder(const std::string& wanted) {
     make_folder(folder);
     return folder;
   }
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  ::localtime_r(&now, &local);
-  std::array<char, 32> stamp{};
-  std::strftime(stamp.data(), stamp.size(), "outputs-%y%m%d-%H%M%S", &local);
+  const auto stamp = local_time_now("outputs-%y%m%d-%H%M%S");
   for (int number = 1;; ++number) {
-    const auto name = number == 1 ? std::string(stamp.data()) : fmt::format("{}-{}", stamp.data(), number);
+    const auto name = number == 1 ? stamp : fmt::format("{}-{}", stamp, number);
     const auto folder = std::filesystem::absolute(name);
     // False when it exists: two runs that start in the same second take different names.
     if (std::filesystem::create_directory(folder, failed)) return folder;

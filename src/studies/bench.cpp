@@ -1,6 +1,7 @@
 #include "studies/bench.h"
 
 #include "adapters/process/programs.h"
+#include "base/local_time.h"
 #include "base/scratch_folder.h"
 #include "metrics/compare.h"
 #include "metrics/seeds.h"
@@ -26,7 +27,7 @@ namespace {
 
 constexpr std::array kUsualRenderers{"orbs", "cycles"};
 
-// Those that are installed, where nobody named any.
+// The usual renderers that are installed, for a user who names none.
 std::string names_to_choose(const registry::Configuration& configuration, runner::Plan& plan) {
   std::vector<std::string> names;
   for (const char* name : kUsualRenderers)
@@ -44,7 +45,7 @@ std::string names_to_choose(const registry::Configuration& configuration, runner
 
 runner::Plan plan_of(const registry::Configuration& configuration,
                      const BenchSettings& settings,
-                     const BenchContext& context) {
+                     const StudyContext& context) {
   runner::Plan plan;
   plan.root = configuration.root;
   plan.build = context.build;
@@ -57,15 +58,15 @@ struct Images {
   std::vector<std::vector<image::Image>> large;  // [renderer][round]
 };
 
-// Returns whether it was carried out to the end.
+// False if the user interrupts.
 bool render_round(int round,
                   const std::vector<runner::PreparedRender>& subjects,
-                  const BenchContext& context,
+                  const StudyContext& context,
                   BenchRecord& record,
                   Images& images) {
   const int small_spp = std::max(1, record.settings.spp / 8);
   for (std::size_t turn = 0; turn < subjects.size(); ++turn) {
-    // Every other round backwards: none is always the one that comes after a rest.
+    // Every other round runs backwards, so that no renderer always comes first.
     const std::size_t i = round % 2 == 0 ? turn : subjects.size() - 1 - turn;
     const auto small =
         runner::render_once(subjects[i], {small_spp, round + 1, record.settings.threads}, context.stop);
@@ -91,7 +92,7 @@ void measure_noise(const Images& images, BenchRecord& record) {
     record.renderers[i].noise = noise_of_seeds(images.large[i], mean, record.settings.threads);
 }
 
-// std::clock: CPU time of all threads.
+// std::clock counts the CPU time of all threads.
 double metrics_cpu_ms(const image::Image& result, const image::Image& reference, int threads) {
   constexpr int kRepetitions = 5;
   std::vector<double> times_ms;
@@ -107,7 +108,7 @@ double metrics_cpu_ms(const image::Image& result, const image::Image& reference,
 
 std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
                                      const BenchSettings& settings,
-                                     const BenchContext& context) {
+                                     const StudyContext& context) {
   const auto plan = plan_of(configuration, settings, context);
   const auto file = configuration.root / "data/bench/cornell-box.json";
   auto scene = scene::load_scene(file);
@@ -116,7 +117,7 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   BenchRecord record;
   record.settings = settings;
   record.orbs_version = context.orbs_version;
-  record.started = runner::local_time_now();
+  record.started = local_time_now();
   record.host = runner::this_host();
   record.load = runner::load_average();
   record.scene = scene.name;

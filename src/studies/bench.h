@@ -3,12 +3,10 @@
 #include "registry/configuration.h"
 #include "results/record.h"
 #include "runner/render_once.h"
+#include "studies/context.h"
 #include "studies/seed_noise.h"
 #include "studies/spread.h"
 
-#include <atomic>
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,12 +30,6 @@ struct BenchSettings {
   std::string only{};  // names of renderers, comma-separated; "": orbs, and cycles where it is installed
 };
 
-struct BenchContext {
-  std::filesystem::path build;  // {build}
-  std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> say;
-};
 
 /// Two renders of one seed right after each other. They differ in their samples alone, so the difference of
 /// their times is what these samples cost: the start of the program, which takes Blender seconds, drops out,
@@ -73,6 +65,6 @@ struct BenchRecord {
 /// or when one gives no image.
 std::optional<BenchRecord> run_bench(const registry::Configuration& configuration,
                                      const BenchSettings& settings,
-                                     const BenchContext& context);
+                                     const StudyContext& context);
 
 }  // namespace orbs::studies

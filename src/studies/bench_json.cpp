@@ -1,5 +1,5 @@
 #include "json/writer.h"
-#include "results/record_json.h"
+#include "results/field_writer.h"
 #include "studies/bench_numbers.h"
 #include "studies/bench_report.h"
 
@@ -107,7 +107,7 @@ std::string bench_json(const BenchRecord& record) {
       .member("threads", settings.threads)
       .member("spp", settings.spp);
   out.key("host");
-  results::write_host(out, record.host);
+  results::write_record(out, record.host);
   out.key("renderers").begin_array();
   for (const auto& renderer : record.renderers) put_renderer(out, record, renderer);
   out.end_array();

@@ -1,6 +1,7 @@
 #include "studies/effect_cost.h"
 
 #include "base/error.h"
+#include "base/local_time.h"
 #include "base/scratch_folder.h"
 #include "registry/cases.h"
 #include "runner/choose_renderers.h"
@@ -20,13 +21,13 @@ namespace orbs::studies {
 
 namespace {
 
-// One way to render a scene.
-struct Way {
+// The scene with one transport, or without one effect, and its renders of all rounds.
+struct Variant {
   std::string name;
   runner::PreparedRender subject;
   std::vector<std::string> arguments;
-  bool is_enough = false;
-  std::vector<double> cpu_seconds{};  // of each round
+  bool is_enough = false;  // carries all that the scene calls for
+  std::vector<double> cpu_seconds{};
   std::vector<image::Image> images{};
 };
 
@@ -41,20 +42,20 @@ scene::Scene scaled_scene(const std::filesystem::path& file, int size_px) {
   return scene;
 }
 
-// What the scene calls for comes first.
-std::vector<Way> ways_for(const scene::Scene& scene,
-                          const runner::Plan& plan,
-                          const std::filesystem::path& scratch) {
+// The first variant is the scene as it is, with the transport that it calls for.
+std::vector<Variant> variants_of(const scene::Scene& scene,
+                                 const runner::Plan& plan,
+                                 const std::filesystem::path& scratch) {
   const auto& renderer = plan.renderers.front();
   const auto found = scene::effects(scene);
   const auto needed = scene::transport(found);
-  std::vector<Way> ways;
+  std::vector<Variant> variants;
   const auto subject = runner::prepare_render(renderer, plan, scene, scratch / "scene");
-  ways.push_back({std::string(transport_name(needed)), subject, {}, true});
+  variants.push_back({std::string(transport_name(needed)), subject, {}, true});
   for (const auto transport : scene::kTransports) {
     if (transport == needed) continue;
     const std::string name(transport_name(transport));
-    ways.push_back({name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed)});
+    variants.push_back({name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed)});
   }
   std::set<scene::Effect> effects;
   for (const auto& finding : found.called_for) effects.insert(finding.effect);
@@ -62,33 +63,33 @@ std::vector<Way> ways_for(const scene::Scene& scene,
     auto without = scene;
     if (!scene::leave_out(effect, without)) continue;
     const auto name = fmt::format("without {}", effect_name(effect));
-    // As rich as before, or the saving of time would count for the effect.
-    ways.push_back({name,
-                    runner::prepare_render(renderer, plan, without, scratch / name),
-                    {"--transport", std::string(transport_name(needed))},
-                    false});
+    // The transport stays the same, or its saving of time would be taken for that of the effect.
+    variants.push_back({name,
+                        runner::prepare_render(renderer, plan, without, scratch / name),
+                        {"--transport", std::string(transport_name(needed))},
+                        false});
   }
-  return ways;
+  return variants;
 }
 
-// Nothing when stopped.
-bool render_rounds(std::vector<Way>& ways,
+// False if the user interrupts.
+bool render_rounds(std::vector<Variant>& variants,
                    const EffectCostSettings& settings,
-                   const EffectCostContext& context) {
+                   const StudyContext& context) {
   for (int round = 0; round < settings.rounds; ++round)
-    for (std::size_t turn = 0; turn < ways.size(); ++turn) {
-      // Every other round backwards: none is always the one that comes after a rest.
-      auto& way = ways[round % 2 == 0 ? turn : ways.size() - 1 - turn];
+    for (std::size_t turn = 0; turn < variants.size(); ++turn) {
+      // Every other round runs backwards, so that no variant always comes first.
+      auto& variant = variants[round % 2 == 0 ? turn : variants.size() - 1 - turn];
       auto made =
-          runner::render_once(way.subject, {settings.spp, round + 1, 1, way.arguments, true}, context.stop);
+          runner::render_once(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true}, context.stop);
       if (!made) return false;
-      way.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
-      way.images.push_back(std::move(made->image));
+      variant.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
+      variant.images.push_back(std::move(made->image));
     }
   return true;
 }
 
-Alternative compare_ways(const Way& usual, const Way& other) {
+Alternative compared(const Variant& usual, const Variant& other) {
   Alternative out{other.name, other.is_enough, {}, 0, change_between(usual.images, other.images)};
   std::vector<double> ratios;
   for (std::size_t i = 0; i < usual.cpu_seconds.size(); ++i)
@@ -101,9 +102,9 @@ Alternative compare_ways(const Way& usual, const Way& other) {
 }
 
 SceneEffectCosts effect_costs_of(const std::string& name,
-                                 const std::vector<Way>& ways,
+                                 const std::vector<Variant>& variants,
                                  const EffectCostSettings& settings) {
-  const Way& usual = ways.front();
+  const Variant& usual = variants.front();
   SceneEffectCosts effect_costs{name, usual.name, {}, 0, {}};
   const auto paths = static_cast<double>(usual.images.front().pixel_count()) * settings.spp;
   effect_costs.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
@@ -112,8 +113,8 @@ SceneEffectCosts effect_costs_of(const std::string& name,
     if (effect_costs.effects.empty() || effect_costs.effects.back() != effect)
       effect_costs.effects.push_back(effect);
   }
-  for (std::size_t i = 1; i < ways.size(); ++i)
-    effect_costs.alternatives.push_back(compare_ways(usual, ways[i]));
+  for (std::size_t i = 1; i < variants.size(); ++i)
+    effect_costs.alternatives.push_back(compared(usual, variants[i]));
   return effect_costs;
 }
 
@@ -123,27 +124,23 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
                                                 const std::string& suite,
                                                 const std::string& scenes,
                                                 const EffectCostSettings& settings,
-                                                const EffectCostContext& context) {
+                                                const StudyContext& context) {
   runner::Plan plan;
   plan.root = configuration.root;
   plan.build = context.build;
   plan.settings.renderers = "orbs";
   runner::choose_renderers(configuration, plan);
-  EffectCosts list{settings,
-                   context.orbs_version,
-                   suite,
-                   runner::local_time_now(),
-                   runner::this_host(),
-                   runner::load_average(),
-                   {}};
+  EffectCosts list{
+      settings, context.orbs_version, suite, local_time_now(), runner::this_host(), runner::load_average(),
+      {}};
   const auto chosen = registry::scenes_of(registry::find_suite(configuration, suite), scenes);
   for (const auto& one : chosen) {
     const ScratchFolder scratch("orbs-effects");
     const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
                                  [&] { return scaled_scene(one.file, settings.size_px); });
-    auto ways = ways_for(scene, plan, scratch.path());
-    if (!render_rounds(ways, settings, context)) return std::nullopt;
-    list.scenes.push_back(effect_costs_of(one.name, ways, settings));
+    auto variants = variants_of(scene, plan, scratch.path());
+    if (!render_rounds(variants, settings, context)) return std::nullopt;
+    list.scenes.push_back(effect_costs_of(one.name, variants, settings));
     context.say(fmt::format("[{}/{}] {}", list.scenes.size(), chosen.size(), one.name));
   }
   return list;
@@ -151,9 +148,11 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
 
 bool all_agree(const EffectCosts& list) {
   return std::all_of(list.scenes.begin(), list.scenes.end(), [](const SceneEffectCosts& scene) {
-    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(), [](const Alternative& way) {
-      return !way.is_enough || !way.change.is_comparable || way.change.bias.empty();
-    });
+    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(),
+                       [](const Alternative& alternative) {
+                         return !alternative.is_enough || !alternative.change.is_comparable ||
+                                alternative.change.bias.empty();
+                       });
   });
 }
 

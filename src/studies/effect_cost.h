@@ -2,64 +2,55 @@
 
 #include "registry/configuration.h"
 #include "results/record.h"
+#include "studies/context.h"
 #include "studies/spread.h"
 
-#include <atomic>
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What generality costs and what effects are worth: each scene with the transport that it calls for, with
-/// the others, and without single effects, all with the same random numbers.
+/// The cost of effects: each scene is rendered with the transport that it calls for, with all other
+/// transports and without single effects, always with the same random numbers.
 namespace orbs::studies {
 
 struct EffectCostSettings {
-  int rounds = 4;     // each with its own seed; at least 2
-  int spp = 16;       // of each render
-  int size_px = 128;  // the longer side
+  int rounds = 4;     // at least 2; each has its own seed
+  int spp = 16;       // samples per pixel of each render
+  int size_px = 128;  // longer side of the images
 };
 
-struct EffectCostContext {
-  std::filesystem::path build;  // {build}
-  std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> say;
-};
-
-/// A number from several rounds.
+/// The mean of a number over several rounds.
 struct MeanOfRounds {
   double value = 0;
   double standard_error = 0;
 };
 
-/// How an image differs from that of what the scene calls for, in Rec.709 luminance over the mean of that
-/// image.
+/// The difference between an alternative's image and the usual one, in Rec.709 luminance relative to the mean
+/// of the usual image.
 struct ImageChange {
   bool is_equal = false;  // to the bit, in all rounds
   MeanOfRounds mean;
-  MeanOfRounds largest;  // of the blocks of 8 x 8 px
+  MeanOfRounds largest;  // that of the block of 8 x 8 px that differs most
   int x = 0;             // the block's upper left pixel
   int y = 0;
-  std::string bias;  // more than noise, in words; "" when it is not
-  /// One of the two has light paths and the other cannot: what caustics it has are too rare to compare.
+  std::string bias;  // how the difference exceeds noise, in words; "" if it does not
+  /// False if only one of the two traces light paths: the other finds caustics too rarely to be compared.
   bool is_comparable = true;
 };
 
-/// The scene rendered otherwise than it calls for.
+/// The scene rendered with another transport, or without one of its effects.
 struct Alternative {
   std::string name;        // "spectral", "without dispersion"
-  bool is_enough = false;  // has all that the scene calls for: a bias is an error
-  Spread time_ratio;       // CPU time per sample over that of what the scene calls for, round by round
-  /// CPU time to the same noise, likewise: that times the ratio of variances. 0 where nobody knows.
+  bool is_enough = false;  // carries all that the scene calls for, so a bias is an error
+  Spread time_ratio;       // CPU time per sample over that of the usual transport, round by round
+  /// The ratio of CPU times to equal noise: time_ratio times the ratio of variances. 0 if unknown.
   double error_ratio = 0;
   ImageChange change;
 };
 
 struct SceneEffectCosts {
   std::string scene;
-  std::string transport;  // that the scene calls for
+  std::string transport;  // the one that the scene calls for
   std::vector<std::string> effects;
   double paths_per_cpu_second = 0;  // median
   std::vector<Alternative> alternatives;
@@ -71,21 +62,22 @@ struct EffectCosts {
   std::string suite;
   std::string started;  // local time, ISO 8601
   results::Host host;
-  double load = 0;  // when it started
+  double load = 0;  // when the study started
   std::vector<SceneEffectCosts> scenes;
 };
 
-/// Nothing when stopped. `scenes`: patterns of names in the suite. InputError when a render fails.
+/// Measures the scenes of the suite whose names match `scenes`, comma-separated patterns. None if the user
+/// interrupts. InputError if a render fails.
 std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& configuration,
                                                 const std::string& suite,
                                                 const std::string& scenes,
                                                 const EffectCostSettings& settings,
-                                                const EffectCostContext& context);
+                                                const StudyContext& context);
 
-/// Whether every richer transport gave the same image.
+/// True if every richer transport gave the same image.
 bool all_agree(const EffectCosts& list);
 
-/// For people: a line for each alternative.
+/// The results as a table for a terminal, one line for each alternative.
 std::string effect_cost_table(const EffectCosts& list);
 /// The same as a table in Markdown.
 std::string effect_cost_markdown(const EffectCosts& list);

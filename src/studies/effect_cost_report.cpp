@@ -1,5 +1,6 @@
+#include "base/text_table.h"
 #include "json/writer.h"
-#include "results/record_json.h"
+#include "results/field_writer.h"
 #include "studies/effect_cost.h"
 
 #include <algorithm>
@@ -12,26 +13,24 @@ namespace orbs::studies {
 
 namespace {
 
-// With as many decimals as two digits of the error need.
+// As many decimals as two digits of the error need.
 std::string percent(const MeanOfRounds& m) {
   const double error = 100 * m.standard_error;
   const int decimals = error > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6) : 3;
   return fmt::format("{:+.{}f} ± {:.{}f} %", 100 * m.value, decimals, error, decimals);
 }
 
-// What a reader wants to know of the image: that it is the same, or what is lost.
-std::string image_text(const Alternative& way) {
-  const auto& change = way.change;
+// Says that the image is the same, or what is lost.
+std::string image_text(const Alternative& alternative) {
+  const auto& change = alternative.change;
   if (change.is_equal) return "same to the bit";
   if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
   if (change.bias.empty()) return "same but for noise";
-  return fmt::format("{}mean {}, most {} at ({}, {})", way.is_enough ? "DIFFERS: " : "", percent(change.mean),
-                     percent(change.largest), change.x, change.y);
+  return fmt::format("{}mean {}, most {} at ({}, {})", alternative.is_enough ? "DIFFERS: " : "",
+                     percent(change.mean), percent(change.largest), change.x, change.y);
 }
 
-std::string what_it_costs(double ratio, int decimals) {
-  return ratio > 0 ? fmt::format("{:.{}f}", ratio, decimals) : "-";
-}
+std::string ratio_text(double ratio) { return ratio > 0 ? fmt::format("{:.2f}", ratio) : "-"; }
 
 void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
   out.key(name)
@@ -41,13 +40,13 @@ void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
       .end_object();
 }
 
-void put(json::Writer& out, const Alternative& way) {
-  const auto& change = way.change;
-  out.begin_object().member("name", way.name).member("is_enough", way.is_enough);
-  write_spread(out, "time_ratio", way.time_ratio);
-  out.member("error_ratio", way.error_ratio)
+void put(json::Writer& out, const Alternative& alternative) {
+  const auto& change = alternative.change;
+  out.begin_object().member("name", alternative.name).member("is_enough", alternative.is_enough);
+  write_spread(out, "time_ratio", alternative.time_ratio);
+  out.member("error_ratio", alternative.error_ratio)
       .member("is_equal", change.is_equal)
-      .member("change", image_text(way));
+      .member("change", image_text(alternative));
   put(out, "mean_change", change.mean);
   put(out, "largest_change", change.largest);
   out.member("largest_x", change.x)
@@ -61,11 +60,11 @@ void put_definitions(json::Writer& out) {
   out.key("definitions")
       .begin_object()
       .member("time_ratio",
-              "CPU time of the samples over that of the same samples with what the scene calls for; "
+              "CPU time of the samples over that of the same samples with the usual transport; "
               "median, least and most of the rounds")
       .member("error_ratio",
-              "median time ratio times the ratio of the mean variances in linear Rec.709: what the same "
-              "noise costs; 0 where nobody knows: no noise, or no light paths for the caustic")
+              "median time ratio times the ratio of the mean variances in linear Rec.709: the cost "
+              "of equal noise; 0 if unknown: no noise, or no light paths for the caustic")
       .member("mean_change",
               "difference of the mean Rec.709 luminances over the mean of the image that the scene calls "
               "for; same random numbers, standard error over the rounds")
@@ -79,25 +78,26 @@ void put_definitions(json::Writer& out) {
 std::string effect_cost_table(const EffectCosts& list) {
   std::string text;
   for (const auto& scene : list.scenes) {
-    text += fmt::format("{}: {}, {:.2f} million paths per CPU second{}\n", scene.scene, scene.transport,
-                        scene.paths_per_cpu_second / 1e6,
+    text += fmt::format("{}{}: {}, {:.2f} million paths per CPU second{}\n", text.empty() ? "" : "\n",
+                        scene.scene, scene.transport, scene.paths_per_cpu_second / 1e6,
                         scene.effects.empty() ? "" : fmt::format("; {}", fmt::join(scene.effects, ", ")));
-    for (const auto& way : scene.alternatives)
-      text += fmt::format("  {:<24} time x {:<5} to equal noise x {:<7} {}\n", way.name,
-                          what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
-                          image_text(way));
+    std::vector<TableRow> rows{{"  alternative", "time ratio", "to equal noise", "image"}};
+    for (const auto& alternative : scene.alternatives)
+      rows.push_back({fmt::format("  {}", alternative.name), ratio_text(alternative.time_ratio.median),
+                      ratio_text(alternative.error_ratio), image_text(alternative)});
+    text += text_table(rows, {Align::Left, Align::Right, Align::Right});
   }
   return text;
 }
 
 std::string effect_cost_markdown(const EffectCosts& list) {
   std::string text =
-      "| scene | calls for | instead | time | to equal noise | image |\n|---|---|---|---|---|---|\n";
+      "| scene | calls for | alternative | time | to equal noise | image |\n|---|---|---|---|---|---|\n";
   for (const auto& scene : list.scenes)
-    for (const auto& way : scene.alternatives)
-      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, way.name,
-                          what_it_costs(way.time_ratio.median, 2), what_it_costs(way.error_ratio, 2),
-                          image_text(way));
+    for (const auto& alternative : scene.alternatives)
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, alternative.name,
+                          ratio_text(alternative.time_ratio.median), ratio_text(alternative.error_ratio),
+                          image_text(alternative));
   return text;
 }
 
@@ -115,7 +115,7 @@ std::string effect_cost_json(const EffectCosts& list) {
   auto host = list.host;
   host.name.clear();  // published with the suite, whose readers need the kind of machine alone
   out.key("host");
-  results::write_host(out, host);
+  results::write_record(out, host);
   out.key("scenes").begin_array();
   for (const auto& scene : list.scenes) {
     out.begin_object()
@@ -124,7 +124,7 @@ std::string effect_cost_json(const EffectCosts& list) {
         .member("effects", scene.effects)
         .member("paths_per_cpu_second", scene.paths_per_cpu_second);
     out.key("alternatives").begin_array();
-    for (const auto& way : scene.alternatives) put(out, way);
+    for (const auto& alternative : scene.alternatives) put(out, alternative);
     out.end_array().end_object();
   }
   out.end_array();

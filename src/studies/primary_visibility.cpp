@@ -13,15 +13,15 @@ namespace orbs::studies {
 
 namespace {
 
-// A triangle as rays from the camera meet it. With corners v0, v1, v2 relative to the camera, a ray along d
+// A triangle prepared for rays from the camera. With corners v0, v1, v2 relative to the camera, a ray along d
 // meets the plane where d t = b0' v0 + b1' v1 + b2' v2 scaled to a sum of 1, so b' = M^-1 d with M = [v0 v1
-// v2]: the rows of M^-1 are all there is to know (Olano and Greer, "Triangle scan conversion using 2D
+// v2]: the rows of M^-1 are all that is needed (Olano and Greer, "Triangle scan conversion using 2D
 // homogeneous coordinates", 1997, section 3). Corners behind the camera need no special care.
 struct TriangleSetup {
   std::array<Vec3d, 3> rows;  // in the camera's frame: right, up, forward
   std::array<Vec2f, 3> uvs;
-  int thing = kNoThing;
-  int first_row = 0;  // of pixels that it may touch
+  int object = kNoObject;
+  int first_row = 0;  // bounds of the pixels that it may touch
   int last_row = 0;
   int first_column = 0;
   int last_column = 0;
@@ -37,13 +37,14 @@ struct View {
     return {dot(world_direction, frame.right), dot(world_direction, frame.up),
             dot(world_direction, frame.forward)};
   }
-  // Through a point of the image in pixels from its upper left corner; z is 1.
+  // Direction through a point of the image, in pixels from its upper left corner; z is 1.
   Vec3d camera_direction(double x, double y) const {
     return {(2 * x / width - 1) * frame.half_width, (1 - 2 * y / height) * frame.half_height, 1};
   }
 };
 
-// The pixels that a triangle may touch: those of its projected corners, or all when one is not in front.
+// Sets the pixels that a triangle may touch: the box of its projected corners, or all pixels if one corner is
+// not in front of the camera.
 void bound(const std::array<Vec3d, 3>& corners, const View& view, TriangleSetup& setup) {
   setup.last_row = view.height - 1;
   setup.last_column = view.width - 1;
@@ -60,8 +61,8 @@ void bound(const std::array<Vec3d, 3>& corners, const View& view, TriangleSetup&
     low_y = std::min(low_y, y);
     high_y = std::max(high_y, y);
   }
-  // One pixel more, for the grid's margin and for rounding. Clamped as double: what is seen edge-on nearby
-  // projects beyond any int.
+  // One pixel more, for the grid's margin and for rounding. Clamped as double, because a nearby triangle seen
+  // edge-on projects beyond the range of int.
   const auto pixel = [](double at, int count) {
     return static_cast<int>(std::clamp(std::floor(at), -1.0, static_cast<double>(count)));
   };
@@ -86,10 +87,10 @@ void add_instance(const scene::Scene& scene,
       setup.uvs[k] = mesh.uvs[index];
     }
     const double volume = dot(v[0], cross(v[1], v[2]));
-    if (volume == 0) continue;                                // without area, or seen exactly edge-on
+    if (volume == 0) continue;                                // no area, or seen exactly edge-on
     if (v[0].z <= 0 && v[1].z <= 0 && v[2].z <= 0) continue;  // behind the camera
     setup.rows = {cross(v[1], v[2]) / volume, cross(v[2], v[0]) / volume, cross(v[0], v[1]) / volume};
-    setup.thing = scene::remapped(instance, mesh.triangle_materials[t]);
+    setup.object = scene::remapped(instance, mesh.triangle_materials[t]);
     bound(v, view, setup);
     out.push_back(setup);
   }
@@ -98,8 +99,8 @@ void add_instance(const scene::Scene& scene,
 struct LightSetup {
   const scene::Light* light = nullptr;
   Mat4 to_local;
-  Vec3d origin;  // the camera in the light's frame
-  int thing = kNoThing;
+  Vec3d origin;  // position of the camera in the light's frame
+  int object = kNoObject;
 };
 
 struct LightHit {
@@ -107,7 +108,8 @@ struct LightHit {
   bool is_front = true;
 };
 
-struct MeetShape {
+// Intersects the ray o + t d, in the frame of the light, with the light's shape.
+struct ShapeIntersector {
   Vec3d o;
   Vec3d d;
 
@@ -138,86 +140,88 @@ struct MeetShape {
   }
 };
 
-struct VisibleSurfaces {
+struct NearestHit {
   VisibleSurface surface;
-  double nearness = 0;  // 1 / distance; 0 for nothing
+  double inverse_distance = 0;  // 0 without a hit
 };
 
-void look_at_triangle(const TriangleSetup& triangle, Vec3d d, VisibleSurfaces& seen) {
+void intersect_triangle(const TriangleSetup& triangle, Vec3d d, NearestHit& nearest) {
   const double b0 = dot(triangle.rows[0], d);
   const double b1 = dot(triangle.rows[1], d);
   const double b2 = dot(triangle.rows[2], d);
-  if (!(b0 >= 0 && b1 >= 0 && b2 >= 0)) return;  // also when a sliver's rows are not finite
+  if (!(b0 >= 0 && b1 >= 0 && b2 >= 0)) return;  // also true if a sliver's rows are not finite
   const double sum = b0 + b1 + b2;  // 1 / distance, since d t = sum of b' v with weights of sum 1
-  if (!(sum > seen.nearness)) return;
+  if (!(sum > nearest.inverse_distance)) return;
   const auto mix = [&](float a, float b, float c) {
     return static_cast<float>(
         (b0 * static_cast<double>(a) + b1 * static_cast<double>(b) + b2 * static_cast<double>(c)) / sum);
   };
-  seen.nearness = sum;
-  seen.surface = {triangle.thing, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
-                  mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y)};
+  nearest.inverse_distance = sum;
+  nearest.surface = {triangle.object, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
+                     mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y)};
 }
 
-void look_at_light(const LightSetup& light, Vec3d world_direction, VisibleSurfaces& seen) {
+void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit& nearest) {
   const Vec3d d = transform_direction(light.to_local, world_direction);
-  const auto hit = std::visit(MeetShape{light.origin, d}, light.light->shape);
-  if (1 / hit.distance <= seen.nearness) return;
-  seen.nearness = 1 / hit.distance;
-  seen.surface = {hit.is_front ? light.thing : kNoThing, 0, 0};
+  const auto hit = std::visit(ShapeIntersector{light.origin, d}, light.light->shape);
+  if (1 / hit.distance <= nearest.inverse_distance) return;
+  nearest.inverse_distance = 1 / hit.distance;
+  nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0};
 }
 
-struct Stage {
+// A scene prepared for visibility tests.
+struct VisibilityScene {
   View view;
   std::vector<TriangleSetup> triangles;
   std::vector<LightSetup> lights;
-  std::vector<std::vector<std::size_t>> near_row;  // triangles that may touch a row of pixels
+  std::vector<std::vector<std::size_t>> triangles_of_row;  // that may touch each row of pixels
 };
 
-Stage stage_of(const scene::Scene& scene) {
-  Stage stage{{scene::camera_frame(scene.camera), scene.camera.position_m, scene.camera.width_px,
-               scene.camera.height_px},
-              {},
-              {},
-              {}};
-  for (const auto& instance : scene.instances) add_instance(scene, instance, stage.view, stage.triangles);
-  stage.near_row.resize(static_cast<std::size_t>(stage.view.height));
-  for (std::size_t i = 0; i < stage.triangles.size(); ++i)
-    for (int y = stage.triangles[i].first_row; y <= stage.triangles[i].last_row; ++y)
-      stage.near_row[static_cast<std::size_t>(y)].push_back(i);
+VisibilityScene prepare(const scene::Scene& scene) {
+  VisibilityScene prepared{{scene::camera_frame(scene.camera), scene.camera.position_m, scene.camera.width_px,
+                            scene.camera.height_px},
+                           {},
+                           {},
+                           {}};
+  for (const auto& instance : scene.instances)
+    add_instance(scene, instance, prepared.view, prepared.triangles);
+  prepared.triangles_of_row.resize(static_cast<std::size_t>(prepared.view.height));
+  for (std::size_t i = 0; i < prepared.triangles.size(); ++i)
+    for (int y = prepared.triangles[i].first_row; y <= prepared.triangles[i].last_row; ++y)
+      prepared.triangles_of_row[static_cast<std::size_t>(y)].push_back(i);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& light = scene.lights[i];
     const Mat4 to_local = inverse(light.matrix).value();
-    stage.lights.push_back({&light, to_local, transform_point(to_local, stage.view.position),
-                            static_cast<int>(scene.materials.size() + i)});
+    prepared.lights.push_back({&light, to_local, transform_point(to_local, prepared.view.position),
+                               static_cast<int>(scene.materials.size() + i)});
   }
-  return stage;
+  return prepared;
 }
 
-void look_at_pixel(const Stage& stage,
+void find_surfaces(const VisibilityScene& prepared,
                    const VisibilityGrid& grid,
                    Pixel pixel,
                    std::span<VisibleSurface> out) {
   const auto side = static_cast<std::size_t>(grid.per_side);
   const double step = (1 + 2 * grid.margin_px) / (grid.per_side - 1);
-  const auto& frame = stage.view.frame;
+  const auto& frame = prepared.view.frame;
   std::vector<Vec3d> directions;
   for (std::size_t k = 0; k < side * side; ++k) {
     const std::size_t row = k / side;
     directions.push_back(
-        stage.view.camera_direction(pixel.x - grid.margin_px + step * static_cast<double>(k % side),
-                                    pixel.y - grid.margin_px + step * static_cast<double>(row)));
+        prepared.view.camera_direction(pixel.x - grid.margin_px + step * static_cast<double>(k % side),
+                                       pixel.y - grid.margin_px + step * static_cast<double>(row)));
   }
-  std::vector<VisibleSurfaces> seen(side * side);
-  for (const std::size_t index : stage.near_row[static_cast<std::size_t>(pixel.y)]) {
-    const auto& triangle = stage.triangles[index];
+  std::vector<NearestHit> nearest(side * side);
+  for (const std::size_t index : prepared.triangles_of_row[static_cast<std::size_t>(pixel.y)]) {
+    const auto& triangle = prepared.triangles[index];
     if (pixel.x < triangle.first_column || pixel.x > triangle.last_column) continue;
-    for (std::size_t k = 0; k < seen.size(); ++k) look_at_triangle(triangle, directions[k], seen[k]);
+    for (std::size_t k = 0; k < nearest.size(); ++k) intersect_triangle(triangle, directions[k], nearest[k]);
   }
-  for (std::size_t k = 0; k < seen.size(); ++k) {
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
     const Vec3d world = frame.right * directions[k].x + frame.up * directions[k].y + frame.forward;
-    for (const auto& light : stage.lights) look_at_light(light, world, seen[k]);
-    out[k] = seen[k].surface;
+    for (const auto& light : prepared.lights) intersect_light(light, world, nearest[k]);
+    out[k] = nearest[k].surface;
   }
 }
 
@@ -227,13 +231,13 @@ std::vector<VisibleSurface> visible_surfaces_of_pixels(const scene::Scene& scene
                                                        const std::vector<Pixel>& pixels,
                                                        const VisibilityGrid& grid,
                                                        int threads) {
-  const Stage stage = stage_of(scene);
+  const VisibilityScene prepared = prepare(scene);
   const auto side = static_cast<std::size_t>(grid.per_side);
   const std::size_t each = side * side;
   std::vector<VisibleSurface> surfaces(pixels.size() * each);
   for_each_index(static_cast<int>(pixels.size()), threads, [&](int i) {
     const auto index = static_cast<std::size_t>(i);
-    look_at_pixel(stage, grid, pixels[index], std::span(surfaces).subspan(index * each, each));
+    find_surfaces(prepared, grid, pixels[index], std::span(surfaces).subspan(index * each, each));
   });
   return surfaces;
 }

@@ -13,20 +13,18 @@ namespace orbs::studies {
 
 namespace {
 
-struct Stand {
+struct ProbeInputs {
   const runner::Plan& plan;
   const ProbeSettings& settings;
-  const ProbeContext& context;
+  const StudyContext& context;
   const std::filesystem::path& scratch;
 };
 
-bool is_stopped(const ProbeContext& context) { return context.stop != nullptr && context.stop->load(); }
-
 template <typename Compare>
-ProbeImage take_image(const Stand& stand,
-                      const runner::ChosenRenderer& renderer,
-                      const scene::Scene& scene,
-                      Compare compare) {
+ProbeImage render_pass(const ProbeInputs& inputs,
+                       const runner::ChosenRenderer& renderer,
+                       const scene::Scene& scene,
+                       Compare compare) {
   ProbeImage taken;
   const auto prepared = adapters::prepare_scene(renderer.entry, scene);
   if (const auto* reason = std::get_if<std::string>(&prepared)) {
@@ -34,11 +32,11 @@ ProbeImage take_image(const Stand& stand,
     return taken;
   }
   try {
-    const auto folder = stand.scratch / renderer.entry.name;
+    const auto folder = inputs.scratch / renderer.entry.name;
     std::filesystem::remove_all(folder);
-    const auto subject = runner::prepare_render(renderer, stand.plan, scene, folder);
+    const auto subject = runner::prepare_render(renderer, inputs.plan, scene, folder);
     const auto made =
-        runner::render_once(subject, {stand.settings.spp, 1, stand.settings.threads}, stand.context.stop);
+        runner::render_once(subject, {inputs.settings.spp, 1, inputs.settings.threads}, inputs.context.stop);
     if (!made) {
       taken.no_image = "was stopped";
       return taken;
@@ -50,33 +48,35 @@ ProbeImage take_image(const Stand& stand,
   return taken;
 }
 
-void say_record(const Stand& stand, const ProbeRecord& record) {
-  stand.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_message(record)));
+void say_record(const ProbeInputs& inputs, const ProbeRecord& record) {
+  inputs.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_message(record)));
 }
 
-void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::vector<ProbeRecord>& records) {
-  const auto probe = coloured_by_thing(*planned.scene, stand.settings.most_px);
-  const auto surfaces = primary_visibility(probe.scene, {}, stand.settings.threads);
-  const auto coordinates = coloured_by_coordinates(probe, stand.scratch / "ramp.exr");
-  for (const auto& renderer : stand.plan.renderers) {
-    if (is_stopped(stand.context)) return;
+void probe_scene(const ProbeInputs& inputs,
+                 const runner::PlannedScene& planned,
+                 std::vector<ProbeRecord>& records) {
+  const auto probe = make_id_pass(*planned.scene, inputs.settings.most_px);
+  const auto surfaces = primary_visibility(probe.scene, {}, inputs.settings.threads);
+  const auto uv_scene = make_uv_pass(probe, inputs.scratch / "ramp.exr");
+  for (const auto& renderer : inputs.plan.renderers) {
+    if (is_stopped(inputs.context)) return;
     ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
-    for (const auto& thing : probe.things) record.thing_names.push_back(thing.name);
+    for (const auto& object : probe.objects) record.object_names.push_back(object.name);
     if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {
-      record.things.unsupported = "is rendered from a hand-written scene, which nobody can colour";
-      say_record(stand, record);
+      record.id_pass.unsupported = "is rendered from a hand-written scene, which nobody can colour";
+      say_record(inputs, record);
       records.push_back(std::move(record));
       continue;
     }
-    record.things = take_image(stand, renderer, probe.scene, [&](const image::Image& image) {
-      return compare_things(probe, surfaces, image);
+    record.id_pass = render_pass(inputs, renderer, probe.scene, [&](const image::Image& image) {
+      return compare_id_pass(probe, surfaces, image);
     });
-    if (record.things.unsupported.empty())
-      record.coordinates = take_image(stand, renderer, coordinates, [&](const image::Image& image) {
-        return compare_coordinates(probe, surfaces, image);
+    if (record.id_pass.unsupported.empty())
+      record.uv_pass = render_pass(inputs, renderer, uv_scene, [&](const image::Image& image) {
+        return compare_uv_pass(probe, surfaces, image);
       });
-    if (is_stopped(stand.context)) return;
-    say_record(stand, record);
+    if (is_stopped(inputs.context)) return;
+    say_record(inputs, record);
     records.push_back(std::move(record));
   }
 }
@@ -85,13 +85,13 @@ void probe_scene(const Stand& stand, const runner::PlannedScene& planned, std::v
 
 std::vector<ProbeRecord> run_probe(const runner::Plan& plan,
                                    const ProbeSettings& settings,
-                                   const ProbeContext& context) {
+                                   const StudyContext& context) {
   const ScratchFolder scratch("orbs-probe");
   write_ramp(scratch.path() / "ramp.exr");
-  const Stand stand{plan, settings, context, scratch.path()};
+  const ProbeInputs inputs{plan, settings, context, scratch.path()};
   std::vector<ProbeRecord> records;
   for (const auto& scene : plan.scenes)
-    if (!is_stopped(context)) probe_scene(stand, scene, records);
+    if (!is_stopped(context)) probe_scene(inputs, scene, records);
   return records;
 }
 

@@ -2,16 +2,14 @@
 
 #include "registry/configuration.h"
 #include "runner/plan.h"
+#include "studies/context.h"
 #include "studies/probe_compare.h"
 
-#include <atomic>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
-/// Gate zero of every comparison between renderers: is the scene where it should be, before anybody asks how
-/// it is lit?
+/// Checks that a renderer places camera, geometry and texture coordinates as the scene says, before its light
+/// is compared with anything.
 namespace orbs::studies {
 
 struct ProbeSettings {
@@ -20,33 +18,28 @@ struct ProbeSettings {
   int threads = 2;
 };
 
-struct ProbeContext {
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> say;
-};
-
-/// One of the two images of a scene by a renderer.
+/// One pass of a scene by a renderer.
 struct ProbeImage {
-  std::string unsupported;  // why there is none; "" when there is one
-  std::string no_image;     // how the renderer failed
+  std::string unsupported;  // the reason why there is none; "" if there is one
+  std::string no_image;     // how the renderer failed; "" if it did not
   ProbeFindings findings;
 };
 
 struct ProbeRecord {
   std::string scene;
   std::string renderer;
-  ProbeImage things;
-  ProbeImage coordinates;
-  std::vector<std::string> thing_names;
+  ProbeImage id_pass;
+  ProbeImage uv_pass;
+  std::vector<std::string> object_names;
 };
 
-/// Probes each scene of the plan with each of its renderers, scene by scene. What was done when the user
-/// interrupts.
+/// Probes each scene of the plan with each of its renderers, scene by scene. Returns what is complete if the
+/// user interrupts.
 std::vector<ProbeRecord> run_probe(const runner::Plan& plan,
                                    const ProbeSettings& settings,
-                                   const ProbeContext& context);
+                                   const StudyContext& context);
 
-/// True when no renderer failed and nothing is where it should not be.
+/// True if the renderer gave both images and no pixel shows a wrong object or wrong coordinates.
 bool is_mapped_right(const ProbeRecord& record);
 
 /// "ok", or what differs: "scene mapping differs: instance 'box', material 'red' (412 pixels, first at (3,

@@ -13,7 +13,7 @@ namespace orbs::studies {
 
 namespace {
 
-// Half floats keep 11 bits, 5e-4 of the value; twice that is no other colour yet.
+// Half floats keep 11 bits, a relative error of 5e-4; ids are much farther apart than twice that.
 constexpr double kColourTolerance = 1e-3;
 
 using Rgb = std::array<double, 3>;
@@ -25,9 +25,9 @@ Rgb rgb_at(const image::Image& image, const std::array<int, 3>& channels, int x,
   return rgb;
 }
 
-Rgb colour_of(const ProbeScene& probe, int thing) {
-  if (thing == kNoThing) return {};
-  const Vec3d c = probe.things[static_cast<std::size_t>(thing)].radiance;
+Rgb colour_of(const ProbeScene& probe, int object) {
+  if (object == kNoObject) return {};
+  const Vec3d c = probe.objects[static_cast<std::size_t>(object)].radiance;
   return {c.x, c.y, c.z};
 }
 
@@ -37,30 +37,32 @@ double largest_difference(const Rgb& a, const Rgb& b) {
   return most;
 }
 
-// The thing that all surfaces see.
-std::optional<int> only_thing(std::span<const VisibleSurface> surfaces) {
-  const auto differs = [&](const VisibleSurface& surface) { return surface.thing != surfaces.front().thing; };
+// The object that all points of a pixel see; none if they see several.
+std::optional<int> only_object(std::span<const VisibleSurface> surfaces) {
+  const auto differs = [&](const VisibleSurface& surface) {
+    return surface.object != surfaces.front().object;
+  };
   return std::any_of(surfaces.begin(), surfaces.end(), differs) ? std::nullopt
-                                                                : std::optional(surfaces.front().thing);
+                                                                : std::optional(surfaces.front().object);
 }
 
 std::string shown(const ProbeScene& probe, const Rgb& colour) {
-  for (int thing = kNoThing; thing < static_cast<int>(probe.things.size()); ++thing)
-    if (largest_difference(colour, colour_of(probe, thing)) <= kColourTolerance)
-      return thing == kNoThing ? "nothing" : probe.things[static_cast<std::size_t>(thing)].name;
+  for (int object = kNoObject; object < static_cast<int>(probe.objects.size()); ++object)
+    if (largest_difference(colour, colour_of(probe, object)) <= kColourTolerance)
+      return object == kNoObject ? "nothing" : probe.objects[static_cast<std::size_t>(object)].name;
   return "a mixture of colours";
 }
 
-// A pixel that shows something else than all its surfaces.
+// A pixel whose colour differs from that of the object that covers it.
 struct Suspect {
-  int thing = kNoThing;  // that is expected
+  int object = kNoObject;  // the expected one
   Pixel at;
   std::string instead;
 };
 
-// Leaves and needles are narrower than the grid is wide. Where few pixels do not fit, they are looked at once
-// more with a grid fine enough for 1/64 of a pixel; those in which there is more than one thing drop out.
-void look_again(const ProbeScene& probe, std::vector<Suspect>& suspects) {
+// Leaves and needles can be narrower than the spacing of the grid. If few pixels mismatch, they are tested
+// again with a spacing of 1/64 of a pixel, and those that show more than one object are dropped.
+void recheck_on_fine_grid(const ProbeScene& probe, std::vector<Suspect>& suspects) {
   constexpr std::size_t kFew = 64;
   constexpr VisibilityGrid kFine{64, 0.02};
   if (suspects.size() > kFew) return;
@@ -70,21 +72,21 @@ void look_again(const ProbeScene& probe, std::vector<Suspect>& suspects) {
   const std::size_t each = kFine.per_side * kFine.per_side;
   std::vector<Suspect> kept;
   for (std::size_t i = 0; i < suspects.size(); ++i)
-    if (only_thing(std::span(surfaces).subspan(i * each, each))) kept.push_back(suspects[i]);
+    if (only_object(std::span(surfaces).subspan(i * each, each))) kept.push_back(suspects[i]);
   suspects = std::move(kept);
 }
 
-// Mismatching pixels put together by thing.
+// Counts mismatching pixels by object.
 class Tally {
  public:
   void add(const Suspect& suspect) {
-    auto& one = by_thing_[suspect.thing];
-    if (one.mismatch.pixels++ == 0) one.mismatch = {suspect.thing, 1, suspect.at.x, suspect.at.y, {}};
+    auto& one = by_object_[suspect.object];
+    if (one.mismatch.pixels++ == 0) one.mismatch = {suspect.object, 1, suspect.at.x, suspect.at.y, {}};
     ++one.instead[suspect.instead];
   }
   std::vector<Mismatch> worst_first() const {
     std::vector<Mismatch> all;
-    for (const auto& [thing, one] : by_thing_) {
+    for (const auto& [object, one] : by_object_) {
       all.push_back(one.mismatch);
       const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
       all.back().instead = std::max_element(one.instead.begin(), one.instead.end(), fewer)->first;
@@ -95,15 +97,15 @@ class Tally {
   }
 
  private:
-  struct OfThing {
+  struct OfObject {
     Mismatch mismatch;
     std::map<std::string, int> instead;
   };
-  std::map<int, OfThing> by_thing_;
+  std::map<int, OfObject> by_object_;
 };
 
 std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect> suspects) {
-  look_again(probe, suspects);
+  recheck_on_fine_grid(probe, suspects);
   Tally tally;
   for (const auto& suspect : suspects) tally.add(suspect);
   return tally.worst_first();
@@ -122,9 +124,9 @@ void for_each_pixel(const image::Image& image, const std::vector<VisibleSurface>
     }
 }
 
-// What the fraction of a coordinate can be in a pixel; nothing where it wraps around inside, where the ramp's
-// last texel is interpolated with its first, or where a pixel covers so much of the ramp that its filter
-// decides.
+// The range of a coordinate's fractional part in a pixel. None if it wraps around inside the pixel, if the
+// ramp's last texel is interpolated with its first, or if the pixel covers so much of the ramp that the
+// result depends on the filter.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -145,45 +147,45 @@ std::optional<Interval> fraction(std::span<const VisibleSurface> surfaces,
 }
 
 bool is_within(double value, const Interval& range) {
-  // A renderer without interpolation between texels is at most half a texel off; the rest is for the filter's
-  // position.
+  // Without interpolation between texels a renderer is off by at most half a texel; the other half allows for
+  // the position of the filter.
   constexpr double kTolerance = 1.0 / kRampSize;
   return value >= range.low - kTolerance && value <= range.high + kTolerance;
 }
 
 }  // namespace
 
-ProbeFindings compare_things(const ProbeScene& probe,
-                             const std::vector<VisibleSurface>& surfaces,
-                             const image::Image& image) {
+ProbeFindings compare_id_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image) {
   ProbeFindings findings;
   std::vector<Suspect> suspects;
   for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
-    const auto thing = only_thing(here);
-    if (!thing) return;
+    const auto object = only_object(here);
+    if (!object) return;
     ++findings.compared;
-    if (largest_difference(colour, colour_of(probe, *thing)) > kColourTolerance)
-      suspects.push_back({*thing, {x, y}, shown(probe, colour)});
+    if (largest_difference(colour, colour_of(probe, *object)) > kColourTolerance)
+      suspects.push_back({*object, {x, y}, shown(probe, colour)});
   });
   findings.mismatches = mismatches_of(probe, std::move(suspects));
   return findings;
 }
 
-ProbeFindings compare_coordinates(const ProbeScene& probe,
-                                  const std::vector<VisibleSurface>& surfaces,
-                                  const image::Image& image) {
+ProbeFindings compare_uv_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image) {
   const int materials = static_cast<int>(probe.scene.materials.size());
   ProbeFindings findings;
   std::vector<Suspect> suspects;
   for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
-    const auto thing = only_thing(here);
-    if (!thing || *thing == kNoThing || *thing >= materials) return;
+    const auto object = only_object(here);
+    if (!object || *object == kNoObject || *object >= materials) return;
     const auto u = fraction(here, &VisibleSurface::u);
     const auto v = fraction(here, &VisibleSurface::v);
     if (!u || !v) return;
     ++findings.compared;
     if (is_within(colour[0], *u) && is_within(colour[1], *v)) return;
-    suspects.push_back({*thing,
+    suspects.push_back({*object,
                         {x, y},
                         fmt::format("({:.3f}, {:.3f}) where it has ({:.3f}, {:.3f})", colour[0], colour[1],
                                     (u->low + u->high) / 2, (v->low + v->high) / 2)});

@@ -9,30 +9,30 @@
 
 namespace orbs::studies {
 
-/// Pixels that should show a thing (or nothing) and do not.
+/// Pixels that should show one object, or the background, and do not.
 struct Mismatch {
-  int thing = kNoThing;  // that is expected
+  int object = kNoObject;  // the expected one
   int pixels = 0;
-  int x = 0;  // the first of them
+  int x = 0;  // the first of these pixels
   int y = 0;
-  std::string instead;  // what most of them show
+  std::string instead;  // what most of these pixels show
 };
 
 struct ProbeFindings {
-  int compared = 0;  // pixels that one thing covers whole; the others say nothing without doubt
-  std::vector<Mismatch> mismatches;  // the worst first
+  int compared = 0;                  // pixels that one object covers completely
+  std::vector<Mismatch> mismatches;  // those of most pixels first
 };
 
-/// Compares the image of coloured_by_thing. A pixel counts where all its surfaces see one thing, so that a
-/// filter of one pixel can only give that thing's colour.
-ProbeFindings compare_things(const ProbeScene& probe,
-                             const std::vector<VisibleSurface>& surfaces,
-                             const image::Image& image);
+/// Compares the image of the id pass. A pixel counts if all its points see the same object, because then a
+/// pixel filter no wider than one pixel can only give that object's colour.
+ProbeFindings compare_id_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image);
 
-/// Compares the image of coloured_by_coordinates, where the coordinates of a pixel's surfaces stay within one
-/// period of the ramp and do not change too fast.
-ProbeFindings compare_coordinates(const ProbeScene& probe,
-                                  const std::vector<VisibleSurface>& surfaces,
-                                  const image::Image& image);
+/// Compares the image of the uv pass. A pixel counts if its coordinates stay within one period of the ramp
+/// and change slowly enough that the texture filter does not matter.
+ProbeFindings compare_uv_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image);
 
 }  // namespace orbs::studies

@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::size_t kMostNamed = 3;
 
-std::string thing_name(const ProbeRecord& record, int thing) {
-  return thing == kNoThing ? "the background" : record.thing_names[static_cast<std::size_t>(thing)];
+std::string object_name(const ProbeRecord& record, int object) {
+  return object == kNoObject ? "the background" : record.object_names[static_cast<std::size_t>(object)];
 }
 
 std::string mismatch_text(const ProbeRecord& record, const Mismatch& mismatch) {
-  return fmt::format("{} ({} pixel{}, first at ({}, {}), which show {})", thing_name(record, mismatch.thing),
-                     mismatch.pixels, mismatch.pixels == 1 ? "" : "s", mismatch.x, mismatch.y,
-                     mismatch.instead);
+  return fmt::format("{} ({} pixel{}, first at ({}, {}), which show {})",
+                     object_name(record, mismatch.object), mismatch.pixels, mismatch.pixels == 1 ? "" : "s",
+                     mismatch.x, mismatch.y, mismatch.instead);
 }
 
 std::string differs(const char* what, const ProbeRecord& record, const ProbeFindings& findings) {
@@ -29,7 +29,7 @@ std::string differs(const char* what, const ProbeRecord& record, const ProbeFind
                      rest == 0 ? "" : fmt::format("; and {} more", rest));
 }
 
-// Empty when the image says nothing against the renderer.
+// The fault that the image shows; "" if it shows none.
 std::string fault(const char* what, const ProbeRecord& record, const ProbeImage& image) {
   if (!image.no_image.empty()) return image.no_image;
   return image.findings.mismatches.empty() ? "" : differs(what, record, image.findings);
@@ -42,7 +42,7 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
   out.member("compared_pixels", image.findings.compared).key("mismatches").begin_array();
   for (const auto& mismatch : image.findings.mismatches)
     out.begin_object()
-        .member("thing", thing_name(record, mismatch.thing))
+        .member("object", object_name(record, mismatch.object))
         .member("pixels", mismatch.pixels)
         .member("x", mismatch.x)
         .member("y", mismatch.y)
@@ -54,19 +54,19 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
 }  // namespace
 
 bool is_mapped_right(const ProbeRecord& record) {
-  return fault("", record, record.things).empty() && fault("", record, record.coordinates).empty();
+  return fault("", record, record.id_pass).empty() && fault("", record, record.uv_pass).empty();
 }
 
 std::string probe_message(const ProbeRecord& record) {
-  if (!record.things.unsupported.empty()) return "unsupported: " + record.things.unsupported;
-  const auto things = fault("scene mapping differs", record, record.things);
-  if (!things.empty()) return things;
-  const auto coordinates = fault("texture coordinates differ", record, record.coordinates);
-  if (!coordinates.empty()) return coordinates;
-  return fmt::format("ok, {} pixels, {}", record.things.findings.compared,
-                     record.coordinates.unsupported.empty()
-                         ? fmt::format("texture coordinates in {}", record.coordinates.findings.compared)
-                         : "texture coordinates unsupported: " + record.coordinates.unsupported);
+  if (!record.id_pass.unsupported.empty()) return "unsupported: " + record.id_pass.unsupported;
+  const auto id_fault = fault("scene mapping differs", record, record.id_pass);
+  if (!id_fault.empty()) return id_fault;
+  const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
+  if (!uv_fault.empty()) return uv_fault;
+  return fmt::format("ok, {} pixels, {}", record.id_pass.findings.compared,
+                     record.uv_pass.unsupported.empty()
+                         ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
+                         : "texture coordinates unsupported: " + record.uv_pass.unsupported);
 }
 
 std::string probe_json(const std::vector<ProbeRecord>& records) {
@@ -78,8 +78,8 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
         .member("renderer", record.renderer)
         .member("ok", is_mapped_right(record))
         .member("reason", probe_message(record));
-    put_image(out, "things", record, record.things);
-    put_image(out, "coordinates", record, record.coordinates);
+    put_image(out, "id_pass", record, record.id_pass);
+    put_image(out, "uv_pass", record, record.uv_pass);
     out.end_object();
   }
   out.end_array();

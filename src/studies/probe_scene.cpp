@@ -14,9 +14,9 @@ namespace orbs::studies {
 namespace {
 
 // Points of the R3 sequence (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018):
-// any number of them keeps about the largest distance there can be. g solves g^4 = g + 1. From 0.1 on, so
-// that nothing is as black as what is not there.
-Vec3d colour_of_thing(std::size_t index) {
+// any number of them keeps about the largest possible distance. g solves g^4 = g + 1. Values start at 0.1, so
+// that no object is as black as the background.
+Vec3d id_colour(std::size_t index) {
   constexpr double kG = 1.2207440846057596;
   const auto spread = [&](double alpha) {
     const double at = 0.5 + alpha * static_cast<double>(index + 1);
@@ -39,42 +39,43 @@ void fit_camera(scene::Camera& camera, int most_px) {
   camera.height_px = fitted(camera.height_px);
 }
 
-// Material number of a mesh in the scene -> its number in the probe.
+// Material index of a mesh in the scene -> index of its object in the probe.
 using Renumbering = std::map<int, int>;
 
-class Colouring {
+class IdPassBuilder {
  public:
-  Colouring(const scene::Scene& from, ProbeScene& to) : from_(from), to_(to) {}
+  IdPassBuilder(const scene::Scene& from, ProbeScene& to) : from_(from), to_(to) {}
 
-  /// The first instance of a mesh gives it its materials, each further one has a remap list from these.
+  /// The first instance of a mesh sets the mesh's materials; each further one gets a remap list.
   void instance(std::size_t index) {
     const auto& source = from_.instances[index];
     auto& mesh = to_.scene.meshes[static_cast<std::size_t>(source.mesh)];
     const auto& shown = from_.meshes[static_cast<std::size_t>(source.mesh)].triangle_materials;
-    Renumbering things;
+    Renumbering objects;
     for (const int material : shown)
-      if (!things.contains(material)) things[material] = new_thing(name_of(index, material));
+      if (!objects.contains(material)) objects[material] = new_object(name_of(index, material));
     auto& remap = to_.scene.instances[index].remap;
     remap.clear();
-    const auto [first, is_first] = of_mesh_.try_emplace(source.mesh, things);
+    const auto [first, is_first] = of_mesh_.try_emplace(source.mesh, objects);
     if (is_first) {
-      for (int& material : mesh.triangle_materials) material = things[material];
+      for (int& material : mesh.triangle_materials) material = objects[material];
     } else {
-      for (const auto& [material, thing] : things) remap.emplace_back(first->second[material], thing);
+      for (const auto& [material, object] : objects) remap.emplace_back(first->second[material], object);
     }
   }
 
-  /// A mesh that is never instanced: its colour in an image would be a fault.
+  /// A mesh without instances gets an id too: seeing its colour in an image is a fault.
   void unseen_mesh(std::size_t index) {
     auto& mesh = to_.scene.meshes[index];
     if (of_mesh_.contains(static_cast<int>(index))) return;
-    const int thing = new_thing(fmt::format("mesh {}, which no instance shows", or_number(mesh.name, index)));
-    mesh.triangle_materials.assign(mesh.triangles.size(), thing);
+    const int object =
+        new_object(fmt::format("mesh {}, which no instance shows", or_number(mesh.name, index)));
+    mesh.triangle_materials.assign(mesh.triangles.size(), object);
   }
 
-  int new_thing(const std::string& name) {
-    to_.things.push_back({name, colour_of_thing(to_.things.size())});
-    return static_cast<int>(to_.things.size()) - 1;
+  int new_object(const std::string& name) {
+    to_.objects.push_back({name, id_colour(to_.objects.size())});
+    return static_cast<int>(to_.objects.size()) - 1;
   }
 
  private:
@@ -92,7 +93,7 @@ class Colouring {
 
 }  // namespace
 
-ProbeScene coloured_by_thing(const scene::Scene& original, int most_px) {
+ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
   scene::Scene scene = original;
   scene::tessellate_spheres(scene);
   scene::drop_spectra(scene);
@@ -105,15 +106,15 @@ ProbeScene coloured_by_thing(const scene::Scene& original, int most_px) {
   out.trace_depth = 1;
   out.textures.clear();
   out.materials.clear();
-  Colouring colouring(scene, probe);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) colouring.instance(i);
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) colouring.unseen_mesh(i);
-  for (const auto& thing : probe.things)
+  IdPassBuilder builder(scene, probe);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) builder.instance(i);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) builder.unseen_mesh(i);
+  for (const auto& object : probe.objects)
     out.materials.push_back(
-        {fmt::format("thing {}", out.materials.size()), scene::Emission{thing.radiance, {}}});
+        {fmt::format("object {}", out.materials.size()), scene::Emission{object.radiance, {}}});
   for (std::size_t i = 0; i < out.lights.size(); ++i) {
-    const int thing = colouring.new_thing(fmt::format("light {}", or_number(out.lights[i].name, i)));
-    out.lights[i].radiance = probe.things[static_cast<std::size_t>(thing)].radiance;
+    const int object = builder.new_object(fmt::format("light {}", or_number(out.lights[i].name, i)));
+    out.lights[i].radiance = probe.objects[static_cast<std::size_t>(object)].radiance;
     out.lights[i].ies.reset();
   }
   return probe;
@@ -130,7 +131,7 @@ void write_ramp(const std::filesystem::path& file) {
   image::write_exr(image, file);
 }
 
-scene::Scene coloured_by_coordinates(const ProbeScene& probe, const std::filesystem::path& ramp) {
+scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {
   scene::Scene out = probe.scene;
   out.textures = {{"ramp", ramp}};
   for (auto& material : out.materials) material.model = scene::Emission{{1, 1, 1}, scene::TextureUse{0, {}}};

@@ -2,6 +2,7 @@
 
 #include "adapters/job.h"
 #include "base/error.h"
+#include "base/local_time.h"
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
 #include "image/image_io.h"
@@ -29,7 +30,7 @@ struct Qualification {
   const runner::Plan& plan;
   const results::RunRecord& run;
   const QualifySettings& settings;
-  const QualifyContext& context;
+  const StudyContext& context;
   std::map<std::string, Image> references;                          // of the whole suite
   std::map<std::string, std::vector<MissingLight>> missing_lights;  // by scene
 };
@@ -38,8 +39,6 @@ struct Subject {
   const registry::Case* one_case;
   std::string target;
 };
-
-bool is_stopped(const QualifyContext& context) { return context.stop != nullptr && context.stop->load(); }
 
 std::map<std::string, Image> all_references(const std::filesystem::path& folder) {
   std::map<std::string, Image> references;
@@ -121,7 +120,7 @@ GateRecord gate_record(const Qualification& shared, const Subject& subject) {
   gate.judged_by = judge::gate_hash(*subject.one_case, subject.target, shared.plan.suite.references);
   gate.provenance = {{"program", "orbs"},
                      {"version", shared.context.orbs_version},
-                     {"date", runner::local_time_now()},
+                     {"date", local_time_now()},
                      {"cpu", runner::this_host().cpu}};
   return gate;
 }
@@ -131,7 +130,7 @@ GateRecord gate_record(const Qualification& shared, const Subject& subject) {
 std::vector<GateRecord> qualify(const runner::Plan& plan,
                                 const results::RunRecord& run,
                                 const QualifySettings& settings,
-                                const QualifyContext& context) {
+                                const StudyContext& context) {
   Qualification shared{plan, run, settings, context, all_references(plan.suite.references), {}};
   render_without_lights(shared);
   std::vector<Subject> subjects;

@@ -3,9 +3,8 @@
 #include "results/qualification.h"
 #include "results/record.h"
 #include "runner/plan.h"
+#include "studies/context.h"
 
-#include <atomic>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,19 +19,13 @@ struct QualifySettings {
   double missing_light_spp_scale = 0.125;
 };
 
-struct QualifyContext {
-  std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> say;
-};
-
 /// One record for each image of the plan's cases, in their order. The control images are those of `run`,
 /// whose folder must be there; their seed is another than that of the references. The plan's first renderer
 /// renders the scenes without a light. Only whole records: fewer when the user interrupts.
 std::vector<results::GateRecord> qualify(const runner::Plan& plan,
                                          const results::RunRecord& run,
                                          const QualifySettings& settings,
-                                         const QualifyContext& context);
+                                         const StudyContext& context);
 
 /// `known` with each record of `found` in place of the one of the same target.
 std::vector<results::GateRecord> merged(std::vector<results::GateRecord> known,

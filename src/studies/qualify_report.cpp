@@ -1,3 +1,4 @@
+#include "base/text_table.h"
 #include "studies/qualify.h"
 
 #include <algorithm>
@@ -14,15 +15,20 @@ std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.2g} %", 100 * *share) : "-";
 }
 
-std::string row(const GateRecord& gate) {
+TableRow row(const GateRecord& gate) {
   const auto is_fault = [](const auto& mutant) { return mutant.no_fault.empty(); };
   const auto is_rejected = [](const auto& mutant) { return mutant.no_fault.empty() && mutant.rejected; };
   const auto faults = std::count_if(gate.mutants.begin(), gate.mutants.end(), is_fault);
   const auto rejected = std::count_if(gate.mutants.begin(), gate.mutants.end(), is_rejected);
-  return fmt::format("{:<24} {:<18} {:<8} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n", gate.case_name, gate.target,
-                     gate.accepts_control ? "accepted" : "refused", fmt::format("{}/{}", rejected, faults),
-                     percent(gate.global.seen), percent(gate.global.rejected), percent(gate.local.seen),
-                     percent(gate.local.rejected), results::is_qualified(gate) ? "yes" : "NO");
+  return {gate.case_name,
+          gate.target,
+          gate.accepts_control ? "accepted" : "refused",
+          fmt::format("{}/{}", rejected, faults),
+          percent(gate.global.seen),
+          percent(gate.global.rejected),
+          percent(gate.local.seen),
+          percent(gate.local.rejected),
+          results::is_qualified(gate) ? "yes" : "NO"};
 }
 
 std::string complaints(const GateRecord& gate) {
@@ -49,11 +55,13 @@ std::string no_faults(const GateRecord& gate) {
 }  // namespace
 
 std::string qualification_text(const std::vector<GateRecord>& gates) {
-  auto text = fmt::format("{:<24} {:<18} {:<8} {:>8} {:>19} {:>19}\n", "", "", "control", "faults",
-                          "light everywhere", "leak of mean light");
-  text += fmt::format("{:<24} {:<18} {:<8} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n", "case", "target", "target",
-                      "rejected", "remark", "failure", "remark", "failure", "qualified");
-  for (const auto& gate : gates) text += row(gate);
+  constexpr auto kRight = Align::Right;
+  std::vector<TableRow> rows{
+      {"", "", "control", "mutants", "light everywhere", "", "leak of mean light", "", ""},
+      {"case", "target", "image", "rejected", "remark", "failure", "remark", "failure", "qualified"}};
+  for (const auto& gate : gates) rows.push_back(row(gate));
+  auto text =
+      text_table(rows, {Align::Left, Align::Left, Align::Left, kRight, kRight, kRight, kRight, kRight});
   text += '\n';
   for (const auto& gate : gates) text += no_faults(gate);
   for (const auto& gate : gates) text += complaints(gate);

@@ -157,7 +157,8 @@ TEST(Resume, OnAnotherMachineKeepsTheHostOfEachRender) {
   EXPECT_EQ(resume(sandbox).status, 0);
   const auto run = results::read_results_file(sandbox.folder() / "out/results.json");
   EXPECT_EQ(run.host.cpu, cpu);
-  for (const auto& job : run.jobs) EXPECT_EQ(job.cost.host.cpu, job.identity.scene == "grey" ? "Another Processor" : cpu);
+  for (const auto& job : run.jobs)
+    EXPECT_EQ(job.cost.host.cpu, job.identity.scene == "grey" ? "Another Processor" : cpu);
   EXPECT_TRUE(contains(sandbox.read("out/results.csv"), "Another Processor"));
 }
 

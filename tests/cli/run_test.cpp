@@ -202,7 +202,7 @@ TEST(Run, WhereNothingIsJudgedItIsNoSuccess) {
                 text.replace(text.find(declares), declares.size(), R"("declares": "G5")"));
   const auto answer = sandbox.orbs({"run", "-r", "good"});
   EXPECT_EQ(answer.status, 2) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "orbs: nothing was judged: every image is unsupported")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs: nothing was judged: every target is unsupported")) << answer.text;
 }
 
 // The page needs nothing but the run's folder: not the suite, not the references of this machine.

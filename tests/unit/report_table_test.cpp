@@ -1,3 +1,4 @@
+#include "base/text_table.h"
 #include "report/table.h"
 
 #include <cstdlib>
@@ -62,8 +63,8 @@ TEST(Table, WithColourItHasTheSameTextBetweenTheEscapes) {
 }
 
 TEST(Table, WidthsCountCharactersAndNotBytes) {
-  EXPECT_EQ(orbs::report::display_width("\u00c9 \u00b7"), 3U);
-  EXPECT_EQ(orbs::report::display_width("\x1b[32mpass\x1b[0m"), 4U);
+  EXPECT_EQ(orbs::display_width("\u00c9 \u00b7"), 3U);
+  EXPECT_EQ(orbs::display_width("\x1b[32mpass\x1b[0m"), 4U);
 }
 
 TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {

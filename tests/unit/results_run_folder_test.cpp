@@ -71,7 +71,8 @@ TEST(ReadRecord, ReadsBackAllThatWasWritten) {
 // What a killed or older program left must not pass for a render of today.
 TEST(ReadRecord, AnUnknownOutcomeIsNamedWithItsPlace) {
   const structure::TestFolder scratch("read-outcome");
-  scratch.write("job.json", R"({"format": "orbs-job/2", "identity": {"id": "i", "scene": "s", "renderer": "r"},
+  scratch.write("job.json",
+                R"({"format": "orbs-job/2", "identity": {"id": "i", "scene": "s", "renderer": "r"},
  "end": {"outcome": "pass"}})");
   try {
     read_job_file(scratch.path() / "job.json");

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 using namespace orbs;
-using studies::kNoThing;
+using studies::kNoObject;
 using studies::VisibleSurface;
 
 namespace {
@@ -39,15 +39,15 @@ void add_triangle(scene::Scene& scene, std::array<Vec3f, 3> corners, std::array<
 }
 
 std::set<int> things_in(const scene::Scene& scene, int x, int y, studies::VisibilityGrid grid = {}) {
-  std::set<int> things;
+  std::set<int> objects;
   for (const auto& surface : studies::visible_surfaces_of_pixels(scene, {{x, y}}, grid, 1))
-    things.insert(surface.thing);
-  return things;
+    objects.insert(surface.object);
+  return objects;
 }
 
-double share_of(const std::vector<VisibleSurface>& surfaces, int thing) {
+double share_of(const std::vector<VisibleSurface>& surfaces, int object) {
   const auto count = std::count_if(surfaces.begin(), surfaces.end(),
-                                   [&](const VisibleSurface& s) { return s.thing == thing; });
+                                   [&](const VisibleSurface& s) { return s.object == object; });
   return static_cast<double>(count) / static_cast<double>(surfaces.size());
 }
 
@@ -58,11 +58,11 @@ TEST(PrimaryVisibility, ATriangleCoversThePixelsThatItIsProjectedOn) {
   // At distance 8 a pixel is 1 m wide: this one reaches from pixel 4 to pixel 12 along the image's middle.
   add_triangle(scene, {Vec3f{-4, 0, -8}, Vec3f{4, 0, -8}, Vec3f{-4, 8, -8}});
   EXPECT_EQ(things_in(scene, 5, 6), std::set<int>{0});
-  EXPECT_EQ(things_in(scene, 3, 4), (std::set<int>{kNoThing, 0}));  // by the margin of the grid
-  EXPECT_EQ(things_in(scene, 2, 4), std::set<int>{kNoThing});
-  EXPECT_EQ(things_in(scene, 8, 8), (std::set<int>{kNoThing, 0}));
-  EXPECT_EQ(things_in(scene, 8, 9), std::set<int>{kNoThing});
-  EXPECT_EQ(things_in(scene, 11, 7), (std::set<int>{kNoThing, 0}));  // the diagonal
+  EXPECT_EQ(things_in(scene, 3, 4), (std::set<int>{kNoObject, 0}));  // by the margin of the grid
+  EXPECT_EQ(things_in(scene, 2, 4), std::set<int>{kNoObject});
+  EXPECT_EQ(things_in(scene, 8, 8), (std::set<int>{kNoObject, 0}));
+  EXPECT_EQ(things_in(scene, 8, 9), std::set<int>{kNoObject});
+  EXPECT_EQ(things_in(scene, 11, 7), (std::set<int>{kNoObject, 0}));  // the diagonal
 }
 
 TEST(PrimaryVisibility, TheNearerOneHidesTheOther) {
@@ -77,13 +77,13 @@ TEST(PrimaryVisibility, ATriangleThatBeginsBehindTheCameraIsSeenInFrontOfIt) {
   // A floor 1 m below, from far behind to far before the camera.
   add_triangle(scene, {Vec3f{-1000, -1, 1000}, Vec3f{1000, -1, 1000}, Vec3f{0, -1, -1000}});
   EXPECT_EQ(things_in(scene, 8, 12), std::set<int>{0});
-  EXPECT_EQ(things_in(scene, 8, 4), std::set<int>{kNoThing});
+  EXPECT_EQ(things_in(scene, 8, 4), std::set<int>{kNoObject});
 }
 
 TEST(PrimaryVisibility, WhatIsBehindTheCameraIsNotSeen) {
   auto scene = empty_view(8);
   add_triangle(scene, {Vec3f{-90, -90, 2}, Vec3f{90, -90, 2}, Vec3f{0, 90, 2}});
-  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoThing), 1);
+  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoObject), 1);
 }
 
 TEST(PrimaryVisibility, CoordinatesAreInterpolatedInPerspective) {
@@ -104,7 +104,7 @@ TEST(PrimaryVisibility, AFlatLightIsSeenFromItsFrontAndIsBlackBehind) {
     scene.lights.push_back(
         {"", scene::RectShape{1, 1}, {1, 1, 1}, translation({0, 0, -2}) * rotation_x(turn_deg), {}});
     // Local -Y turned by -90 degrees about X points to +Z, at the camera.
-    EXPECT_EQ(things_in(scene, 4, 4), std::set<int>{turn_deg < 0 ? 1 : kNoThing});
+    EXPECT_EQ(things_in(scene, 4, 4), std::set<int>{turn_deg < 0 ? 1 : kNoObject});
     EXPECT_EQ(things_in(scene, 0, 4), std::set<int>{0});
   }
 }
@@ -122,7 +122,7 @@ TEST(PrimaryVisibility, ASphereOnTheAxisCoversItsConesDisc) {
 TEST(PrimaryVisibility, ASphereIsBlackFromWithin) {
   auto scene = empty_view(4);
   scene.lights.push_back({"", scene::SphereShape{1}, {1, 1, 1}, translation({0, 0, 0.5}), {}});
-  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoThing), 1);
+  EXPECT_EQ(share_of(studies::primary_visibility(scene, {}, 1), kNoObject), 1);
 }
 
 TEST(PrimaryVisibility, AnEllipseOfADiskStaysOne) {

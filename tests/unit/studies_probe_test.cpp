@@ -29,13 +29,13 @@ scene::Scene two_boxes() {
 }
 
 // What a renderer with a box filter would make of it.
-image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen) {
+image::Image painted(const studies::ProbeScene& probe, const scene::Scene& nearest) {
   constexpr studies::VisibilityGrid kGrid{8, -1.0 / 16};
-  auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
-  const auto surfaces = studies::primary_visibility(seen, kGrid, 1);
+  auto image = image::make_image(nearest.camera.width_px, nearest.camera.height_px, {"R", "G", "B"});
+  const auto surfaces = studies::primary_visibility(nearest, kGrid, 1);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].thing == studies::kNoThing) continue;
-    const Vec3d c = probe.things[static_cast<std::size_t>(surfaces[i].thing)].radiance / 64.0;
+    if (surfaces[i].object == studies::kNoObject) continue;
+    const Vec3d c = probe.objects[static_cast<std::size_t>(surfaces[i].object)].radiance / 64.0;
     float* const pixel = &image.pixels[i / 64 * 3];
     pixel[0] += static_cast<float>(c.x);
     pixel[1] += static_cast<float>(c.y);
@@ -45,31 +45,31 @@ image::Image painted(const studies::ProbeScene& probe, const scene::Scene& seen)
 }
 
 studies::ProbeFindings findings(const studies::ProbeScene& probe, const image::Image& image) {
-  return studies::compare_things(probe, studies::primary_visibility(probe.scene, {}, 1), image);
+  return studies::compare_id_pass(probe, studies::primary_visibility(probe.scene, {}, 1), image);
 }
 
 }  // namespace
 
 TEST(Probe, GivesEveryMaterialOfEveryInstanceAndEveryLightItsColour) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
-  ASSERT_EQ(probe.things.size(), 3U);
-  EXPECT_EQ(probe.things[0].name, "instance 'left', material 'a'");
-  EXPECT_EQ(probe.things[1].name, "instance 'right', material 'b'");
-  EXPECT_EQ(probe.things[2].name, "light 'lamp'");
-  EXPECT_NE(probe.things[0].radiance, probe.things[1].radiance);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  ASSERT_EQ(probe.objects.size(), 3U);
+  EXPECT_EQ(probe.objects[0].name, "instance 'left', material 'a'");
+  EXPECT_EQ(probe.objects[1].name, "instance 'right', material 'b'");
+  EXPECT_EQ(probe.objects[2].name, "light 'lamp'");
+  EXPECT_NE(probe.objects[0].radiance, probe.objects[1].radiance);
   EXPECT_EQ(probe.scene.camera.width_px, 128);
   EXPECT_EQ(probe.scene.camera.height_px, 96);
 }
 
 TEST(Probe, TheRightImageHasNoMismatch) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   const auto found = findings(probe, painted(probe, probe.scene));
   EXPECT_TRUE(found.mismatches.empty());
   EXPECT_GT(found.compared, 128 * 96 * 3 / 4);
 }
 
 TEST(Probe, ACameraThatIsOffByHalfAPixelIsSeen) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   auto shifted = probe.scene;
   const double half_pixel_m = 0.5 * 2 * 6.08 * 0.364 / 96;  // at the boxes' distance
   shifted.camera.position_m.x += half_pixel_m;
@@ -80,27 +80,27 @@ TEST(Probe, ACameraThatIsOffByHalfAPixelIsSeen) {
 }
 
 TEST(Probe, AnObjectThatIsNotThereIsNamed) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   auto without = probe.scene;
   without.instances.pop_back();
   const auto found = findings(probe, painted(probe, without));
   ASSERT_EQ(found.mismatches.size(), 1U);
-  EXPECT_EQ(found.mismatches[0].thing, 1);
+  EXPECT_EQ(found.mismatches[0].object, 1);
   EXPECT_EQ(found.mismatches[0].instead, "nothing");
 }
 
 TEST(Probe, ARemapListThatIsNotAppliedIsNamed) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   auto ignored = probe.scene;
   for (auto& instance : ignored.instances) instance.remap.clear();
   const auto found = findings(probe, painted(probe, ignored));
   ASSERT_EQ(found.mismatches.size(), 1U);
-  EXPECT_EQ(found.mismatches[0].thing, 1);
+  EXPECT_EQ(found.mismatches[0].object, 1);
   EXPECT_EQ(found.mismatches[0].instead, "instance 'left', material 'a'");
 }
 
 TEST(Probe, IsTheSameForARendererThatGetsItLowered) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   const auto lowered = scene::lower(probe.scene, {"G1", "G2", "L1", "L2", "L3", "M1", "M2"});
   ASSERT_TRUE(std::holds_alternative<scene::Scene>(lowered)) << std::get<std::string>(lowered);
   EXPECT_TRUE(findings(probe, painted(probe, std::get<scene::Scene>(lowered))).mismatches.empty());
@@ -108,10 +108,10 @@ TEST(Probe, IsTheSameForARendererThatGetsItLowered) {
 
 namespace {
 
-image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
+image::Image painted_coordinates(const scene::Scene& nearest, bool swapped) {
   constexpr studies::VisibilityGrid kGrid{2, -0.25};
-  auto image = image::make_image(seen.camera.width_px, seen.camera.height_px, {"R", "G", "B"});
-  const auto surfaces = studies::primary_visibility(seen, kGrid, 1);
+  auto image = image::make_image(nearest.camera.width_px, nearest.camera.height_px, {"R", "G", "B"});
+  const auto surfaces = studies::primary_visibility(nearest, kGrid, 1);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     float* const pixel = &image.pixels[i / 4 * 3];
     pixel[0] += (swapped ? surfaces[i].v : surfaces[i].u) / 4;
@@ -123,12 +123,12 @@ image::Image painted_coordinates(const scene::Scene& seen, bool swapped) {
 }  // namespace
 
 TEST(Probe, ExchangedTextureCoordinatesAreSeen) {
-  const auto probe = studies::coloured_by_thing(two_boxes(), 128);
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
   const auto surfaces = studies::primary_visibility(probe.scene, {}, 1);
-  const auto right = studies::compare_coordinates(probe, surfaces, painted_coordinates(probe.scene, false));
+  const auto right = studies::compare_uv_pass(probe, surfaces, painted_coordinates(probe.scene, false));
   EXPECT_TRUE(right.mismatches.empty());
   EXPECT_GT(right.compared, 1000);
-  const auto wrong = studies::compare_coordinates(probe, surfaces, painted_coordinates(probe.scene, true));
+  const auto wrong = studies::compare_uv_pass(probe, surfaces, painted_coordinates(probe.scene, true));
   ASSERT_EQ(wrong.mismatches.size(), 2U);
   EXPECT_NE(wrong.mismatches[0].instead.find("where it has"), std::string::npos);
 }

@@ -1,6 +1,6 @@
 #include "tracer/world/build_materials.h"
 
-#include "scene/lower_parts.h"
+#include "scene/scene.h"
 
 namespace orbs::tracer {
 

@@ -1,4 +1,4 @@
-#include "cli/number_checks.h"
+#include "cli/checks.h"
 
 #include "base/text.h"
 
@@ -20,6 +20,10 @@ CLI::Validator check(bool (*holds)(double), const char* expected) {
 }
 
 }  // namespace
+
+CLI::Validator not_empty(const std::string& what) {
+  return {[=](const std::string& text) { return text.empty() ? "needs " + what : ""; }, ""};
+}
 
 CLI::Validator any_number() {
   return check([](double) { return true; }, "a number");

@@ -1,4 +1,4 @@
-#include "results/host.h"
+#include "results/host_record.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "cli/program.h"
+#include "registry/configuration.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
+class App;
+}
+
+/// Options that several commands have.
+namespace orbs::cli {
+
+/// Adds --configuration FILE; returns the text that it fills.
+std::shared_ptr<std::string> add_configuration_option(CLI::App& command);
+
+/// Reads the named file or, if `named` is empty, the nearest configuration.json above the working folder or,
+/// failing that, above the program. InputError if there is none.
+registry::Configuration read_configuration(const std::string& named, const Program& program);
+
+/// The values of a repeatable option as one comma-separated list.
+std::string joined_list(const std::vector<std::string>& values);
+
+}  // namespace orbs::cli
