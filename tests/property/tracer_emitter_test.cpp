@@ -2,6 +2,7 @@
 // angle.
 #include "base/random.h"
 #include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter_table.h"
 
 #include <gtest/gtest.h>
 
