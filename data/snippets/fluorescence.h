@@ -3,14 +3,14 @@
 // Fluorescence: a surface that absorbs light at one wavelength and emits it at another. Free to copy into any
 // renderer: C++20, the standard library only.
 //
-// A diffuse surface with reflectance r and re-radiation kernel K sends out, at the wavelength lo,
+// A diffuse surface with reflectance r and re-radiation kernel K emits at the wavelength lo
 //   L(lo) = (r(lo) E(lo) + integral of K(li -> lo) E(li) dli) / pi,
-// E the irradiance per nm; K is per nm of lo, in terms of energy (not of photons). A path that comes from the
-// camera has lo and needs li: sample_absorbed draws it in proportion to K, so that the weight K / pdf is the
+// with E the irradiance per nm. K is per nm of lo, for energy (not for photons). A path from the camera knows
+// lo and needs li: sample_absorbed samples it with a pdf proportional to K, so that the weight K / pdf is the
 // same for every li.
 //
-// Two ways to give K: as the smaller of two tents, one over absorbed and one over emitted wavelengths, or as
-// a matrix over equal bins of the wavelength, whose diagonal is the plain reflectance (Donaldson 1954,
+// K is given in two forms: as the minimum of two tents, one over absorbed and one over emitted wavelengths,
+// or as a matrix over equal bins of wavelength, whose diagonal is the plain reflectance (Donaldson 1954,
 // "Spectrophotometry of Fluorescent Pigments"). Wilkie et al. 2001, "Combined Rendering of Polarization and
 // Fluorescence Effects".
 
@@ -21,8 +21,8 @@
 
 namespace snippets {
 
-/// The wavelength at which light that left at another was absorbed. `pdf` is per nm of the absorbed
-/// wavelength, `weight` is K / pdf; both 0 when nothing is emitted at that wavelength.
+/// The wavelength at which light was absorbed that leaves at another. `pdf` is per nm of the absorbed
+/// wavelength, `weight` is K / pdf; both are 0 if nothing is emitted at that wavelength.
 template <typename Real>
 struct AbsorbedSample {
   Real absorbed_nm = 0;
@@ -62,7 +62,7 @@ template <typename Real>
 Real cut_tent_inverse(Real area, Real cut) {
   if (area < cut * cut / 2) return std::sqrt(2 * area) - 1;
   if (area < cut * (2 - Real(1.5) * cut)) return area / cut + cut / 2 - 1;
-  // Rounding only: the area is at most the whole.
+  // The maximum is for rounding only: the area is at most the whole.
   return 1 - std::sqrt(std::max(Real(0), 2 * (cut * (2 - cut) - area)));
 }
 
@@ -73,7 +73,7 @@ Real kernel_at(const TentKernel<Real>& kernel, Real absorbed_nm, Real emitted_nm
                                        tent((emitted_nm - kernel.emitted_nm) / kernel.emitted_reach_nm));
 }
 
-/// Share of the light absorbed at this wavelength that comes out again at any: the integral of K over lo.
+/// Fraction of the light arriving at this wavelength that is emitted at any: the integral of K over lo.
 template <typename Real>
 Real emitted_share(const TentKernel<Real>& kernel, Real absorbed_nm) {
   const Real cut = tent((absorbed_nm - kernel.absorbed_nm) / kernel.absorbed_reach_nm);
@@ -82,7 +82,7 @@ Real emitted_share(const TentKernel<Real>& kernel, Real absorbed_nm) {
          (cut_tent_integral(Real(1), cut) - cut_tent_integral(from, cut));
 }
 
-/// Draws the absorbed wavelength from u in [0, 1).
+/// Samples the absorbed wavelength, given u in [0, 1).
 template <typename Real>
 AbsorbedSample<Real> sample_absorbed(const TentKernel<Real>& kernel, Real emitted_nm, Real u) {
   const Real cut = tent((emitted_nm - kernel.emitted_nm) / kernel.emitted_reach_nm);
@@ -95,7 +95,7 @@ AbsorbedSample<Real> sample_absorbed(const TentKernel<Real>& kernel, Real emitte
           kernel.peak_per_nm * area * kernel.absorbed_reach_nm};
 }
 
-/// Density of sample_absorbed.
+/// Pdf of sample_absorbed, per nm.
 template <typename Real>
 Real pdf_absorbed(const TentKernel<Real>& kernel, Real absorbed_nm, Real emitted_nm) {
   const Real cut = tent((emitted_nm - kernel.emitted_nm) / kernel.emitted_reach_nm);
@@ -106,15 +106,15 @@ Real pdf_absorbed(const TentKernel<Real>& kernel, Real absorbed_nm, Real emitted
          (area * kernel.absorbed_reach_nm);
 }
 
-/// The absorbed wavelength at which most comes out for what goes in, by reflection and emission together.
-/// Above 1 the surface makes energy.
+/// The largest ratio of outgoing to incoming energy, by reflection and emission together, and its wavelength.
+/// A ratio above 1 violates energy conservation.
 template <typename Real>
 struct LargestGain {
   Real gain = 0;
   Real absorbed_nm = 0;
 };
 
-/// Looked for at every nm of the absorbed range; `reflectance` gives r at a wavelength in nm.
+/// Evaluated at every nm of the absorbed range; `reflectance` returns r at a wavelength in nm.
 template <typename Real, typename Reflectance>
 LargestGain<Real> largest_gain(const TentKernel<Real>& kernel, const Reflectance& reflectance) {
   LargestGain<Real> largest;
@@ -127,8 +127,8 @@ LargestGain<Real> largest_gain(const TentKernel<Real>& kernel, const Reflectance
   return largest;
 }
 
-/// Bins of equal width from first_nm on. share[out * bins + in] is the part of the light that arrives in bin
-/// `in` which leaves in bin `out`; on the diagonal it keeps its wavelength.
+/// Bins of equal width from first_nm on. share[out * bins + in] is the fraction of the light arriving in bin
+/// `in` that leaves in bin `out`; light of the diagonal keeps its wavelength.
 template <typename Real>
 struct ReradiationMatrix {
   Real first_nm = 0;
@@ -138,14 +138,14 @@ struct ReradiationMatrix {
   bool operator==(const ReradiationMatrix&) const = default;
 };
 
-/// `bins` outside of the matrix.
+/// Index of the bin; `bins` outside the matrix.
 template <typename Real>
 std::size_t bin_of(const ReradiationMatrix<Real>& matrix, Real wavelength_nm) {
   const Real at = (wavelength_nm - matrix.first_nm) / matrix.width_nm;
   return at >= 0 && at < static_cast<Real>(matrix.bins) ? static_cast<std::size_t>(at) : matrix.bins;
 }
 
-/// Share of the light arriving in bin `in` that leaves in any; above 1 the surface makes energy.
+/// Fraction of the light arriving in bin `in` that leaves in any; above 1 energy is not conserved.
 template <typename Real>
 Real emitted_share(const ReradiationMatrix<Real>& matrix, std::size_t in) {
   Real sum = 0;
@@ -153,9 +153,10 @@ Real emitted_share(const ReradiationMatrix<Real>& matrix, std::size_t in) {
   return sum;
 }
 
-/// Draws the absorbed wavelength for one emitted wavelength: a bin in proportion to its share, then a place
-/// in the bin; from the own bin, the wavelength itself. `pdf` is the chance of the bin over its width, of the
-/// own bin the chance alone; `weight` is the sum of the row, what any choice counts for.
+/// Samples the absorbed wavelength for one emitted wavelength: a bin with probability proportional to its
+/// share, then a wavelength in the bin; in the emitted wavelength's own bin, that wavelength itself. `pdf` is
+/// the probability of the bin over its width (for the own bin the probability); `weight` is the sum of the
+/// row.
 template <typename Real>
 AbsorbedSample<Real> sample_absorbed(const ReradiationMatrix<Real>& matrix, Real emitted_nm, Real u) {
   const std::size_t out = bin_of(matrix, emitted_nm);
@@ -175,7 +176,7 @@ AbsorbedSample<Real> sample_absorbed(const ReradiationMatrix<Real>& matrix, Real
     rest -= row[static_cast<std::ptrdiff_t>(in)];
   const Real share = row[static_cast<std::ptrdiff_t>(in)];
   if (in == out) return {emitted_nm, share / sum, sum};
-  // Rounding only: the rest is below the share.
+  // The minimum is for rounding only: the rest is below the share.
   const Real place = std::min(rest / share, Real(1));
   return {matrix.first_nm + (static_cast<Real>(in) + place) * matrix.width_nm,
           share / (sum * matrix.width_nm), sum};

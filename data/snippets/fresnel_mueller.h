@@ -1,29 +1,25 @@
 #pragma once
 
-// What smooth surfaces, polarisers and retarders do to polarised light: Fresnel amplitudes with their phase,
-// and Mueller matrices. Free to copy into any renderer: C++20, the standard library only.
+// Polarised light at smooth surfaces, polarisers and retarders: Fresnel amplitudes with their phase, and
+// Mueller matrices. Free to copy into any renderer: C++20, the standard library only.
 //
-// Conventions, all of them
-//   light       A Stokes vector belongs to a frame (x, y, d): d is the direction in which the light travels,
-//   x the
-//               reference direction across it, y = d cross x. Seen by who looks at the oncoming light, x
-//               points to the right and y up.
-//   S0 .. S3    S0 radiance. S1 > 0: polarised along x. S2 > 0: along x + y, +45 degrees (right and up for
-//   that viewer).
-//               S3 > 0: right-circular in the sense of optics: for that viewer the field turns clockwise.
-//   fields      vary as exp(-i w t); an absorbing medium has the index n + i k with k > 0.
-//               S1 = |Ex|^2 - |Ey|^2, S2 + i S3 = 2 Ex conj(Ey).
-//   surfaces    The frames of the incident, reflected and transmitted beam share x = the direction
-//   perpendicular to the
-//               plane of incidence (s); each has y = d cross x (p). At normal incidence r_p = -r_s therefore,
-//               a mirror turns right-circular light into left-circular.
-//   paths       light comes out as M S; who walks from the camera carries the row vector (1, 0, 0, 0) M1 M2
-//   ... and
-//               multiplies it with the Stokes vector of the light at the end.
+// Conventions
+//   light     A Stokes vector refers to a frame (x, y, d): d is the direction of propagation, x the
+//             reference direction across it, and y = d cross x. To a viewer who faces the source, x points
+//             to the right and y up.
+//   S0 .. S3  S0 is the radiance. S1 > 0: polarised along x. S2 > 0: polarised along x + y, at +45 degrees
+//             (right and up for that viewer). S3 > 0: right-circular in the sense of optics, that is, the
+//             field rotates clockwise for that viewer.
+//   fields    They vary as exp(-i w t); an absorbing medium has the index n + i k with k > 0.
+//             S1 = |Ex|^2 - |Ey|^2, S2 + i S3 = 2 Ex conj(Ey).
+//   surfaces  The frames of the incident, reflected and transmitted beam share the axis x, which is
+//             perpendicular to the plane of incidence (s); each has y = d cross x (p). Hence r_p = -r_s at
+//             normal incidence, and a mirror reflects right-circular light as left-circular.
+//   paths     The outgoing light is M S. A path from the camera carries the row vector
+//             (1, 0, 0, 0) M1 M2 ... and multiplies it by the Stokes vector of the light at its end.
 //
 // Formulas: Born and Wolf, "Principles of Optics", 7th edition, 1.5.2 to 1.5.4 and 14.2; Goldstein,
-// "Polarized Light", 3rd edition, chapters 5, 6 and 8, of which the signs here differ by the choice of exp(-i
-// w t).
+// "Polarized Light", 3rd edition, chapters 5, 6 and 8, whose signs differ because of exp(-i w t) here.
 
 #include <array>
 #include <cmath>
@@ -35,18 +31,18 @@ namespace snippets {
 template <typename Real>
 using Stokes = std::array<Real, 4>;
 
-/// m[row][column]: rows are of the light that comes out.
+/// m[row][column]; rows belong to the outgoing light.
 template <typename Real>
 struct Mueller {
   std::array<std::array<Real, 4>, 4> m{};
 };
 
-/// The Mueller matrix of whatever multiplies the field along x by one amplitude and that along y by another:
-/// a surface in its own frames, an aligned polariser or retarder. Four numbers instead of sixteen:
+/// Mueller matrix of an element that multiplies the field along x by one amplitude and that along y by
+/// another: a surface in its own frames, an aligned polariser or retarder. Four numbers instead of sixteen:
 ///   [ mean half 0 0; half mean 0 0; 0 0 real -imaginary; 0 0 imaginary real ].
 template <typename Real>
 struct AlignedMueller {
-  Real mean{};  // (|ax|^2 + |ay|^2) / 2: what becomes of unpolarised light
+  Real mean{};  // (|ax|^2 + |ay|^2) / 2: the factor for unpolarised light
   Real half{};  // (|ax|^2 - |ay|^2) / 2
   Real real{};  // of ax conj(ay)
   Real imaginary{};
@@ -65,14 +61,14 @@ AlignedMueller<Real> operator*(AlignedMueller<Real> a, Real factor) {
   return {a.mean * factor, a.half * factor, a.real * factor, a.imaginary * factor};
 }
 
-/// M s.
+/// The product M s.
 template <typename Real>
 Stokes<Real> operator*(const AlignedMueller<Real>& a, const Stokes<Real>& s) {
   return {a.mean * s[0] + a.half * s[1], a.half * s[0] + a.mean * s[1], a.real * s[2] - a.imaginary * s[3],
           a.imaginary * s[2] + a.real * s[3]};
 }
 
-/// row M.
+/// The product row M.
 template <typename Real>
 Stokes<Real> row_times(const Stokes<Real>& row, const AlignedMueller<Real>& a) {
   return {row[0] * a.mean + row[1] * a.half, row[0] * a.half + row[1] * a.mean,
@@ -112,8 +108,8 @@ Stokes<Real> row_times(const Stokes<Real>& row, const Mueller<Real>& a) {
   return out;
 }
 
-/// Another reference direction for the same light: the new x is the old one turned towards the old y. The
-/// angle enters doubled, as cosine and sine.
+/// Rotation of the reference frame of a Stokes vector: the new x axis is the old one rotated towards the old
+/// y. Cosine and sine are of twice the angle.
 template <typename Real>
 struct FrameTurn {
   Real cos2 = 1;
@@ -125,8 +121,8 @@ FrameTurn<Real> frame_turn(Real angle_rad) {
   return {std::cos(2 * angle_rad), std::sin(2 * angle_rad)};
 }
 
-/// From the reference direction `from` to `to`, unit vectors across the unit direction of travel d. V is any
-/// struct with x, y and z.
+/// Rotation from the reference direction `from` to `to`, unit vectors perpendicular to the unit direction of
+/// propagation d. V is any struct with x, y and z.
 template <typename V>
 auto frame_turn_between(V from, V to, V d) {
   const auto cosine = from.x * to.x + from.y * to.y + from.z * to.z;
@@ -135,7 +131,7 @@ auto frame_turn_between(V from, V to, V d) {
   return FrameTurn<decltype(+from.x)>{cosine * cosine - sine * sine, 2 * cosine * sine};
 }
 
-/// The same light in the turned frame.
+/// The Stokes vector in the rotated frame.
 template <typename Real>
 Stokes<Real> operator*(FrameTurn<Real> turn, const Stokes<Real>& s) {
   return {s[0], turn.cos2 * s[1] + turn.sin2 * s[2], turn.cos2 * s[2] - turn.sin2 * s[1], s[3]};
@@ -151,42 +147,42 @@ Mueller<Real> full(FrameTurn<Real> turn) {
   return {{{{1, 0, 0, 0}, {0, turn.cos2, turn.sin2, 0}, {0, -turn.sin2, turn.cos2, 0}, {0, 0, 0, 1}}}};
 }
 
-/// An element whose own x axis lies at `turn` from the frame of the light, seen in that frame.
+/// Mueller matrix, in the frame of the light, of an element whose x axis is rotated by `turn` from it.
 template <typename Real>
 Mueller<Real> turned(const AlignedMueller<Real>& element, FrameTurn<Real> turn) {
   return full(FrameTurn<Real>{turn.cos2, -turn.sin2}) * full(element) * full(turn);
 }
 
-/// Ideal polariser that lets the field along x pass.
+/// Ideal polariser that transmits the field along x.
 template <typename Real>
 AlignedMueller<Real> polariser_along_x() {
   return {Real(0.5), Real(0.5), 0, 0};
 }
 
-/// Retarder whose fast axis is x: the field along y falls behind by `retardance_rad`. A quarter wave (pi / 2)
-/// turns +45 degree light into left-circular light.
+/// Retarder whose fast axis is x: it delays the field along y by `retardance_rad`. A quarter-wave plate
+/// (pi / 2) converts light polarised at +45 degrees to left-circular light.
 template <typename Real>
 AlignedMueller<Real> retarder_fast_along_x(Real retardance_rad) {
   return {1, 0, std::cos(retardance_rad), -std::sin(retardance_rad)};
 }
 
-/// Amplitudes of a wave that meets the surface between a dielectric and another medium.
+/// Amplitudes of a wave incident from a dielectric on the boundary to another medium.
 template <typename Real>
 struct FresnelAmplitudes {
   std::complex<Real> s;
   std::complex<Real> p;
 };
 
-/// a / b as a conj(b) / |b|^2: one real division. Complex division guards against overflow that indices
-/// cannot reach, and takes twice the time.
+/// a / b as a conj(b) / |b|^2, with one real division. The complex division of the standard library guards
+/// against overflow, which indices cannot reach, and takes twice the time.
 template <typename Real>
 std::complex<Real> quotient(std::complex<Real> a, std::complex<Real> b) {
   return a * std::conj(b) * (1 / std::norm(b));
 }
 
-/// Square root with real and imaginary part at least 0, for w with an imaginary part of at least 0: the
-/// normal component of a wave that travels on or fades. A third of the time of std::sqrt, which handles all
-/// the infinities.
+/// Square root with non-negative real and imaginary part, for w with a non-negative imaginary part: the
+/// normal component of a propagating or evanescent wave. It takes a third of the time of std::sqrt, which
+/// handles infinities.
 template <typename Real>
 std::complex<Real> wave_root(std::complex<Real> w) {
   const Real large = std::sqrt((std::sqrt(std::norm(w)) + std::abs(w.real())) / 2);
@@ -194,24 +190,24 @@ std::complex<Real> wave_root(std::complex<Real> w) {
   return w.real() >= 0 ? std::complex<Real>(large, small) : std::complex<Real>(small, large);
 }
 
-/// Normal component of the wave vector beyond the surface, over that in vacuum times the index on the side of
-/// incidence: index cos of the refracted angle. Imaginary beyond the critical angle. `index` = index beyond
-/// over the (real) index on the side of incidence; cos_i in [0, 1].
+/// index * cos(refracted angle): the normal component of the wave vector beyond the boundary, divided by the
+/// wave number on the side of incidence. Imaginary beyond the critical angle. `index` is the index beyond
+/// the boundary over the (real) index on the side of incidence; cos_i in [0, 1].
 template <typename Real>
 std::complex<Real> normal_wave(Real cos_i, std::complex<Real> index) {
   return wave_root(index * index - (1 - cos_i) * (1 + cos_i));
 }
 
-/// Reflected field where a wave passes from one medium into another, from the admittances of the two up to a
-/// common factor: for s the normal component of the wave vector, for p, with the two swapped to get the sign
-/// stated above, the squared index over it.
+/// Reflected amplitude at a boundary, from the admittances of both media up to a common factor: the normal
+/// component of the wave vector for s; the squared index divided by it for p, with both media swapped to
+/// obtain the sign stated above.
 template <typename Real>
 std::complex<Real> boundary_reflection(std::complex<Real> near, std::complex<Real> far) {
   return quotient(near - far, near + far);
 }
 
-/// Reflected over incident field. |s|^2 and |p|^2 are the reflectances, 1 at total internal reflection, where
-/// the phases remain.
+/// Reflected over incident field. |s|^2 and |p|^2 are the reflectances. At total internal reflection both are
+/// 1, and the phases matter.
 template <typename Real>
 FresnelAmplitudes<Real> fresnel_reflection(Real cos_i, std::complex<Real> index) {
   const std::complex<Real> beyond = normal_wave(cos_i, index);
@@ -225,8 +221,9 @@ AlignedMueller<Real> reflection_mueller(Real cos_i, std::complex<Real> index) {
   return aligned_mueller(r.s, r.p);
 }
 
-/// Of power (flux across the surface) into a dielectric: mean is 1 minus that of the reflection; zero beyond
-/// the critical angle. Radiance grows by index^2 on top of it, which is the renderer's to apply or not.
+/// Mueller matrix of transmission into a dielectric, for power (flux across the boundary): `mean` is 1 minus
+/// that of the reflection, zero beyond the critical angle. The scaling of radiance by index^2 is left to the
+/// renderer.
 template <typename Real>
 AlignedMueller<Real> transmission_mueller(Real cos_i, Real index) {
   const Real square = index * index - (1 - cos_i) * (1 + cos_i);
@@ -237,7 +234,7 @@ AlignedMueller<Real> transmission_mueller(Real cos_i, Real index) {
   return aligned_mueller(std::complex<Real>(s), std::complex<Real>(p)) * (beyond / cos_i);
 }
 
-/// Share of the light that is polarised: 0 to 1 for light that exists; 0 where there is none.
+/// Degree of polarisation: 0 to 1 for physical light; 0 without light.
 template <typename Real>
 Real degree_of_polarisation(const Stokes<Real>& s) {
   return s[0] > 0 ? std::sqrt(s[1] * s[1] + s[2] * s[2] + s[3] * s[3]) / s[0] : 0;

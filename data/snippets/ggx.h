@@ -1,16 +1,17 @@
 #pragma once
 
-// Microfacets with the GGX and the Beckmann distribution, isotropic: distribution, masking, and sampling of
-// the facets that a viewer sees. Free to copy into any renderer: C++20, the standard library only.
+// Isotropic microfacets with the GGX and the Beckmann distribution: distribution of normals,
+// masking-shadowing, and sampling of the visible normals. Free to copy into any renderer: C++20, the standard
+// library only.
 //
-// Directions are unit vectors in the local frame of the surface, z along its normal, pointing away from it. V
-// is any struct of three numbers x, y and z that can be written V{x, y, z}; V2 one of two, x and y. `alpha`
-// is the roughness of the papers, not a square root of it.
+// Directions are unit vectors in the local frame of the surface (z along its normal) and point away from it.
+// V is any struct with x, y and z that can be written V{x, y, z}; V2 has x and y. `alpha` is the roughness of
+// the papers, not its square root.
 //
 //   reflection        f = F D(m) G2(wo, wi) / (4 wo.z wi.z)               with m the half vector
 //   its sampling      m = sample_ggx_visible(wo, alpha, d), wi = m reflected
-//   its density       ggx_visible_d(wo, m, alpha) / (4 |wo.m|)            per solid angle of wi
-//   its weight        f |wi.z| / density = F G2(wo, wi) / G1(wo)
+//   its pdf           ggx_visible_d(wo, m, alpha) / (4 |wo.m|)            per solid angle of wi
+//   its weight        f |wi.z| / pdf     = F G2(wo, wi) / G1(wo)
 //
 // Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces"; Heitz 2014, "Understanding
 // the Masking-Shadowing Function in Microfacet-Based BRDFs"; Heitz 2018, "Sampling the GGX Distribution of
@@ -37,28 +38,28 @@ V normalised3(V a) {
   return V{a.x * scale, a.y * scale, a.z * scale};
 }
 
-/// Share of the facets towards w that the others do not hide, from Smith's Lambda of w: G1.
+/// Masking function G1 of w, from Smith's Lambda of w.
 template <typename Real>
 constexpr Real smith_g1(Real lambda) {
   return 1 / (1 + lambda);
 }
 
-/// Share that two directions on one side both see, heights correlated (Heitz 2014, eq. 99).
+/// Height-correlated masking-shadowing function G2 of two directions on one side (Heitz 2014, eq. 99).
 template <typename Real>
 constexpr Real smith_g2_correlated(Real lambda_o, Real lambda_i) {
   return 1 / (1 + lambda_o + lambda_i);
 }
 
-/// As if the two saw the surface independently (Walter eq. 23): darker, and the usual choice where the two
-/// are on different sides.
+/// Separable masking-shadowing function (Walter eq. 23): darker, and the usual choice for directions on
+/// opposite sides.
 template <typename Real>
 constexpr Real smith_g2_separable(Real lambda_o, Real lambda_i) {
   return smith_g1(lambda_o) * smith_g1(lambda_i);
 }
 
-/// GGX distribution of facet normals, per solid angle; 0 below the horizon. Walter eq. 33 written with the
-/// components of m: 1 - cos^2 would lose its digits next to the highlight (19 % wrong in float at alpha =
-/// 1e-3).
+/// GGX distribution of microfacet normals, per solid angle; 0 below the horizon. This is Walter eq. 33
+/// written with the components of m, because 1 - cos^2 cancels near the highlight (19 % error in float at
+/// alpha = 1e-3).
 template <typename V>
 RealOf<V> ggx_d(V m, RealOf<V> alpha) {
   using Real = RealOf<V>;
@@ -69,7 +70,7 @@ RealOf<V> ggx_d(V m, RealOf<V> alpha) {
   return 1 / (std::numbers::pi_v<Real> * alpha * alpha * s * s);
 }
 
-/// Smith's Lambda (Heitz 2014, eq. 72); infinite at the horizon.
+/// Smith's Lambda of GGX (Heitz 2014, eq. 72); infinite at the horizon.
 template <typename V>
 RealOf<V> ggx_lambda(V w, RealOf<V> alpha) {
   using Real = RealOf<V>;
@@ -84,15 +85,15 @@ RealOf<V> ggx_g1(V w, RealOf<V> alpha) {
   return smith_g1(ggx_lambda(w, alpha));
 }
 
-/// Density, per solid angle of m, of the facets as wo (wo.z > 0) sees them: what sample_ggx_visible draws
-/// from.
+/// Distribution of the normals visible from wo (wo.z > 0), per solid angle of m: the pdf of
+/// sample_ggx_visible.
 template <typename V>
 RealOf<V> ggx_visible_d(V wo, V m, RealOf<V> alpha) {
   return ggx_g1(wo, alpha) * std::abs(dot3(wo, m)) * ggx_d(m, alpha) / wo.z;
 }
 
-/// A facet normal as wo (wo.z > 0) sees them, from a point of the unit disk (uniform by area, as any renderer
-/// makes it from two random numbers). Heitz 2018, listing 1.
+/// Samples a normal visible from wo (wo.z > 0), given a point uniformly distributed on the unit disk
+/// (Heitz 2018, listing 1).
 template <typename V, typename V2>
 V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
   using Real = RealOf<V>;
@@ -102,16 +103,16 @@ V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
   const V t1 = across2 > 0 ? V{-view.y * scale, view.x * scale, 0 * scale} : V{1, 0, 0};
   const V t2{view.y * t1.z - view.z * t1.y, view.z * t1.x - view.x * t1.z, view.x * t1.y - view.y * t1.x};
   const Real s = Real(0.5) * (1 + view.z);
-  // Rounding only: neither root has a negative argument on the projected hemisphere.
+  // The maximum is for rounding only: neither argument is negative on the projected hemisphere.
   const Real y = (1 - s) * std::sqrt(std::max(Real(0), 1 - disk.x * disk.x)) + s * disk.y;
   const Real z = std::sqrt(std::max(Real(0), 1 - disk.x * disk.x - y * y));
   const V n{t1.x * disk.x + t2.x * y + view.x * z, t1.y * disk.x + t2.y * y + view.y * z,
             t1.z * disk.x + t2.z * y + view.z * z};
-  // 1e-9 keeps the facet above the horizon.
+  // 1e-9 keeps the normal above the horizon.
   return normalised3(V{alpha * n.x, alpha * n.y, std::max(Real(1e-9), n.z)});
 }
 
-/// Beckmann distribution of facet normals, per solid angle (Walter eq. 25).
+/// Beckmann distribution of microfacet normals, per solid angle (Walter eq. 25).
 template <typename V>
 RealOf<V> beckmann_d(V m, RealOf<V> alpha) {
   using Real = RealOf<V>;
@@ -122,7 +123,7 @@ RealOf<V> beckmann_d(V m, RealOf<V> alpha) {
          (std::numbers::pi_v<Real> * alpha2 * cos2 * cos2);
 }
 
-/// Smith's Lambda, exact (Heitz 2014, eq. 68; most renderers use a rational fit that is off by up to 0.4 %).
+/// Smith's Lambda of Beckmann, exact (Heitz 2014, eq. 68; the usual rational fit has errors of up to 0.4 %).
 template <typename V>
 RealOf<V> beckmann_lambda(V w, RealOf<V> alpha) {
   using Real = RealOf<V>;
@@ -138,20 +139,20 @@ RealOf<V> beckmann_g1(V w, RealOf<V> alpha) {
   return smith_g1(beckmann_lambda(w, alpha));
 }
 
-/// As ggx_visible_d.
+/// Distribution of the normals visible from wo, as ggx_visible_d.
 template <typename V>
 RealOf<V> beckmann_visible_d(V wo, V m, RealOf<V> alpha) {
   return beckmann_g1(wo, alpha) * std::abs(dot3(wo, m)) * beckmann_d(m, alpha) / wo.z;
 }
 
-/// A slope x of facets of alpha = 1 as seen from the angle of `tangent` (0 or more), along the direction of
-/// view: the x at which the cumulative distribution of the density (1 - tangent x) exp(-x^2) over x < 1 /
-/// tangent is u. The distribution has no inverse in closed form; Newton's steps, halving the bracket where
-/// they leave it, find x.
+/// Samples the slope x along the view direction of microfacets with alpha = 1, seen at an angle whose tangent
+/// is `tangent` (non-negative): inverts the cumulative distribution of (1 - tangent x) exp(-x^2) over x < 1 /
+/// tangent at u. There is no inverse in closed form, so Newton's method is used, with bisection where a step
+/// leaves the bracket.
 template <typename Real>
 Real beckmann_visible_slope(Real tangent, Real u) {
   constexpr Real kInvSqrtPi = std::numbers::inv_sqrtpi_v<Real>;
-  // Share of the density below x, up to the constant that makes it 1 at the far end.
+  // Cumulative distribution at x, up to the constant that normalises it.
   const auto below = [&](Real x) { return std::erfc(-x) / 2 + tangent * std::exp(-x * x) * kInvSqrtPi / 2; };
   const Real end = tangent > 0 ? 1 / tangent : std::numeric_limits<Real>::infinity();
   const Real far =
@@ -168,13 +169,13 @@ Real beckmann_visible_slope(Real tangent, Real u) {
     if (std::abs(step) <= resolution) break;
     const Real next = x - step;
     x = next > low && next < high ? next : low + (high - low) / 2;
-    if (x <= low || x >= high) break;  // no number lies between the two
+    if (x <= low || x >= high) break;  // there is no number in between
   }
   return x;
 }
 
-/// A facet normal as wo (wo.z > 0) sees them, from two numbers in [0, 1). Across the direction of view the
-/// slopes are independent of it (Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
+/// Samples a normal visible from wo (wo.z > 0), given two numbers in [0, 1). The slopes across the view
+/// direction do not depend on it (Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
 /// Distribution of Visible Normals").
 template <typename V>
 V sample_beckmann_visible(V wo, RealOf<V> alpha, RealOf<V> u, RealOf<V> v) {

@@ -1,13 +1,13 @@
 #pragma once
 
-// Iridescence: a thin film on a metal or a dielectric, with all reflections inside the film and their phases
-// (the Airy sum), for each polarisation. Free to copy into any renderer, together with fresnel_mueller.h,
-// whose conventions hold here too: C++20, the standard library only.
+// Iridescence: a thin film on a metal or a dielectric, with all interreflections inside the film and their
+// phases (Airy sum), for each polarisation. Free to copy into any renderer together with fresnel_mueller.h,
+// whose conventions apply: C++20, the standard library only.
 //
 //   outside (real index, usually 1) | film (real or absorbing) | base (real or absorbing)
 //
-// The amplitudes hold for one wavelength. Who renders in RGB must integrate the reflectance over the spectrum
-// first: three wavelengths alias.
+// The amplitudes are for one wavelength. An RGB renderer must integrate the reflectance over the spectrum
+// first, because three wavelengths alias.
 //
 // Born and Wolf, "Principles of Optics", 7th edition, 1.6.4 (eq. 57 to 60) and 14.4.
 
@@ -27,8 +27,8 @@ struct ThinFilm {
   Real height_nm = 0;
 };
 
-/// Normal components of the wave vector (over 2 pi / wavelength in vacuum) in the three media, and the phase
-/// of one way through the film.
+/// Normal components of the wave vector (divided by 2 pi / vacuum wavelength) in the three media, and the
+/// phase of one pass through the film.
 template <typename Real>
 struct FilmWaves {
   std::complex<Real> outside;
@@ -41,7 +41,7 @@ struct FilmWaves {
 template <typename Real>
 FilmWaves<Real> film_waves(const ThinFilm<Real>& film, Real cos_i, Real wavelength_nm) {
   const Real n2 = film.outside_index * film.outside_index;
-  // Squared component along the surface, the same in all three media.
+  // The squared tangential component is the same in all three media.
   const Real across2 = n2 * (1 - cos_i) * (1 + cos_i);
   FilmWaves<Real> waves;
   waves.outside = film.outside_index * cos_i;
@@ -52,8 +52,8 @@ FilmWaves<Real> film_waves(const ThinFilm<Real>& film, Real cos_i, Real waveleng
   return waves;
 }
 
-/// Reflected field over incident field. |s|^2 and |p|^2 are the reflectances. NaN (0 / 0) at the one angle
-/// where a wave runs exactly along a film whose index is below that of the outer medium.
+/// Reflected over incident field. |s|^2 and |p|^2 are the reflectances. NaN (0 / 0) at the single angle at
+/// which a wave propagates exactly along a film whose index is below that of the outer medium.
 template <typename Real>
 FresnelAmplitudes<Real> film_reflection(const ThinFilm<Real>& film, Real cos_i, Real wavelength_nm) {
   using Complex = std::complex<Real>;
@@ -62,7 +62,7 @@ FresnelAmplitudes<Real> film_reflection(const ThinFilm<Real>& film, Real cos_i, 
   const auto sum = [&](Complex top, Complex bottom) {
     return quotient(top + bottom * twice, Real(1) + top * bottom * twice);
   };
-  // The admittances of p, all times the two normal components: no division, and its signs (see above).
+  // The admittances of p, multiplied by both normal components to avoid divisions; signs as stated above.
   const Real outside2 = film.outside_index * film.outside_index;
   const Complex film2 = film.film_index * film.film_index;
   const Complex base2 = film.base_index * film.base_index;
@@ -71,7 +71,7 @@ FresnelAmplitudes<Real> film_reflection(const ThinFilm<Real>& film, Real cos_i, 
               boundary_reflection(base2 * waves.film, film2 * waves.base))};
 }
 
-/// What becomes of unpolarised light.
+/// Reflectance for unpolarised light.
 template <typename Real>
 Real film_reflectance(const ThinFilm<Real>& film, Real cos_i, Real wavelength_nm) {
   const FresnelAmplitudes<Real> r = film_reflection(film, cos_i, wavelength_nm);
@@ -84,16 +84,16 @@ AlignedMueller<Real> film_mueller(const ThinFilm<Real>& film, Real cos_i, Real w
   return aligned_mueller(r.s, r.p);
 }
 
-/// Into a base that does not absorb: amplitudes scaled such that |s|^2 and |p|^2 are the transmitted shares
-/// of the power, 0 where no wave travels on in the base. Radiance changes by the squared ratio of indices on
-/// top of it, which is the renderer's to apply or not.
+/// Transmission into a base that does not absorb. The amplitudes are scaled so that |s|^2 and |p|^2 are
+/// transmittances for power, 0 if no wave propagates in the base. The scaling of radiance by the squared
+/// ratio of the indices is left to the renderer.
 template <typename Real>
 FresnelAmplitudes<Real> film_transmission(const ThinFilm<Real>& film, Real cos_i, Real wavelength_nm) {
   using Complex = std::complex<Real>;
   const FilmWaves<Real> waves = film_waves(film, cos_i, wavelength_nm);
   const Complex twice = waves.through * waves.through;
-  // With admittances y the tangential field behind a boundary is 2 y_near / (y_near + y_far) of that before
-  // it, and the power that a wave carries is y times its square.
+  // With admittances y, the tangential field beyond a boundary is 2 y_near / (y_near + y_far) times the
+  // incident field, and the power of a wave is y times its square.
   const auto sum = [&](Complex outside, Complex inside, Complex base) {
     const Complex top = boundary_reflection(outside, inside);
     const Complex bottom = boundary_reflection(inside, base);

@@ -3,8 +3,8 @@
 #include "image/image_io.h"
 #include "scene/effects.h"
 #include "scene/load_scene.h"
-#include "tracer/render/choose_light_paths.h"
-#include "tracer/render/render.h"
+#include "tracer/choose_light_paths.h"
+#include "tracer/render.h"
 #include "tracer/world/build_world.h"
 
 #include <atomic>
@@ -26,17 +26,18 @@ namespace {
 
 std::atomic<bool> stop{false};
 
-extern "C" void ask_to_stop(int) { stop = true; }
+extern "C" void request_stop(int) { stop = true; }
 
 struct Options {
   std::string scene;
   std::string output;
-  int width = 0;  // 0: the camera's own
+  int width = 0;  // 0: as in the scene
   int height = 0;
   bool as_json = false;
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
-  std::optional<orbs::scene::LightTransport> transport;  // nothing: what the scene calls for
+  /// Nothing: the cheapest that has what the scene calls for.
+  std::optional<orbs::scene::LightTransport> transport;
   bool may_lose_effects = false;
 };
 
@@ -57,8 +58,11 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
-  app.add_option("--seed", options.render.seed, "same seed, same image")->capture_default_str();
-  app.add_option("--threads", options.render.threads, "0: all cores; the image does not depend on it")
+  app.add_option("--seed", options.render.seed,
+                 "seed of the random numbers; the same seed gives the same image")
+      ->capture_default_str();
+  app.add_option("--threads", options.render.threads,
+                 "number of threads, 0: all cores; the image does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--width", options.width, "replaces the camera's width, in pixels")
@@ -66,21 +70,22 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--height", options.height, "replaces the camera's height, in pixels")
       ->check(CLI::Range(1, 65536));
   app.add_flag("--split-paths", options.render.split_paths,
-               "one layer per class of light path (path.EDSL.R ...)");
-  app.add_option("--light-paths", options.light_paths,
-                 "paths from the lights for caustics: auto (where a trial says they lower the noise), "
-                 "always or never; the image is the same but for its noise")
+               "write one layer per class of light path (path.EDSL.R ...)");
+  app.add_option(
+         "--light-paths", options.light_paths,
+         "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
+         "or never; the expected image is the same")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   std::string transport = "auto";
   app.add_option("--transport", transport,
-                 "what light paths carry: auto (no more than the scene calls for), or one that has more: "
-                 "the image is the same but for its noise")
+                 "what light paths carry: auto (the cheapest that has what the scene calls for), or one that "
+                 "has more; the expected image is the same")
       ->check(CLI::IsMember(transport_choices()))
       ->capture_default_str();
   app.add_flag("--lossy", options.may_lose_effects,
-               "allow a transport that lacks what the scene calls for: the image shows what is lost");
-  app.add_flag("--json", options.as_json, "progress as one JSON object a line on standard output");
+               "permit a transport that lacks effects that the scene calls for; the image lacks them, too");
+  app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -90,7 +95,7 @@ Options parse_options(int argc, char** argv) {
   return options;
 }
 
-// Called after every tile: writes at most about ten times a second.
+// Shows the progress. It is called after every tile and prints at most ten times a second.
 class ProgressLine {
  public:
   explicit ProgressLine(bool as_json) : as_json_(as_json), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -121,7 +126,8 @@ class ProgressLine {
   double last_seconds_ = 0;
 };
 
-// Nothing in the header depends on the machine, the time or the number of threads: same seed, same bytes.
+// Nothing in the header depends on the machine, the time or the number of threads, so the same seed gives the
+// same bytes.
 void stamp(orbs::tracer::Rendering& rendering,
            const Options& options,
            const orbs::scene::Scene& scene,
@@ -138,8 +144,8 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
-        "S0 to S3 in the frame of the image, for who looks at the oncoming light: S1 > 0 horizontal, S2 "
-        "> 0 at +45 degrees (right and up), S3 > 0 right-circular (the field turns clockwise)";
+        "S0 to S3 in the frame of the image, for a viewer who faces the source: S1 > 0 horizontal, S2 > 0 at "
+        "+45 degrees (right and up), S3 > 0 right-circular (the field rotates clockwise)";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 
@@ -166,8 +172,8 @@ int run(const Options& options) {
                                           .may_lose_effects = options.may_lose_effects,
                                           .light_paths = options.light_paths != "never"});
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);
   auto settings = options.render;
   settings.split_paths = settings.split_paths || scene.outputs.path_classes;

@@ -1,5 +1,5 @@
-// Where light of each wavelength goes, against Snell's law in double, and what dispersion costs where there
-// is none.
+// The directions of each wavelength against Snell's law in double, and the cost of dispersion where there is
+// none.
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
 
@@ -22,14 +22,14 @@ double index_of_bk7(double nm) {
                    1.01046945 * l2 / (l2 - 103.560653));
 }
 
-// A prism with edges along z: entered where the outside is at `entry` degrees, left where it is at `exit`.
+// A prism with edges along z; the angles of the outside at entry and exit are `entry` and `exit` degrees.
 constexpr double kEntry_deg = 150;
 constexpr double kExit_deg = 30;
 constexpr double kHalfFace = 0.001;  // so small that the beam through it is a spot on the screen
 
 Vec3d direction_at(double degrees) { return {std::cos(degrees * kRadians), std::sin(degrees * kRadians), 0}; }
 
-// By vectors; `eta`: beyond over this side. The normal points against d.
+// Snell's law in vector form; `eta`: beyond over this side. The normal points against d.
 Vec3d refracted(Vec3d d, Vec3d normal, double eta) {
   const double cos_i = -dot(d, normal);
   const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (eta * eta));
@@ -52,15 +52,15 @@ double deviation_deg(double nm) {
 const Vec3d kEntry = direction_at(kEntry_deg) * kHalfFace;
 const Vec3d kExit = direction_at(kExit_deg) * kHalfFace;
 
-// The image: a strip of a screen 4 m behind the prism, 160 by 16 pixels of 0.8 mm. Those of the suite's
-// prism, 512 pixels high, are four times as wide: half of one is 1.6 mm.
+// The image is a strip of a screen 4 m behind the prism, 160 by 16 pixels of 0.8 mm. Pixels of the prism
+// scene of the suite, 512 pixels high, are four times as wide: half of one is 1.6 mm.
 constexpr double kPixel = 0.0008;
 constexpr double kHalfPixelOfSuite = 0.0016;
 constexpr int kHeight = 16;
 const Vec3d kScreen = direction_behind_prism(540) * 4;
 
-// Where a ray of the wavelength from the lamp by the middle of the entry meets the screen, from its centre to
-// the right.
+// Where a ray of this wavelength, from the light through the middle of the entry, hits the screen, measured
+// from its centre to the right.
 double spot(double nm) {
   const Vec3d within = refracted(kTowardsPrism, direction_at(kEntry_deg), index_of_bk7(nm));
   const Vec3d left = kEntry + within * (dot(kExit - kEntry, kExit) / dot(within, kExit));
@@ -69,7 +69,7 @@ double spot(double nm) {
   return dot(met - kScreen, normalised(cross(kScreen, {0, 0, 1})));
 }
 
-// A black wall before the prism with a hole that is little wider: squares to all four sides of it.
+// A black wall in front of the prism with a slightly larger hole: squares on all four sides of it.
 std::vector<std::string> wall() {
   constexpr double kHalfSquare = 2;
   const Vec3d hole = kEntry - kTowardsPrism * 0.01;
@@ -81,7 +81,7 @@ std::vector<std::string> wall() {
   return squares;
 }
 
-// A lamp that shines in 4 nm around `nm`.
+// A light that emits in a band of 4 nm around `nm`.
 image::Image prism_image(double nm) {
   const Vec3d eye = kScreen * 0.75 + Vec3d{0, 0, 0.2};
   const View view{.position = text_of(eye),
@@ -108,7 +108,7 @@ image::Image prism_image(double nm) {
   return image_of(text, 128);
 }
 
-// On the screen, as spot(). By luminance: of one wavelength alone some channel is negative.
+// On the screen, as spot(). By luminance, because a single wavelength makes some channel negative.
 double centre_of_light(const image::Image& image) {
   double sum = 0;
   double moment = 0;
@@ -123,7 +123,7 @@ double centre_of_light(const image::Image& image) {
 
 }  // namespace
 
-// Numbers from outside of this program.
+// Independent numbers.
 TEST(Dispersion, SnellsLawHasTheKnownDeviations) {
   EXPECT_NEAR(deviation_deg(404.6561), 39.840987, 1e-5);
   EXPECT_NEAR(deviation_deg(587.5618), 38.646699, 1e-5);
@@ -141,12 +141,12 @@ TEST(Dispersion, APrismSendsEachWavelengthWhereSnellsLawDoes) {
 
 namespace {
 
-// A ball of BK7 with its centre over a floor, straight below a small lamp, as in the suite's caustic_BK7.
+// A ball of BK7 above a floor, straight below a small light, as in caustic_BK7 of the suite.
 constexpr double kBallHeight = 1.28;
 constexpr double kLampHeight = 6.3;
 constexpr double kCausticPixel = 0.001;  // on the floor, across; a fold moves by 8.6 mm from 436 to 656 nm
 
-// How far from the axis the light that meets the ball at `angle` from its top meets the floor.
+// Distance from the axis at which light reaches the floor that hits the ball at `angle` from its top.
 double landing(double angle, double n) {
   const Vec3d entry = direction_at(90 - angle / kRadians);  // x across, y up; the ball's centre is the origin
   const Vec3d within = refracted(normalised(entry - Vec3d{0, kLampHeight - kBallHeight, 0}), entry, n);
@@ -155,7 +155,7 @@ double landing(double angle, double n) {
   return exit.x - d.x * (kBallHeight + exit.y) / d.y;
 }
 
-// Where the light ends: the first maximum of the above from the axis outwards, by trisection.
+// The fold of the caustic: the first maximum of that distance from the axis outwards, by trisection.
 double fold(double nm) {
   const double n = index_of_bk7(nm);
   double low = 0.1;
@@ -170,8 +170,8 @@ double fold(double nm) {
   return landing(low, n);
 }
 
-// A strip of the floor about the fold of 546 nm, from the axis outwards. The ball has one index, BK7's at
-// `nm`: of the wavelengths of a path, few would be those of a narrow lamp.
+// A strip of the floor around the fold of 546 nm, from the axis outwards. The ball has a single index, that
+// of BK7 at `nm`, because few wavelengths of a path would lie in a narrow band.
 image::Image caustic_image(double nm) {
   const Vec3d middle{fold(546), 0, 0};
   const Vec3d eye = middle + Vec3d{0, 3, 4.5};  // sees the floor under the ball
@@ -196,7 +196,7 @@ image::Image caustic_image(double nm) {
 }
 
 // The middle of the outermost column that is at least half as bright as the brightest, from the axis. The
-// density at a fold is 1 / sqrt(distance) inside of it and nothing outside: Berry and Upstill 1980, sec. 2.
+// irradiance at a fold is 1 / sqrt(distance) inside and zero outside (Berry and Upstill 1980, sec. 2).
 double rim_of(const image::Image& image) {
   std::vector<double> columns(static_cast<std::size_t>(image.width));
   for (int y = 0; y < image.height; ++y)
@@ -219,7 +219,7 @@ TEST(Dispersion, TheCausticOfABallEndsWhereSnellsLawFoldsIt) {
 
 namespace {
 
-// A ball in light from all around and a lamp beside it, in spectral light whatever the ball is.
+// A ball in a uniform environment with a light beside it, in spectral light whatever the ball is.
 image::Image ball_of(const std::string& material) {
   return image_of(
       scene_of(
@@ -238,7 +238,7 @@ double mean_variance(const image::Image& image) {
 
 }  // namespace
 
-// An index without a wavelength, one that is the same at all of a table, and ORB.S's glass.
+// An index without wavelengths, one that is constant over a table, and the glass of ORB.S.
 TEST(Dispersion, AConstantIndexCostsNoNoise) {
   const auto achromatic = ball_of(R"("type": "glass", "ior": 1.5)");
   const auto constant = ball_of(R"("type": "dielectric", "index": 1.5)");

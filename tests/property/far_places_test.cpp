@@ -1,4 +1,4 @@
-// Where a scene stands in its coordinates is of no account: floats are coarse far from their zero.
+// The position of a scene in its coordinates must not matter, although floats are coarse far from the origin.
 #include "unit/tracer_scenes.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@ namespace {
 
 using namespace orbs;
 
-// All kinds of things that have a place: copied and instanced meshes, a ball by its formula, lamps of each
-// shape. All numbers are sums of few powers of two, so that moving them loses nothing in double.
+// Everything that has a position: copied and instanced meshes, an analytic sphere, lights of each shape. All
+// numbers are sums of few powers of two, so that translations are exact in double.
 scene::Scene furnished() {
   return scene::load_scene_text("test.json",
                                 tests::scene_text("[0, 2.5, 6]", "[0, 0.75, 0]", 24, 6, R"(
@@ -51,12 +51,12 @@ scene::Scene moved(scene::Scene scene, Vec3d by) {
 
 image::Image image_of(const scene::Scene& scene) {
   const std::atomic<bool> never{false};
-  // Meshes with several instances stay instances.
+  // Meshes with several instances are instanced.
   const auto world = tracer::make_world(scene, {.most_copied_triangles = 0});
   return tracer::render(world, {.samples_per_pixel = 16}, never, [](const tracer::Progress&) {}).image;
 }
 
-// To the bit, for places that are whole steps of the tracer's own zero apart.
+// Bit-identical for translations by whole steps of the tracer's origin.
 TEST(FarPlaces, ShowTheSameImage) {
   const auto at_zero = image_of(furnished());
   EXPECT_GT(tests::mean_of_channel(at_zero, 0), 0.05);
@@ -64,7 +64,7 @@ TEST(FarPlaces, ShowTheSameImage) {
     EXPECT_EQ(image_of(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
 }
 
-// Within the step the camera stands up to 128 m from the zero, where floats are 8e-6 m apart.
+// Within a step the camera is up to 128 m from the origin, where floats are 8e-6 m apart.
 TEST(FarPlaces, ShowNearlyTheSameImageInBetween) {
   const auto at_zero = image_of(furnished());
   const auto between = image_of(moved(furnished(), {1048576 + 100, -100, 612}));

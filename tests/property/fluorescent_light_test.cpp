@@ -26,22 +26,22 @@ constexpr double kFirst_nm = 300;
 constexpr double kWidth_nm = 100;
 constexpr double kReflectance = 0.3;
 using PerBin = std::array<double, kBins>;
-// Row: where the light leaves; column: where it was absorbed. Each column and the reflectance stay below 1.
+// Rows are outgoing, columns are absorbed wavelengths. Each column plus the reflectance is below 1.
 constexpr std::array<PerBin, kBins> kShares{{{0, 0, 0, 0, 0},
                                              {0.2, 0, 0, 0, 0},
                                              {0.25, 0.3, 0, 0, 0},
                                              {0.1, 0.2, 0.4, 0, 0},
                                              {0, 0.1, 0.15, 0.3, 0}}};
 
-// Radiosity of the wall of a sphere whose lamp, black and of radiance 1, hides the share `hidden` of the wall
-// from each of its points: B = P (E + (1 - hidden) B), E = pi hidden. P is triangular, so that each bin
-// follows from those below it.
+// Radiosity of the wall of a sphere around a black light of radiance 1, which covers the fraction `hidden` of
+// the wall as seen from each of its points: B = P (E + (1 - hidden) B), E = pi hidden. P is triangular, so
+// each bin follows from those below it.
 PerBin radiosities(double hidden) {
   PerBin b{};
   for (std::size_t out = 0; out < kBins; ++out) {
-    const double lamp = std::numbers::pi * hidden;
-    double arrived = kReflectance * lamp;
-    for (std::size_t in = 0; in < out; ++in) arrived += kShares[out][in] * (lamp + (1 - hidden) * b[in]);
+    const double light = std::numbers::pi * hidden;
+    double arrived = kReflectance * light;
+    for (std::size_t in = 0; in < out; ++in) arrived += kShares[out][in] * (light + (1 - hidden) * b[in]);
     b[out] = arrived / (1 - kReflectance * (1 - hidden));
   }
   return b;
@@ -49,11 +49,11 @@ PerBin radiosities(double hidden) {
 
 }  // namespace
 
-// (I - P)^-1 P E, bin by bin, seen by the eye. From every point of the wall the lamp fills (r / R)^2 of the
-// cosine-weighted hemisphere. A lamp outside lights nothing, but which of the two is asked must not depend on
-// whether the path before was reflected or re-radiated.
+// (I - P)^-1 P E in each bin, as the camera records it. From every point of the wall the light covers (r /
+// R)^2 of the cosine-weighted hemisphere. A second light outside illuminates nothing, but its selection must
+// not depend on whether the path before was reflected or re-radiated.
 TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
-  constexpr double kLamp = 0.3;
+  constexpr double kLight = 0.3;
   constexpr std::string_view kFarAway = R"([{"translate": [9, 0, 0]}])";
   std::string rows;
   for (const PerBin& row : kShares)
@@ -65,10 +65,10 @@ TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
       R"("shapes": [{{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "wall"}}], )"
       R"("lights": [{{"type": "sphere", "radius": {5}, "radiance": {{"spectrum": "E"}}}}, )"
       R"({{"type": "sphere", "radius": {5}, "matrix": {6}, "radiance": {{"spectrum": "E"}}}}])",
-      kReflectance, kFirst_nm, kWidth_nm, kBins, rows, kLamp, kFarAway);
-  const PerBin b = radiosities(kLamp * kLamp);
+      kReflectance, kFirst_nm, kWidth_nm, kBins, rows, kLight, kFarAway);
+  const PerBin b = radiosities(kLight * kLight);
   const double plain =
-      kReflectance * std::numbers::pi * kLamp * kLamp / (1 - kReflectance * (1 - kLamp * kLamp));
+      kReflectance * std::numbers::pi * kLight * kLight / (1 - kReflectance * (1 - kLight * kLight));
   const Vec3d expected = rgb_by_sum([&](double nm) {
     const auto bin = static_cast<std::size_t>((nm - kFirst_nm) / kWidth_nm);
     return (bin < kBins ? b[bin] : plain) / std::numbers::pi;
@@ -78,8 +78,8 @@ TEST(FluorescentLight, TheWallOfAnIntegratingSphereSolvesItsLinearEquations) {
     expect_colour(image_of(text, 512, {.transport = transport}), expected);
 }
 
-// A convex ball in light of 1 at all wavelengths sends out its reflectance and what its kernel makes of all
-// shorter ones, down to 300 nm, where light ends.
+// A convex ball in an environment of radiance 1 at all wavelengths shows its reflectance plus what its kernel
+// emits for all shorter wavelengths, down to 300 nm, below which there is no light.
 TEST(FluorescentLight, ABallWithATentKernelHasTheColourOfItsIntegral) {
   const auto tent = [](double x) { return std::max(0.0, 1 - std::abs(x)); };
   const auto kernel = [&](double in, double out) {
@@ -98,11 +98,11 @@ TEST(FluorescentLight, ABallWithATentKernelHasTheColourOfItsIntegral) {
                                             "emitted_nm": 520, "emitted_reach_nm": 120}}],
              "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])");
   expect_colour(image_of(text, 256), expected);
-  EXPECT_GT(expected.y, 0.4);  // much of it fluorescence
+  EXPECT_GT(expected.y, 0.4);  // much of it is fluorescence
 }
 
-// The matrix transposed would make blue of red: light of long wavelengths only, on a ball that emits only at
-// shorter ones than those, must show the reflectance alone.
+// A transposed matrix would convert red to blue: in light of long wavelengths alone, a ball that emits only
+// at shorter wavelengths must show its reflectance alone.
 TEST(FluorescentLight, LightOfLongWavelengthsExcitesNothing) {
   const auto red = [](double nm) { return std::max(0.0, 1 - std::abs(nm - 650) / 40); };
   const Vec3d expected = rgb_by_sum([&](double nm) { return 0.25 * red(nm); });

@@ -1,5 +1,5 @@
-// Lossless things in light that is the same from everywhere: they must not be seen. Where a model loses light
-// by design, as microfacets that scatter once do, what is left against its integral.
+// White furnace tests: lossless objects in a uniform environment must be invisible. Models that lose energy
+// by design, as single-scattering microfacets do, are tested against their integral.
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
 
@@ -15,7 +15,7 @@ using namespace orbs::tests;
 
 const View kBall{.fov_deg = 24, .width = 16, .height = 16};  // a ball of radius 1 fills the image
 
-// An analytic ball of the material in a surrounding of D65.
+// An analytic ball of the material in a D65 environment.
 std::string ball(const std::string& material, const std::string& more = "") {
   return scene_of(
       kBall, R"("environment": [1, 1, 1], "materials": [{"name": "m", )" + material +
@@ -34,7 +34,7 @@ void expect_white(const image::Image& image, const std::string& what) {
         << what << " channel " << channel;
 }
 
-// Light within and without is in equilibrium: as much is polarised one way as the other.
+// Light inside and outside is in equilibrium, hence unpolarised.
 void expect_unpolarised(const image::Image& image, const std::string& what) {
   for (const char* channel : {"S1.R", "S1.G", "S1.B", "S2.R", "S2.G", "S2.B", "S3.R", "S3.G", "S3.B"}) {
     const auto s = estimate_of(image, channel);
@@ -42,8 +42,8 @@ void expect_unpolarised(const image::Image& image, const std::string& what) {
   }
 }
 
-// Of the luminance, because the matching functions of Y are nowhere negative: those of R are, and light that
-// is polarised differently at different wavelengths may have any degree there.
+// Of the luminance, because the matching function of Y is nowhere negative. Those of R are, so that its
+// degree of polarisation is unbounded if the polarisation depends on the wavelength.
 double largest_degree_of_polarisation(const image::Image& image) {
   double largest = 0;
   for (int y = 0; y < image.height; ++y)
@@ -60,7 +60,7 @@ double largest_degree_of_polarisation(const image::Image& image) {
 
 }  // namespace
 
-// A weight of 1 at every scattering: each path brings exactly what it would have brought without the ball.
+// Every scattering event has weight 1, so each path contributes exactly as much as without the ball.
 TEST(LightFurnace, ASmoothGlassBallOfOneIndexIsNotThereAtAll) {
   const auto empty = scene_of(kBall, R"("environment": [1, 1, 1], "materials": [])");
   for (const auto transport :
@@ -97,8 +97,8 @@ TEST(LightFurnace, SmoothBallsStayInvisibleWithPolarisation) {
   }
 }
 
-// In a surrounding that is dark on one side nearly everything is polarised, by one sample per pixel wholly
-// so.
+// In an environment that is dark on one side nearly everything is polarised, with one sample per pixel
+// completely.
 TEST(LightFurnace, NoPixelIsMorePolarisedThanLightCanBe) {
   const std::string lamp =
       R"("lights": [{"type": "rect", "half_width": 2, "half_length": 2, "radiance": [5, 5, 5], "matrix": [{"translate": [1, 4, 1]}]}], )";
@@ -133,7 +133,7 @@ double lambda_of(const RoughSurface& glass, double cosine) {
   return (std::erf(a) - 1) / 2 + std::exp(-a * a) / (2 * a * std::sqrt(std::numbers::pi));
 }
 
-// Share of the facets seen from one side, for which the surface hides nothing on the other.
+// Masking function of one side; nothing is masked on the other.
 double both_seen(const RoughSurface& glass, double lambda_o, double cosine_i) {
   const double lambda_i = lambda_of(glass, std::abs(cosine_i));
   return glass.is_correlated ? 1 / (1 + lambda_o + lambda_i) : 1 / ((1 + lambda_o) * (1 + lambda_i));
@@ -148,9 +148,9 @@ double fresnel(double cos_i, Complex eta) {
          2;
 }
 
-// What the surface shows in direction `cosine` where the radiance is 1 on both sides; index: beyond over this
-// side, of metals complex. Walter et al. 2007 by facets: their slopes follow D cos, in proportion to what of
-// them is seen.
+// Radiance of the surface in direction `cosine` if the incident radiance is 1 on both sides; index: beyond
+// over this side, complex for metals. Walter et al. 2007 by microfacets: slopes are distributed as D cos,
+// weighted by their visibility.
 double radiance_by_quadrature(const RoughSurface& glass, double cosine, Complex index) {
   const double eta = index.real();
   constexpr int kSteps = 400;
@@ -159,7 +159,7 @@ double radiance_by_quadrature(const RoughSurface& glass, double cosine, Complex 
   double sum = 0;
   for (int i = 0; i < kSteps; ++i)
     for (int k = 0; k < kSteps; ++k) {
-      // Of the cumulative distribution 1 - left^2, where grazing facets make no singularity.
+      // From the cumulative distribution 1 - left^2, which has no singularity at grazing facets.
       const double left = (i + 0.5) / kSteps;
       const double u = 1 - left * left;
       const double phi = std::numbers::pi * (k + 0.5) / kSteps;  // the other half is the same
@@ -172,7 +172,7 @@ double radiance_by_quadrature(const RoughSurface& glass, double cosine, Complex 
       const double reflected = fresnel(cos_o, index);
       const double up = 2 * cos_o * m.z - o.z;
       if (up > 0) sum += seen * reflected * both_seen(glass, lambda_o, up);
-      // Nothing comes out of a metal, nor through a facet that reflects totally.
+      // Nothing is transmitted from a metal or through a facet with total reflection.
       if (index.imag() > 0 || 1 - cos_o * cos_o >= eta * eta) continue;
       const double beyond = std::sqrt(1 - (1 - cos_o * cos_o) / (eta * eta));
       const double down = (cos_o / eta - beyond) * m.z - o.z / eta;
@@ -183,7 +183,7 @@ double radiance_by_quadrature(const RoughSurface& glass, double cosine, Complex 
 
 }  // namespace
 
-// Facets that reflect everything: numbers from outside of this program.
+// Microfacets that reflect everything: independent numbers.
 TEST(LightFurnace, TheIntegralOverFacetsHasTheKnownValues) {
   constexpr double kMirror = 1e9;
   EXPECT_NEAR(radiance_by_quadrature({1.0, false, false}, 0.5, kMirror), 0.4091, 1e-4);
@@ -192,7 +192,7 @@ TEST(LightFurnace, TheIntegralOverFacetsHasTheKnownValues) {
   EXPECT_NEAR(radiance_by_quadrature({0.5, false, true}, 0.5, kMirror), 0.6982, 1e-4);
 }
 
-// One interface between two worlds of radiance 1, seen from the outside and from within.
+// One boundary between two half-spaces of radiance 1, seen from outside and from inside.
 TEST(LightFurnace, RoughGlassShowsWhatItsFacetsSee) {
   for (const RoughSurface glass :
        {RoughSurface{0.3, false, false}, RoughSurface{0.3, false, true}, RoughSurface{0.4, true, false}})

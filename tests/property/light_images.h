@@ -10,19 +10,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-/// Images of tiny scenes for the tests of light: what a channel says, and how well it knows it.
+/// Images of tiny scenes for the tests of light: means of channels and their standard errors.
 namespace orbs::tests {
 
 struct View {
   std::string position = "[0, 0, 5]";
   std::string look_at = "[0, 0, 0]";
   std::string up = "[0, 1, 0]";
-  double fov_deg = 0.01;  // so small a spot that closed forms for one ray hold all over the image
+  double fov_deg = 0.01;  // so narrow that closed forms for one ray hold for the whole image
   int width = 8;
   int height = 8;
 };
 
-/// `content`: spectra, materials, surfaces, lights, outputs.
+/// `content` holds spectra, materials, surfaces, lights and outputs.
 inline std::string scene_of(const View& view,
                             const std::string& content,
                             const std::string& trace_depth = R"("unlimited")") {
@@ -34,7 +34,7 @@ inline std::string scene_of(const View& view,
 
 inline std::string text_of(Vec3d v) { return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z); }
 
-/// A mesh: a square about `centre` whose outside is where `normal` points.
+/// A mesh: a square around `centre` whose outside is the side of `normal`.
 inline std::string square(Vec3d centre, Vec3d normal, double half_size, const std::string& material) {
   const Vec3d n = normalised(normal);
   const Vec3d a = normalised(cross(n, std::abs(n.x) < 0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})) * half_size;
@@ -85,8 +85,8 @@ inline double mean_of(const image::Image& image, std::string_view channel) {
   return mean_of_channel(image, channel_of(image, channel));
 }
 
-/// A mean over pixels that all expect the same, and its standard error from their spread: for layers that
-/// have no variance of their own.
+/// The mean over pixels with equal expectation, and its standard error from their spread: for layers without
+/// a variance of their own.
 struct Estimate {
   double mean = 0;
   double error = 0;

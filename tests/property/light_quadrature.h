@@ -5,16 +5,16 @@
 #include <functional>
 #include <string>
 
-/// Colours by plain sums over the wavelengths in double, from the tables as the files have them and apart
-/// from src/spectra: what the tests of spectral images expect.
+/// Colours by plain sums over wavelengths in double, from the table files and independent of src/spectra: the
+/// expectations of the tests of spectral images.
 namespace orbs::tests {
 
 using OfWavelength = std::function<double(double nm)>;
 
-/// A column of a table in data/common/spectra, linear between its rows; beyond them its ends, or zero.
+/// A column of a table in data/common/spectra, linear between its rows; outside them its end values, or zero.
 OfWavelength table_column(const std::string& file, const std::string& column, bool holds_ends);
 
-/// X, Y and Z of light per nm; the equal-energy light of 1 has Y = 1.
+/// X, Y and Z of light per nm; equal-energy light of 1 has Y = 1.
 Vec3d xyz_by_sum(const OfWavelength& light);
 
 /// The same in linear Rec.709 whose white is D65.

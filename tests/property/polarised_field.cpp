@@ -16,7 +16,7 @@ Vec3d across(Vec3d direction) {
   return normalised(cross(direction, std::abs(direction.x) < 0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
 }
 
-// With amplitudes for the field across the plane of incidence and for that within it, the latter measured
+// Multiplies the field across the plane of incidence and that within it by amplitudes, the latter measured
 // along direction x across before and after.
 Beam reflected(const Beam& beam, Vec3d normal, Complex r_s, Complex r_p) {
   const Vec3d d = beam.direction;
@@ -42,7 +42,7 @@ Beam unpolarised(Vec3d direction) {
 // Born and Wolf, 7th edition, 1.5.2, eq. 21a.
 Beam reflected(const Beam& beam, Vec3d normal, Complex index) {
   const double cos_i = std::abs(orbs::dot(beam.direction, normal));
-  // The root with a positive imaginary part fades into the depth.
+  // The root with a positive imaginary part decays with depth.
   Complex beyond = std::sqrt(index * index - (1 - cos_i * cos_i));
   if (beyond.imag() < 0) beyond = -beyond;
   return reflected(beam, normal, (cos_i - beyond) / (cos_i + beyond),

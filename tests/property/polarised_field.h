@@ -5,9 +5,9 @@
 #include <array>
 #include <complex>
 
-/// Polarised light by what it is: the electric field as a vector in space, followed through surfaces by
-/// Fresnel's formulas, in double. No Mueller matrix and no reference frame before the eye: what the tests of
-/// polarised images expect.
+/// Polarised light as its electric field, a vector in space that surfaces change by Fresnel's equations, in
+/// double. It needs no Mueller matrix and no reference frame before the camera: the expectations of the tests
+/// of polarised images.
 namespace orbs::tests {
 
 using Complex = std::complex<double>;
@@ -17,25 +17,25 @@ struct Field {
   std::array<Complex, 3> e;
 };
 
-/// Unpolarised light is the sum of two such beams that know nothing of each other.
+/// Unpolarised light is the sum of two such beams that are incoherent.
 struct Beam {
   Vec3d direction;  // of travel
   std::array<Field, 2> fields;
 };
 
-/// Of radiance 1.
+/// With radiance 1.
 Beam unpolarised(Vec3d direction);
 
 /// At a plane with unit normal (either sign); `index` beyond over that on this side.
 Beam reflected(const Beam& beam, Vec3d normal, Complex index);
 /// A perfect conductor.
 Beam mirrored(const Beam& beam, Vec3d normal);
-/// Behind a polariser that lets the field along `axis` pass.
+/// After a polariser that transmits the field along `axis`.
 Beam polarised_along(const Beam& beam, Vec3d axis);
-/// Both fields times a factor.
+/// Both fields multiplied by a factor.
 Beam dimmed(const Beam& beam, double amplitude);
 
-/// S0 to S3 for an eye that has `right` to its right.
+/// S0 to S3 for a viewer who has `right` to the right.
 std::array<double, 4> stokes_of(const Beam& beam, Vec3d right);
 
 }  // namespace orbs::tests

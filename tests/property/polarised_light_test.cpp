@@ -1,6 +1,6 @@
-// Polarised images against the electric field itself (polarised_field.h) and closed forms. An image and
-// that of the bare light share their wavelengths, hence most of their noise; where all paths meet the same,
-// the quotient of the two is exact.
+// Polarised images against the electric field itself (polarised_field.h) and closed forms. An image and that
+// of the light alone share their wavelengths, hence most of their noise; if all paths hit the same surfaces,
+// their quotient is exact.
 #include "property/light_images.h"
 #include "property/polarised_field.h"
 
@@ -19,7 +19,7 @@ constexpr std::array kNames{"S0.R", "S1.R", "S2.R", "S3.R"};
 
 using StokesVector = std::array<double, 4>;
 
-// Of the image of `content`, over what the camera would see of an unpolarised surrounding of 1.
+// The image of `content` divided by what the camera would record of an unpolarised environment of 1.
 std::array<Estimate, 4> stokes(const View& view, const std::string& content, int samples_per_pixel = 512) {
   const auto bare =
       image_of(scene_of(view, R"("environment": [1, 1, 1], "materials": [])" + kStokes), samples_per_pixel);
@@ -41,7 +41,7 @@ void expect_stokes(const std::array<Estimate, 4>& found, const StokesVector& exp
   }
 }
 
-// Of paths that scatter once: none of them is ended by Russian roulette.
+// For paths that scatter once, which Russian roulette never ends.
 void expect_exact_stokes(const std::array<Estimate, 4>& found,
                          const StokesVector& expected,
                          double tolerance) {
@@ -57,7 +57,7 @@ std::string retarder(Vec3d fast_axis, double retardance_deg) {
                      text_of(fast_axis), retardance_deg);
 }
 
-// The default camera looks along -z at sheets one behind the other, the first the nearest.
+// The default camera looks along -z at thin elements one behind the other, the first the nearest.
 std::string sheets_before_light(const std::vector<std::string>& materials,
                                 const std::vector<std::string>& names) {
   std::vector<std::string> sheets;
@@ -71,7 +71,7 @@ Vec3d axis_at(double degrees) { return {std::cos(degrees * kRadians), std::sin(d
 
 }  // namespace
 
-// Half of it by the first, cos^2 of that by the second.
+// The first transmits half, the second cos^2 of that.
 TEST(PolarisedLight, TwoPolarisersFollowMalus) {
   for (const double degrees : {0, 15, 30, 45, 60, 75, 90}) {
     const auto s =
@@ -84,8 +84,8 @@ TEST(PolarisedLight, TwoPolarisersFollowMalus) {
   }
 }
 
-// Between two crossed polarisers three more, each turned by 22.5 degrees: cos^8(22.5 degrees) / 2 comes
-// through.
+// Between two crossed polarisers there are three more, each rotated by 22.5 degrees: cos^8(22.5 degrees) / 2
+// is transmitted.
 TEST(PolarisedLight, FivePolarisersFannedOverARightAngleLetLightThrough) {
   std::vector<std::string> materials;
   std::vector<std::string> names;
@@ -97,7 +97,7 @@ TEST(PolarisedLight, FivePolarisersFannedOverARightAngleLetLightThrough) {
   EXPECT_NEAR(s0.mean, 0.26539502, 4 * s0.error);
 }
 
-// The signs that the header of data/snippets/fresnel_mueller.h states: S1 > 0 along x, to the right; S2 > 0
+// The signs as defined in the header of data/snippets/fresnel_mueller.h: S1 > 0 along x, to the right; S2 > 0
 // at +45 degrees, right and up.
 TEST(PolarisedLight, StokesVectorsAreInTheFrameOfTheImage) {
   const auto through = [](Vec3d axis, const std::string& up) {
@@ -106,13 +106,13 @@ TEST(PolarisedLight, StokesVectorsAreInTheFrameOfTheImage) {
   expect_exact_stokes(through({1, 0, 0}, "[0, 1, 0]"), {0.5, 0.5, 0, 0}, 1e-6);
   expect_exact_stokes(through({0, 1, 0}, "[0, 1, 0]"), {0.5, -0.5, 0, 0}, 1e-6);
   expect_exact_stokes(through({1, 1, 0}, "[0, 1, 0]"), {0.5, 0, 0.5, 0}, 1e-6);
-  // A camera rolled clockwise by 45 degrees has the world's x to its right and up.
+  // A camera rolled clockwise by 45 degrees has the x axis of the world to its right and up.
   expect_exact_stokes(through({1, 0, 0}, "[1, 1, 0]"), {0.5, 0, 0.5, 0}, 1e-6);
 }
 
-// Fast axis to the right, light at +45 degrees: Ey comes a quarter wave after Ex, at the moment when Ex is
-// greatest Ey is still zero and then grows, so for the viewer the field turns counter-clockwise:
-// left-circular, S3 < 0.
+// With the fast axis to the right and light at +45 degrees, Ey lags a quarter wave behind Ex. When Ex is
+// largest, Ey is zero and grows, so for the viewer the field rotates counter-clockwise: left-circular, S3 <
+// 0.
 TEST(PolarisedLight, AQuarterWaveRetarderMakesCircularLightOfTheStatedSign) {
   const auto through = [](Vec3d fast, double retardance_deg) {
     return stokes(
@@ -125,8 +125,8 @@ TEST(PolarisedLight, AQuarterWaveRetarderMakesCircularLightOfTheStatedSign) {
   expect_stokes(through({1, 0, 0}, 60), {0.5, 0, 0.25, -0.25 * std::sqrt(3)});
 }
 
-// The axis is a direction in the world: what a tilted sheet has of it lies within the sheet, and of that
-// counts what lies across the light. An axis along the light leaves one, too.
+// The axis is a world direction: it is projected into a tilted element, and from there across the light. An
+// axis along the light leaves a projection, too.
 TEST(PolarisedLight, TheAxisOfATiltedPolariserLiesInTheSheet) {
   const Vec3d normal = normalised(Vec3d{0.3, 1, 0.8});
   for (const Vec3d axis : {Vec3d{1, 0.2, 0}, Vec3d{1, 0.5, 1}, Vec3d{0, 0, 1}}) {
@@ -141,7 +141,7 @@ TEST(PolarisedLight, TheAxisOfATiltedPolariserLiesInTheSheet) {
 
 namespace {
 
-// A glass surface at Brewster's angle, seen from the side of -x; the light is where the reflection shows it.
+// A glass surface at Brewster's angle, seen from -x; the light is where its reflection is visible.
 constexpr double kIndex = 1.5;
 std::string brewster_scene(const std::vector<std::string>& filters, const std::vector<std::string>& sheets) {
   const Vec3d to_light = normalised(Vec3d{kIndex, 1, 0});
@@ -162,21 +162,21 @@ image::Image brewster_image(const std::string& content, int samples_per_pixel) {
 
 }  // namespace
 
-// tan of the angle = index: r_p = 0, and of unpolarised light ((n^2 - 1) / (n^2 + 1))^2 / 2 is reflected.
+// At tan(angle) = index r_p = 0, and ((n^2 - 1) / (n^2 + 1))^2 / 2 of unpolarised light is reflected.
 TEST(PolarisedLight, AtBrewstersAngleTheReflectionIsExtinctThroughTheCrossedPolariser) {
   const double kept = std::pow((kIndex * kIndex - 1) / (kIndex * kIndex + 1), 2) / 2;
   const auto open = brewster_image(brewster_scene({}, {}), 64);
   const auto open_s0 = estimate_of(open, "S0.R");
   EXPECT_NEAR(open_s0.mean, kept, 4 * open_s0.error);
-  // Right is z here, across the plane of incidence: all that is reflected is polarised along it.
+  // Right is z here, across the plane of incidence: all reflected light is polarised along it.
   EXPECT_NEAR(mean_of(open, "S1.R") / open_s0.mean, 1, 1e-6);
   const auto through = [](Vec3d axis, int samples_per_pixel) {
     return brewster_image(
         brewster_scene({polariser("filter", axis)}, {square(kBrewsterEye * 0.5, kBrewsterEye, 1, "filter")}),
         samples_per_pixel);
   };
-  // Roulette lets the square root of what is left survive: of 1e-6, ten of the ten thousand paths that are
-  // reflected.
+  // Roulette survives with the square root of the throughput: for 1e-6 these are ten of ten thousand
+  // reflected paths.
   const double crossed = mean_of(through({1, kIndex, 0}, 2048), "S0.R");
   EXPECT_LT(std::abs(crossed), 1e-6 * open_s0.mean);
   RecordProperty("extinction", fmt::format("{:.2e}", crossed / open_s0.mean));
@@ -186,7 +186,8 @@ TEST(PolarisedLight, AtBrewstersAngleTheReflectionIsExtinctThroughTheCrossedPola
 
 namespace {
 
-// A camera ray in direction `first` meets mirrors that send it in the other directions, one after the other.
+// A camera ray in direction `first` hits mirrors that reflect it in the other directions, one after the
+// other.
 struct Zigzag {
   Vec3d eye;
   std::vector<Vec3d> normals;  // of the mirrors
@@ -208,7 +209,7 @@ const std::vector<Vec3d> kOutOfPlane{{1, -0.4, 0.2}, {1, 0.6, 0.5}, {0.5, 0.2, 1
 
 }  // namespace
 
-// The planes of incidence differ, so the second metal makes elliptical light of what the first has polarised.
+// The planes of incidence differ, so the second metal makes the polarised light of the first elliptical.
 TEST(PolarisedLight, MetalReflectionsOutOfPlaneFollowTheField) {
   const std::vector<Complex> metals{{0.2, 3.4}, {2.9, 3.0}, {1.1, 6.9}};
   std::vector<std::string> materials;
@@ -227,14 +228,14 @@ TEST(PolarisedLight, MetalReflectionsOutOfPlaneFollowTheField) {
                           fmt::format(R"("environment": [1, 1, 1], "materials": [{}], {})",
                                       fmt::join(materials, ", "), meshes(path.squares)));
     expect_stokes(s, stokes_of(beam, right));
-    // Or the test would say little.
+    // Otherwise the test could not fail.
     if (mirrors == 2) {
       EXPECT_GT(std::abs(s[3].mean), 0.01);
     }
   }
 }
 
-// ORB.S's mirror keeps what it reflects polarised, and turns it over.
+// ORB.S's mirror preserves the degree of polarisation and reverses the handedness.
 TEST(PolarisedLight, PerfectMirrorsTurnThePlaneOfPolarisation) {
   const auto path = zigzag({kOutOfPlane[0], kOutOfPlane[1], kOutOfPlane[2]}, {"mirror", "mirror"});
   const Vec3d axis{1, 0.5, 0};
@@ -251,8 +252,8 @@ TEST(PolarisedLight, PerfectMirrorsTurnThePlaneOfPolarisation) {
   expect_stokes(s, stokes_of(beam, right));
 }
 
-// A right-angled prism turns the light of a 45 degree polariser by total reflection, which changes nothing
-// but its phases. Of what the two faces reflect, R^2 = 0.16 % comes after three total reflections, and so on.
+// A right-angled prism rotates the light of a 45 degree polariser by total reflection, which changes only its
+// phases. Reflections at the two faces add R^2 = 0.16 % after three total reflections, and so on.
 TEST(PolarisedLight, TotalReflectionInAPrismShiftsPhases) {
   const Vec3d axis{1, 0, 1};
   const auto content = fmt::format(
@@ -270,7 +271,7 @@ TEST(PolarisedLight, TotalReflectionInAPrismShiftsPhases) {
     beam = reflected(beam, hypotenuse, 1 / 1.5);
     const auto s = stokes_of(beam, {1, 0, 0});
     for (std::size_t k = 0; k < 4; ++k) expected[k] += s[k];
-    // Back from the face before the camera, and forth from the other; r = -0.2 inside twice.
+    // Reflected at the face before the camera and again at the other; r = -0.2 inside, twice.
     beam.direction = -beam.direction;
     beam = reflected(dimmed(beam, 0.2), hypotenuse, 1 / 1.5);
     beam.direction = -beam.direction;
@@ -284,8 +285,8 @@ TEST(PolarisedLight, TotalReflectionInAPrismShiftsPhases) {
   }
 }
 
-// All reflections between the two faces: T = (1 - R) / (1 + R), for each polarisation by itself. Without
-// polarisation a renderer has (1 - mean R) / (1 + mean R), 3.6 % less at 75 degrees.
+// All interreflections between the two faces: T = (1 - R) / (1 + R), for each polarisation separately. A
+// renderer without polarisation has (1 - mean R) / (1 + mean R), which is 3.6 % less at 75 degrees.
 TEST(PolarisedLight, AGlassSlabTransmitsEachPolarisationByItself) {
   for (const double degrees : {30, 60, 75}) {
     const double cos_i = std::cos(degrees * kRadians);
@@ -300,7 +301,7 @@ TEST(PolarisedLight, AGlassSlabTransmitsEachPolarisationByItself) {
                 square({0, 0, -1}, {0, 0, 1}, 20, "light")}) +
         kStokes;
     auto image = image_of(scene_of({.position = text_of(eye), .width = 16, .height = 16}, content), 128);
-    // Up is across the plane of incidence. In place of S0 and S1 put s and p.
+    // Up is across the plane of incidence. S0 and S1 are replaced by s and p.
     const auto s0 = channel_of(image, "S0.R");
     const auto s1 = channel_of(image, "S1.R");
     for (int y = 0; y < image.height; ++y)
@@ -321,7 +322,7 @@ TEST(PolarisedLight, AGlassSlabTransmitsEachPolarisationByItself) {
 
 namespace {
 
-// A floor of the material lit by a large lamp above it, seen at 65 degrees; below it another, dimmer.
+// A floor of the material under a large light, seen at 65 degrees; a dimmer light is below it.
 image::Image lit_floor(const std::string& material) {
   const auto content =
       R"("materials": [{"name": "m", )" + material +
@@ -337,8 +338,8 @@ image::Image lit_floor(const std::string& material) {
 
 }  // namespace
 
-// Light that a rough surface asks for, and light that it finds by itself, are polarised by its facets: almost
-// smooth, it shows what the smooth one does.
+// Light sampling and BSDF sampling are polarised alike by the microfacets of a rough surface: an almost
+// smooth surface shows the same as a smooth one.
 TEST(PolarisedLight, AnAlmostSmoothSurfacePolarisesAsASmoothOne) {
   for (const std::string material :
        {R"("type": "conductor", "index": {"n": 2.9, "k": 3.0})", R"("type": "dielectric", "index": 1.5)",
@@ -357,8 +358,8 @@ TEST(PolarisedLight, AnAlmostSmoothSurfacePolarisesAsASmoothOne) {
     }
 }
 
-// Light asked for by way of a flat mirror arrives as polarised as light that finds its way there. A wall
-// hides the lamp itself from the floor.
+// Light sampled by way of a flat mirror is polarised like light that paths find there. A wall hides the light
+// itself from the floor.
 TEST(PolarisedLight, LightByAFlatMirrorIsAsPolarisedAsLightThatFindsIt) {
   const auto text = scene_of(
       {.position = "[0, 2, 6]", .look_at = "[0, 0, 0]", .fov_deg = 2, .width = 16, .height = 16},

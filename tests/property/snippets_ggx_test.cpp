@@ -1,4 +1,4 @@
-// Microfacet distributions: normalised, sampled as stated, and as bright as the closed forms say.
+// Microfacet distributions: normalisation, sampling, and directional albedos in closed form.
 #include "snippets/ggx.h"
 
 #include <array>
@@ -9,7 +9,7 @@ namespace {
 
 using namespace snippets;
 
-// The renderer's own vectors: any struct of three or two numbers does.
+// Any struct of three or two numbers serves as the vector type.
 struct Vec {
   double x, y, z;
 };
@@ -47,8 +47,8 @@ Vec direction(double cosine, double phi) {
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
-// Visits facet normals with the solid angle that each stands for: slopes tan = alpha t / (1 - t), midpoints
-// in t.
+// Visits microfacet normals with the solid angle that each represents: slopes tan = alpha t / (1 - t),
+// midpoints in t.
 template <typename F>
 void for_each_facet(double alpha, const F& visit) {
   constexpr int kRows = 240;
@@ -66,7 +66,7 @@ void for_each_facet(double alpha, const F& visit) {
 
 double cosine_between(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Mean weight of reflected samples, G2 / G1: the share of light that a perfect mirror of facets sends on.
+// Mean weight of reflected samples, G2 / G1: the directional albedo of perfectly reflecting microfacets.
 double furnace(Kind kind, double alpha, double cosine, bool correlated, int side) {
   const Vec wo = direction(cosine, 0.4);
   const double lambda_o = lambda(kind, wo, alpha);
@@ -95,8 +95,8 @@ TEST(Microfacets, FacetsCoverTheSurfaceOnce) {
     }
 }
 
-// What w sees of the facets is the area of the surface that it sees, so their density is one; and samples
-// have its means.
+// The projected area of the microfacets visible from w equals that of the surface, so their distribution is
+// normalised; and samples have its means.
 TEST(Microfacets, SamplesFollowTheDensityOfVisibleFacets) {
   constexpr int kSide = 100;
   using Moments = std::array<double, 6>;
@@ -122,8 +122,8 @@ TEST(Microfacets, SamplesFollowTheDensityOfVisibleFacets) {
       }
 }
 
-// Directional albedo of GGX without Fresnel, single scattering, by quadrature of another program. The worst
-// of multiple scattering is missing: 1 - ln 2 at alpha = 1 and normal incidence, exactly.
+// Directional albedo of GGX without Fresnel, single scattering, by quadrature of another program. At alpha =
+// 1 and normal incidence, where multiple scattering is missed most, it is exactly 1 - ln 2 too low.
 TEST(Microfacets, TheFurnaceOfGgxHasItsTable) {
   struct Row {
     double alpha, cosine, correlated, separable;

@@ -1,4 +1,4 @@
-// Reflectances of films as the paths see them, in float, against characteristic matrices in double.
+// Reflectances of films as paths evaluate them, in float, against characteristic matrices in double.
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
 #include "tracer/bsdf/boundary.h"
@@ -20,15 +20,15 @@ struct Stack {
   Complex base = 1;
 };
 
-// Normal component of the batch vector over that in vacuum.
+// Normal component of the wave vector divided by its length in vacuum.
 Complex normal_component(Complex index, double across) {
   const Complex root = std::sqrt(index * index - across * across);
   return root.imag() < 0 ? -root : root;
 }
 
-// Fields at the top of the film from those at its foot by the matrix of the film, and the reflected amplitude
-// from the admittance that they have there (Macleod, "Thin-Film Optical Filters", 4th edition, eq. 2.88 to
-// 2.98): no sum over reflections, nor any Fresnel formula.
+// The characteristic matrix of the film gives the fields at its top from those at its base, and their
+// admittance gives the reflected amplitude (Macleod, "Thin-Film Optical Filters", 4th edition, eq. 2.88
+// to 2.98). It uses neither a sum over reflections nor a Fresnel equation.
 double reflectance_by_matrix(const Stack& stack, double cos_i, double nm) {
   const double across = stack.outside * std::sqrt(1 - cos_i * cos_i);
   double sum = 0;
@@ -52,8 +52,7 @@ double reflectance_by_matrix(const Stack& stack, double cos_i, double nm) {
 constexpr std::array<float, 5> kDegrees{0, 30, 45, 60, 80};
 constexpr std::array<std::array<float, 4>, 2> kWavelengths{{{400, 450, 500, 550}, {600, 650, 700, 780}}};
 
-// What a path at four wavelengths has, for 5 angles and 8 wavelengths, against the stack; the largest
-// difference.
+// Largest difference between a path at four wavelengths and the stack, over 5 angles and 8 wavelengths.
 double largest_difference(const Stack& stack) {
   double largest = 0;
   for (const auto& nm : kWavelengths) {
@@ -81,8 +80,7 @@ void expect_reflectances(const std::string& name, const Stack& stack) {
 
 }  // namespace
 
-// Numbers from outside of this program: a soap film in air, and magnesium fluoride on glass, a quarter wave
-// at 550 nm.
+// Independent numbers: a soap film in air, and a quarter wave of magnesium fluoride on glass at 550 nm.
 TEST(ThinFilmLight, TheMatrixHasTheKnownReflectancesAtNormalIncidence) {
   EXPECT_NEAR(reflectance_by_matrix({1, 1.33, 300, 1}, 1, 550), 0.07543020, 1e-8);
   EXPECT_NEAR(reflectance_by_matrix({1, 1.38, 550 / (4 * 1.38), 1.52}, 1, 550), 0.01260079, 1e-8);
@@ -99,8 +97,8 @@ TEST(ThinFilmLight, FilmsReflectByAirysSumAtFiveAnglesAndEightWavelengths) {
   expect_reflectances("on_metal_in_oil", {1.5, 1.3, 300, {2.9, 3.0}});
 }
 
-// From the inside of the glass, where beyond some angles nothing leaves, through films that light enters or
-// only tunnels through.
+// From inside the glass, with total reflection beyond some angles, through films with propagating or
+// evanescent waves.
 TEST(ThinFilmLight, FilmsReflectByAirysSumFromWithin) {
   expect_reflectances("glass_to_air", {1.52, 1.38, 100, 1});
   expect_reflectances("glass_to_air_dense_film", {1.5, 2.4, 150, 1});
@@ -108,7 +106,7 @@ TEST(ThinFilmLight, FilmsReflectByAirysSumFromWithin) {
   expect_reflectances("glass_to_water", {1.52, 1.8, 500, 1.33});
 }
 
-// Light of no wavelength notices it.
+// Such a film changes no wavelength.
 TEST(ThinFilmLight, AFilmOfTheBasesIndexChangesNothing) {
   const spectra::RefractiveIndex glass = spectra::constant(1.5);
   const spectra::RefractiveIndex air = spectra::constant(1);
@@ -121,7 +119,7 @@ TEST(ThinFilmLight, AFilmOfTheBasesIndexChangesNothing) {
 
 namespace {
 
-// A smooth material in a surrounding of D65, seen at 60 degrees from the normal.
+// A smooth material in a D65 environment, seen at 60 degrees from the normal.
 void expect_colour_at_60_degrees(const std::string& material, const tests::OfWavelength& reflectance) {
   const auto text =
       tests::scene_of({.position = "[8.660254037844386, 0, 5]"},
@@ -141,7 +139,7 @@ void expect_colour_at_60_degrees(const std::string& material, const tests::OfWav
 
 }  // namespace
 
-// Interference and metals in the image: every wavelength by its own reflectance, integrated.
+// Interference and metals in the image: the integral of each wavelength's own reflectance.
 TEST(ThinFilmLight, FilmsAndMetalsHaveTheirColours) {
   expect_colour_at_60_degrees(
       R"("type": "conductor", "index": {"n": 1.1, "k": 6.9}, "film": {"index": 1.5, "height_nm": 400})",

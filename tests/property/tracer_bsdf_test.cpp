@@ -1,5 +1,5 @@
-// What every scattering function owes: its pdf is the density of what it samples, the weight is f cos / pdf,
-// light is not created, and paths may be walked backwards.
+// Properties of every BSDF: its pdf is the density of its samples, the weight is f cos / pdf, energy is
+// conserved, and it is reciprocal.
 #include "base/random.h"
 #include "tracer/bsdf/materials.h"
 
@@ -31,7 +31,7 @@ Boundary<1> filmed(std::complex<float> index) {
   return {.index = {index}, .film_index = {1.8F}, .film_height_nm = 300, .nm = {550}};
 }
 
-// Reflects nearly all, so that what is lost is lost to masking.
+// Reflects nearly everything, so that losses are due to masking.
 const std::complex<float> kSilver{0.06F, 3.6F};
 
 std::vector<NamedBsdf> smooth_enough_to_integrate() {
@@ -79,7 +79,7 @@ double over_sphere(const F& f) {
 
 }  // namespace
 
-// Samples that are refused (masked facets) are the rest up to 1.
+// Rejected samples (masked microfacets) are the remainder to 1.
 TEST(Bsdf, ThePdfIntegratesToTheShareOfAcceptedSamples) {
   constexpr int kSamples = 40000;
   for (const auto& [name, bsdf] : smooth_enough_to_integrate())
@@ -107,8 +107,8 @@ TEST(Bsdf, WeightAndPdfOfASampleAreThoseOfItsDirection) {
       }
 }
 
-// Mean weight = directional albedo; the radiance scale of transmission is taken out, as it is no gain of
-// energy.
+// The mean weight is the directional albedo. The radiance scale of transmission is divided out, as it is no
+// gain of energy.
 TEST(Bsdf, NoneReflectsMoreThanItReceives) {
   for (const auto& [name, bsdf] : smooth_enough_to_integrate())
     for (const Vec3f wo : kViews) {
@@ -136,8 +136,8 @@ TEST(Bsdf, ReflectionIsReciprocal) {
       }
 }
 
-// Transmission: f(wo -> wi) / eta_i^2 is symmetric (Veach 1997, eq. 5.14). Seen from the other side the
-// surface has the inverse relative index, and the frame is turned so that the viewer's side is up.
+// Transmission: f(wo -> wi) / eta_i^2 is symmetric (Veach 1997, eq. 5.14). From the other side the surface
+// has the inverse relative index, and the frame is flipped to the viewer's side.
 TEST(Bsdf, TransmissionIsReciprocalUpToTheSquaredIndex) {
   const float eta = 1.5F;
   const TestedBsdf from_outside = RoughGlassBsdf<Rgb>{kWhite, eta, 0.4F};
@@ -172,7 +172,7 @@ TEST(Bsdf, OrenNayarFollowsEquation5) {
               1e-5);
 }
 
-// Both mask separably there; in reflection ORB.S's correlates.
+// Both use separable masking in transmission; in reflection the masking of ORB.S is correlated.
 TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
   const TestedBsdf by_index = RoughDielectricBsdf<Rgb, 1>{boundary(1.5F), kGgx};
   const TestedBsdf of_orbs = RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F};
@@ -185,13 +185,13 @@ TEST(Bsdf, TheDielectricByIndexTransmitsAsRoughGlass) {
     }
 }
 
-// Some wavelengths of a path may be reflected well where others are not: whatever the first of them does, all
-// carry on, and on average each with its own reflectance.
+// The reflectances of the wavelengths of a path may differ. Whatever the hero wavelength chooses, all of them
+// continue, on average each with its own reflectance.
 TEST(Bsdf, ADielectricGivesEachWavelengthItsOwnReflectance) {
   Boundary<4> at = {.index = {1.5F, 1.5F, 1.5F, 1.5F},
-                     .film_index = {1.9F, 1.9F, 1.9F, 1.9F},
-                     .film_height_nm = 150,
-                     .nm = {400, 480, 560, 640}};
+                    .film_index = {1.9F, 1.9F, 1.9F, 1.9F},
+                    .film_height_nm = 150,
+                    .nm = {400, 480, 560, 640}};
   const DielectricBsdf<Float4, 4> bsdf{at};
   const auto expected = reflectances(at, 0.7F);
   EXPECT_GT(std::abs(expected[0] - expected[3]), 0.02F);

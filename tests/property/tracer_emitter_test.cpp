@@ -1,7 +1,8 @@
-// Light sampling: the density that a sample carries is the density at its point, and 1/pdf summed over
-// samples is the solid angle.
+// Light sampling: the pdf of a sample equals the pdf at its point, and the mean of 1 / pdf is the solid
+// angle.
 #include "base/random.h"
 #include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter_table.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ SphereEmitter ball(Vec3f centre, Vec3f radii) {
   return s;
 }
 
-// Share of the sphere of directions that hit the shape, by the mean of 1/pdf.
+// Fraction of the sphere of directions that hits the shape, by the mean of 1 / pdf.
 double solid_angle(const EmitterShape& shape, Vec3f from) {
   constexpr int kSide = 300;
   double sum = 0;

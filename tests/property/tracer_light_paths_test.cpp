@@ -1,5 +1,5 @@
-// Paths from the lights against camera paths alone, and against the mirrored light.
-#include "tracer/render/choose_light_paths.h"
+// Light paths against camera paths alone, and against mirrored light sampling.
+#include "tracer/choose_light_paths.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer_scenes.h"
 
@@ -27,7 +27,7 @@ image::Image image_of(const tracer::World& world, const tracer::RenderSettings& 
 const char* const kRectLight =
     R"({"type": "rect", "half_width": 0.3, "half_length": 0.3, "radiance": [8, 8, 8], "matrix": [{"translate": [0.5, 3, 0.2]}]})";
 
-// A floor, and a ball of `material` over it; the camera sees both.
+// A floor and a ball of `material` above it, both visible.
 std::string ball_over_floor(const std::string& material, const std::string& light) {
   return scene_text("[0, 2.5, 6]", "[0, 0.7, 0]", 24, 6,
                     R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.8, 0.6, 0.4]},
@@ -98,7 +98,7 @@ class TracerCaustics : public testing::TestWithParam<Scene> {};
 
 }  // namespace
 
-// Four standard errors of the whole image, and of each of its quarters.
+// Within four standard errors for the whole image and for each of its quarters.
 TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
   const auto with_world = world_of(GetParam().text, true);
   ASSERT_FALSE(with_world.caustic_casters.empty());
@@ -122,8 +122,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scene
   return std::string(scene.param.name);
 });
 
-// A glossy floor from straight above shows the ball beside it by the tail of its lobe alone. Light twice
-// there is twice the light; four standard errors of eight seeds.
+// From straight above, a glossy floor shows the ball beside it by the tail of its lobe alone. Light counted
+// twice would double it; the tolerance is four standard errors of eight seeds.
 TEST(TracerLightPaths, BringTheTailsOfGlossyLobesOnce) {
   const auto world_from = [](bool light_paths) {
     return world_of(
@@ -160,11 +160,11 @@ TEST(TracerLightPaths, BringTheTailsOfGlossyLobesOnce) {
   const double mean = sum / kSeeds;
   const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
   EXPECT_NEAR(mean, 0, 4 * error);
-  EXPECT_LT(4 * error, 0.2 * expected);  // or it could not tell
+  EXPECT_LT(4 * error, 0.2 * expected);  // otherwise the test could not fail
 }
 
-// What a flat mirror adds to a floor is what the light behind the mirror, at its image's place, would send.
-TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
+// A flat mirror adds to a floor what a light at its mirror image would add.
+TEST(TracerLightPaths, AFlatMirrorIlluminatesLikeTheMirroredLight) {
   const auto scene = [](const std::string& mirror, const std::string& lamp_x, const std::string& turn) {
     return scene_text("[0.7, 4, 0.3]", "[1, 0, 0]", 8, 2,
                       R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]},
@@ -177,7 +177,7 @@ TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
                           lamp_x + R"(, 2, 0]}, {"rotate_z": )" + turn + "}]}]",
                       "20");
   };
-  // The lamp faces the mirror at x = -1 and lights the floor through it alone.
+  // The light faces the mirror at x = -1 and illuminates the floor by it alone.
   const std::string mirror = R"(, {"mesh": "m", "matrix": [{"translate": [-1, 0, 0]}, {"rotate_z": 90}]})";
   const auto world = world_of(scene(mirror, "0", "-60"), true);
   ASSERT_FALSE(world.caustic_casters.empty());
@@ -188,8 +188,8 @@ TEST(TracerLightPaths, AFlatMirrorLightsLikeTheMirroredLamp) {
   const auto channel =
       std::find(seen.channels.begin(), seen.channels.end(), "path.EDSL.R") - seen.channels.begin();
   ASSERT_LT(channel, static_cast<std::ptrdiff_t>(seen.channel_count()));
-  const auto image_of_lamp = image_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
-  const double expected = mean_of_channel(image_of_lamp, 0);
+  const auto image_of_light = image_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
+  const double expected = mean_of_channel(image_of_light, 0);
   EXPECT_GT(expected, 0.01);
   EXPECT_NEAR(mean_of_channel(seen, static_cast<std::size_t>(channel)), expected,
               4 * error_of_mean(seen, 0) + 1e-3 * expected);
@@ -210,8 +210,8 @@ TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
   EXPECT_FALSE(tracer::choose_light_paths(plain));
 }
 
-// Camera paths meet the lamp about once in a million samples, so that their trial shows a floor in shadow
-// without noise, or a firefly as bright as the caustic that is missing.
+// Camera paths hit the light about once in a million samples, so that their trial shows a shadowed floor
+// without noise, or a firefly as bright as the missing caustic.
 TEST(TracerLightPaths, AreChosenWhereCameraPathsHardlyEverFindTheCaustic) {
   auto world = world_of(
       ball_over_floor(
@@ -231,9 +231,9 @@ TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
   EXPECT_FALSE(tracer::choose_light_paths(world));
 }
 
-// The density of a mixture of cones is one over the solid angle that they cover together, where they do not
-// overlap, and the mean of 1 / pdf is that solid angle in any case.
-TEST(SharpTargets, DirectionsFillTheConesOfAllTargets) {
+// The pdf of a mixture of cones is one over their joint solid angle if they do not overlap; the mean of 1 /
+// pdf is that solid angle in any case.
+TEST(CausticCasters, SampledDirectionsFillTheConesOfAllCasters) {
   const std::vector<tracer::BoundingSphere> targets{{{0, 0, 5}, 1}, {{5, 0, 0}, 2}};
   const auto cone = [](double sine) { return 2 * std::numbers::pi * (1 - std::sqrt(1 - sine * sine)); };
   double sum = 0;

@@ -1,4 +1,4 @@
-// A transport that carries more than the scene calls for shows the same image.
+// A transport that carries more than the scene calls for renders the same image.
 #include "base/error.h"
 #include "property/light_images.h"
 
@@ -15,7 +15,7 @@ struct MaterialCase {
   std::string model;
 };
 
-// Grey, because light of two colours multiplies differently in three channels and in a spectrum.
+// Grey, because the product of two colours differs between three channels and a spectrum.
 const std::vector<MaterialCase> kMaterials{
     {"Lambert", R"("type": "lambert", "reflectance": [0.6, 0.6, 0.6])"},
     {"OrenNayar", R"("type": "oren_nayar", "reflectance": [0.6, 0.6, 0.6], "roughness": 0.4)"},
@@ -31,8 +31,8 @@ const std::vector<MaterialCase> kMaterials{
 constexpr std::array kRicher{LightTransport::Spectral, LightTransport::Polarised, LightTransport::Bispectral,
                              LightTransport::PolarisedBispectral};
 
-// A sheet of the material over a floor that reflects without a memory of polarisation: between two meetings
-// with the sheet light always meets the floor, so that polarisation makes no difference.
+// A pane of the material above a depolarising floor: between two hits of the pane, light always hits the
+// floor, so that polarisation makes no difference.
 std::string sheet_over_floor(const std::string& material) {
   return scene_of(
       {.position = "[0, 2.5, 4]", .look_at = "[0, 0.5, 0]", .fov_deg = 40, .width = 24, .height = 24},
@@ -85,12 +85,12 @@ TEST(RicherTransports, KeepTheColoursOfWhatWhiteLightShows) {
   }
 }
 
-// Where light meets polarising surfaces twice in a row, the transports do differ, and by how much is known
+// Where light is scattered by two polarising surfaces in succession the transports differ, by a known amount
 // (PolarisedLight.AGlassSlabTransmitsEachPolarisationByItself).
 
 namespace {
 
-// All that polarises, disperses and fluoresces, as far as the transport has it.
+// Everything that polarises, disperses or fluoresces, as far as the transport supports it.
 std::string busy_scene(LightTransport transport) {
   std::string materials =
       R"({"name": "floor", "type": "lambert", "reflectance": [0.7, 0.6, 0.5]}, {"name": "a", "type": "ggx", "colour": [0.8, 0.8, 0.8], "alpha": 0.2})";
@@ -149,7 +149,7 @@ TEST(RicherTransports, ImagesDoNotDependOnTheNumberOfThreads) {
     }
 }
 
-// The four Stokes parameters say more of the same light.
+// The four Stokes parameters describe the same light in more detail.
 TEST(RicherTransports, StokesLayersDoNotChangeTheImage) {
   const auto text = busy_scene(LightTransport::Polarised);
   const auto plain = rendered(text, 1, 7, false);
@@ -160,7 +160,7 @@ TEST(RicherTransports, StokesLayersDoNotChangeTheImage) {
   EXPECT_EQ(mean_of(stokes, "S0.R"), mean_of_channel(stokes, 0));
 }
 
-// What a path does not meet it does not pay for with other rounding either.
+// Effects that a path does not encounter do not change its rounding either.
 TEST(RicherTransports, WithoutFluorescenceBispectralImagesAreTheSpectralOnesToTheBit) {
   const auto text = busy_scene(LightTransport::Spectral);
   const auto image = [&](LightTransport transport) {
@@ -170,7 +170,7 @@ TEST(RicherTransports, WithoutFluorescenceBispectralImagesAreTheSpectralOnesToTh
   EXPECT_EQ(image(LightTransport::PolarisedBispectral), image(LightTransport::Polarised));
 }
 
-// Light paths bring the caustic of a ball, with dispersion or without, as camera paths find it.
+// With or without dispersion, light paths find the same caustic of a ball as camera paths.
 TEST(RicherTransports, LightPathsShowTheSameDispersedCaustic) {
   for (const std::string& index : {std::string("1.5"), std::string(R"({"cauchy": [1.5, 0.01]})")}) {
     const auto text = scene_of(

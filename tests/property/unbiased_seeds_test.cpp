@@ -1,12 +1,13 @@
-// The promise of metrics/noise_test.h on real renders: scenes of the suite at 48 px with few samples, one of
-// each kind of noise: evenly lit, a lamp in the image whose edge carries all variance, a lamp seen through
-// glass, a profile.
+// The claims of metrics/noise_test.h on actual renderings: scenes of the suite at 48 px with few samples, one
+// for each kind of noise: even illumination, a visible light whose edge has all the variance, a light seen
+// through glass, an IES profile.
 #include "metrics/bias_message.h"
 #include "metrics/noise_test.h"
 #include "judge/judge.h"
 #include "scene/load_scene.h"
-#include "tracer/render/choose_light_paths.h"
-#include "tracer/render/render.h"
+#include "tracer/choose_light_paths.h"
+#include "tracer/render.h"
+#include "tracer/world/build_world.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,8 +65,7 @@ TEST_P(UnbiasedSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
   }
 }
 
-// Edges against a sky at the clamp: with four samples the first-order noise of the sRGB value is 0.7 dB
-// short.
+// Edges against a saturated sky: with four samples the first-order noise of the sRGB value is 0.7 dB too low.
 TEST(UnbiasedSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/cases/orbs/g5_inst_remaplist/078.json");
   scene.camera.width_px = kSide_px;

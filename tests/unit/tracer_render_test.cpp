@@ -1,5 +1,5 @@
-// The tracer against closed forms. Tolerances are four standard errors of the image's own variance: a false
-// alarm once in 16,000 seeds, and the seeds are fixed.
+// The tracer against closed forms. Tolerances are four standard errors by the variance of the image: a false
+// alarm in one of 16,000 seeds, and the seeds are fixed.
 #include "tracer_scenes.h"
 
 #include <numbers>
@@ -49,7 +49,7 @@ TEST(TracerFurnace, ALambertBallShowsItsAlbedo) {
               0.5);
 }
 
-// Lossless and convex: light leaves along some other direction, but all directions carry the same radiance.
+// Lossless and convex: light leaves in another direction, but all directions carry the same radiance.
 TEST(TracerFurnace, AMirrorBallOfAlbedoOneIsInvisible) {
   expect_mean(
       render_text(furnace_with(R"("type": "mirror", "reflectance": [1, 1, 1])"), {.samples_per_pixel = 16}),
@@ -94,10 +94,10 @@ TEST(TracerDirectLight, ASphereLightBelowItsCentreIsPiLTimesRadiusOverDistanceSq
   EXPECT_NEAR(mean_of_channel(rendering.image, 0), 0.0625, 0.00005);
 }
 
-// An ellipsoid is no sphere: the same light by a non-uniform matrix, seen from below along its long axis, has
-// the shadow of its horizontal section. Stretching along y towards the floor leaves the cross section but
-// brings the surface nearer; the exact form factor of a spheroid with semi-axes (a, c, a) at height h is a^2
-// / (h^2 - c^2 + a^2) for a receiver facing its centre.
+// An ellipsoid, made from a sphere light by a non-uniform matrix, seen from below along its long axis.
+// Stretching along y towards the floor preserves its horizontal section but brings its surface nearer; the
+// exact form factor of a spheroid with semi-axes (a, c, a) at height h is a^2 / (h^2 - c^2 + a^2) for a
+// receiver that faces its centre.
 TEST(TracerDirectLight, AStretchedSphereLightIsASpheroid) {
   const auto rendering = render_text(floor_under(R"({"type": "sphere", "radius": 0.5, "radiance": [1, 1, 1],
                                                      "matrix": [{"translate": [0, 2, 0]}, {"scale": [1, 2, 1]}]})",
@@ -156,8 +156,8 @@ TEST(TracerDirectLight, LightsAreBlackFromBehind) {
   EXPECT_EQ(mean_of_channel(below.image, 0), 0);
 }
 
-// A closed box of albedo 1/2 whose inside is seen from the middle, with a lamp: every image of depth d is a
-// partial sum, and the layers by path class add up to the image.
+// A closed box of albedo 1/2 with a light, seen from its middle: every image of depth d is a partial sum, and
+// the layers by path class add up to the image.
 TEST(TracerPaths, LayersAddUpToTheImage) {
   const auto text =
       scene_text("[0, 0, 0]", "[0, -1, 1]", 16, 4,
@@ -213,7 +213,7 @@ TEST(TracerDeterminism, TheImageDoesNotDependOnTheNumberOfThreads) {
   EXPECT_NE(one.image.pixels, other.image.pixels);
 }
 
-// Splitting by class only sorts what is there.
+// Splitting by class only sorts contributions.
 TEST(TracerDeterminism, SplittingPathsDoesNotChangeTheImage) {
   const auto plain = render_text(kBusyScene, {.samples_per_pixel = 8});
   const auto split = render_text(kBusyScene, {.samples_per_pixel = 8, .split_paths = true});
@@ -275,7 +275,7 @@ TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {
     }
 }
 
-// Two parallel mirrors would go on for ever; N scatterings and no more.
+// Two parallel mirrors would reflect forever; N scattering events and no more.
 TEST(TracerDepth, CountsSurfaceScatterings) {
   for (const int depth : {1, 2, 3, 5}) {
     // Closed cube, albedo 1/2, lit from within by emission seen by the environment: a room open nowhere, one

@@ -10,9 +10,10 @@ using namespace orbs::tracer;
 namespace {
 
 // What is drawn once for a path, and what at every bounce.
-constexpr std::array kOfPaths{SampleDimension::PixelAndFirstLight, SampleDimension::LightPick, SampleDimension::Wavelength};
-constexpr std::array kOfBounces{SampleDimension::Light, SampleDimension::Scatter, SampleDimension::MirroredLight,
-                                SampleDimension::Reradiation};
+constexpr std::array kOfPaths{SampleDimension::PixelAndFirstLight, SampleDimension::LightPick,
+                              SampleDimension::Wavelength};
+constexpr std::array kOfBounces{SampleDimension::Light, SampleDimension::Scatter,
+                                SampleDimension::MirroredLight, SampleDimension::Reradiation};
 
 }  // namespace
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "scene/load_scene.h"
-#include "tracer/render/render.h"
+#include "tracer/render.h"
 #include "tracer/world/build_world.h"
 
 #include <string>
 
-/// Small scenes as text, rendered in the test's own process.
+/// Small scenes as text, rendered in the process of the test.
 namespace orbs::tests {
 
 inline tracer::Rendering render_text(const std::string& text, const tracer::RenderSettings& settings) {
@@ -16,7 +16,8 @@ inline tracer::Rendering render_text(const std::string& text, const tracer::Rend
 }
 
 /// A whole scene around `content` (materials, meshes, instances, lights); the camera looks from `eye` to
-/// `target`, by default at so small a spot that closed forms for a point hold over the image.
+/// `target`, by default with a field of view so narrow that closed forms for a point hold for the whole
+/// image.
 inline std::string scene_text(const std::string& eye,
                               const std::string& target,
                               int side_px,

@@ -18,18 +18,18 @@
 
 /// All materials. A material is a file of this folder and a line in MaterialModel. Whatever its file lacks of
 /// the following is a compile error:
-///   XMaterial                        what is prepared once, with
-///     kIsAppearance                    false for the materials of ORB.S, which all transports render; true
-///                                      for those that need the wavelengths of a path
-///     Bsdfs<Value, N>                  BsdfList of the BSDFs that only this file defines
-///   make_material(scene::X, colours)   prepares it
-///   lobe_alpha(material)             roughness of its narrowest lobe: 0 for a delta function, kNoLobe
-///   make_bsdf(out, material, at)     its BSDF at a hit point, see ShadingContext
-///   XBsdf<Value, N>                  the material with its textures looked up and its side decided, with
-///     kIsDelta, kDepolarises, kEvent   is it a delta function; does it depolarise; its light-path event
-///   evaluate(bsdf, wo, wi)           f |cos wi| and pdf of wi, in the local frame with wo.z > 0
-///   sample(bsdf, wo, u)              a BsdfSample; nothing if the sampled direction is below the surface
-///   polarisation_by(bsdf, at)        its Mueller matrix, unless it depolarises
+///   XMaterial                         its parameters, prepared once per scene
+///     kIsAppearance                     false for the materials of ORB.S; true for those that need the
+///                                       wavelengths of a path
+///     Bsdfs<Value, N>                   BsdfList of the BSDFs that its file defines
+///   make_material(scene::X, colours)  prepares it
+///   lobe_alpha(material)              roughness of its narrowest lobe: 0 for a delta function, or kNoLobe
+///   make_bsdf(out, material, at)      makes its BSDF at a hit point (ShadingContext)
+///   XBsdf<Value, N>                   the BSDF, textures looked up and the viewer's side known
+///     kIsDelta, kDepolarises, kEvent    whether it is a delta function; whether it depolarises; its event
+///   evaluate(bsdf, wo, wi)            f |cos wi| and pdf of wi, in the local frame with wo.z > 0
+///   sample(bsdf, wo, u)               a BsdfSample; nothing if the sampled direction is below the surface
+///   polarisation_by(bsdf, at)         its Mueller matrix, unless it depolarises
 namespace orbs::tracer {
 
 using MaterialModel = std::variant<LambertMaterial,
@@ -50,26 +50,29 @@ BsdfList<A..., B...> operator+(BsdfList<A...>, BsdfList<B...>);
 template <typename... Bsdfs>
 std::variant<Bsdfs...> variant_of(BsdfList<Bsdfs...>);
 
+/// The BSDFs of one material; none if it is an appearance material and these are left out.
+template <typename Material, typename Value, std::size_t N, bool kWithAppearance>
+using BsdfsIfIncluded = std::conditional_t<(kWithAppearance || !Material::kIsAppearance),
+                                           typename Material::template Bsdfs<Value, N>,
+                                           BsdfList<>>;
+
 /// The BSDFs of all materials, or of those of ORB.S alone.
-template <typename Value, std::size_t N, bool kWithAppearance, typename Models>
+template <typename Models, typename Value, std::size_t N, bool kWithAppearance>
 struct BsdfsOf;
 
-template <typename Value, std::size_t N, bool kWithAppearance, typename... Material>
-struct BsdfsOf<Value, N, kWithAppearance, std::variant<Material...>> {
-  using List =
-      decltype((BsdfList<>{} + ... + std::conditional_t < kWithAppearance || !Material::kIsAppearance,
-                typename Material::template Bsdfs<Value, N>,
-                BsdfList < >> {}));
+template <typename... Material, typename Value, std::size_t N, bool kWithAppearance>
+struct BsdfsOf<std::variant<Material...>, Value, N, kWithAppearance> {
+  using List = decltype((BsdfList<>{} + ... + BsdfsIfIncluded<Material, Value, N, kWithAppearance>{}));
   using Variant = decltype(variant_of(List{}));
 };
 
 /// BSDFs of the materials of ORB.S.
 template <typename Value>
-using OrbsBsdf = typename BsdfsOf<Value, 1, false, MaterialModel>::Variant;
+using OrbsBsdf = typename BsdfsOf<MaterialModel, Value, 1, false>::Variant;
 
 /// BSDFs of all materials, for paths with N wavelengths.
 template <typename Value, std::size_t N>
-using AnyBsdf = typename BsdfsOf<Value, N, true, MaterialModel>::Variant;
+using AnyBsdf = typename BsdfsOf<MaterialModel, Value, N, true>::Variant;
 
 /// A material of the scene as the path loop reads it.
 struct SurfaceMaterial {

@@ -7,9 +7,9 @@
 
 namespace orbs::tracer {
 
-/// Maps the Stokes vector of the light at the end of the path to the Stokes parameters that the camera
-/// records: rows of the product of the Mueller matrices. The light is unpolarised, so the last three columns
-/// of the product are not needed. Each entry holds four wavelengths.
+/// Rows of the product of the Mueller matrices along the path, one for each Stokes parameter that the camera
+/// records: they map the Stokes vector of the light at the end of the path to the recorded parameters. Each
+/// entry holds four wavelengths.
 template <std::size_t kRows>
 struct StokesRows {
   std::array<std::array<Float4, 4>, kRows> row{};

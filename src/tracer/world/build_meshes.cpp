@@ -39,7 +39,7 @@ Mat4 relative_to(Mat4 matrix, Vec3d origin) {
   return matrix;
 }
 
-void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& settings, World& world) {
+void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied_triangles, World& world) {
   std::vector<int> uses(scene.meshes.size(), 0);
   std::size_t copied = 0;
   for (const auto& instance : scene.instances) {
@@ -53,7 +53,7 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& se
     RenderObject object;
     for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
       object.material_of.push_back(scene::remapped(instance, m));
-    if (copied <= settings.most_copied_triangles || uses[index] == 1) {
+    if (copied <= most_copied_triangles || uses[index] == 1) {
       object.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
     } else {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "tracer/world/build_world.h"
 #include "tracer/world/world.h"
 
 /// Steps of make_world.
@@ -10,8 +9,9 @@ namespace orbs::tracer {
 /// The matrix in coordinates whose zero is `origin`.
 Mat4 relative_to(Mat4 matrix, Vec3d origin);
 
-/// Adds meshes and their instances to the world, in coordinates relative to `origin`.
-void add_meshes(const scene::Scene& scene, Vec3d origin, const WorldSettings& settings, World& world);
+/// Adds meshes and their instances to the world, in coordinates relative to `origin`. `most_copied_triangles`
+/// as in WorldSettings.
+void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied_triangles, World& world);
 
 void add_spheres(const scene::Scene& scene, Vec3d origin, World& world);
 

@@ -75,7 +75,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
   add_materials(scene, colours, world);
-  add_meshes(scene, origin, settings, world);
+  add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_lights(scene, origin, colours, world);
   build_emitters(world);

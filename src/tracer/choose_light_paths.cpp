@@ -1,7 +1,7 @@
-#include "tracer/render/choose_light_paths.h"
+#include "tracer/choose_light_paths.h"
 
 #include "image/colour.h"
-#include "tracer/render/render.h"
+#include "tracer/render.h"
 
 #include <algorithm>
 #include <array>

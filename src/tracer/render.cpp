@@ -1,4 +1,4 @@
-#include "tracer/render/render.h"
+#include "tracer/render.h"
 
 #include "tracer/integrator/path_class.h"
 #include "tracer/kernels/kernels.h"
