@@ -90,7 +90,7 @@ Outcome process_outcome(const adapters::ProcessResult& process,
                         const ProcessLimits& limits) {
   if (!process.start_error.empty())
     return {Verdict::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (!process.orphaned.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.lost), {}};
+  if (!process.orphaned.empty()) return {Verdict::Crash, fmt::format("was lost: {}", process.orphaned), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
     outcome = {Verdict::Crash, signal_message(process), {}};
