@@ -31,7 +31,7 @@ void write_entry(json::Writer& out, const ReplacedReference& entry) {
 
 // A file that is broken has a history, too.
 ReplacedReference entry_of(const std::filesystem::path& reference, const std::string& reason) {
-  ReplacedReference entry{runner::local_time_now(), reason, "", {}};
+  ReplacedReference entry{local_time_now(), reason, "", {}};
   try {
     const auto image = image::read_image(reference);
     entry.provenance = judge::provenance_of(image);

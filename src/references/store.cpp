@@ -62,7 +62,7 @@ void stamp(const RenderedReference& rendered,
       hash_text(runner::scene_content_hash(scene::load_scene(wanted.file), wanted.file));
   provenance["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
   provenance["orbs.cpu"] = runner::this_host().cpu;
-  provenance["orbs.date"] = runner::local_time_now();
+  provenance["orbs.date"] = local_time_now();
   provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
   provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
   for (const auto& [name, share] : path_shares(rendered.image))

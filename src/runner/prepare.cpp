@@ -30,7 +30,7 @@ std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const Planne
   const auto& planned = plan.scenes[job.scene];
   const auto& renderer = plan.renderers[job.renderer].entry;
   if (!job.native_scene.empty()) return *planned.scene;
-  if (renderer.scene_format == registry::SceneFormat::Native)
+  if (renderer.scene_format == registry::kNativeFormat)
     return fmt::format("it reads hand-written scenes only, and there is no {}",
                        adapters::native_scene_file(renderer, planned.file, planned.name).string());
   return adapters::prepare_scene(renderer, *planned.scene);

@@ -37,7 +37,7 @@ bool is_dark(const spectra::Spectrum& light) {
 // and not where all surfaces scatter all wavelengths alike.
 EffectVerdict verdict_on_light(const Scene& scene, const SpectrumUse& use, bool has_coloured_surface) {
   const auto& [name, spectrum] = spectrum_at(scene.spectra, use);
-  if (use.scale == 0 || is_dark(spectrum)) return {Effect::Spectral, false, "gives no light"};
+  if (use.scale == 0 || is_dark(spectrum)) return {Effect::Spectral, false, "emits no light"};
   if (is_d65(spectrum))
     return {Effect::Spectral, false,
             fmt::format("has spectrum '{}', which is D65: white says the same", name)};
@@ -46,7 +46,7 @@ EffectVerdict verdict_on_light(const Scene& scene, const SpectrumUse& use, bool 
             fmt::format("has spectrum '{}', but every surface treats all wavelengths alike: the colour of "
                         "the light says it all",
                         name)};
-  return {Effect::Spectral, true, fmt::format("gives light by spectrum '{}', which is not D65", name)};
+  return {Effect::Spectral, true, fmt::format("emits by spectrum '{}', which is not D65", name)};
 }
 
 // All effects that the material would call for if a surface showed it.
@@ -88,7 +88,7 @@ void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
     if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), name);
     if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, name);
     if (light.reflectance != RgbColour{})
-      note(found, {Effect::ReflectingLight, true, "reflects light as well as giving it"}, name);
+      note(found, {Effect::ReflectingLight, true, "reflects light as well as emitting it"}, name);
   }
   if (scene.environment_spectrum)
     note(found, verdict_on_light(scene, *scene.environment_spectrum, has_colour), "the environment");

@@ -1,6 +1,7 @@
 #include "studies/probe_scene.h"
 
 #include "image/image_io.h"
+#include "scene/lower_effects.h"
 #include "scene/lower_geometry.h"
 
 #include <algorithm>

@@ -131,7 +131,7 @@ bool wait_for_event(const Supervision& state, int control, int signals) {
 }
 
 int open_signals() {
-  // A renderer must not be able to pretend that somebody had interrupted the run.
+  // A renderer must not be able to fake an interrupt of the run.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_IGN);
   sigset_t signals;
   sigemptyset(&signals);

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace orbs::adapters {
@@ -57,6 +58,12 @@ std::string follow(const ProcessRequest& request, Pipes& pipes, OutputLog& log) 
   return report;
 }
 
+// How a supervisor ended that left no report.
+std::string end_of_supervisor(int status) {
+  return WIFSIGNALED(status) ? fmt::format("its supervisor was killed by {}", signal_name(WTERMSIG(status)))
+                             : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
+}
+
 }  // namespace
 
 ProcessResult run_process(const ProcessRequest& request) {
@@ -74,11 +81,11 @@ ProcessResult run_process(const ProcessRequest& request) {
       reap_supervisor(pid);
       throw;
     }
-    const auto how = reap_supervisor(pid);
+    const int status = reap_supervisor(pid);
     if (const auto parsed = supervisor::parse_report(report)) {
       static_cast<supervisor::Report&>(result) = *parsed;
     } else {
-      result.orphaned = how;
+      result.orphaned = end_of_supervisor(status);
     }
   }
   for (const auto& problem : {result.start_error, result.orphaned})

@@ -114,12 +114,11 @@ int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid) {
   return error;
 }
 
-std::string reap_supervisor(pid_t pid) {
+int reap_supervisor(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status) ? fmt::format("its supervisor was killed by {}", signal_name(WTERMSIG(status)))
-                             : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
+  return status;
 }
 
 }  // namespace orbs::adapters

@@ -44,7 +44,7 @@ std::vector<std::string> supervisor_command(const ProcessRequest& request);
 /// it cannot be started, else 0.
 int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid);
 
-/// Waits for the supervisor's end; says how it ended, for when it left no report.
-std::string reap_supervisor(pid_t pid);
+/// Waits for the supervisor's end; returns its status as waitpid(2) does.
+int reap_supervisor(pid_t pid);
 
 }  // namespace orbs::adapters

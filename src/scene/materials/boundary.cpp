@@ -89,12 +89,13 @@ EffectVerdict effect_of(const Roughness& roughness) {
 }
 
 EffectVerdict effect_of(const Film& film, const RefractiveIndex& outside, bool is_base_same) {
-  if (film.height_nm == 0) return {Effect::ThinFilm, false, "has a film of no height"};
+  if (film.height_nm == 0) return {Effect::ThinFilm, false, "has a film of thickness zero"};
   if (is_everywhere_equal(film.index, outside))
-    return {Effect::ThinFilm, false, "has a film with the index of what is outside, which nobody sees"};
+    return {Effect::ThinFilm, false, "has a film with the index of the outside, which is invisible"};
   if (is_base_same)
-    return {Effect::ThinFilm, false, "has a film with the index of what it lies on, which nobody sees"};
-  return {Effect::ThinFilm, true, fmt::format("has a film {} nm high", film.height_nm)};
+    return {Effect::ThinFilm, false,
+            "has a film with the index of the material below it, which is invisible"};
+  return {Effect::ThinFilm, true, fmt::format("has a film {} nm thick", film.height_nm)};
 }
 
 RefractiveIndex frozen(const RefractiveIndex& index) {
