@@ -17,7 +17,7 @@ namespace orbs::cli {
 
 namespace {
 
-// Of all suites; nothing when one cannot be read, which is told.
+// The scenes of all suites. None if a suite cannot be read, after printing why.
 std::optional<std::set<std::string>> scene_names(const registry::Configuration& configuration) {
   std::set<std::string> names;
   for (const auto& suite : configuration.suites) {
@@ -42,7 +42,7 @@ void examine(const registry::Renderer& renderer,
     if (!renderer.version_command.empty())
       fmt::print("  version   {}\n", runner::renderer_version({renderer, *executable}, places));
   } else {
-    fmt::print("  program   not installed: there is no program '{}' here\n",
+    fmt::print("  program   not installed: '{}' was not found\n",
                runner::program_name(renderer, places.root, places.build));
   }
   fmt::print("  reads     {}{}\n", renderer.scene_format,
@@ -51,7 +51,7 @@ void examine(const registry::Renderer& renderer,
                  : fmt::format(", hand-written scenes *.{}", renderer.native_scenes));
   fmt::print("  declares  {}\n", registry::format_features(renderer.declares));
   for (const auto& limit : renderer.known_limits)
-    fmt::print("  without   {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);
+    fmt::print("  lacks     {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);
   for (const auto& [name, scale] : renderer.spp_scale_of_scenes)
     if (scenes && !scenes->contains(name))
       fmt::print("  spp_scale_of_scenes  no suite has a scene '{}'{}\n", name, closest(name, *scenes));

@@ -66,21 +66,19 @@ void list_renderers(const Configuration& configuration) {
 
 int list(const Configuration& configuration, const std::string& suite, const std::string& what) {
   const bool all = what == "all";
-  const auto heading = [&](const char* title) {
-    if (all) fmt::print("{}{}\n", title == std::string_view("suites") ? "" : "\n", title);
-  };
-  const auto wants = [&](const char* title) {
+  // A single list has no heading, so that scripts can read it.
+  const auto wants = [&](std::string_view title, const char* columns) {
     if (!all && what != title) return false;
-    heading(title);
+    if (all) fmt::print("{}{} ({})\n", title == "suites" ? "" : "\n", title, columns);
     return true;
   };
-  if (wants("suites")) list_suites(configuration);
-  if (wants("renderers")) list_renderers(configuration);
+  if (wants("suites", "name, folder of its cases")) list_suites(configuration);
+  if (wants("renderers", "name, what it declares, program")) list_renderers(configuration);
   if (what == "suites" || what == "renderers") return 0;
   const auto cases = registry::load_cases(registry::find_suite(configuration, suite));
-  if (wants("requirements")) list_requirements(cases);
-  if (wants("cases")) list_cases(cases);
-  if (wants("scenes")) list_scenes(cases);
+  if (wants("requirements", "code, title")) list_requirements(cases);
+  if (wants("cases", "name, requirement, title, targets")) list_cases(cases);
+  if (wants("scenes", "name, requirement, samples, file or difference")) list_scenes(cases);
   return 0;
 }
 

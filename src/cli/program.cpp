@@ -40,8 +40,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   CLI::App app{
-      "Renders small test scenes with every configured renderer, compares the images with references, "
+      "Renders small test scenes with every configured renderer, compares the images with references,\n"
       "and says which requirements each renderer meets."};
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.footer(
       "First steps:\n"
       "  orbs doctor                 lists the renderers that are installed\n"

@@ -56,18 +56,18 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(not_empty("a folder"));
   auto* resume = command
                      .add_option("--resume", options.resume,
-                                 "Continue the run in this folder: render what is missing or outdated")
+                                 "Continue the run in this folder, with its own suite, cases and renderers")
                      ->check(not_empty("a folder"));
-  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
-    resume->excludes(command.get_option(choice));
-  command.add_option("-j,--jobs", options.jobs, "Number of renders at the same time")
+  command.add_option("-j,--jobs", options.jobs, "Number of renders at the same time (default: 1)")
       ->check(CLI::Range(1, kMost));
-  command.add_option("--threads", options.threads, "Threads of one render; 0: the cores divided by --jobs")
+  command
+      .add_option("--threads", options.threads,
+                  "Threads of one render (default: 0, the cores divided by --jobs)")
       ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "Seed of all renders")
+  command.add_option("--seed", options.seed, "Seed of all renders (default: 1)")
       ->check(zero_or_more())
       ->check(CLI::Range(0, registry::kLargestSeed));
-  command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel")
+  command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel (default: 1)")
       ->check(above_zero());
   command.add_flag("-l,--log,!--no-log", options.log,
                    "Keep log.txt of every render; --no-log keeps only those of failures");
@@ -75,6 +75,14 @@ void add_options(CLI::App& command, RunOptions& options) {
                    "At the end, serve the results as a page and open it in the browser");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
                    "Print the renders and their commands, and start nothing");
+  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
+    resume->excludes(command.get_option(choice)->option_text("NAMES"));
+  for (const char* number : {"--jobs", "--threads", "--seed", "--spp-scale"})
+    command.get_option(number)->option_text("NUMBER");
+  command.get_option("--exec")->option_text("PROGRAM");
+  command.get_option("--suite")->option_text("NAME");
+  command.get_option("--output")->option_text("FOLDER");
+  resume->option_text("FOLDER");
 }
 
 template <typename T>

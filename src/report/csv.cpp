@@ -40,7 +40,7 @@ std::string measure_text(const TargetRecord& target, const std::string& name) {
   return "";
 }
 
-// Of an image made from two renders, the sum of both costs.
+// The cost of a target; that of a difference is the sum of two renders.
 struct Cost {
   double wall_seconds = 0;
   double cpu_seconds = 0;
@@ -48,7 +48,7 @@ struct Cost {
   std::size_t peak_rss_bytes = 0;
   bool is_known = false;
   bool has_render_seconds = true;
-  std::string machine;  // "" when it is made on two kinds
+  std::string machine;  // "" if it was rendered on two kinds of machine
 };
 
 Cost cost_of(const RunRecord& run, const TargetRecord& target) {

@@ -11,7 +11,7 @@ namespace {
 using results::EffectRecord;
 using Rows = std::vector<TableRow>;
 
-// Findings of one effect stand side by side: the first one speaks for the others.
+// The findings of one effect are adjacent; the first one stands for all of them.
 void add_rows(const std::vector<EffectRecord>& effects, const char* mark, Rows& rows) {
   for (std::size_t i = 0; i < effects.size();) {
     std::size_t next = i + 1;

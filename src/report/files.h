@@ -7,12 +7,11 @@
 
 namespace orbs::report {
 
-/// Long form, one row per image and renderer, RFC 4180: text in quotes where it must be.
+/// CSV (RFC 4180) in long form: one row per target and renderer.
 std::string results_csv(const results::RunRecord& run);
 
-/// JUnit XML: a test suite per renderer, a test case per requirement. What the renderer does not declare or
-/// cannot be given counts as skipped; crashes, timeouts and missing images as errors, wrong images as
-/// failures.
+/// JUnit XML: a test suite per renderer, a test case per requirement. Unsupported and skipped targets count
+/// as skipped; crashes, timeouts and missing images as errors; wrong images as failures.
 std::string junit_xml(const results::RunRecord& run);
 
 /// `text` for an XML 1.0 attribute or element: the five special characters escaped, control characters that

@@ -22,7 +22,7 @@ using results::TargetRecord;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // null in JSON
 
-// Names, each once, and where each stands.
+// A list of names without repetitions, and the index of each.
 struct Names {
   std::vector<std::string> list;
   std::map<std::string, std::size_t> index;
@@ -34,7 +34,7 @@ struct Names {
   }
 };
 
-// What stands in a cell while its render waits or runs; behind the verdicts in the list of states.
+// States of a cell whose render waits or runs. They follow the verdicts in the list of states.
 constexpr std::string_view kWaiting = "waiting";
 constexpr std::string_view kRunning = "running";
 
@@ -65,8 +65,8 @@ struct Columns {
   std::vector<const results::Measure*> metrics;  // each name once
 };
 
-// An image that is made from two renders costs both; the larger of the two memories. It has a machine when
-// both have the same one.
+// The image of a difference costs the sum of two renders, and the larger of the two memories. It has a
+// machine if both were rendered on the same kind.
 void add_cost(const TargetRecord& target,
               const RunRecord& run,
               const std::map<std::string, std::size_t>& jobs,
@@ -172,7 +172,7 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
   for (const auto& name : names.list) {
     const auto found =
         std::find_if(run.cases.begin(), run.cases.end(), [&](const auto& c) { return c.name == name; });
-    // A results.json without "cases" knows no more than what its images say.
+    // Without "cases" in results.json, only the targets say something about a case.
     const auto first = std::find_if(run.targets.begin(), run.targets.end(),
                                     [&](const auto& p) { return p.case_name == name; });
     const bool known = found != run.cases.end();
@@ -187,7 +187,7 @@ void write_cases(Writer& out, const RunRecord& run, const Names& names) {
   out.end_array();
 }
 
-// Of each render once, though several cases and differences may look at it.
+// Counts each render once, even if several cases and differences use it.
 void write_costs(Writer& out, const RunRecord& run, const std::string& renderer) {
   double wall_seconds = 0;
   double cpu_seconds = 0;
@@ -225,8 +225,8 @@ bool is_measured(const TargetRecord& target, const results::Check& check) {
                      [&](const auto& measure) { return measure.name == check.what; });
 }
 
-// The metric of the most gates, the first by name among equals; "" when there is none. An image's gate is
-// its first condition on a number; the tolerances that follow it are the same for all.
+// The metric of most gates, the first by name among equals; "" if there is none. The first check of a target
+// that is on a number is its own gate; the checks after it are the same for all targets.
 std::string main_metric(const RunRecord& run) {
   std::map<std::string, int> counts;
   for (const auto& target : run.targets) {

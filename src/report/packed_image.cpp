@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "image/half.h"
+#include "image/reduced_precision.h"
 #include "json/writer.h"
 #include "report/gzip.h"
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using results::RunView;
 using results::TargetRecord;
 
-// Every file of the run that the page would show, the most useful first, each once.
+// The image files of the run that the page shows, without repetitions, the most useful ones first.
 std::vector<std::string> wanted_images(const RunView& view) {
   std::vector<std::string> files;
   std::set<std::string> seen;
@@ -47,7 +47,7 @@ std::string data_element(const std::string& id, const std::string& type, const s
   return fmt::format("<script type=\"{}\" id=\"{}\">{}</script>\n", type, id, content);
 }
 
-// The whole of a file of the run. InputError when it does not lie in the run's folder, whatever results.json
+// The contents of a file of the run. InputError if it does not lie in the run's folder, whatever results.json
 // says.
 std::string file_of(const RunView& view, const std::string& name) {
   const auto file = open_inside(view.run.folder, name);
@@ -55,7 +55,7 @@ std::string file_of(const RunView& view, const std::string& name) {
   return file->read(0, static_cast<std::size_t>(file->size()));
 }
 
-// Puts images into `page` while there is room and returns which file is which element.
+// Puts images into `page` while there is room. Returns which file became which element.
 std::string add_images(const RunView& view, const PageFileSettings& settings, PageFile& page) {
   constexpr int kSmall = 9;
   std::size_t used = 0;
@@ -80,7 +80,7 @@ std::string add_images(const RunView& view, const PageFileSettings& settings, Pa
   return names.end_object().text();
 }
 
-// The small images of the overview are worth their few bytes only while there are few of them.
+// Thumbnails are embedded only as long as there are few of them.
 void add_thumbnails(const RunView& view, PageFile& page) {
   constexpr std::size_t kMost = 200;
   const auto& targets = view.run.targets;
@@ -94,7 +94,7 @@ void add_thumbnails(const RunView& view, PageFile& page) {
   }
 }
 
-// Splits the template at its mark.
+// Splits the template at its placeholder.
 std::pair<std::string, std::string> template_of(const fs::path& bundle) {
   constexpr std::string_view kMark = "<!--orbs-data-->";
   const auto file = bundle / "single.html";

@@ -23,7 +23,8 @@ bool fails_by_far(const TargetRecord& target) {
   });
 }
 
-// By what the programs call themselves: "orbs-tracer" in the provenance, "orbs-tracer 0.1.0" as a version.
+// Compares the programs by their own names: "orbs-tracer" in the provenance, "orbs-tracer 0.1.0" as a
+// version.
 bool is_foreign(const TargetRecord& target, const results::RendererRecord& renderer) {
   const auto program = target.reference_provenance.find("program");
   return program != target.reference_provenance.end() && !renderer.version.starts_with(program->second);
@@ -41,7 +42,7 @@ std::string probe_hints(const results::RunRecord& run) {
         targets.push_back(target.target);
     if (!targets.empty())
       text += fmt::format(
-          "{0} is far off in {1}: 'orbs probe -r {0}' tells whether it has camera and objects where the "
+          "{0} is far off in {1}: 'orbs probe -r {0}' checks whether it places camera and objects as the "
           "scenes say\n",
           renderer.name, fmt::join(targets, ", "));
   }

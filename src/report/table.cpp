@@ -72,8 +72,8 @@ std::string renderer_lines(const RunRecord& run) {
   return text_table(rows);
 }
 
-// One line for all images of a renderer and requirement of which the same is said; failures before what is
-// unsupported. Of what an interrupted run did not come to the counts of the renderers say enough.
+// One line for all targets of a renderer and requirement that share verdict and reason; failures come before
+// unsupported targets. Skipped targets are left out: the counts of the renderers mention them.
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   struct Remark {
     const results::TargetRecord* first;
@@ -102,7 +102,7 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   return text_table(rows);
 }
 
-// What must be known of an image beside its verdict. One that several cases look at is told once.
+// Remarks beside the verdicts. A target that several cases use is mentioned once.
 std::string remark_lines(const RunRecord& run) {
   std::set<std::pair<std::string, std::string>> told;
   std::vector<TableRow> rows;

@@ -11,11 +11,11 @@ struct TableStyle {
   bool colour = false;  // ANSI escapes
 };
 
-/// Colour when `descriptor` is a terminal that can do it and the user did not set NO_COLOR
+/// Colour if `descriptor` is a terminal that supports it and the user did not set NO_COLOR
 /// (https://no-color.org).
 TableStyle style_for(int descriptor);
 
-/// What stands at the end of a run: one line per requirement with a column per renderer (lowest PSNR and
+/// The summary at the end of a run: one line per requirement with a column per renderer (lowest PSNR and
 /// verdict), what each renderer declares and what was measured, and a reason for everything that is no
 /// pass.
 std::string summary_text(const results::RunRecord& run, const TableStyle& style);

@@ -24,8 +24,8 @@ using results::TargetRecord;
 
 constexpr std::uint64_t kLogTail_bytes = 8192;
 
-// The end of a log from the start of a line; "" when the run's folder has no such file: what results.json
-// names need not lie there.
+// The end of a log, from the start of a line. "" if the run's folder has no such file: a results.json from
+// elsewhere may name any path.
 std::string log_tail(const RunRecord& run, const std::string& name) {
   const auto file = open_inside(run.folder, name);
   if (!file) return "";
@@ -69,7 +69,7 @@ void write_measures(Writer& out, const TargetRecord& target) {
   out.end_array();
 }
 
-// The scenes that the image's renders show.
+// The scenes of the renders that the image is made from.
 void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target) {
   out.key("scenes").begin_array();
   for (const auto& scene : run.scenes)
@@ -81,20 +81,20 @@ void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target)
   out.end_array();
 }
 
-// What renders this image alone once more, and judges it in the same way.
+// The command that renders and judges this target again, and no other.
 std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& target, const JobRecord* job) {
   std::vector<std::string> words{"orbs",           "run",     "--suite",     run.suite,    "--case",
                                  target.case_name, "--scene", target.target, "--renderer", target.renderer};
   if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->identity.seed)});
-  // The scale of the samples stands in no record but in the command line.
+  // Only the command line records the scale of the samples.
   const auto given = std::find(run.command_line.begin(), run.command_line.end(), "--spp-scale");
   if (given != run.command_line.end() && given + 1 != run.command_line.end())
     words.insert(words.end(), {*given, given[1]});
   return words;
 }
 
-// What is left takes as long as what is done took on average, as many at a time as run now; NaN before the
-// first is done.
+// An estimate: the remaining renders take as long as the finished ones did on average, and as many run at the
+// same time as now. NaN until one is finished.
 double seconds_left(const RunView& view) {
   double left = std::nan("");
   double sum = 0;

@@ -21,8 +21,8 @@ std::map<std::string, std::vector<EffectCostRecord>> read_effect_costs(const std
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-effect-cost/1"});
   for (auto& scene : in.objects("scenes"))
-    for (auto& way : scene.objects("alternatives"))
-      effect_costs[scene.text("scene")].push_back(read_effect_cost(way));
+    for (auto& alternative : scene.objects("alternatives"))
+      effect_costs[scene.text("scene")].push_back(read_effect_cost(alternative));
   return effect_costs;
 }
 

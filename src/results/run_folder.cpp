@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kLockFile = "run.lock";
 
-// Takes over what the job's own file says; false when there is nothing to take, or nothing readable.
+// Takes over the job's own file. False if there is none, or none that can be read.
 bool take_job_file(RunView& view, std::size_t index) {
   auto& job = view.run.jobs[index];
   const auto file = fs::path(view.run.folder) / job.files.folder / "job.json";
@@ -24,7 +24,7 @@ bool take_job_file(RunView& view, std::size_t index) {
   try {
     found = read_job_file(file);
   } catch (const InputError&) {
-    return false;  // results.json will say what became of it
+    return false;  // results.json will hold its outcome when the run ends
   }
   if (found.job.identity.id != job.identity.id) return false;
   job = std::move(found.job);
@@ -70,7 +70,7 @@ RunView read_run_folder(const fs::path& folder) {
     throw InputError(fmt::format(
         "{}: holds no results.json, so it is not the folder of a run; name one that 'orbs run' made",
         folder.string()));
-  // Asked before the file is read: a run that ends in between is read once more, not taken for a dead one.
+  // Checked before the file is read: a run that ends in between must not be taken for a killed one.
   const bool was_running = is_running(folder);
   view.run = read_results_file(file);
   view.is_live = was_running && !view.run.finished;

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <vector>
 
-/// The folder of a run as others see it while the run goes on: results.json stands there from the start, with
-/// every render and image still "skipped", and each finished render adds its job.json.
+/// The folder of a run, also while the run goes on. results.json is there from the start, with every render
+/// and target still "skipped"; each finished render adds its job.json.
 namespace orbs::results {
 
-/// Held by a run for as long as it lives; the system lets go of it however the run ends.
+/// Held by a run as long as it lives. The system releases it, however the run ends.
 class RunLock {
  public:
-  /// InputError when another process holds it, which is named, or the folder cannot be written to.
+  /// InputError if another process holds it (the message names it), or if the folder cannot be written to.
   explicit RunLock(const std::filesystem::path& folder);
 
  private:
@@ -32,11 +32,11 @@ struct RunView {
   bool is_live = false;          // the run goes on
 };
 
-/// The run as its folder shows it now. InputError when there is no results.json or it is broken; a job.json
-/// that is broken leaves its render waiting.
+/// Reads the present state of the run. InputError if results.json is missing or broken; a render whose
+/// job.json is broken counts as waiting.
 RunView read_run_folder(const std::filesystem::path& folder);
 
-/// Brings `view` up to date with its folder; true when it changed.
+/// Updates `view` from its folder. True if it changed.
 bool refresh(RunView& view);
 
 }  // namespace orbs::results

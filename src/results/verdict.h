@@ -6,11 +6,11 @@
 
 namespace orbs::results {
 
-/// What is said about one image of one renderer, from best to worst: the worst of several speaks for all of
-/// them.
+/// The verdict on one target by one renderer, from best to worst. Several targets together get the worst
+/// verdict among them.
 enum class Verdict {
   Pass,
-  Unsupported,       // the renderer does not declare it, or the scene cannot be prepared for it
+  Unsupported,       // the renderer does not declare it, or cannot be given the scene
   Skipped,           // the run ended before its turn
   Inconclusive,      // the gate cannot tell: too much noise, or a reference that does not show its subject
   MissingReference,  // nothing to compare with, which is never a pass
@@ -47,12 +47,12 @@ inline constexpr std::array kVerdicts{Verdict::Pass,
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);
 
-/// The verdict of that name; nothing when there is none.
+/// The verdict of that name, if there is one.
 std::optional<Verdict> verdict_named(std::string_view name);
 
 Verdict worse(Verdict a, Verdict b);
 
-/// True for all that makes a run end with status 1: everything but a pass and what was never promised.
+/// True for every verdict that makes a run end with status 1: all but pass and unsupported.
 bool counts_as_failure(Verdict verdict);
 
 }  // namespace orbs::results

@@ -4,11 +4,11 @@
 
 namespace orbs::results {
 
-/// Where renders of a run lie until they are whole: .unfinished/<process id> in the run's folder, gone with
-/// the object. Names of renderers never begin with a point, so nothing else is called so.
+/// The folder of unfinished renders: .unfinished/<process id> in the run's folder, removed with the object.
+/// No renderer can have this name, because names of renderers never begin with a dot.
 class WorkFolder {
  public:
-  /// Clears away what earlier, killed runs left. The caller holds the run's lock. WriteError when it cannot
+  /// Removes what earlier, killed runs left. The caller holds the run's lock. WriteError if the folder cannot
   /// be made.
   explicit WorkFolder(const std::filesystem::path& run);
   ~WorkFolder();
@@ -20,7 +20,7 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
-/// Whether the render in `folder`, relative to the run's, is being worked on or was when the run was killed.
+/// True if the render in `folder`, relative to the run's, is in progress, or was when the run was killed.
 bool is_unfinished(const std::filesystem::path& run, const std::filesystem::path& folder);
 
 }  // namespace orbs::results

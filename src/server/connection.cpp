@@ -24,17 +24,17 @@ bool wait_for(int sock, short what, std::chrono::milliseconds time) {
   return ::poll(&wanted, 1, static_cast<int>(std::max<std::int64_t>(time.count(), 0))) > 0;
 }
 
-// What httplib reads is the head that the gate wrote; what it writes goes to the socket.
+// httplib reads the head that the gate has written, and writes to the socket.
 class CheckedStream : public httplib::Stream {
  public:
-  CheckedStream(int sock, std::string head, std::chrono::milliseconds write_stall)
-      : sock_(sock), head_(std::move(head)), write_stall_(write_stall) {}
+  CheckedStream(int sock, std::string head, std::chrono::milliseconds write_timeout)
+      : sock_(sock), head_(std::move(head)), write_timeout_(write_timeout) {}
 
   bool is_readable() const override { return at_ < head_.size(); }
-  // Also false when the client has gone: it has nothing to send any more, so whatever can be read is its end.
+  // Also false if the client has gone: a client sends nothing after its head, so readable means closed.
   bool is_writable() const override {
     pollfd wanted{sock_, POLLOUT | POLLRDHUP, 0};
-    return ::poll(&wanted, 1, static_cast<int>(write_stall_.count())) > 0 &&
+    return ::poll(&wanted, 1, static_cast<int>(write_timeout_.count())) > 0 &&
            (wanted.revents & POLLOUT) != 0 && (wanted.revents & (POLLRDHUP | POLLHUP | POLLERR)) == 0;
   }
   ssize_t read(char* data, size_t size) override {
@@ -44,7 +44,7 @@ class CheckedStream : public httplib::Stream {
     return static_cast<ssize_t>(count);
   }
   ssize_t write(const char* data, size_t size) override {
-    if (!wait_for(sock_, POLLOUT, write_stall_)) return -1;
+    if (!wait_for(sock_, POLLOUT, write_timeout_)) return -1;
     return ::send(sock_, data, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   }
   void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
@@ -55,10 +55,10 @@ class CheckedStream : public httplib::Stream {
   int sock_;
   std::string head_;
   std::size_t at_ = 0;
-  std::chrono::milliseconds write_stall_;
+  std::chrono::milliseconds write_timeout_;
 };
 
-// The request up to its empty line, or why there is none; an empty reason when the client went away.
+// The request up to its empty line, or the reason why there is none; "" if the client went away.
 std::variant<std::string, Refusal> read_head(int sock, std::chrono::milliseconds time) {
   const auto deadline = Clock::now() + time;
   std::string head;
@@ -90,8 +90,8 @@ void send_refusal(int sock, const Refusal& refusal, std::chrono::milliseconds ti
   if (wait_for(sock, POLLOUT, time)) ::send(sock, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
-// Closing with unread bytes makes the system throw away what it has not sent yet (RFC 9112, section 9.6), so
-// a little of them is read first.
+// If a socket is closed with unread bytes, the system discards what it has not sent yet (RFC 9112, section
+// 9.6). Therefore some of them are read first.
 void close_gently(int sock) {
   constexpr std::chrono::milliseconds kMost{300};
   constexpr std::size_t kMostBytes = 1U << 20U;
@@ -111,7 +111,7 @@ void close_gently(int sock) {
 }  // namespace
 
 GatedServer::GatedServer(GateSettings gate, ConnectionLimits limits) : gate_(gate), limits_(limits) {
-  // httplib's own options let a second program share the port, and each would get some of the clients.
+  // httplib's own options would let a second program share the port and take some of the clients.
   set_socket_options([](socket_t sock) {
     const int yes = 1;
     ::setsockopt(sock, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
@@ -125,23 +125,23 @@ int GatedServer::open(const std::string& address, int port) {
     throw InputError(
         fmt::format("cannot listen on {}:{}: {}; is another program there? --port takes another one", address,
                     port, std::strerror(errno)));
-  // httplib listens with a line of 5, after which the system makes clients wait a second each.
+  // httplib listens with a backlog of 5; beyond that the system lets each client wait for a second.
   ::listen(svr_sock_, limits_.backlog);
   return bound;
 }
 
 void GatedServer::answer(socket_t sock) {
-  auto read = read_head(sock, limits_.head_time);
+  auto read = read_head(sock, limits_.head_timeout);
   if (const auto* refusal = std::get_if<Refusal>(&read)) {
-    if (refusal->status != 0) send_refusal(sock, *refusal, limits_.write_stall);
+    if (refusal->status != 0) send_refusal(sock, *refusal, limits_.write_timeout);
     return;
   }
   auto checked = check_request(std::get<std::string>(read), gate_);
   if (const auto* refusal = std::get_if<Refusal>(&checked)) {
-    send_refusal(sock, *refusal, limits_.write_stall);
+    send_refusal(sock, *refusal, limits_.write_timeout);
     return;
   }
-  CheckedStream stream(sock, std::get<Admitted>(checked).head, limits_.write_stall);
+  CheckedStream stream(sock, std::get<Admitted>(checked).head, limits_.write_timeout);
   bool closed = false;
   process_request(stream, true, closed, nullptr);
 }

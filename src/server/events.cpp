@@ -13,7 +13,7 @@ constexpr int kMostListeners = 64;
 constexpr std::chrono::milliseconds kPause{250};
 constexpr std::chrono::seconds kSignOfLife{10};
 
-// Counts a client for as long as its answer lives.
+// Counts a client as long as its answer lives.
 class Listener {
  public:
   explicit Listener(std::atomic<int>& count) : count_(count) { ++count_; }
@@ -21,14 +21,14 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  std::uint64_t seen = 0;  // version of the run that the client knows
+  std::uint64_t seen = 0;  // the version of the run that the client knows
   std::chrono::steady_clock::time_point last_word;
 
  private:
   std::atomic<int>& count_;
 };
 
-// One line of data: the JSON of our writer has line breaks between members only.
+// Joins the JSON to one line of data; our writer breaks lines between members only.
 std::string event_text(std::uint64_t version, const std::string& json) {
   std::string line;
   for (const char c : json)
@@ -44,7 +44,7 @@ bool send_next(const Site& site, ServedRun& run, Listener& listener, httplib::Da
     listener.seen = version;
     text = event_text(version, run.progress());
   } else if (now - listener.last_word > kSignOfLife) {
-    text = ":\n\n";  // a comment: keeps the connection, and finds out whether somebody listens
+    text = ":\n\n";  // a comment keeps the connection, and fails if the client is gone
   }
   if (!text.empty()) {
     listener.last_word = now;

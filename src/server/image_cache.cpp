@@ -26,14 +26,15 @@ ImageCache::Bytes ImageCache::get(const std::string& key, const std::function<st
   std::unique_lock lock(mutex_);
   if (auto found = find(key)) return found;
   freed_.wait(lock, [&] { return free_ > 0; });
-  // Whoever had the place may have packed the same image.
+  // Another request may have packed the same image meanwhile.
   if (auto found = find(key)) return found;
   --free_;
   lock.unlock();
   const auto give_back = [&] {
     lock.lock();
     ++free_;
-    // All of them: one that finds its image kept by now takes no place, and would leave the others waiting.
+    // Wakes all: a request that finds its image kept by now packs nothing, and would leave the others
+    // waiting.
     freed_.notify_all();
   };
   try {

@@ -10,14 +10,15 @@
 
 namespace orbs::server {
 
-/// Packed images that were asked for lately. Packing takes memory for the decoded image, so only a few
-/// are packed at a time and the others wait, however many clients ask.
+/// The packed images that were requested most recently. Packing needs memory for the decoded image, so only a
+/// few are packed at the same time and further requests wait.
 class ImageCache {
  public:
   ImageCache(std::size_t most_bytes, int most_at_a_time) : most_bytes_(most_bytes), free_(most_at_a_time) {}
 
   using Bytes = std::shared_ptr<const std::string>;
-  /// What is kept under `key`, or what `pack` returns, which is then kept. What `pack` throws passes through.
+  /// The image kept under `key`, or else the result of `pack`, which is then kept. Exceptions of `pack` pass
+  /// through.
   Bytes get(const std::string& key, const std::function<std::string()>& pack);
 
  private:
@@ -29,10 +30,10 @@ class ImageCache {
   void keep(const std::string& key, const Bytes& bytes);
 
   std::size_t most_bytes_;
-  int free_;  // places for packing
+  int free_;  // images that may still be packed now
   std::mutex mutex_;
   std::condition_variable freed_;
-  std::list<Entry> entries_;  // the last used first
+  std::list<Entry> entries_;  // the most recently used first
   std::size_t bytes_ = 0;
 };
 

@@ -15,7 +15,7 @@ namespace orbs::server {
 
 namespace {
 
-using Verdict = std::optional<Refusal>;  // nothing: no objection
+using MaybeRefusal = std::optional<Refusal>;  // none if the request may pass
 
 bool is_token(std::string_view text) {  // RFC 9110, section 5.6.2
   constexpr std::string_view kMarks = "!#$%&'*+-.^_`|~";
@@ -46,7 +46,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-Verdict check_characters(std::string_view target) {
+MaybeRefusal check_characters(std::string_view target) {
   for (std::size_t i = 0; i < target.size(); ++i) {
     const auto c = static_cast<unsigned char>(target[i]);
     if (c <= 0x20 || c >= 0x7f || std::string_view("\"#<>\\^`{|}").find(target[i]) != std::string_view::npos)
@@ -55,14 +55,14 @@ Verdict check_characters(std::string_view target) {
     if (i + 2 >= target.size() || hex_digit(target[i + 1]) < 0 || hex_digit(target[i + 2]) < 0)
       return Refusal{400, "the address holds a broken percent code"};
     const int code = 16 * hex_digit(target[i + 1]) + hex_digit(target[i + 2]);
-    // No program of good faith encodes these; who does hopes that somebody decodes them at the wrong time.
+    // Honest clients never encode these; attackers do, hoping for a check that comes before the decoding.
     if (code < 0x20 || code == 0x7f || code == '/' || code == '\\' || code == '.')
       return Refusal{400, "the address holds an encoded separator, dot or control character"};
   }
   return std::nullopt;
 }
 
-Verdict check_segments(std::string_view path) {
+MaybeRefusal check_segments(std::string_view path) {
   if (path == "/") return std::nullopt;
   for (const auto& segment : split(path.substr(1), '/'))
     if (segment.empty() || segment == "." || segment == "..")
@@ -70,7 +70,7 @@ Verdict check_segments(std::string_view path) {
   return std::nullopt;
 }
 
-Verdict check_target(std::string_view target) {
+MaybeRefusal check_target(std::string_view target) {
   if (target.size() > kMostTargetBytes) return Refusal{414, "the address is too long"};
   if (!target.starts_with('/')) return Refusal{400, "the address is no absolute path"};
   if (auto refusal = check_characters(target)) return refusal;
@@ -78,7 +78,7 @@ Verdict check_target(std::string_view target) {
   return check_segments(target.substr(0, target.find('?')));
 }
 
-Verdict check_request_line(const std::vector<std::string>& words) {
+MaybeRefusal check_request_line(const std::vector<std::string>& words) {
   if (words.size() != 3) return Refusal{400, "the request line is not 'METHOD address version'"};
   if (!is_token(words[0])) return Refusal{400, "the method is no word"};
   if (words[2] != "HTTP/1.1" && words[2] != "HTTP/1.0")
@@ -98,7 +98,7 @@ bool is_loopback_name(std::string_view host) {
   return is_port && (known == "localhost" || known == "127.0.0.1" || known == "[::1]");
 }
 
-Verdict check_header(std::string_view line, std::set<std::string>& seen, const GateSettings& settings) {
+MaybeRefusal check_header(std::string_view line, std::set<std::string>& seen, const GateSettings& settings) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos || !is_token(line.substr(0, colon)))
     return Refusal{400, "a header is not 'name: value'"};
@@ -117,7 +117,7 @@ Verdict check_header(std::string_view line, std::set<std::string>& seen, const G
   return std::nullopt;
 }
 
-Verdict check_headers(const std::vector<std::string_view>& lines, const GateSettings& settings) {
+MaybeRefusal check_headers(const std::vector<std::string_view>& lines, const GateSettings& settings) {
   if (lines.size() - 1 > kMostHeaders) return Refusal{431, "there are too many headers"};
   std::set<std::string> seen;
   for (std::size_t i = 1; i < lines.size(); ++i)
@@ -126,7 +126,7 @@ Verdict check_headers(const std::vector<std::string_view>& lines, const GateSett
   return std::nullopt;
 }
 
-// Lines between CR LF; nothing when a CR or LF stands alone or the empty line is not the end.
+// Splits at CR LF. None if a CR or LF stands alone or the empty line is not the end.
 std::optional<std::vector<std::string_view>> lines_of(std::string_view head) {
   if (!head.ends_with("\r\n\r\n")) return std::nullopt;
   head.remove_suffix(2);

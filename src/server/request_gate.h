@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-/// What a client may ask, decided on the bytes of its request before anything else sees them.
+/// Decides on the bytes of a request whether it is allowed, before anything else sees them.
 namespace orbs::server {
 
 constexpr std::size_t kMostHeadBytes = 16384;
@@ -16,26 +16,24 @@ struct Refusal {
   std::string reason;
 };
 
-/// A request that may pass. `head` is written anew from what was understood, with nothing of the client's
-/// headers in it: what is behind reads no byte that the gate has not checked.
+/// A request that may pass. `head` is rewritten from the parsed request without the client's headers, so that
+/// httplib reads no byte that the gate has not checked.
 struct Admitted {
   std::string head;
 };
 
 struct GateSettings {
-  /// Names in Host are compared with those of this machine's loopback. Off when the user binds to another
-  /// address, whose names we do not know.
+  /// Compares the name in Host with those of this machine's loopback. Off if the user binds to another
+  /// address, whose names are unknown.
   bool only_loopback_names = true;
 };
 
 /// `head` is everything up to and with the empty line. Allowed: GET and HEAD of HTTP/1.0 and 1.1, an absolute
 /// path of printable ASCII whose percent codes hold UTF-8 and no separator, dot or control character, without
-/// empty, "." and
-/// ".." segments; one Host of this machine (a page of another site that points its name at us is refused); no
-/// body.
+/// empty, "." and ".." segments; one Host of this machine (DNS rebinding is refused); no body.
 std::variant<Admitted, Refusal> check_request(std::string_view head, const GateSettings& settings);
 
-/// The percent codes of an admitted path or query value resolved, once.
+/// Decodes the percent codes of an admitted path or query value, once.
 std::string decoded(std::string_view text);
 
 /// "404 Not Found".

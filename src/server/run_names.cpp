@@ -7,7 +7,7 @@ namespace orbs::server {
 
 namespace {
 
-// The last `count` parts; the whole path where it has no more.
+// The last `count` parts, or the whole path if it has fewer.
 std::string tail(const std::filesystem::path& folder, std::ptrdiff_t count) {
   const auto parts = std::distance(folder.begin(), folder.end());
   std::filesystem::path out;

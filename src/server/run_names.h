@@ -6,8 +6,8 @@
 
 namespace orbs::server {
 
-/// What the page calls the runs in these absolute folders: the folder's name, with as many of the folders
-/// above it as tell it from the others ("monday/outputs", "tuesday/outputs"). Links say it.
+/// Names of the runs in these absolute folders, for the page and its links: the folder's name, preceded by as
+/// many of its parents as make it unique ("monday/outputs", "tuesday/outputs").
 std::vector<std::string> run_names(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace orbs::server

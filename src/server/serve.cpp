@@ -16,14 +16,14 @@ namespace orbs::server {
 
 namespace {
 
-// Stops the server when the flag is set, or when its own thread is told to end.
+// Stops the server when the flag is set; ends when its own thread is told to.
 class Watch {
  public:
   Watch(const std::atomic<bool>& stop, httplib::Server& server)
       : thread_([&](const std::stop_token& end) {
           constexpr std::chrono::milliseconds kPause{50};
           while (!stop.load() && !end.stop_requested()) std::this_thread::sleep_for(kPause);
-          // Again and again: a server that does not listen yet takes no notice.
+          // Repeats, because a server that does not listen yet ignores it.
           do {
             server.stop();
             std::this_thread::sleep_for(kPause);
@@ -60,7 +60,7 @@ void serve(const ServeSettings& settings,
   }
   site.names = run_names(folders);
   ConnectionLimits limits;
-  limits.head_time = settings.head_time;
+  limits.head_timeout = settings.head_timeout;
   GatedServer server({is_loopback_address(settings.address)}, limits);
   server.Get(".*", [&](const httplib::Request& request, httplib::Response& response) {
     answer(site, request, response);

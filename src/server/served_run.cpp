@@ -17,12 +17,12 @@ std::string ServedRun::started() const {
 
 void ServedRun::look() {
   const auto now = std::chrono::steady_clock::now();
-  if (!view_.is_live || now - last_look_ < kLookInterval) return;
+  if (!view_.is_live || now - last_look_ < kPollInterval) return;
   last_look_ = now;
   try {
     if (!results::refresh(view_)) return;
   } catch (const InputError&) {
-    // The folder is gone, or what lies there is no run any more: what was read of it is all there will be.
+    // The folder is gone, or holds no run any more: what was read before stays.
     view_.is_live = false;
   }
   ++version_;

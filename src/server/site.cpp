@@ -18,11 +18,12 @@ namespace orbs::server {
 
 namespace {
 
-// Only the files of the bundle run, only this server is asked, nothing is framed.
+// Content security policy of the page: only the files of the bundle run, only this server is contacted, and
+// nothing may frame the page.
 constexpr const char* kPagePolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src "
     "'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-// What a renderer left in its folder is shown by itself and can do nothing.
+// Content security policy of files that a renderer left: they are displayed alone and cannot run anything.
 constexpr const char* kFilePolicy = "default-src 'none'; sandbox; frame-ancestors 'none'";
 
 struct BundleEntry {
@@ -59,7 +60,7 @@ std::string runs_json(Site& site) {
 std::string type_of(std::string_view path) {
   if (path.ends_with(".png")) return "image/png";
   if (path.ends_with(".exr") || path.ends_with(".ply")) return "application/octet-stream";
-  // Also HTML and SVG: what a renderer wrote is never markup here.
+  // HTML and SVG too: output of a renderer is never served as markup.
   return kText;
 }
 
@@ -88,7 +89,7 @@ void send_image(Site& site,
   if (!file) return refuse(response, 404, "there is no such image in this run");
   constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
   if (file->size() > kMostBytes) return refuse(response, 422, "the image is larger than 2 GiB");
-  // The size stands in the key because the run may go on and write the image anew.
+  // The size is part of the key because a run that goes on may write the image again.
   const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->size());
   const auto bytes = site.images.get(key, [&] {
     const auto image = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
@@ -155,7 +156,7 @@ void answer(Site& site, const httplib::Request& request, httplib::Response& resp
   response.set_header("Cross-Origin-Opener-Policy", "same-origin");
   response.set_header("Cache-Control", "no-store");
   response.status = 200;
-  // The target itself, not httplib's reading of it: the gate has checked how it decodes here.
+  // Uses the raw request target instead of httplib's decoding, because the gate has checked this decoding.
   const auto path = decoded(request.target.substr(0, request.target.find('?')));
   try {
     if (send_bundle_file(site, path, response)) return;

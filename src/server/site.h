@@ -11,11 +11,11 @@
 
 #include <httplib.h>
 
-/// What lies behind which address:
+/// The addresses of the server:
 ///   /, /page.js, /page.css ...              the bundle
 ///   /data/runs.json                          the runs that are served
 ///   /data/<run>/overview.json                report::overview_json
-///   /data/<run>/target/<index>.json        report::target_json
+///   /data/<run>/target/<index>.json          report::target_json
 ///   /data/<run>/image/<path>.exr?layer=...   an image of the run's folder, packed (report::packed_image)
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
@@ -37,7 +37,7 @@ struct Site {
   std::atomic<int> listeners = 0;  // clients of events
 };
 
-/// Reads the bundle. InputError when it is not there, with what makes it.
+/// Reads the bundle. InputError if it is missing; the message names the command that builds it.
 std::vector<BundleFile> load_bundle(const std::filesystem::path& folder);
 
 /// Answers one admitted request.

@@ -55,7 +55,7 @@ TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
   EXPECT_EQ(answer.status, 0);
   EXPECT_TRUE(contains(answer.text, "version   fake renderer 7.8")) << answer.text;
   EXPECT_TRUE(
-      contains(answer.text, "absent\n  program   not installed: there is no program '/nowhere/at/all' here"))
+      contains(answer.text, "absent\n  program   not installed: '/nowhere/at/all' was not found"))
       << answer.text;
 }
 

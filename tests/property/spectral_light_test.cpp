@@ -1,8 +1,8 @@
 // Spectral images against integrals over the wavelengths in double (light_quadrature.h).
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
-#include "spectra/colour_difference.h"
 #include "spectra/rgb.h"
+#include "unit/colour_difference.h"
 #include "unit/spectra_tables.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What the cases that are shipped ask of every renderer.
-#include "image/rounding.h"
+#include "image/reduced_precision.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
 

@@ -1,7 +1,7 @@
 // What the page reads: packed images, the overview, one image, the one-file page.
 #include "base/files.h"
 #include "base/shell.h"
-#include "image/half.h"
+#include "image/reduced_precision.h"
 #include "json/object_reader.h"
 #include "page/fixture_runs.h"
 #include "report/gzip.h"

@@ -15,11 +15,11 @@ namespace orbs::server_tests {
 
 namespace fs = std::filesystem;
 
-RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head_time) {
+RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head_timeout) {
   for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"})
     write_file(bundle_.path() / name, name);
-  thread_ = std::thread([this, run, head_time] {
-    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_time}, stop_, [this](const std::string& url) {
+  thread_ = std::thread([this, run, head_timeout] {
+    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout}, stop_, [this](const std::string& url) {
       const auto digits = url.substr(url.rfind(':') + 1);
       port_ = static_cast<int>(to_integer(digits.substr(0, digits.find('/'))).value_or(0));
       port_.notify_all();

@@ -15,7 +15,7 @@ namespace orbs::server_tests {
 class RunningServer {
  public:
   explicit RunningServer(const std::filesystem::path& run,
-                         std::chrono::milliseconds head_time = server::ServeSettings{}.head_time);
+                         std::chrono::milliseconds head_timeout = server::ServeSettings{}.head_timeout);
   ~RunningServer();
   RunningServer(const RunningServer&) = delete;
   RunningServer& operator=(const RunningServer&) = delete;

@@ -1,7 +1,7 @@
 #include "base/error.h"
-#include "spectra/colour_difference.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
+#include "unit/colour_difference.h"
 #include "unit/spectra_tables.h"
 
 #include <gtest/gtest.h>

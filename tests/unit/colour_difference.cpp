@@ -1,4 +1,4 @@
-#include "spectra/colour_difference.h"
+#include "unit/colour_difference.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "image/rounding.h"
+#include "image/reduced_precision.h"
 
 #include <cmath>
 #include <limits>
