@@ -5,7 +5,7 @@
 using namespace orbs;
 
 TEST(TextTable, ColumnsAreAsWideAsTheirWidestCellAndLinesEndWithoutSpaces) {
-  EXPECT_EQ(text_table({{"a", "bb", "c"}, {"aaa", "b", ""}, {}, {"x"}}), "a    bb  c\naaa  b   \n\nx\n");
+  EXPECT_EQ(text_table({{"a", "bb", "c"}, {"aaa", "b", ""}, {}, {"x"}}), "a    bb  c\naaa  b\n\nx\n");
 }
 
 TEST(TextTable, NumbersStandAtTheRightOfTheirColumn) {
