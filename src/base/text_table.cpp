@@ -33,15 +33,15 @@ std::string text_table(const std::vector<TableRow>& rows, const std::vector<Alig
   const auto widths = column_widths(rows);
   std::string text;
   for (const auto& row : rows) {
+    std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string spaces(widths[i] - display_width(row[i]), ' ');
       const bool is_right = i < columns.size() && columns[i] == Align::Right;
-      if (i > 0) text += "  ";
-      if (is_right) text += spaces;
-      text += row[i];
-      if (!is_right && i + 1 < row.size()) text += spaces;  // no spaces at the end of a line
+      if (i > 0) line += "  ";
+      line += is_right ? spaces + row[i] : row[i] + spaces;
     }
-    text += '\n';
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
   }
   return text;
 }

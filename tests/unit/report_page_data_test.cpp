@@ -167,6 +167,22 @@ TEST(PageData, SaysWhatThePageShowsInColumns) {
       << target;
 }
 
+// Also those that no section of the page lays out: it lists all members of the record.
+TEST(PageData, HoldsEveryMemberOfTheRecordOfARender) {
+  results::RunView view;
+  view.run.folder = "/nowhere";
+  results::JobRecord job;
+  job.identity.id = "i";
+  job.hashes.judged = "0123";
+  job.end.core_dumped = true;
+  view.run.jobs = {job};
+  view.run.targets.resize(1);
+  view.run.targets[0].jobs = {"i"};
+  const auto text = report::target_json(view, 0);
+  for (const char* member : {R"("judged": "0123")", R"("core_dumped": true)", R"("outcome": "skipped")"})
+    EXPECT_TRUE(holds(text, member)) << text;
+}
+
 // Somebody else's results.json may name any file of this machine.
 TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
   const structure::TestFolder scratch("page-outside");
@@ -177,7 +193,7 @@ TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
     results::RunView view;
     view.run.folder = (scratch.path() / "run").string();
     view.run.jobs.resize(1);
-    view.run.jobs[0].log = name;
+    view.run.jobs[0].files.log = name;
     view.run.targets.resize(1);
     view.run.targets[0].jobs = {""};
     view.run.targets[0].image = name;
@@ -222,6 +238,6 @@ TEST(PageData, ADifferenceOfRendersOnTwoMachinesHasNone) {
   }
   view.run.targets = {difference};
   EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [null]"));
-  view.run.jobs[1].host.cpu = "a";
+  view.run.jobs[1].cost.host.cpu = "a";
   EXPECT_TRUE(holds(report::overview_json(view), "\"machine\": [0]"));
 }

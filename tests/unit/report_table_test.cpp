@@ -92,7 +92,7 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   bad.measures = {{"psnr_srgb8", 28.9, "dB", "", false}};
   bad.checks = {{"psnr_srgb8", false, "", 35, {}}};
   bad.reference_provenance = {{"program", "orbs-tracer"}};
-  const std::string hint = "\nbb is far off in 101: 'orbs probe -r bb' tells whether";
+  const std::string hint = "\nbb is far off in 101: 'orbs probe -r bb' checks whether";
   EXPECT_NE(summary_text(run, {}).find(hint), std::string::npos);
   const auto is_silent = [&] { return summary_text(run, {}).find("orbs probe") == std::string::npos; };
   bad.measures[0].value = 29.1;
