@@ -5,14 +5,14 @@
 #include <map>
 #include <string>
 
-/// What the header of an image says about who made it and how: its attributes "orbs.<key>".
+/// The provenance record of an image: who made it and how, in its attributes "orbs.<key>".
 namespace orbs::judge {
 
 /// The provenance by key, without the prefix.
 std::map<std::string, std::string> provenance_of(const image::Image& image);
 
 /// Hash of size, channels and pixels, whatever the order of the channels: the "image_hash" of a provenance
-/// record. What the header says is not in it, as it holds this hash.
+/// record. The attributes are not in it, as they hold this hash.
 std::string image_hash(const image::Image& image);
 
 }  // namespace orbs::judge

@@ -1,7 +1,6 @@
 #include "metrics/noise_test.h"
 
 #include "base/student_t.h"
-#include "metrics/block_scores.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/block_scores.h"
 #include "metrics/mask.h"
 #include "metrics/pair_samples.h"
 
@@ -26,32 +27,12 @@ namespace orbs::metrics {
 /// How many control images in total are called wrong; three tests share it evenly.
 constexpr double kFalseAlarms = 1e-3;
 
-/// A relative difference of means that is never called an error: rounding in float over thousands of samples
-/// and the eighth bit of a texture make one of this order in renderers that are both right.
-constexpr double kNegligible = 1e-3;
-
 /// A number and the interval that a right image leaves with the probability kFalseAlarms / 3 at most (for
 /// the three channels of a mean ratio together).
 struct Estimate {
   double value = 0;
   double low = 0;
   double high = 0;
-};
-
-/// Means of result and reference over blocks of 8 x 8 px, each channel one test.
-struct BlockScores {
-  int tested = 0;      // blocks with at least 16 counted pixels, times channels
-  int off = 0;         // differ by more than noise: Benjamini and Hochberg 1995 at the rate kFalseAlarms / 3
-  double largest = 0;  // |z|; infinite for a difference where there is no noise
-  Rectangle where;     // the block that has it
-};
-
-/// Single pixels, each channel one. Few samples are far from normally distributed, so these point at places
-/// and decide nothing.
-struct PixelScores {
-  double largest = 0;  // |z|
-  Rectangle where;
-  double share_beyond_3 = 0;  // 0.0027 is expected of normally distributed noise
 };
 
 struct NoiseTest {

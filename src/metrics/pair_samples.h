@@ -60,7 +60,7 @@ PairSamples pair_samples(const image::Image& result,
 /// Whether the image holds the layers S1, S2 and S3.
 bool has_stokes(const image::Image& image);
 
-/// The value of a variance, 0 where there are none.
+/// The variance of a sample, 0 where there are none.
 inline double variance_at(const std::vector<float>& variances, std::size_t sample) {
   return variances.empty() ? 0.0 : static_cast<double>(variances[sample]);
 }

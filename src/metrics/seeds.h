@@ -6,7 +6,8 @@
 
 namespace orbs::metrics {
 
-/// Whether all are the same to the bit: of a renderer that ignores its seed, or a scene without noise.
+/// Whether all images are bit-equal, as those of a renderer that ignores its seed or of a scene without
+/// noise.
 bool are_equal(const std::vector<image::Image>& images);
 
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.

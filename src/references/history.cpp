@@ -29,7 +29,7 @@ void write_entry(json::Writer& out, const ReplacedReference& entry) {
   out.end_object().end_object();
 }
 
-// A file that is broken has a history, too.
+// A broken file gets an entry, too.
 ReplacedReference entry_of(const std::filesystem::path& reference, const std::string& reason) {
   ReplacedReference entry{local_time_now(), reason, "", {}};
   try {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The references that an image had before: <image>.history.json beside the reference, format
+/// The references that a scene had before: <scene>.history.json beside the reference, format
 /// "orbs-history/2". Entries are only ever added.
 namespace orbs::references {
 
@@ -22,8 +22,8 @@ std::filesystem::path history_file(const std::filesystem::path& reference);
 /// From the oldest to the newest; none when there is no file. InputError when it cannot be read.
 std::vector<ReplacedReference> read_history(const std::filesystem::path& reference);
 
-/// Adds the provenance of the reference that is there now, with the hash of its pixels, to its history. A
-/// reference that is noted already, because replacing it was cut short, is not noted twice. InputError as
+/// Adds the provenance of the current reference, with the hash of its pixels, to its history. A reference
+/// that is noted already, because its replacement was interrupted, is not noted twice. InputError as
 /// read_history, WriteError when the disk refuses.
 void note_replaced(const std::filesystem::path& reference, const std::string& reason);
 

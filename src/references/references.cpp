@@ -27,9 +27,8 @@ double gate_db(const registry::Case& one_case) {
   return gate == nullptr ? 0 : gate->min.value_or(0);
 }
 
-// What all cases that look at the reference `wanted` ask of it, whether they are chosen or not: it is the
-// same file for each of them.
-void ask_for_enough(const std::vector<registry::Case>& cases, WantedReference& wanted) {
+// Raises `wanted` to what all cases that are judged by it need, chosen or not, as they share its file.
+void raise_to_needs(const std::vector<registry::Case>& cases, WantedReference& wanted) {
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes) {
       if (registry::reference_name(scene) != wanted.name) continue;
@@ -57,7 +56,7 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
                                   [&] { return scene::load_scene(scene.file); });
       wanted.pixels =
           static_cast<std::size_t>(read.camera.width_px) * static_cast<std::size_t>(read.camera.height_px);
-      ask_for_enough(cases, wanted);
+      raise_to_needs(cases, wanted);
       all.push_back(std::move(wanted));
     }
   return all;
@@ -68,7 +67,7 @@ bool exists(const WantedReference& wanted) {
   return std::filesystem::exists(wanted.target, ignored);
 }
 
-// Without a reason only what is missing. Refuses before hours of rendering.
+// Without a reason only the missing ones. Refuses here rather than after hours of rendering.
 std::vector<WantedReference> due_references(std::vector<WantedReference> all,
                                             const std::string& reason,
                                             const ReferenceContext& context) {
@@ -91,7 +90,7 @@ std::vector<WantedReference> due_references(std::vector<WantedReference> all,
   return all;
 }
 
-// Those before it took hours, in which another call may have been quicker.
+// The references before this one took hours, in which another call may have stored it.
 bool is_kept(const WantedReference& wanted,
              const ReferenceSettings& settings,
              const ReferenceContext& context) {

@@ -11,7 +11,7 @@
 
 namespace orbs::references {
 
-/// A scene whose reference is wanted, and what is asked of it.
+/// A reference to be rendered, and what is required of it.
 struct WantedReference {
   std::string name;
   std::filesystem::path file;
@@ -29,9 +29,9 @@ struct RenderedReference {
 };
 
 /// Renders passes with the seeds settings.seed, settings.seed + 1, ... until the noise is low enough or
-/// kMostReferenceSpp is reached; with settings.spp, exactly that many samples. Nothing is rendered twice, not
-/// even what an earlier call has left in `unfinished`. Nothing when stopped. InputError with the tracer's
-/// last words when it fails: a fault of ours or of the scene.
+/// kMostReferenceSpp is reached; with settings.spp, exactly that many samples. Passes that an earlier call
+/// has left in `unfinished` are not rendered again. Nothing when stopped. InputError with the tracer's last
+/// words when it fails: a fault of ours or of the scene.
 std::optional<RenderedReference> render_reference(const WantedReference& wanted,
                                                   const ReferenceSettings& settings,
                                                   const ReferenceContext& context,

@@ -68,7 +68,7 @@ void stamp(const RenderedReference& rendered,
     provenance["orbs.path." + name] = fmt::format("{:.6g}", share);
 }
 
-// With the pixels that a reader of the file will see: halves of small numbers are rounded.
+// The image as a reader of the file will see it: half floats round small numbers.
 image::Image as_stored(const image::Image& image, image::Precision precision) {
   const ScratchFolder scratch("orbs-reference");
   image::write_exr(image, scratch.path() / "stored.exr", precision);

@@ -14,11 +14,12 @@ std::map<std::string, double> path_shares(const image::Image& image);
 
 /// R, G, B, their variances and Stokes parameters S1 to S3 alone, rounded so that they compress: 9
 /// significant bits of a colour or Stokes parameter, 2 of a variance. A colour without variance (black, a
-/// lamp that fills the pixel) is exact and stays as it is.
+/// light that fills the pixel) is exact and stays unchanged.
 image::Image shortened_image(const image::Image& image);
 
-/// Writes the image with its provenance to wanted.target; the provenance of the one that it replaces goes to
-/// the history beside it. The provenance names no machine but its processor: it is published.
+/// Writes the image with its provenance to wanted.target; the provenance of the reference that it replaces is
+/// added to the history beside it. The provenance names only the processor of the machine, as it is
+/// published.
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason);

@@ -28,7 +28,7 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
         "{}: another call, of process {}, renders this reference; wait for its end, or stop it",
         target.string(), process);
   });
-  // Not before: who held the lock until now has removed it.
+  // Only now: the call that held the lock before has removed the folder.
   make_folder(unfinished.folder);
   return unfinished;
 }

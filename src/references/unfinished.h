@@ -11,12 +11,12 @@
 
 namespace orbs::references {
 
-/// The passes of a reference that is not complete. They stay on the disk until it is, so that a call that was
-/// stopped, killed or cut off by the night is gone on with by the next.
+/// The passes of a reference that is not complete. They stay on the disk until it is, so that the next call
+/// resumes one that was stopped or killed.
 struct UnfinishedReference {
   std::filesystem::path folder;  // of this reference alone
   std::string made_from;         // hash of what a pass depends on beside its samples and seed
-  // Another call would render the same passes, and remove them when it is done.
+  // Keeps other calls from rendering the same passes, and from removing them.
   std::unique_ptr<FileLock> lock;
 };
 
@@ -28,14 +28,14 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          const std::filesystem::path& tracer,
                                          bool split_paths);
 
-/// Where a pass is, or is to be put.
+/// The file of a pass, whether or not it exists.
 std::filesystem::path file_of(const UnfinishedReference& unfinished, const Pass& pass);
 
-/// The pass of an earlier call. Nothing when there is none, only a part of its samples, as a tracer leaves
-/// that was stopped, or the torn file of a power cut.
+/// The pass of an earlier call. Nothing when there is none or it is incomplete: a tracer that was stopped
+/// leaves a part of the samples, a power cut an unreadable file.
 std::optional<image::Image> kept_pass(const UnfinishedReference& unfinished, const Pass& pass);
 
-/// When the reference is in its place: no pass is needed any more.
+/// Removes all passes; called when the reference is in place.
 void remove_passes(UnfinishedReference unfinished);
 
 }  // namespace orbs::references

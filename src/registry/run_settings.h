@@ -12,7 +12,8 @@ constexpr int kMostSeeds = 16;  // of one render
 /// So that the seeds that follow it are int, too.
 constexpr int kLargestSeed = std::numeric_limits<int>::max() - kMostSeeds;
 
-/// What each command-line flag is when it is not given. Lists are comma-separated patterns, "*" for all.
+/// The settings of a run: those of the command line over the defaults of configuration.json over these. Lists
+/// are comma-separated patterns, "*" for all.
 struct RunSettings {
   std::string suite = "orbs";
   std::string cases = "*";
@@ -29,11 +30,11 @@ struct RunSettings {
   bool dry_run = false;
 };
 
-/// Reads an object of them; what is not there keeps its value here. InputError for what is unknown or out of
-/// range.
+/// Reads an object of settings; an absent one keeps its value here. InputError for one that is unknown or out
+/// of range.
 RunSettings read_run_settings(json::ObjectReader in);
 
-/// Writes all of them as an object that read_run_settings reads.
+/// Writes all settings as an object that read_run_settings reads.
 void write_run_settings(json::Writer& out, const RunSettings& settings);
 
 }  // namespace orbs::registry

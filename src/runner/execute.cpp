@@ -44,7 +44,8 @@ adapters::ProcessRequest process_request(const registry::Renderer& renderer,
   return request;
 }
 
-// The job in its folder, with the scene written there and all that will prove its images to be its own.
+// The replicas of the job, with the scene written into its folder and with all that will prove that their
+// images belong to this job.
 std::vector<adapters::Job> prepare_replicas(const Plan& plan,
                                             const PlannedJob& planned,
                                             const scene::Scene& prepared,
@@ -69,7 +70,7 @@ std::vector<adapters::Job> prepare_replicas(const Plan& plan,
   return replicas;
 }
 
-// Adds to what the seeds before took; how it ended is its own.
+// Adds the cost to that of the earlier replicas; how the process ended replaces what they noted.
 void note_process(const adapters::ProcessResult& process,
                   const registry::Renderer& renderer,
                   const std::filesystem::path& folder,
@@ -85,11 +86,11 @@ void note_process(const adapters::ProcessResult& process,
   if (process.signal != 0) record.end.signal = adapters::signal_name(process.signal);
 }
 
-// The image of all seeds in `file`, in place of their own.
+// Writes the mean image of all replicas to `file` and removes their own images.
 image::Image merged_image(const std::vector<adapters::Job>& replicas,
                           const std::vector<image::Image>& images,
                           const std::filesystem::path& file) {
-  // A later seed may have left anything under any of these names.
+  // A later replica may have left anything under any of these names.
   for (const auto& job : replicas) std::filesystem::remove_all(job.image);
   std::filesystem::remove_all(file);
   auto image = metrics::are_equal(images) ? images.front() : metrics::mean_and_variance_of(images);
@@ -97,7 +98,8 @@ image::Image merged_image(const std::vector<adapters::Job>& replicas,
   return image;
 }
 
-// One process after the other, until one leaves no usable image. The file is where the image lies.
+// One process after the other, until one leaves no usable image. Returns the outcome and the file of the
+// image.
 std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapters::Job>& replicas,
                                                        const registry::Renderer& renderer,
                                                        const std::atomic<bool>* stop,
@@ -116,7 +118,7 @@ std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapter
   return {{JobOutcome::Image, "", merged_image(replicas, images, file)}, file};
 }
 
-// The same renders again, as they can be repeated once the folder is in its place.
+// The commands that repeat the renders once the folder is in its place.
 void note_command(const std::vector<adapters::Job>& replicas,
                   const std::vector<std::string>& environment,
                   JobRecord& record) {

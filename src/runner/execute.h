@@ -11,8 +11,8 @@
 
 namespace orbs::runner {
 
-/// A render lies in `unfinished` until it is whole, then it takes its place in `run`: below both under the
-/// job's own folder.
+/// Each job renders into `unfinished` and is renamed into `run` when complete; below both it has its own
+/// folder.
 struct WorkFolders {
   std::filesystem::path run;
   std::filesystem::path unfinished;
@@ -23,16 +23,16 @@ struct Execution {
   std::optional<image::Image> image;
 };
 
-/// Prepares the scene, runs the renderer, classifies what came of it. Touches only the job's unfinished
-/// folder, which it makes. InputError when the scene cannot be written for its renderer, WriteError when the
-/// disk refuses.
+/// Prepares the scene, runs the renderer once for each seed replica and classifies the outcome. Touches only
+/// the job's unfinished folder, which it makes. InputError when the scene cannot be written for its renderer,
+/// WriteError when the disk refuses.
 Execution execute(const Plan& plan,
                   const PlannedJob& planned,
                   const std::string& version,
                   const WorkFolders& folders,
                   const std::atomic<bool>* stop);
 
-/// The record of a job that is not run any more.
+/// The record of a job that has not been run.
 results::JobRecord skipped_record(const Plan& plan, const PlannedJob& job);
 
 }  // namespace orbs::runner

@@ -6,10 +6,11 @@
 
 namespace orbs::runner {
 
-/// This machine, as the files of the kernel say it that lie below `root`. Asks nothing of the network.
+/// This machine as the kernel's files below `root` describe it. Does not use the network.
 results::Host this_host(const std::filesystem::path& root = "/");
 
-/// Processes that wanted to run, on average over the last minute; 0 where the system does not say.
+/// The number of processes that wanted to run, on average over the last minute; 0 where the system does not
+/// say.
 double load_average();
 
 }  // namespace orbs::runner

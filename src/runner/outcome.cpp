@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using results::JobOutcome;
 using supervisor::Cause;
 
-// The folder of the render is elsewhere when the run has ended, so its files are named within it.
+// The folder of the render is moved when it is complete, so its files are named relative to it.
 std::string named_within(const fs::path& folder, std::string text) {
   const auto prefix = folder.string() + "/";
   for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
@@ -35,7 +35,8 @@ std::string shortened(std::string text, std::size_t most) {
   return text;
 }
 
-// The last line that says anything, for the end of a reason. What moves on within a line writes over it.
+// The last line of the output that is not empty, for the end of a reason. A carriage return starts a line
+// anew.
 std::string last_words(const std::string& output, const fs::path& folder) {
   constexpr std::size_t kMost = 200;
   std::string words;

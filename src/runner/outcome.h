@@ -17,9 +17,9 @@ struct Outcome {
   std::optional<image::Image> image;
 };
 
-/// Asks in this fixed order, and the first that applies is the answer: could not start, ended by us (a limit,
-/// an interrupt), signal, exit code, no output, stale, unreadable, of another scene or job, wrong size, wrong
-/// channels, invalid pixels. A reason about the process ends with its last words.
+/// The first of these that applies, in this fixed order: could not start, ended by us (a limit, an
+/// interrupt), signal, exit code, no output, stale, unreadable, of another scene or job, wrong size, wrong
+/// channels, invalid pixels. A reason about the process ends with the last line of its output.
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits);

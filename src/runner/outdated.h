@@ -6,30 +6,30 @@
 #include <optional>
 #include <string>
 
-/// Whether a render that is there would come out the same today.
+/// Whether an existing render would come out the same today.
 namespace orbs::runner {
 
-/// Of the scene's file with all that it names, as provenance records of references have it; where the
-/// renderer has a hand-written scene, of both.
+/// Hash of the scene file with all files that it names, as provenance records of references have it; where
+/// the renderer has a hand-written scene, of both.
 std::string scene_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what else makes the image: program, command, environment, settings of the exporter, threads.
+/// Hash of what else makes the image: program, command, environment, settings of the exporter, threads.
 std::string settings_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what may end a render without an image: time, memory, size of its files.
+/// Hash of what may end a render without an image: time, memory, size of its files.
 std::string limits_hash(const Plan& plan, const PlannedJob& job);
 
-/// Of what the images of the render at `index` are judged by: cases, references, this version of orbs.
+/// Hash of what the images of the job at `index` are judged by: cases, references, this version of orbs.
 std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version);
 
-/// Fills the four into the record.
+/// Fills the four hashes into the record.
 void note_hashes(const Plan& plan,
                  std::size_t index,
                  const std::string& orbs_version,
                  results::JobRecord& record);
 
-/// Why a render that is there must be rendered again: "its scene has changed"; nothing when it need not.
-/// `now` is its record with the hashes and the renderer's version of today.
+/// Why an existing render must be rendered again ("its scene has changed"); nothing when it need not. `now`
+/// is its record with today's hashes and renderer version.
 std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now);
 
 }  // namespace orbs::runner

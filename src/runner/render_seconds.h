@@ -8,13 +8,13 @@
 
 namespace orbs::runner {
 
-/// The time that a renderer says itself that it has rendered: in its output, or in a JSON file that it has
-/// left in `folder`. Nothing where it says none, or nothing that is a number.
+/// The render time in seconds that the renderer reports itself: in its output, or in a JSON file that it has
+/// left in `folder`. Nothing where it reports none, or no number.
 std::optional<double> render_seconds(const registry::RenderSeconds& place,
                                      const std::string& output,
                                      const std::filesystem::path& folder);
 
-/// Removes the file that says so, if a render before has left it there.
+/// Removes the file with the render time that an earlier render may have left.
 void forget_render_seconds(const registry::RenderSeconds& place, const std::filesystem::path& folder);
 
 }  // namespace orbs::runner

@@ -17,12 +17,12 @@ struct RunContext {
   RenderContext rendering;
 };
 
-/// Carries out the plan in `folder`: leaves there results.json of what will be rendered and the references,
-/// renders, judges, and leaves in each job's folder the scene, result.exr, log.txt, job.json and the error
-/// maps. Ends with the final results.json. What is there already and not outdated is kept as it is: the same
-/// call resumes a run that was killed, and only writes results.json anew for one that was finished. What a
-/// renderer does wrong is in the record; InputError when another process has the folder, WriteError when the
-/// disk refuses.
+/// Carries out the plan in `folder`: writes a results.json of what will be rendered and copies the
+/// references, renders and judges, leaves in each job's folder the scene, result.exr, log.txt, job.json and
+/// the error maps, and writes the final results.json. Jobs that are complete and not outdated are kept: the
+/// same call resumes a run that was killed, and only writes results.json anew for one that was finished.
+/// Faults of a renderer are outcomes in the record; InputError when another process has the folder,
+/// WriteError when the disk refuses.
 results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context);
 
 }  // namespace orbs::runner

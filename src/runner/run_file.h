@@ -7,7 +7,7 @@
 
 namespace orbs::runner {
 
-/// What a run was asked for, in its folder as run.json (format "orbs-run/1"): all that --resume needs.
+/// The request of a run, stored in its folder as run.json (format "orbs-run/1"): all that --resume needs.
 struct RunFile {
   std::filesystem::path configuration;  // absolute
   registry::RunSettings settings;       // after the command line

@@ -7,7 +7,7 @@
 
 namespace orbs::runner {
 
-/// What the scene calls for, as results and `orbs plan` show it.
+/// The effects that the scene calls for, as results and `orbs plan` show them.
 results::SceneRecord scene_record(const std::string& name, const scene::Scene& scene);
 
 }  // namespace orbs::runner

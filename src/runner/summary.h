@@ -11,8 +11,8 @@ namespace orbs::runner {
 /// Fills requirements and renderers of the record anew from its images and jobs.
 void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record);
 
-/// What a renderer fulfils by the table: the requirements whose cell is a pass, in ORB.S notation. Groups
-/// that the run did not test are not mentioned.
+/// The requirements that a renderer fulfils, those whose cell is a pass, in ORB.S notation. Groups that the
+/// run did not test are left out.
 std::string measured_features(const std::vector<results::RequirementRecord>& requirements,
                               const std::string& renderer);
 

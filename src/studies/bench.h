@@ -57,7 +57,7 @@ struct BenchRecord {
   std::vector<BenchRenderer> renderers;
   std::vector<results::LeftOut> left_out;
   std::optional<Overhead> overhead;
-  double metrics_cpu_ms = 0;  // one metrics::compare of two of the images, all maps included
+  double metrics_cpu_ms = 0;  // one metrics::compare of two of the images, noise test and all maps included
 };
 
 /// Renders the Cornell box with each renderer in turn, round by round, so that whatever else happens on the

@@ -7,8 +7,8 @@
 
 namespace orbs::studies {
 
-/// The noise of one image, estimated from several with different seeds and nothing else. No reference is
-/// needed, and every renderer is measured alike; what it does not see is an error that all seeds share.
+/// The noise of one image, estimated only from several images with different seeds. It needs no reference and
+/// measures every renderer alike; it cannot show an error that all seeds share.
 struct SeedNoise {
   double relative_mse = 0;
   double psnr_srgb8_db = 0;
@@ -21,7 +21,7 @@ inline constexpr std::string_view kSeedPsnrDefinition =
     "10 log10(255^2 / (MSE / 2)); MSE: that of psnr_srgb8 between images of two seeds, of which each has "
     "half, mean over successive seeds";
 
-/// At least two images of the same samples; `mean` gives the denominators and has their size.
+/// From at least two images of the same sample count; `mean`, of their size, gives the denominators.
 SeedNoise noise_of_seeds(const std::vector<image::Image>& images, const image::Image& mean, int threads);
 
 }  // namespace orbs::studies

@@ -9,12 +9,12 @@ std::string feed_case(std::string_view bytes) {
   return complaint_of(file.string(), [&] {
     const auto one_case = registry::parse_case(file, std::string(bytes));
     require(!one_case.scenes.empty(), "a case has a scene");
-    require(one_case.gate.min || one_case.gate.max, "a gate has a bound");
+    for (const auto& gate : one_case.gates) require(gate.min || gate.max, "a gate has a limit");
     for (const auto& name : registry::target_names(one_case))
       require(!name.empty() && name.find_first_of(std::string_view("/\0", 2)) == std::string::npos,
               "a name is one of a folder");
     for (const auto& mask : one_case.masks)
-      for (const auto& r : mask.rectangles) require(r[0] < r[2] && r[1] < r[3], "a rectangle holds a pixel");
+      for (const auto& r : mask.rectangles) require(r.x0 < r.x1 && r.y0 < r.y1, "a rectangle holds a pixel");
   });
 }
 

@@ -1,9 +1,9 @@
 // The claims of metrics/noise_test.h on actual renderings: scenes of the suite at 48 px with few samples, one
 // for each kind of noise: even illumination, a visible light whose edge has all the variance, a light seen
 // through glass, an IES profile.
+#include "judge/judge.h"
 #include "metrics/bias_message.h"
 #include "metrics/noise_test.h"
-#include "judge/judge.h"
 #include "scene/load_scene.h"
 #include "tracer/choose_light_paths.h"
 #include "tracer/render.h"
@@ -72,10 +72,11 @@ TEST(UnbiasedSeed, OfFourSamplesIsTooNoisyAndNotWrong) {
   scene.camera.height_px = kSide_px;
   const auto world = tracer::make_world(scene);
   registry::Case one_case;
-  one_case.gate.min = 35;
+  one_case.gates = {{"psnr_srgb8", 35}};
   results::TargetRecord record;
   record.target = "078";
-  judge::judge(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, {}, record);
+  judge::judge_image(one_case, rendered(world, 4, 1), {"078.exr", rendered(world, 256, 1000), ""}, {},
+                     record);
   EXPECT_EQ(record.verdict, results::Verdict::Inconclusive) << record.reason;
 }
 

@@ -6,6 +6,7 @@
 #include "judge/maps.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"
+#include "judge/qualified.h"
 #include "metrics/table.h"
 #include "structure/source_files.h"
 

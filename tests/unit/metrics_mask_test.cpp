@@ -56,8 +56,8 @@ TEST(MetricsMask, WhatDoesNotFitTheImageIsRefused) {
   EXPECT_EQ(error_of({{{2, 1, 9, 4}}, {}}),
             "the masked rectangle [2, 1, 9, 4] is not inside the 8 x 6 px image; expected [x0, y0, x1, y1] "
             "with 0 <= x0 < x1 <= 8 and 0 <= y0 < y1 <= 6");
-  for (const Rectangle& r :
-       {Rectangle{-1, 0, 2, 2}, Rectangle{3, 3, 3, 4}, Rectangle{0, 5, 1, 4}, Rectangle{0, 0, 1, 7}})
+  for (const orbs::Rectangle& r : {orbs::Rectangle{-1, 0, 2, 2}, orbs::Rectangle{3, 3, 3, 4},
+                                   orbs::Rectangle{0, 5, 1, 4}, orbs::Rectangle{0, 0, 1, 7}})
     EXPECT_NE(error_of({{r}, {}}), "no error");
   EXPECT_EQ(error_of({{}, std::vector<std::uint8_t>(47, 0)}), "the mask has 47 pixels, the image 48 (8 x 6)");
   EXPECT_EQ(error_of({{{0, 0, 8, 6}}, {}}), "the mask leaves no pixel to compare");
