@@ -1,5 +1,6 @@
 #include "cli/options.h"
 
+#include "adapters/export.h"
 #include "base/error.h"
 #include "cli/checks.h"
 
@@ -8,6 +9,17 @@
 #include <fmt/ranges.h>
 
 namespace orbs::cli {
+
+namespace {
+
+// The exporters know the words of "scene_format", the registry does not.
+registry::Configuration checked_configuration(const std::filesystem::path& file) {
+  auto configuration = registry::load_configuration(file);
+  for (const auto& renderer : configuration.renderers) adapters::check_scene_format(renderer);
+  return configuration;
+}
+
+}  // namespace
 
 std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
   auto file = std::make_shared<std::string>();
@@ -19,9 +31,9 @@ std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
 }
 
 registry::Configuration read_configuration(const std::string& named, const Program& program) {
-  if (!named.empty()) return registry::load_configuration(named);
+  if (!named.empty()) return checked_configuration(named);
   for (const auto& from : {std::filesystem::current_path(), program.folder})
-    if (const auto file = registry::nearest_configuration(from)) return registry::load_configuration(*file);
+    if (const auto file = registry::nearest_configuration(from)) return checked_configuration(*file);
   throw InputError(fmt::format("there is no configuration.json in {} or above; name one with --configuration",
                                std::filesystem::current_path().string()));
 }

@@ -67,13 +67,6 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   return action();
 }
 
-// The exporters know the words of "scene_format", the registry does not.
-registry::Configuration checked_configuration(const std::filesystem::path& file) {
-  auto configuration = registry::load_configuration(file);
-  for (const auto& renderer : configuration.renderers) adapters::check_scene_format(renderer);
-  return configuration;
-}
-
 int refuse_output() {
   fmt::print(stderr, "orbs: standard output cannot be written: {}\n", std::strerror(errno));
   return kBadInput;

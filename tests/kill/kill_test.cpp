@@ -83,7 +83,7 @@ int whole_renders(const Sandbox& sandbox, const std::string& image) {
     if (!sandbox.has(folder)) continue;
     ++count;
     const auto file = results::read_job_file(sandbox.folder() / folder / "job.json");
-    EXPECT_EQ(file.job.scene, scene_name(i));
+    EXPECT_EQ(file.job.identity.scene, scene_name(i));
     EXPECT_EQ(file.targets.size(), 1U);
     EXPECT_EQ(sandbox.read(folder + "/result.exr"), image);
     EXPECT_TRUE(sandbox.has(folder + "/error-l1.exr"));
@@ -97,7 +97,7 @@ void expect_complete(const Sandbox& sandbox, const std::string& image) {
   EXPECT_TRUE(run.finished);
   std::set<std::string> jobs;
   std::set<std::string> images;
-  for (const auto& job : run.jobs) EXPECT_TRUE(jobs.insert(job.id).second) << "twice: " << job.scene;
+  for (const auto& job : run.jobs) EXPECT_TRUE(jobs.insert(job.identity.id).second) << "twice: " << job.identity.scene;
   for (const auto& one : run.targets) {
     EXPECT_TRUE(images.insert(one.target).second) << "twice: " << one.target;
     EXPECT_EQ(one.verdict, results::Verdict::Pass) << one.reason;
