@@ -1,7 +1,7 @@
 #pragma once
 
-#include "registry/run_settings.h"
 #include "registry/features.h"
+#include "registry/run_settings.h"
 #include "supervisor/limits.h"
 
 #include <filesystem>

@@ -1,13 +1,12 @@
 // References are rendered by the built-in tracer itself.
-#include "references/references.h"
-
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "registry/configuration.h"
 #include "judge/provenance.h"
 #include "references/history.h"
+#include "references/references.h"
+#include "registry/configuration.h"
 
 #include <atomic>
 #include <functional>
@@ -183,8 +182,9 @@ struct Stoppable {
     const auto read = registry::load_configuration(sandbox.folder() / "configuration.json");
     auto selection = read.defaults;
     selection.scenes = {"grey"};
-    return references::render_references(read, selection, {.seed = 40, .reason = reason},
-                                     {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
+    return references::render_references(
+        read, selection, {.seed = 40, .reason = reason},
+        {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
   }
   std::string hash() const {
     return judge::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
