@@ -72,9 +72,9 @@ TEST(Resume, JudgesAgainWhatHasLostItsVerdicts) {
   first_run(sandbox);
   const auto job = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");
   const auto text = sandbox.read("out/good/grey/job.json");
-  const auto from = text.find("\"images\": [");
+  const auto from = text.find("\"targets\": [");
   ASSERT_NE(from, std::string::npos);
-  sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"images\": []\n}\n");
+  sandbox.write("out/good/grey/job.json", text.substr(0, from) + "\"targets\": []\n}\n");
   const auto answer = resume(sandbox);
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto now = results::read_job_file(sandbox.folder() / "out/good/grey/job.json");

@@ -57,6 +57,6 @@ TEST(EffectCostReport, MarkdownAndJsonHoldTheSame) {
   json::ObjectReader effect_costs(document);
   auto scenes = effect_costs.objects("scenes");
   auto ways = scenes.at(0).objects("alternatives");
-  EXPECT_EQ(ways.at(0).text("image"), "same but for noise");
+  EXPECT_EQ(ways.at(0).text("change"), "same but for noise");
   EXPECT_EQ(ways.at(0).object("time_ratio").number("most"), 1.6);
 }
