@@ -140,8 +140,9 @@ TEST(Reference, IsRenderedUntilItsNoiseIsTenDecibelsBelowTheGate) {
 TEST(Reference, SaysAllPassesThatItIsMadeOf) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
-  sandbox.write("cases/m1_grey/case.json",
-                text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+  sandbox.write(
+      "cases/m1_grey/case.json",
+      text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb8", "min": 55, "reason": "r"}])"));
   EXPECT_EQ(sandbox.orbs({"reference", "-s", "grey", "--seed", "40", "--accept", "test"}).status, 0);
   const auto provenance = image::read_image(sandbox.folder() / "references" / "grey.exr").attributes;
   const auto& settings = provenance.at("orbs.settings");
@@ -167,8 +168,9 @@ struct Stoppable {
 
   Stoppable() {
     auto text = sandbox.read("cases/m1_grey/case.json");
-    sandbox.write("cases/m1_grey/case.json",
-                  text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+    sandbox.write(
+        "cases/m1_grey/case.json",
+        text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb8", "min": 55, "reason": "r"}])"));
   }
   int render(bool is_to_stop) {
     said.clear();
