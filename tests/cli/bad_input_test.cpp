@@ -113,10 +113,10 @@ TEST(BadFiles, ABrokenSceneStopsTheRunBeforeItBegins) {
 TEST(BadFiles, AnUnknownMetricOfAGateIsFoundAtOnce) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
-  text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr", "min": 3, "reason": "r"}])");
+  text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb", "min": 3, "reason": "r"}])");
   sandbox.write("cases/m1_grey/case.json", text);
   const auto answer = sandbox.orbs({"run", "-r", "good"});
-  expect_refusal(sandbox, answer, "there is no metric 'psnr' (did you mean");
+  expect_refusal(sandbox, answer, "there is no metric 'psnr_srgb' (did you mean 'psnr_srgb8'?)");
   EXPECT_NE(answer.text.find("m1_grey/case.json:1"), std::string::npos) << answer.text;
 }
 
