@@ -4,10 +4,10 @@
 #include "base/pattern.h"
 #include "base/text.h"
 #include "json/object_reader.h"
-#include "registry/run_settings.h"
 #include "registry/limits.h"
 #include "registry/placeholders.h"
 #include "registry/plain_name.h"
+#include "registry/run_settings.h"
 
 #include <algorithm>
 

@@ -64,7 +64,8 @@ void render_without_lights(Qualification& shared) {
     const int spp = adapters::scaled_spp(scene.spp, 1, shared.settings.missing_light_spp_scale);
     auto targets = without_each_light(shared.plan, scene, spp, scratch.path(), shared.context.stop);
     if (!targets) return;
-    shared.context.say(fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
+    shared.context.say(
+        fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
     shared.missing_lights[scene.name] = std::move(*targets);
   }
 }

@@ -113,9 +113,11 @@ TEST(BadFiles, ABrokenSceneStopsTheRunBeforeItBegins) {
 TEST(BadFiles, AnUnknownMetricOfAGateIsFoundAtOnce) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
-  text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr", "min": 3})");
+  text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb", "min": 3, "reason": "r"}])");
   sandbox.write("cases/m1_grey/case.json", text);
-  expect_refusal(sandbox, sandbox.orbs({"run", "-r", "good"}), "psnr");
+  const auto answer = sandbox.orbs({"run", "-r", "good"});
+  expect_refusal(sandbox, answer, "there is no metric 'psnr_srgb' (did you mean 'psnr_srgb8'?)");
+  EXPECT_NE(answer.text.find("m1_grey/case.json:1"), std::string::npos) << answer.text;
 }
 
 TEST(BadFiles, ARectangleBeyondTheImageIsFoundAtOnce) {

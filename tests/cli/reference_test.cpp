@@ -1,13 +1,12 @@
 // References are rendered by the built-in tracer itself.
-#include "references/references.h"
-
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "registry/configuration.h"
 #include "judge/provenance.h"
 #include "references/history.h"
+#include "references/references.h"
+#include "registry/configuration.h"
 
 #include <atomic>
 #include <functional>
@@ -141,8 +140,9 @@ TEST(Reference, IsRenderedUntilItsNoiseIsTenDecibelsBelowTheGate) {
 TEST(Reference, SaysAllPassesThatItIsMadeOf) {
   const Sandbox sandbox;
   auto text = sandbox.read("cases/m1_grey/case.json");
-  sandbox.write("cases/m1_grey/case.json",
-                text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+  sandbox.write(
+      "cases/m1_grey/case.json",
+      text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb8", "min": 55, "reason": "r"}])"));
   EXPECT_EQ(sandbox.orbs({"reference", "-s", "grey", "--seed", "40", "--accept", "test"}).status, 0);
   const auto provenance = image::read_image(sandbox.folder() / "references" / "grey.exr").attributes;
   const auto& settings = provenance.at("orbs.settings");
@@ -168,8 +168,9 @@ struct Stoppable {
 
   Stoppable() {
     auto text = sandbox.read("cases/m1_grey/case.json");
-    sandbox.write("cases/m1_grey/case.json",
-                  text.insert(text.rfind('}'), R"(, "gate": {"metric": "psnr_srgb8", "min": 55})"));
+    sandbox.write(
+        "cases/m1_grey/case.json",
+        text.insert(text.rfind('}'), R"(, "gates": [{"metric": "psnr_srgb8", "min": 55, "reason": "r"}])"));
   }
   int render(bool is_to_stop) {
     said.clear();
@@ -183,8 +184,9 @@ struct Stoppable {
     const auto read = registry::load_configuration(sandbox.folder() / "configuration.json");
     auto selection = read.defaults;
     selection.scenes = {"grey"};
-    return references::render_references(read, selection, {.seed = 40, .reason = reason},
-                                     {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
+    return references::render_references(
+        read, selection, {.seed = 40, .reason = reason},
+        {std::filesystem::path(ORBS_BINARY_DIR) / "orbs-tracer", &stop, say});
   }
   std::string hash() const {
     return judge::image_hash(image::read_image(sandbox.folder() / "references" / "grey.exr"));
