@@ -4,7 +4,6 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
-
 #include "runner/make_plan.h"
 #include "studies/probe.h"
 

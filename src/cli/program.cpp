@@ -43,18 +43,19 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
       "Renders small test scenes with every configured renderer, compares the images with references,\n"
       "and says which requirements each renderer meets."};
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.footer(
-      "First steps:\n"
-      "  orbs doctor                 lists the renderers that are installed\n"
-      "  orbs run -c 'm*' -r orbs    renders and judges some cases with the built-in tracer\n"
-      "  orbs serve                  shows the results in the browser\n"
-      "'orbs COMMAND --help' shows the options of a command.");
   app.name("orbs");
   app.set_version_flag("--version", "orbs " + version);
   app.require_subcommand(1);
   Action action;
   for (const auto& command : commands())
     command.add(*app.add_subcommand(command.name, command.summary)->group(command.group), program, action);
+  // Last, since commands inherit the footer that the program has when they are added.
+  app.footer(
+      "First steps:\n"
+      "  orbs doctor                 lists the renderers that are installed\n"
+      "  orbs run -c 'm*' -r orbs    renders and judges some cases with the built-in tracer\n"
+      "  orbs serve                  shows the results in the browser\n"
+      "'orbs COMMAND --help' shows the options of a command.");
   refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -1,6 +1,6 @@
-#include "cli/interrupt.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
+#include "cli/interrupt.h"
 #include "cli/options.h"
 #include "references/references.h"
 

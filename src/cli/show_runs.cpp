@@ -1,7 +1,7 @@
 #include "cli/show_runs.h"
 
-#include "cli/interrupt.h"
 #include "base/error.h"
+#include "cli/interrupt.h"
 #include "server/serve.h"
 
 #include <algorithm>

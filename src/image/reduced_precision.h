@@ -4,8 +4,8 @@
 
 #include <immintrin.h>
 
-/// Floats with fewer significant bits: 16-bit floats (IEEE 754 binary16, "half"), and 32-bit floats whose last
-/// bits are zero.
+/// Floats with fewer significant bits: 16-bit floats (IEEE 754 binary16, "half"), and 32-bit floats whose
+/// last bits are zero.
 namespace orbs::image {
 
 /// The largest finite half.
@@ -20,8 +20,8 @@ inline std::uint16_t half_bits(float value) {
 
 inline float float_of_half(std::uint16_t bits) { return _cvtsh_ss(bits); }
 
-/// `value` rounded to `bits` significant bits (1 to 23), to nearest. Values that fit stay exact, and the result
-/// compresses well. Zero, NaN and infinities do not change.
+/// `value` rounded to `bits` significant bits (1 to 23), to nearest. Values that fit stay exact, and the
+/// result compresses well. Zero, NaN and infinities do not change.
 float rounded_to_bits(float value, unsigned bits);
 
 }  // namespace orbs::image

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/process_limits.h"
-#include "registry/run_settings.h"
 #include "registry/features.h"
+#include "registry/run_settings.h"
 
 #include <filesystem>
 #include <map>

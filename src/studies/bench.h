@@ -30,7 +30,6 @@ struct BenchSettings {
   std::string only{};  // names of renderers, comma-separated; "": orbs, and cycles where it is installed
 };
 
-
 /// Two renders of one seed right after each other. They differ in their samples alone, so the difference of
 /// their times is what these samples cost: the start of the program, which takes Blender seconds, drops out,
 /// as do reading, building and writing.

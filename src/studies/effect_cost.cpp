@@ -80,8 +80,8 @@ bool render_rounds(std::vector<Variant>& variants,
     for (std::size_t turn = 0; turn < variants.size(); ++turn) {
       // Every other round runs backwards, so that no variant always comes first.
       auto& variant = variants[round % 2 == 0 ? turn : variants.size() - 1 - turn];
-      auto made =
-          runner::render_once(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true}, context.stop);
+      auto made = runner::render_once(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true},
+                                      context.stop);
       if (!made) return false;
       variant.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
       variant.images.push_back(std::move(made->image));

@@ -1,7 +1,7 @@
 #include "studies/missing_light.h"
 
-#include "scene/scene.h"
 #include "runner/render_once.h"
+#include "scene/scene.h"
 
 #include <algorithm>
 #include <variant>

@@ -68,7 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"tolerance_is_no_number",
                 {"compare", "a.exr", "b.exr", "--min", "nan"},
                 "expected a number, not 'nan'"},
-        Mistake{"help_of_the_command", {"report"}, "--output is required; 'orbs report --help' shows"},
+        Mistake{"help_of_the_command",
+                {"report"},
+                "--output is required; 'orbs report --help' lists the options"},
         Mistake{"served_folder_is_missing", {"serve", "none"}, "none: holds no results.json"},
         Mistake{
             "qualified_folder_is_missing", {"qualify", "none", "-r", "good"}, "none: holds no results.json"},

@@ -49,10 +49,10 @@ std::map<std::string, std::string> help_of_commands(const Sandbox& sandbox) {
   static const std::regex command(R"(^  ([a-z][a-z-]*) {2,}\S)");
   const auto subcommands = [](const std::string& help) {
     std::vector<std::string> names;
-    const auto from = help.find("Subcommands:");
-    for (const auto& line : split(from == std::string::npos ? "" : help.substr(from), '\n')) {
+    // The last group shows example lines that begin with "orbs".
+    for (const auto& line : split(help, '\n')) {
       std::smatch match;
-      if (std::regex_search(line, match, command)) names.push_back(match[1]);
+      if (std::regex_search(line, match, command) && match[1] != "orbs") names.push_back(match[1]);
     }
     return names;
   };

@@ -54,8 +54,7 @@ TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
   const auto answer = sandbox.orbs({"doctor"});
   EXPECT_EQ(answer.status, 0);
   EXPECT_TRUE(contains(answer.text, "version   fake renderer 7.8")) << answer.text;
-  EXPECT_TRUE(
-      contains(answer.text, "absent\n  program   not installed: '/nowhere/at/all' was not found"))
+  EXPECT_TRUE(contains(answer.text, "absent\n  program   not installed: '/nowhere/at/all' was not found"))
       << answer.text;
 }
 

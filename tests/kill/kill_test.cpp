@@ -97,7 +97,8 @@ void expect_complete(const Sandbox& sandbox, const std::string& image) {
   EXPECT_TRUE(run.finished);
   std::set<std::string> jobs;
   std::set<std::string> images;
-  for (const auto& job : run.jobs) EXPECT_TRUE(jobs.insert(job.identity.id).second) << "twice: " << job.identity.scene;
+  for (const auto& job : run.jobs)
+    EXPECT_TRUE(jobs.insert(job.identity.id).second) << "twice: " << job.identity.scene;
   for (const auto& one : run.targets) {
     EXPECT_TRUE(images.insert(one.target).second) << "twice: " << one.target;
     EXPECT_EQ(one.verdict, results::Verdict::Pass) << one.reason;

@@ -19,11 +19,12 @@ RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head
   for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"})
     write_file(bundle_.path() / name, name);
   thread_ = std::thread([this, run, head_timeout] {
-    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout}, stop_, [this](const std::string& url) {
-      const auto digits = url.substr(url.rfind(':') + 1);
-      port_ = static_cast<int>(to_integer(digits.substr(0, digits.find('/'))).value_or(0));
-      port_.notify_all();
-    });
+    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout}, stop_,
+                  [this](const std::string& url) {
+                    const auto digits = url.substr(url.rfind(':') + 1);
+                    port_ = static_cast<int>(to_integer(digits.substr(0, digits.find('/'))).value_or(0));
+                    port_.notify_all();
+                  });
   });
   port_.wait(0);
 }
