@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "studies/bench.h"
+#include "studies/bench_json.h"
 #include "studies/bench_report.h"
 
 #include <CLI/CLI.hpp>

@@ -6,6 +6,7 @@
 #include "cli/study_context.h"
 #include "results/effect_costs.h"
 #include "studies/effect_cost.h"
+#include "studies/effect_cost_report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -6,6 +6,7 @@
 #include "cli/study_context.h"
 #include "runner/make_plan.h"
 #include "studies/probe.h"
+#include "studies/probe_report.h"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "cli/action.h"
 #include "cli/command_table.h"
 
 #include <cerrno>

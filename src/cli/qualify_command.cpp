@@ -8,6 +8,7 @@
 #include "results/run_folder.h"
 #include "runner/make_plan.h"
 #include "studies/qualify.h"
+#include "studies/qualify_report.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/program.h"
+#include "cli/action.h"
 #include "studies/context.h"
 
 #include <cstdio>

@@ -1,7 +1,8 @@
+#include "studies/bench_json.h"
+
 #include "json/writer.h"
 #include "results/field_writer.h"
 #include "studies/bench_numbers.h"
-#include "studies/bench_report.h"
 
 namespace orbs::studies {
 

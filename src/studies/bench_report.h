@@ -10,8 +10,4 @@ namespace orbs::studies {
 /// rounds.
 std::string bench_table(const BenchRecord& record);
 
-/// The same and every single time, as JSON (format "orbs-bench/1"), each number with its definition. What
-/// could not be measured is null.
-std::string bench_json(const BenchRecord& record);
-
 }  // namespace orbs::studies

@@ -77,11 +77,4 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
 /// True if every richer transport gave the same image.
 bool all_agree(const EffectCosts& list);
 
-/// The results as a table for a terminal, one line for each alternative.
-std::string effect_cost_table(const EffectCosts& list);
-/// The same as a table in Markdown.
-std::string effect_cost_markdown(const EffectCosts& list);
-/// All numbers, format "orbs-effect-cost/1".
-std::string effect_cost_json(const EffectCosts& list);
-
 }  // namespace orbs::studies

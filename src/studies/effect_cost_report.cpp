@@ -1,7 +1,8 @@
+#include "studies/effect_cost_report.h"
+
 #include "base/text_table.h"
 #include "json/writer.h"
 #include "results/field_writer.h"
-#include "studies/effect_cost.h"
 
 #include <algorithm>
 #include <cmath>

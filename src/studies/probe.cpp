@@ -6,6 +6,7 @@
 #include "base/scratch_folder.h"
 #include "base/text.h"
 #include "runner/render_once.h"
+#include "studies/probe_report.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
+#include "studies/probe_report.h"
+
 #include "json/writer.h"
-#include "studies/probe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

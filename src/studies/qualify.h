@@ -31,7 +31,4 @@ std::vector<results::GateRecord> qualify(const runner::Plan& plan,
 std::vector<results::GateRecord> merged(std::vector<results::GateRecord> known,
                                         const std::vector<results::GateRecord>& found);
 
-/// A line per gate: how many faults are rejected, the smallest ones; then a reason for each that is not.
-std::string qualification_text(const std::vector<results::GateRecord>& gates);
-
 }  // namespace orbs::studies

@@ -1,5 +1,6 @@
+#include "studies/qualify_report.h"
+
 #include "base/text_table.h"
-#include "studies/qualify.h"
 
 #include <algorithm>
 

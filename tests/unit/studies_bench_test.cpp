@@ -1,5 +1,6 @@
 #include "base/random.h"
 #include "metrics/seeds.h"
+#include "studies/bench_json.h"
 #include "studies/bench_numbers.h"
 #include "studies/bench_report.h"
 #include "studies/seed_noise.h"

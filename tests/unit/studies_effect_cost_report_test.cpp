@@ -1,5 +1,6 @@
 #include "json/object_reader.h"
 #include "studies/effect_cost.h"
+#include "studies/effect_cost_report.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "studies/mutants.h"
 #include "studies/mutation_test.h"
 #include "studies/qualify.h"
+#include "studies/qualify_report.h"
 
 #include <cmath>
 #include <random>
