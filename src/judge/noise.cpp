@@ -2,6 +2,7 @@
 
 #include "image/colour.h"
 #include "metrics/psnr.h"
+#include "metrics/residual.h"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,30 @@ std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
 std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Image& values) {
   const auto samples = metrics::pair_samples(image, values);
   return noise_mse_srgb8(samples.result_variance, samples.reference, samples.included);
+}
+
+std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair) {
+  constexpr int kApart_px = 4;
+  constexpr double kFewest = 0.1;
+  const auto smooth = metrics::smooth_pixels(pair);
+  const auto difference = [&](std::size_t i) {
+    return static_cast<double>(pair.result_display[i]) - static_cast<double>(pair.reference_display[i]);
+  };
+  double sum = 0;
+  std::size_t count = 0;
+  for (int y = 0; y < pair.height; ++y)
+    for (int x = 0; x + kApart_px < pair.width; ++x) {
+      const auto a = pair.pixel_at(x, y);
+      const auto b = pair.pixel_at(x + kApart_px, y);
+      if (smooth[a] == 0 || smooth[b] == 0) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double step = 255 * (difference(3 * a + c) - difference(3 * b + c));
+        sum += step * step / 2;
+      }
+      ++count;
+    }
+  if (static_cast<double>(count) < kFewest * static_cast<double>(pair.included_count)) return std::nullopt;
+  return sum / (3 * static_cast<double>(count));
 }
 
 std::string variance_problem(const image::Image& image) {
