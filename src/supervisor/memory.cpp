@@ -70,8 +70,8 @@ std::optional<Task> running_task(pid_t pid) {
   return std::nullopt;
 }
 
-// Each page divided by the number of processes that map it. Nothing where the kernel refuses or is older than
-// 5.4: then the whole counts.
+// Each page divided by the number of processes that map it. Nothing where the kernel refuses or is too old to
+// tell the kinds of pages: then the whole counts.
 std::optional<Memory> shares_of(pid_t task) {
   Memory memory;
   bool has_kinds = false;

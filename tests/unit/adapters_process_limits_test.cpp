@@ -10,6 +10,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using orbs::adapters::run_process;
@@ -119,6 +120,22 @@ TEST(ProcessLimits, AnInterruptWakesAStoppedSupervisor) {
   EXPECT_EQ(result.cause, Cause::Stopped);
   EXPECT_EQ(result.orphaned, "");
   EXPECT_LT(result.wall_seconds, 60);
+}
+
+TEST(ProcessLimits, TheEndOfTheHarnessWakesAStoppedSupervisor) {
+  const TestFolder scratch("process-killed-harness");
+  auto request = shell("kill -STOP $PPID; echo $$ > id; sleep 600");
+  request.folder = scratch.path();
+  const pid_t harness = ::fork();
+  if (harness == 0) {
+    run_process(request);
+    ::_exit(0);
+  }
+  const auto id = scratch.path() / "id";
+  while (!std::filesystem::exists(id) || std::filesystem::file_size(id) == 0) std::this_thread::yield();
+  ::kill(harness, SIGKILL);
+  ::waitpid(harness, nullptr, 0);
+  EXPECT_FALSE(is_running(orbs::read_file(id)));
 }
 
 // It is stopped again and again.
