@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "registry/cases.h"
+#include "registry/case.h"
 
 #include <filesystem>
 #include <map>
