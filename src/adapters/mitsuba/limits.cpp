@@ -62,7 +62,8 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
     if (transport != scene::LightTransport::Rgb) note(spectral_texture_limit(texture, kName));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    note(light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i), kName));
+    note(light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i), kName,
+                     "has no light with a measured intensity distribution"));
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
   note(stokes_limit(scene));
   return reasons;
