@@ -9,6 +9,7 @@
 #include "image/image_io.h"
 #include "scene/generators.h"
 #include "scene/load_scene.h"
+#include "scene/ply.h"
 
 #include <algorithm>
 #include <array>
@@ -225,13 +226,19 @@ TEST_P(Exported, TexturesAreLinearImagesWithTheColourMultipliedIn) {
   FAIL() << "no red material";
 }
 
+class MitsubaEmission : public testing::Test {
+ protected:
+  ScratchFolder scratch_{"orbs-mitsuba-emission"};
+};
+
 // The back of Mitsuba's emitters is dark: nobody sees it on a closed mesh from outside.
 TEST(MitsubaLimits, EmissionNeedsAClosedMeshSeenFromOutside) {
   scene::Scene scene;
-  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}};
-  scene.meshes = {scene::make_cube({1})};
+  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}, {"grey", scene::Lambert{{0.5, 0.5, 0.5}, {}}}};
+  scene.meshes = {scene::make_cube({1}), scene::make_cube({1})};
   scene.meshes[0].triangle_materials.assign(12, 0);
-  scene.instances = {{"i", 0, scaling({2, 2, 2}), {}}};
+  scene.meshes[1].triangle_materials.assign(12, 1);
+  scene.instances = {{"i", 0, scaling({2, 2, 2}), {}}, {"lit", 1, translation({9, 0, 0}), {}}};
   scene.camera.position_m = {0, 0, 2.1};
   EXPECT_TRUE(adapters::mitsuba_limits(scene).empty());
   scene.camera.position_m = {0, 0, 1.9};
@@ -241,6 +248,32 @@ TEST(MitsubaLimits, EmissionNeedsAClosedMeshSeenFromOutside) {
   scene.meshes[0].triangles.pop_back();
   scene.meshes[0].triangle_materials.pop_back();
   EXPECT_EQ(adapters::mitsuba_limits(scene).size(), 1U);
+}
+
+// As in an id pass: the winding that the camera sees is right, whatever the mesh.
+TEST_F(MitsubaEmission, OfAnOpenMeshFacesTheCameraThatAloneSeesIt) {
+  scene::Scene scene;
+  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}};
+  scene.meshes = {scene::make_cube({1})};
+  scene.meshes[0].triangle_materials.assign(12, 0);
+  scene.meshes[0].triangles.pop_back();
+  scene.meshes[0].triangle_materials.pop_back();
+  const Mat4 mirror = scaling({-1, 1, 1});
+  scene.instances = {{"i", 0, mirror, {}}};
+  scene.camera.position_m = {0.3, 0.2, 9};
+  ASSERT_TRUE(adapters::mitsuba_limits(scene).empty());
+  for (const Vec3d eye : {Vec3d{0.3, 0.2, 9}, Vec3d{0.1, 0.2, 0.3}}) {
+    scene.camera.position_m = eye;
+    adapters::write_mitsuba(scene, scratch_.path() / "scene.xml");
+    const auto mesh = scene::read_ply(scratch_.path() / "scene-mesh0.0.ply").mesh;
+    ASSERT_EQ(mesh.triangles.size(), 11U);
+    for (const auto& t : mesh.triangles) {
+      const auto corner = [&](std::size_t i) {
+        return transform_point(mirror, cast<double>(mesh.positions[t[i]]));
+      };
+      EXPECT_GT(dot(cross(corner(1) - corner(0), corner(2) - corner(0)), eye - corner(0)), 0);
+    }
+  }
 }
 
 TEST(ExporterLimits, MaskingOfAnotherFormIsTakenWhereItCannotBeSeen) {

@@ -3,6 +3,7 @@
 #include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
+#include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/materials.h"
 #include "adapters/mitsuba/stokes_frame.h"
 #include "scene/effects.h"
@@ -20,7 +21,8 @@ constexpr const char* kName = "Mitsuba";
 // Mitsuba's emitter is dark from behind; ORB.S's emissive surfaces shine from both sides.
 std::string back_limit(const scene::Scene& scene, const MaterialMesh& shown) {
   const auto& material = material_at(scene, shown.material);
-  if (!std::holds_alternative<scene::Emission>(material.model)) return "";
+  if (!std::holds_alternative<scene::Emission>(material.model) || mitsuba::only_camera_sees_light(scene))
+    return "";
   if (!is_closed(shown.mesh))
     return fmt::format(
         "mesh '{}' emits ('{}') and is not closed: Mitsuba's emitters shine from one side only",
