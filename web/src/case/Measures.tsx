@@ -51,7 +51,7 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
 
 /** Every metric with its gate and its definition, then the checks that are no metric. */
 export function Measures({ detail }: { detail: TargetDetail }) {
-  const { measures, checks, remarks = [] } = detail;
+  const { measures, checks, remarks = [], hidden = "" } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;
   return (
@@ -86,6 +86,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
           ))}
         </ul>
       ) : null}
+      {hidden === "" ? null : <p class="quiet">{hidden}</p>}
       {others.length > 0 ? (
         <ul class="checks">
           {others.map((check) => (
