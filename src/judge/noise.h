@@ -26,10 +26,11 @@ std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
 /// As above, from the channels "variance.R/G/B" of `image` and the colours of `values`; every pixel counts.
 std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Image& values);
 
-/// The same of result and reference together where the result does not state its noise: half the squared step
-/// of their difference between pixels 4 px apart, beyond the reach of a pixel's filter, both where the
-/// reference is smooth. What goes wrong at edges or in textures so does not pass for noise. Nothing when less
-/// than a tenth of the pixels is smooth.
+/// The same of result and reference together where the result does not state its noise: from the steps of
+/// their difference between pixels 4 px apart, beyond the reach of a pixel's filter, where the reference is
+/// smooth; by the median of each block, as for normally distributed noise. What goes wrong at edges, in
+/// textures or in single pixels so does not pass for noise. Nothing when less than a tenth of the pixels is
+/// smooth.
 std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair);
 
 /// Why the variances in an image cannot be true: a channel is missing beside the others, or a value is

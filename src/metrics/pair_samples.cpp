@@ -60,6 +60,8 @@ void set_variance_ratio(PairSamples& samples) {
     return pixels == (block.x1 - block.x0) * (block.y1 - block.y0);
   };
   std::array<std::vector<double>, 3> ratios;
+  std::array<double, 3> result_sum{};
+  std::array<double, 3> reference_sum{};
   for (const Rectangle& block : blocks_of(samples)) {
     if (!is_counted(block)) continue;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -67,11 +69,17 @@ void set_variance_ratio(PairSamples& samples) {
       for_each_block_pixel(samples, block, [&](std::size_t pixel) {
         reference += variance_at(samples.reference_variance, 3 * pixel + c);
       });
-      if (reference > 0) ratios.at(c).push_back(noise_of_block(samples, block, c, reference) / reference);
+      if (!(reference > 0)) continue;
+      const double result = noise_of_block(samples, block, c, reference);
+      ratios.at(c).push_back(result / reference);
+      result_sum.at(c) += result;
+      reference_sum.at(c) += reference;
     }
   }
   for (std::size_t c = 0; c < 3; ++c)
-    if (!ratios.at(c).empty()) samples.variance_ratio.at(c) = median(std::move(ratios.at(c)));
+    if (!ratios.at(c).empty())
+      samples.variance_ratio.at(c) =
+          std::max(median(std::move(ratios.at(c))), result_sum.at(c) / reference_sum.at(c));
 }
 
 }  // namespace

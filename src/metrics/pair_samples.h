@@ -53,9 +53,9 @@ struct PairSamples {
 
 /// Unpacks images that have passed check_alignment. InputError when the mask does not fit them.
 ///
-/// The variance ratio is the median over the blocks of the image, so that it is that of the samples and not
-/// that of the few blocks which rare light rules: a result that missed such light underestimates its variance
-/// there and nowhere else. No word of the image's provenance decides it.
+/// The variance ratio is that of the sums over the image, or the median of its blocks where that is larger: a
+/// result that missed rare light states too little there, and most of its blocks know better; where the
+/// blocks missed it, a few have seen it. No word of the image's provenance decides it.
 PairSamples pair_samples(const image::Image& result,
                          const image::Image& reference,
                          const Mask& mask = {},

@@ -34,6 +34,8 @@ struct Site {
 struct Row {
   Pattern pattern;
   Rgb (*at)(const Site&);
+  bool is_of_colour =
+      false;  // tested without what all channels share, which is most of a path tracer's noise
 };
 
 Rgb scaled(const Rgb& rgb, double factor) { return {rgb[0] * factor, rgb[1] * factor, rgb[2] * factor}; }
@@ -86,10 +88,12 @@ constexpr std::array kRows{
           return Rgb{1, 1, 1};
         }},
     Row{{"of more saturated colours", "of less saturated colours", kPercent, 2 * kNegligibleShare},
-        [](const Site& s) { return minus(s.ring, s.luminance); }},
+        [](const Site& s) { return minus(s.ring, s.luminance); },
+        true},
     Row{{"turned in hue from red towards green", "turned in hue from green towards red", kDegrees,
          2 * kNegligibleShare},
-        [](const Site& s) { return turned_in_hue(s.ring); }},
+        [](const Site& s) { return turned_in_hue(s.ring); },
+        true},
     Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px},
         [](const Site& s) { return s.slope_x; }},
     Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px},
@@ -159,6 +163,12 @@ Site site_at(const PairSamples& samples, int x, int y, double mean) {
   return site;
 }
 
+// The difference less what is a factor of the light.
+Rgb without_light(const Rgb& difference, const Site& site) {
+  if (!(site.luminance > 0)) return difference;
+  return sum_of(difference, 1, site.ring, -luminance_of(difference) / site.luminance);
+}
+
 // Sums for the amplitude of each pattern by least squares.
 struct Sums {
   double product = 0;  // of pattern and difference, weighted
@@ -178,9 +188,10 @@ AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double
       const double weight = 1 / (scale * scale);  // the noise of a path tracer is nearly relative
       const Rgb difference{samples.difference(3 * pixel) / mean, samples.difference(3 * pixel + 1) / mean,
                            samples.difference(3 * pixel + 2) / mean};
+      const Rgb of_colour = without_light(difference, site);
       for (std::size_t i = 0; i < kRows.size(); ++i) {
         const Rgb pattern = kRows.at(i).at(site);
-        sums.at(i).product += weight * dot(pattern, difference);
+        sums.at(i).product += weight * dot(pattern, kRows.at(i).is_of_colour ? of_colour : difference);
         sums.at(i).norm += weight * dot(pattern, pattern);
       }
     }
