@@ -4,6 +4,8 @@
 #include "base/text.h"
 #include "image/image_io.h"
 #include "metrics/alignment.h"
+#include "runner/last_words.h"
+#include "runner/named_within.h"
 
 #include <csignal>
 #include <filesystem>
@@ -18,34 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using results::JobOutcome;
 using supervisor::Cause;
-
-// The folder of the render is moved when it is complete, so its files are named relative to it.
-std::string named_within(const fs::path& folder, std::string text) {
-  const auto prefix = folder.string() + "/";
-  for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
-    text.erase(at, prefix.size());
-  return text;
-}
-
-// At most `most` bytes, no character cut in two.
-std::string shortened(std::string text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U) --most;
-  text.resize(most);
-  return text;
-}
-
-// The last line of the output that is not empty, for the end of a reason. A carriage return starts a line
-// anew.
-std::string last_words(const std::string& output, const fs::path& folder) {
-  constexpr std::size_t kMost = 200;
-  std::string words;
-  for (const auto& line : split(output, '\n'))
-    for (const auto& part : split(line, '\r'))
-      if (const auto text = trim(part); !text.empty()) words = text;
-  words = shortened(clean_text(named_within(folder, std::move(words))), kMost);
-  return words.empty() ? "" : fmt::format("; its last words: {}", words);
-}
 
 std::string megabytes(std::size_t bytes) {
   return fmt::format("{:.6g} MB", static_cast<double>(bytes) / (1 << 20));
@@ -103,7 +77,8 @@ Outcome process_outcome(const adapters::ProcessResult& process,
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {JobOutcome::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
   if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)
-    outcome.reason += last_words(process.output, folder);
+    if (const auto words = last_words(process.output, folder); !words.empty())
+      outcome.reason += fmt::format("; its last words: {}", words);
   return outcome;
 }
 
@@ -149,6 +124,16 @@ Outcome size_outcome(const adapters::Job& job, int width_px, int height_px, cons
           {}};
 }
 
+Outcome channels_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
+  for (const auto& channel : job.channels)
+    if (image::channel_index(image, channel) < 0)
+      return {JobOutcome::WrongChannels,
+              fmt::format("{} has the channels {}, expected {}", name, fmt::join(image.channels, ", "),
+                          fmt::join(job.channels, ", ")),
+              {}};
+  return {};
+}
+
 Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
   if (auto outcome = file_outcome(job, name); outcome.kind != JobOutcome::Image) return outcome;
@@ -162,6 +147,13 @@ Outcome image_outcome(const adapters::Job& job) {
         outcome.kind != JobOutcome::Image)
       return outcome;
     image = image::read_image(job.image);
+    if (job.channels != adapters::kColourChannels) {
+      if (auto outcome = channels_outcome(job, image, name); outcome.kind != JobOutcome::Image)
+        return outcome;
+      auto colours = image::select_channels(image, job.channels);
+      colours.attributes = image.attributes;
+      image = std::move(colours);
+    }
   } catch (const InputError& e) {
     return {JobOutcome::Unreadable, named_within(job.folder, e.what()), {}};
   }

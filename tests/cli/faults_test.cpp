@@ -43,7 +43,7 @@ constexpr Fault kFaults[]{
     {"old", "stale", "result.exr is older than its render"},
     {"replace-own-folder", "no output", "wrote no result.exr"},
     {"coloured", "crash",
-     "ended with exit code 3; its last words: \uFFFD[31mfake: \uFFFD cannot read sun.txt"},
+     "ended with exit code 3; its last words: fake: \uFFFD cannot read sun.txt"},
     {"other-scene", "stale", "result.exr is an image of another scene"},
     {"other-job", "stale", "result.exr is of another render"},
     {"wrong-size", "wrong size", "result.exr is 6 x 8 pixels, expected 12 x 8"},
