@@ -1,5 +1,12 @@
 import { number, withUnit } from "../common/format";
+import { TableHead, type Column } from "../common/TableHead";
 import type { Check, Measure, TargetDetail } from "../data/types";
+
+const kColumns: Column[] = [
+  { label: "Metric" },
+  { label: "Value", isNumber: true },
+  { label: "Gate" },
+];
 
 function limitsText(check: Check | undefined): string {
   if (!check) return "";
@@ -59,15 +66,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
       <h2>Metrics</h2>
       {measures.length > 0 ? (
         <table>
-          <thead>
-            <tr>
-              <th scope="col">Metric</th>
-              <th scope="col" class="number">
-                Value
-              </th>
-              <th scope="col">Gate</th>
-            </tr>
-          </thead>
+          <TableHead columns={kColumns} />
           <tbody>
             {measures.map((measure) => (
               <MeasureRow
