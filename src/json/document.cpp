@@ -1,6 +1,9 @@
+#include "json/document.h"
+
+#include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "json/object_reader.h"
+#include "json/locate.h"
 
 #include <optional>
 

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "json/locate.h"
 
 #include <algorithm>
 #include <cmath>

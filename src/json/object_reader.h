@@ -2,12 +2,10 @@
 
 #include "base/error.h"
 #include "base/vec.h"
-#include "json/locate.h"
+#include "json/document.h"
 
-#include <filesystem>
 #include <initializer_list>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,18 +15,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 namespace orbs::json {
-
-/// A parsed text that remembers its name, so that every later complaint can say file, line and column.
-struct Document {
-  std::string name;
-  std::string text;
-  std::shared_ptr<const nlohmann::json> root;
-};
-
-/// InputError with line, column and excerpt on syntax errors, on a key given twice and on nesting beyond 64
-/// levels.
-Document parse(std::string name, std::string text);
-Document parse_file(const std::filesystem::path& path);
 
 struct Range {
   double min = -std::numeric_limits<double>::max();

@@ -2,7 +2,7 @@
 
 #include "metrics/image_pair.h"
 #include "metrics/metric.h"
-#include "registry/cases.h"
+#include "registry/case.h"
 #include "results/verdict.h"
 
 #include <string>

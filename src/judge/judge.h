@@ -5,7 +5,7 @@
 #include "metrics/compare.h"
 #include "metrics/mask.h"
 #include "metrics/pair_samples.h"
-#include "registry/cases.h"
+#include "registry/case.h"
 #include "results/record.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "registry/cases.h"
+#include "registry/case.h"
 #include "results/qualification.h"
 
 #include <filesystem>

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-namespace orbs::metrics {
+namespace orbs::metrics::mean_ratio {
 
-std::string mean_ratio::describe(const Measurement& measurement, const Limits& limits) {
+std::string describe(const Measurement& measurement, const Limits& limits) {
   const char channel = static_cast<char>(std::toupper(measurement.metric->name.back()));
   if (!measurement.value) return fmt::format("the mean of {} has nothing to be compared with", channel);
   constexpr double kPercent = 100;
@@ -17,4 +17,4 @@ std::string mean_ratio::describe(const Measurement& measurement, const Limits& l
                      kPercent * measurement.high.value_or(0), limits_text(limits, kPercent, " %"));
 }
 
-}  // namespace orbs::metrics
+}  // namespace orbs::metrics::mean_ratio

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/local_time.h"
 #include "image/image_io.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "json/writer.h"
 #include "judge/provenance.h"

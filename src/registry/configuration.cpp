@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/pattern.h"
 #include "base/text.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "registry/limits.h"
 #include "registry/placeholders.h"

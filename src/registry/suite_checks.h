@@ -1,6 +1,9 @@
 #pragma once
 
-#include "registry/cases.h"
+#include "registry/case.h"
+
+#include <filesystem>
+#include <vector>
 
 /// What only all cases of a suite together tell. InputErrors with the file of the case.
 namespace orbs::registry {

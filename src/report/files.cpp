@@ -1,6 +1,8 @@
 #include "report/files.h"
 
 #include "base/files.h"
+#include "report/csv.h"
+#include "report/junit.h"
 
 namespace orbs::report {
 

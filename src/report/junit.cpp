@@ -1,5 +1,6 @@
+#include "report/junit.h"
+
 #include "base/text.h"
-#include "report/files.h"
 #include "report/table.h"
 
 #include <map>

@@ -1,6 +1,7 @@
+#include "report/overview.h"
+
 #include "base/shell.h"
 #include "json/writer.h"
-#include "report/page_data.h"
 #include "results/field_writer.h"
 
 #include <algorithm>

@@ -6,8 +6,9 @@
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/gzip.h"
+#include "report/overview.h"
 #include "report/packed_image.h"
-#include "report/page_data.h"
+#include "report/target_data.h"
 
 #include <algorithm>
 #include <set>
@@ -41,6 +42,20 @@ std::vector<std::string> wanted_images(const RunView& view) {
         }
       }
   return files;
+}
+
+// `json` escaped for the inside of an HTML script element, so that nothing in it can end the element.
+std::string script_text(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
 }
 
 std::string data_element(const std::string& id, const std::string& type, const std::string& content) {

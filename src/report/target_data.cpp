@@ -1,11 +1,11 @@
+#include "report/target_data.h"
+
 #include "base/files_inside.h"
 #include "base/shell.h"
 #include "json/writer.h"
-#include "report/page_data.h"
 #include "results/field_writer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -17,7 +17,6 @@ namespace {
 
 using json::Writer;
 using results::JobRecord;
-using results::JobState;
 using results::RunRecord;
 using results::RunView;
 using results::TargetRecord;
@@ -93,41 +92,7 @@ std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& t
   return words;
 }
 
-// An estimate: the remaining renders take as long as the finished ones did on average, and as many run at the
-// same time as now. NaN until one is finished.
-double seconds_left(const RunView& view) {
-  double left = std::nan("");
-  double sum = 0;
-  int done = 0;
-  int open = 0;
-  int running = 0;
-  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
-    if (view.states[i] == JobState::Done) {
-      sum += view.run.jobs[i].cost.wall_seconds;
-      ++done;
-    } else {
-      ++open;
-      if (view.states[i] == JobState::Running) ++running;
-    }
-  }
-  if (done > 0) left = sum / done * open / std::max(1, running);
-  return left;
-}
-
 }  // namespace
-
-std::string script_text(std::string_view json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 std::string target_json(const RunView& view, std::size_t index) {
   const auto& target = view.run.targets.at(index);
@@ -151,19 +116,6 @@ std::string target_json(const RunView& view, std::size_t index) {
   write_scenes(out, view.run, target);
   out.member("command", shell_text(run_command(view.run, target, first)));
   return out.end_object().text();
-}
-
-std::string progress_json(const RunView& view) {
-  int done = 0;
-  Writer out;
-  out.begin_object().member("live", view.is_live).key("running").begin_array();
-  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
-    if (view.states[i] == JobState::Done) ++done;
-    if (view.states[i] == JobState::Running)
-      out.value(fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
-  }
-  out.end_array().member("done", done).member("total", static_cast<int>(view.run.jobs.size()));
-  return out.member("seconds_left", seconds_left(view)).end_object().text();
 }
 
 }  // namespace orbs::report

@@ -1,5 +1,6 @@
 #include "results/effect_costs.h"
 
+#include "json/document.h"
 #include "json/object_reader.h"
 
 namespace orbs::results {

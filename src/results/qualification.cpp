@@ -1,5 +1,6 @@
 #include "results/qualification.h"
 
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "json/writer.h"
 

@@ -1,5 +1,6 @@
 #include "results/read_record.h"
 
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <limits>

@@ -54,10 +54,13 @@ Outcome limit_outcome(Cause cause, const ProcessLimits& limits) {
   return {};
 }
 
-std::string signal_message(const adapters::ProcessResult& process) {
+std::string signal_message(const adapters::ProcessResult& process, const ProcessLimits& limits) {
   auto text = fmt::format("was killed by {}{}", adapters::signal_name(process.signal),
                           process.core_dumped ? " (core dumped)" : "");
   if (process.signal == SIGKILL) text += ", not by orbs: the kernel does that when memory runs out";
+  if (process.signal == SIGXFSZ && limits.output_bytes)
+    text += fmt::format(", which the kernel sends when a file outgrows {}; its folder holds less",
+                        megabytes(*limits.output_bytes));
   return text;
 }
 
@@ -66,11 +69,11 @@ Outcome process_outcome(const adapters::ProcessResult& process,
                         const ProcessLimits& limits) {
   if (!process.start_error.empty())
     return {JobOutcome::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (!process.orphaned.empty())
+  if (!process.orphaned.empty() && process.cause != Cause::Stopped)
     return {JobOutcome::Crash, fmt::format("was lost: {}", process.orphaned), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
-    outcome = {JobOutcome::Crash, signal_message(process), {}};
+    outcome = {JobOutcome::Crash, signal_message(process, limits), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {JobOutcome::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
   if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "registry/cases.h"
+#include "registry/case.h"
 #include "registry/configuration.h"
 #include "results/record.h"
 #include "scene/scene.h"

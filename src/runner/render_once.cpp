@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "runner/outcome.h"
 

@@ -4,6 +4,7 @@
 #include "base/files_inside.h"
 #include "base/pattern.h"
 #include "base/text.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <map>

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/local_time.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <fmt/format.h>

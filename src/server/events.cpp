@@ -1,6 +1,11 @@
-#include "server/site.h"
+#include "server/events.h"
 
+#include "server/refuse.h"
+
+#include <chrono>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include <fmt/format.h>
@@ -36,7 +41,7 @@ std::string event_text(std::uint64_t version, const std::string& json) {
   return fmt::format("id: {}\nevent: progress\ndata: {}\n\n", version, line);
 }
 
-bool send_next(const Site& site, ServedRun& run, Listener& listener, httplib::DataSink& sink) {
+bool send_next(const std::atomic<bool>* stop, ServedRun& run, Listener& listener, httplib::DataSink& sink) {
   const auto version = run.version();
   const auto now = std::chrono::steady_clock::now();
   std::string text;
@@ -50,7 +55,7 @@ bool send_next(const Site& site, ServedRun& run, Listener& listener, httplib::Da
     listener.last_word = now;
     if (!sink.write(text.data(), text.size())) return false;
   }
-  if (!run.is_live() || (site.stop != nullptr && site.stop->load())) {
+  if (!run.is_live() || (stop != nullptr && stop->load())) {
     sink.done();
     return true;
   }
@@ -60,18 +65,18 @@ bool send_next(const Site& site, ServedRun& run, Listener& listener, httplib::Da
 
 }  // namespace
 
-void send_events(Site& site, ServedRun& run, httplib::Response& response) {
+void send_events(EventClients& clients, ServedRun& run, httplib::Response& response) {
   if (!run.is_live()) {
     response.status = 204;
     return;
   }
-  if (site.listeners >= kMostListeners) return refuse(response, 503, "too many pages follow this run");
-  const auto listener = std::make_shared<Listener>(site.listeners);
+  if (clients.count >= kMostListeners) return refuse(response, 503, "too many pages follow this run");
+  const auto listener = std::make_shared<Listener>(clients.count);
   listener->last_word = std::chrono::steady_clock::now();
-  response.set_chunked_content_provider("text/event-stream",
-                                        [&site, &run, listener](std::size_t, httplib::DataSink& sink) {
-                                          return send_next(site, run, *listener, sink);
-                                        });
+  response.set_chunked_content_provider(
+      "text/event-stream", [stop = clients.stop, &run, listener](std::size_t, httplib::DataSink& sink) {
+        return send_next(stop, run, *listener, sink);
+      });
 }
 
 }  // namespace orbs::server

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "server/connection.h"
+#include "server/refuse.h"
 #include "server/run_names.h"
 #include "server/site.h"
 
@@ -51,7 +52,7 @@ void serve(const ServeSettings& settings,
            const std::atomic<bool>& stop,
            const std::function<void(const std::string& url)>& ready) {
   Site site;
-  site.stop = &stop;
+  site.listeners.stop = &stop;
   site.bundle = load_bundle(settings.bundle);
   std::vector<std::filesystem::path> folders;
   for (const auto& folder : settings.runs) {

@@ -1,7 +1,9 @@
 #include "server/served_run.h"
 
 #include "base/error.h"
-#include "report/page_data.h"
+#include "report/overview.h"
+#include "report/progress.h"
+#include "report/target_data.h"
 
 namespace orbs::server {
 

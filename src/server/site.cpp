@@ -7,6 +7,7 @@
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
+#include "server/refuse.h"
 #include "server/request_gate.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
   const auto rest = path.substr(slash + 1);
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
   if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
-  if (rest == "events") return send_events(site, run, response);
+  if (rest == "events") return send_events(site.listeners, run, response);
   if (rest.starts_with("target/")) return send_target(run, after("target/"), response);
   if (rest.starts_with("image/")) return send_image(site, run, after("image/"), layer, response);
   if (rest.starts_with("file/")) return send_file(run, after("file/"), response);
@@ -130,11 +131,6 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
 }
 
 }  // namespace
-
-void refuse(httplib::Response& response, int status, const std::string& reason) {
-  response.status = status;
-  response.set_content(reason + "\n", kText);
-}
 
 std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
   std::vector<BundleFile> files;

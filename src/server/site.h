@@ -1,9 +1,9 @@
 #pragma once
 
+#include "server/events.h"
 #include "server/image_cache.h"
 #include "server/served_run.h"
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,8 +33,7 @@ struct Site {
   std::vector<std::string> names;  // of the runs
   std::vector<BundleFile> bundle;
   ImageCache images{std::size_t{256} << 20U, 2};
-  const std::atomic<bool>* stop = nullptr;
-  std::atomic<int> listeners = 0;  // clients of events
+  EventClients listeners;
 };
 
 /// Reads the bundle. InputError if it is missing; the message names the command that builds it.
@@ -42,12 +41,5 @@ std::vector<BundleFile> load_bundle(const std::filesystem::path& folder);
 
 /// Answers one admitted request.
 void answer(Site& site, const httplib::Request& request, httplib::Response& response);
-
-/// Progress of a run as server-sent events (HTML standard, section 9.2) until it ends; 204 when it has ended,
-/// which tells browsers not to ask again.
-void send_events(Site& site, ServedRun& run, httplib::Response& response);
-
-/// A plain answer with this status.
-void refuse(httplib::Response& response, int status, const std::string& reason);
 
 }  // namespace orbs::server

@@ -3,9 +3,9 @@
 #include "registry/configuration.h"
 #include "results/record.h"
 #include "runner/render_once.h"
+#include "studies/bench_overhead.h"
 #include "studies/context.h"
 #include "studies/seed_noise.h"
-#include "studies/spread.h"
 
 #include <optional>
 #include <string>
@@ -13,14 +13,6 @@
 
 /// Questions that need many runs of a renderer: what speed and accuracy cost.
 namespace orbs::studies {
-
-/// What the harness adds to each render. The "renderer" copies a finished image, so that little but the
-/// harness's own work is left. The programs of orbs are loaded once a run, not once a render, and are not in
-/// it; neither is the judging of the image.
-struct Overhead {
-  Spread harness_ms;  // scene written, command run by its supervisor, image read and checked, folder in place
-  Spread bare_ms;     // posix_spawn of the same command, and waiting for it
-};
 
 struct BenchSettings {
   int rounds = 5;

@@ -2,13 +2,21 @@
 
 #include "image/image.h"
 #include "scene/scene.h"
-#include "studies/bench.h"
+#include "studies/spread.h"
 
 #include <atomic>
 #include <filesystem>
 #include <optional>
 
 namespace orbs::studies {
+
+/// What the harness adds to each render. The "renderer" copies a finished image, so that little but the
+/// harness's own work is left. The programs of orbs are loaded once a run, not once a render, and are not in
+/// it; neither is the judging of the image.
+struct Overhead {
+  Spread harness_ms;  // scene written, command run by its supervisor, image read and checked, folder in place
+  Spread bare_ms;     // posix_spawn of the same command, and waiting for it
+};
 
 /// Both in turns, `rounds` times, with `image` as the result. Nothing when stopped. InputError when the
 /// command fails.

@@ -10,7 +10,6 @@
 #include "runner/render_once.h"
 #include "scene/load_scene.h"
 #include "scene/without_effect.h"
-#include "studies/image_change.h"
 
 #include <algorithm>
 #include <set>

@@ -3,6 +3,7 @@
 #include "registry/configuration.h"
 #include "results/record.h"
 #include "studies/context.h"
+#include "studies/image_change.h"
 #include "studies/spread.h"
 
 #include <optional>
@@ -17,25 +18,6 @@ struct EffectCostSettings {
   int rounds = 4;     // at least 2; each has its own seed
   int spp = 16;       // samples per pixel of each render
   int size_px = 128;  // longer side of the images
-};
-
-/// The mean of a number over several rounds.
-struct MeanOfRounds {
-  double value = 0;
-  double standard_error = 0;
-};
-
-/// The difference between an alternative's image and the usual one, in Rec.709 luminance relative to the mean
-/// of the usual image.
-struct ImageChange {
-  bool is_equal = false;  // to the bit, in all rounds
-  MeanOfRounds mean;
-  MeanOfRounds largest;  // that of the block of 8 x 8 px that differs most
-  int x = 0;             // the block's upper left pixel
-  int y = 0;
-  std::string bias;  // how the difference exceeds noise, in words; "" if it does not
-  /// False if only one of the two traces light paths: the other finds caustics too rarely to be compared.
-  bool is_comparable = true;
 };
 
 /// The scene rendered with another transport, or without one of its effects.

@@ -1,5 +1,6 @@
 // The command works and its numbers are there; how large they are is for people on a quiet machine.
 #include "cli/sandbox.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <gtest/gtest.h>

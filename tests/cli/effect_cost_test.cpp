@@ -2,6 +2,7 @@
 // without an effect, holds on any.
 #include "cli/sandbox.h"
 #include "image/image_io.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <algorithm>

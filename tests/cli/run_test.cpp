@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "json/object_reader.h"
+#include "json/document.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,6 +2,7 @@
 #include "adapters/export.h"
 #include "adapters/exporters.h"
 #include "adapters/material_support.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <set>

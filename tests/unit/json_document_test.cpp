@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/text.h"
+#include "json/document.h"
 #include "json/object_reader.h"
 
 #include <string>

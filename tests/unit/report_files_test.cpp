@@ -1,4 +1,5 @@
-#include "report/files.h"
+#include "report/csv.h"
+#include "report/junit.h"
 
 #include <limits>
 

@@ -1,13 +1,15 @@
 // What the page reads: packed images, the overview, one image, the one-file page.
+#include "base/error.h"
 #include "base/files.h"
 #include "base/shell.h"
 #include "image/reduced_precision.h"
-#include "json/object_reader.h"
+#include "json/document.h"
 #include "page/fixture_runs.h"
 #include "report/gzip.h"
+#include "report/overview.h"
 #include "report/packed_image.h"
-#include "report/page_data.h"
 #include "report/page_file.h"
+#include "report/target_data.h"
 #include "structure/source_files.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "json/object_reader.h"
+#include "json/document.h"
 #include "results/read_record.h"
 #include "results/record.h"
 #include "results/record_json.h"

@@ -106,6 +106,22 @@ TEST_F(OutcomeTest, ALostSupervisorIsNoRendererThatDidNotStart) {
   EXPECT_EQ(outcome(process).reason, "was lost: its supervisor was killed by SIGKILL");
 }
 
+TEST_F(OutcomeTest, ASupervisorThatDoesNotAnswerAnInterruptIsAnInterrupt) {
+  ProcessResult process;
+  process.orphaned = "its supervisor did not answer within 17 s after the interrupt of the run";
+  process.cause = Cause::Stopped;
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Skipped);
+}
+
+TEST_F(OutcomeTest, ASignalOfTheFileSizeAloneIsACrash) {
+  ProcessResult process;
+  process.signal = SIGXFSZ;
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
+  EXPECT_EQ(
+      outcome(process).reason,
+      "was killed by SIGXFSZ, which the kernel sends when a file outgrows 0.5 MB; its folder holds less");
+}
+
 TEST_F(OutcomeTest, WordsThatNoTerminalShouldTakeAreMarked) {
   ProcessResult process;
   process.exit_code = 1;

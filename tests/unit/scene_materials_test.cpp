@@ -1,4 +1,5 @@
 // The types of materials are listed in one place, the variant MaterialModel; everything else follows it.
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "scene/load_scene.h"
 

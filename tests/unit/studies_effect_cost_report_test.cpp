@@ -1,3 +1,4 @@
+#include "json/document.h"
 #include "json/object_reader.h"
 #include "studies/effect_cost.h"
 #include "studies/effect_cost_report.h"

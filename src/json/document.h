@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace orbs::json {
+
+/// A parsed text that remembers its name, so that every later complaint can say file, line and column.
+struct Document {
+  std::string name;
+  std::string text;
+  std::shared_ptr<const nlohmann::json> root;
+};
+
+/// InputError with line, column and excerpt on syntax errors, on a key given twice and on nesting beyond 64
+/// levels.
+Document parse(std::string name, std::string text);
+Document parse_file(const std::filesystem::path& path);
+
+}  // namespace orbs::json

@@ -1,0 +1,182 @@
+#include "registry/case.h"
+
+#include "base/files.h"
+#include "base/text.h"
+#include "json/document.h"
+#include "json/object_reader.h"
+#include "registry/features.h"
+#include "registry/plain_name.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::registry {
+
+namespace {
+
+using json::ObjectReader;
+
+constexpr int kMostSpp = 1 << 24;
+constexpr int kLargestPixel = 1 << 20;
+
+std::string target_name(ObjectReader& in, std::set<std::string>& names) {
+  auto name = plain_name(in, "name");
+  if (!names.insert(name).second)
+    in.fail("name", fmt::format("'{}' is the name of an earlier image of this case", name));
+  return name;
+}
+
+std::string known_name(ObjectReader& in, const std::string& key, const std::set<std::string>& names) {
+  auto name = in.text(key);
+  if (!names.contains(name))
+    in.fail(key, fmt::format("no image of this case is called '{}'{}; there are: {}", name,
+                             closest(name, names), fmt::join(names, ", ")));
+  return name;
+}
+
+CaseScene load_case_scene(ObjectReader in,
+                          const std::filesystem::path& folder,
+                          std::set<std::string>& names) {
+  CaseScene scene;
+  scene.name = target_name(in, names);
+  scene.file = resolve_path(folder, in.system_text("file"));
+  if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
+  scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
+  if (in.has("reference")) scene.reference = in.text("reference");
+  if (scene.reference == scene.name) in.fail("reference", "is the scene itself; leave it out");
+  in.finish();
+  return scene;
+}
+
+Difference load_difference(ObjectReader in,
+                           const std::set<std::string>& scenes,
+                           std::set<std::string>& names) {
+  Difference difference{target_name(in, names), known_name(in, "of", scenes),
+                        known_name(in, "minus", scenes)};
+  if (difference.of == difference.minus)
+    in.fail("minus", "is the same scene as 'of': the difference would be black");
+  in.finish();
+  return difference;
+}
+
+Rectangle checked_rectangle(const ObjectReader& in, const std::string& key, const std::vector<double>& n) {
+  for (const double edge : n)
+    if (edge != static_cast<int>(edge))
+      in.fail(key, fmt::format("pixels are whole numbers, {} is none", edge));
+  const Rectangle r{static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
+                    static_cast<int>(n[3])};
+  if (r.x0 >= r.x1 || r.y0 >= r.y1)
+    in.fail(key,
+            fmt::format("[x0,y0,x1,y1] = {} holds no pixel: x1 and y1 are exclusive", rectangle_text(r)));
+  return r;
+}
+
+std::vector<Rectangle> load_rectangles(ObjectReader& in) {
+  std::vector<Rectangle> out;
+  for (const auto& row : in.number_rows("rectangles", 4, {0, kLargestPixel}))
+    out.push_back(checked_rectangle(in, "rectangles", row));
+  if (out.empty()) in.fail("rectangles", "must hold at least one [x0,y0,x1,y1]");
+  return out;
+}
+
+Mask load_mask(ObjectReader in, const std::set<std::string>& names) {
+  Mask mask{known_name(in, "scene", names), load_rectangles(in), in.text("reason")};
+  if (mask.reason.empty()) in.fail("reason", "must say why these pixels are left out");
+  in.finish();
+  return mask;
+}
+
+PixelCheck load_pixel_check(ObjectReader in, const std::set<std::string>& names) {
+  PixelCheck check;
+  check.target = known_name(in, "scene", names);
+  check.region = checked_rectangle(in, "region", in.numbers("region", 4, {0, kLargestPixel}));
+  const auto expected = in.numbers("expected", 3);
+  std::copy(expected.begin(), expected.end(), check.expected.begin());
+  check.tolerance = in.number("tolerance", json::kNotNegative);
+  check.why = in.text("why");
+  in.finish();
+  return check;
+}
+
+// "ESDL", "EDSSL-T": eye, surface events, light, and whether one of them is a transmission.
+bool is_path_class(std::string_view name) {
+  if (name.ends_with("-T")) name.remove_suffix(2);
+  return name.size() >= 3 && name.front() == 'E' && name.back() == 'L' &&
+         name.substr(1, name.size() - 2).find_first_not_of("DSG") == std::string_view::npos;
+}
+
+PathShare load_path_share(ObjectReader in, const std::set<std::string>& scenes) {
+  PathShare share{known_name(in, "scene", scenes), in.text("class"), in.number("min_share", {0, 1})};
+  if (!is_path_class(share.path_class))
+    in.fail("class",
+            fmt::format("'{}' is no path class; expected for example ESDL or EDSSL-T", share.path_class));
+  in.finish();
+  return share;
+}
+
+std::string load_requirement(ObjectReader& in) {
+  auto text = in.text("requirement");
+  try {
+    refuse_unknown(parse_requirement(text));
+  } catch (const InputError& e) {
+    in.fail("requirement", e.what());
+  }
+  return text;
+}
+
+void load_scenes(ObjectReader& in, Case& one_case) {
+  std::set<std::string> names;
+  for (auto& entry : in.objects("scenes"))
+    one_case.scenes.push_back(load_case_scene(std::move(entry), one_case.file.parent_path(), names));
+  if (one_case.scenes.empty()) in.fail("scenes", "must hold at least one scene");
+  const auto scenes = names;
+  for (auto& entry : in.objects_or_none("differences"))
+    one_case.differences.push_back(load_difference(std::move(entry), scenes, names));
+  for (auto& entry : in.objects_or_none("masks"))
+    one_case.masks.push_back(load_mask(std::move(entry), names));
+  for (auto& entry : in.objects_or_none("pixel_checks"))
+    one_case.pixel_checks.push_back(load_pixel_check(std::move(entry), names));
+  for (auto& entry : in.objects_or_none("path_shares"))
+    one_case.path_shares.push_back(load_path_share(std::move(entry), scenes));
+}
+
+}  // namespace
+
+Case parse_case(const std::filesystem::path& file, const std::string& text) {
+  const auto document = json::parse(file.string(), text);
+  ObjectReader in(document);
+  in.one_of("format", {"orbs-case/2"});
+  Case one_case;
+  one_case.file = std::filesystem::absolute(file).lexically_normal();
+  one_case.name = one_case.file.parent_path().filename().string();
+  one_case.requirement = load_requirement(in);
+  one_case.title = in.text("title");
+  one_case.tests = in.text("tests");
+  one_case.typical_mistake = in.text("typical_mistake");
+  one_case.gates = load_gates(in);
+  load_scenes(in, one_case);
+  if (in.has("negative_values")) {
+    one_case.negative_values = in.text("negative_values");
+    if (one_case.negative_values.empty()) in.fail("negative_values", "must say why they are right here");
+  }
+  in.finish();
+  return one_case;
+}
+
+Case load_case(const std::filesystem::path& file) { return parse_case(file, read_file(file)); }
+
+std::vector<std::string> target_names(const Case& one_case) {
+  std::vector<std::string> names;
+  for (const auto& scene : one_case.scenes) names.push_back(scene.name);
+  for (const auto& difference : one_case.differences) names.push_back(difference.name);
+  return names;
+}
+
+const std::string& reference_name(const CaseScene& scene) {
+  return scene.reference.empty() ? scene.name : scene.reference;
+}
+
+}  // namespace orbs::registry

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "base/rectangle.h"
+#include "registry/gates.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// case.json (format "orbs-case/2") as plain data: what a requirement needs tested, and what counts as right.
+namespace orbs::registry {
+
+struct CaseScene {
+  std::string name;  // unique in the suite
+  std::filesystem::path file;
+  int spp = 64;
+  std::string reference = {};  // the scene of the suite whose image this one is by definition; "": its own
+};
+
+/// An image made by subtraction, judged like a scene: of - minus.
+struct Difference {
+  std::string name;
+  std::string of;
+  std::string minus;
+};
+
+struct Mask {
+  std::string target;  // a scene or a difference of the case
+  std::vector<Rectangle> rectangles;
+  std::string reason;
+};
+
+/// What the mean linear value of a region of the renderer's image must be, per channel.
+struct PixelCheck {
+  std::string target;
+  Rectangle region{};
+  std::array<double, 3> expected{};
+  double tolerance = 0;
+  std::string why;
+};
+
+/// The least share of a light-path class in the mean radiance of the reference, or the case proves nothing
+/// about it.
+struct PathShare {
+  std::string scene;
+  std::string path_class;  // "ESDL"
+  double min_share = 0;
+};
+
+struct Case {
+  std::string name;  // its folder
+  std::filesystem::path file;
+  std::string requirement;  // "M2"
+  std::string title;
+  std::string tests;
+  std::string typical_mistake;
+  std::vector<CaseScene> scenes;
+  std::vector<Difference> differences;
+  std::vector<Gate> gates;  // all must be met; in the order in which verdicts name them
+  std::vector<Mask> masks;
+  std::vector<PixelCheck> pixel_checks;
+  std::vector<PathShare> path_shares;
+  std::string negative_values;  // why images may hold negative values; "" when they may not
+};
+
+/// Reads and checks one case.json. InputError with file, line and key.
+Case load_case(const std::filesystem::path& file);
+
+/// As load_case, for a text that is not in the file yet.
+Case parse_case(const std::filesystem::path& file, const std::string& text);
+
+/// Names of the images that a case judges: its scenes, then its differences.
+std::vector<std::string> target_names(const Case& one_case);
+
+/// The scene whose reference a scene is judged by: mostly its own.
+const std::string& reference_name(const CaseScene& scene);
+
+}  // namespace orbs::registry

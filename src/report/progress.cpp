@@ -1,0 +1,54 @@
+#include "report/progress.h"
+
+#include "json/writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orbs::report {
+
+namespace {
+
+using json::Writer;
+using results::JobState;
+using results::RunView;
+
+// An estimate: the remaining renders take as long as the finished ones did on average, and as many run at the
+// same time as now. NaN until one is finished.
+double seconds_left(const RunView& view) {
+  double left = std::nan("");
+  double sum = 0;
+  int done = 0;
+  int open = 0;
+  int running = 0;
+  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
+    if (view.states[i] == JobState::Done) {
+      sum += view.run.jobs[i].cost.wall_seconds;
+      ++done;
+    } else {
+      ++open;
+      if (view.states[i] == JobState::Running) ++running;
+    }
+  }
+  if (done > 0) left = sum / done * open / std::max(1, running);
+  return left;
+}
+
+}  // namespace
+
+std::string progress_json(const RunView& view) {
+  int done = 0;
+  Writer out;
+  out.begin_object().member("live", view.is_live).key("running").begin_array();
+  for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
+    if (view.states[i] == JobState::Done) ++done;
+    if (view.states[i] == JobState::Running)
+      out.value(fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
+  }
+  out.end_array().member("done", done).member("total", static_cast<int>(view.run.jobs.size()));
+  return out.member("seconds_left", seconds_left(view)).end_object().text();
+}
+
+}  // namespace orbs::report
