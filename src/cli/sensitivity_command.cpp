@@ -3,7 +3,7 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "runner/make_plan.h"
-#include "studies/sensitivity.h"
+#include "studies/sensitivity_report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -82,8 +82,8 @@ inline constexpr MetricInfo kSmallestError16{
     "smallest_error_16px",
     "1",
     Better::Lower,
-    "the relative error of the mean of a block of 16 x 16 px that the block test would find in nine of ten blocks; "
-    "noise hides smaller ones",
+    "the relative error of the mean of the unmasked pixels of a block of 16 x 16 px that the block test would find "
+    "in nine of ten blocks; noise hides smaller ones; linear Rec.709, no clamp",
     kNoMap,
     compute_smallest_error<1>};
 
@@ -91,8 +91,8 @@ inline constexpr MetricInfo kSmallestError64{
     "smallest_error_64px",
     "1",
     Better::Lower,
-    "the relative error of the mean of a block of 64 x 64 px that the block test would find in nine of ten blocks; "
-    "noise hides smaller ones",
+    "the relative error of the mean of the unmasked pixels of a block of 64 x 64 px that the block test would find "
+    "in nine of ten blocks; noise hides smaller ones; linear Rec.709, no clamp",
     kNoMap,
     compute_smallest_error<3>};
 

@@ -43,7 +43,4 @@ std::vector<JudgedImage> measure_sensitivity(const runner::Plan& plan,
                                              const SensitivitySettings& settings,
                                              const StudyContext& context);
 
-/// Tables of the mutants by fault and knowledge, and of the control images; each mutant that passed silently.
-std::string sensitivity_text(const std::vector<JudgedImage>& images);
-
 }  // namespace orbs::studies

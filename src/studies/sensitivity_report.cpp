@@ -1,5 +1,6 @@
+#include "studies/sensitivity_report.h"
+
 #include "base/text_table.h"
-#include "studies/sensitivity.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ void add(const JudgedImage& image, ByKnowledge& counts) {
   ++one.all;
 }
 
-// "3 r, 1 i, 2 m, 1 h, 0 s" is not read by anybody: only what is not zero, by the first letter of its name.
+// "5 rejected, 1 silent": only what is not zero.
 std::string counts_text(const Counts& counts) {
   std::string text;
   for (int i = 0; i < kAnswers; ++i)
