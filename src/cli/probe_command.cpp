@@ -69,6 +69,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
+  settings.size_divisor = 1;  // a probe has a size of its own
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
   const auto records = studies::run_probe(plan, options.probe, context);

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/show_runs.h"
 #include "cli/study_context.h"
+#include "registry/image_size.h"
 #include "results/run_folder.h"
 #include "runner/make_plan.h"
 #include "studies/qualify.h"
@@ -50,8 +51,10 @@ void add_options(CLI::App& command, QualifyOptions& options) {
   command.add_option("--threads", options.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, kMostThreads));
   command
-      .add_option("-o,--output", options.output,
-                  "File for the results (default: qualification.json beside the references)")
+      .add_option(
+          "-o,--output", options.output,
+          "File for the results (default: beside the references, qualification.json or, for a run at 1/4, "
+          "qualification-1-4.json)")
       ->check(not_empty("a file"));
 }
 
@@ -65,12 +68,14 @@ int qualify(const registry::Configuration& configuration,
   settings.renderers = options.qualify.renderer;
   settings.threads = options.threads;
   settings.jobs = 1;
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
-  const auto file = options.output.empty() ? plan.suite.references / results::kQualificationFile
-                                           : std::filesystem::path(options.output);
-  check_output_file(file);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
   const auto run = results::read_run_folder(folder).run;
+  // The control images have the size of their run, and so must all that they are compared with.
+  settings.size_divisor = registry::size_divisor(run.size);
+  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto file = options.output.empty() ? plan.suite.references / results::qualification_file(run.size)
+                                           : std::filesystem::path(options.output);
+  check_output_file(file);
   const auto context = study_context(program, stderr);
   const auto gates = studies::qualify(plan, run, options.qualify, context);
   if (is_stopped(context)) return kInterrupted;

@@ -6,6 +6,7 @@
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/show_runs.h"
+#include "registry/image_size.h"
 #include "report/files.h"
 #include "report/table.h"
 #include "runner/execute.h"
@@ -35,6 +36,7 @@ struct RunOptions {
   int threads = 0;
   int seed = 1;
   double spp_scale = 1;
+  std::string size;
   bool log = true;
   bool sandbox = false;
   bool dry_run = false;
@@ -71,6 +73,10 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(CLI::Range(0, registry::kLargestSeed));
   command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel (default: 1)")
       ->check(above_zero());
+  command
+      .add_option("--size", options.size,
+                  "Width and height of all images, as a share of the scenes' (default: 1)")
+      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
   command.add_flag("-l,--log,!--no-log", options.log,
                    "Keep log.txt of every render; --no-log keeps only those of failures");
   command.add_flag("-v,--view", options.view,
@@ -80,11 +86,13 @@ void add_options(CLI::App& command, RunOptions& options) {
       "Run renderers under bubblewrap: no network, no references, only their own folder writable");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
                    "Print the renders and their commands, and start nothing");
-  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
+  for (const char* choice :
+       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--size"})
     resume->excludes(command.get_option(choice)->option_text("NAMES"));
   for (const char* number : {"--jobs", "--threads", "--seed", "--spp-scale"})
     command.get_option(number)->option_text("NUMBER");
   command.get_option("--exec")->option_text("PROGRAM");
+  command.get_option("--size")->option_text("SHARE");
   command.get_option("--suite")->option_text("NAME");
   command.get_option("--output")->option_text("FOLDER");
   resume->option_text("FOLDER");
@@ -116,6 +124,7 @@ registry::RunSettings settings_of(const CLI::App& command,
   take(command, "--threads", options.threads, settings.threads);
   take(command, "--seed", options.seed, settings.seed);
   take(command, "--spp-scale", options.spp_scale, settings.spp_scale);
+  if (command.count("--size") > 0) settings.size_divisor = registry::size_divisor(options.size);
   take(command, "--log", options.log, settings.log);
   take(command, "--sandbox", options.sandbox, settings.sandbox);
   take(command, "--dry-run", options.dry_run, settings.dry_run);

@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "judge/difference.h"
 #include "judge/provenance.h"
+#include "judge/reduced_reference.h"
 
 #include <algorithm>
 
@@ -69,6 +70,7 @@ std::string read_reference(const std::filesystem::path& file,
                            const std::string& scene,
                            const std::map<std::string, std::string>& scene_hashes,
                            const ReferenceCopies& copies,
+                           int size_divisor,
                            std::optional<image::Image>& image) {
   std::error_code ignored;
   const auto copied = copies.copied.find(file.filename().string());
@@ -81,6 +83,7 @@ std::string read_reference(const std::filesystem::path& file,
                                   : read_copy(file, copies.folder / file.filename(), copied->second.hash);
     image::select_rgb(*image, "");
     problem = provenance_problem(*image, file, scene, scene_hashes);
+    if (problem.empty() && copies.folder.empty()) image = reduced_reference(*image, size_divisor);
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
   }
@@ -104,18 +107,20 @@ Reference load_reference(const registry::Case& one_case,
                          const std::string& target,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes,
-                         const ReferenceCopies& copies) {
+                         const ReferenceCopies& copies,
+                         int size_divisor) {
   Reference reference;
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
                                        [&](const auto& d) { return d.name == target; });
   const bool is_difference = difference != one_case.differences.end();
   const auto& scene = is_difference ? difference->of : target;
   reference.file = reference_file(one_case, scene, references);
-  reference.problem = read_reference(reference.file, scene, scene_hashes, copies, reference.image);
+  reference.problem =
+      read_reference(reference.file, scene, scene_hashes, copies, size_divisor, reference.image);
   if (!is_difference || !reference.image) return reference;
   std::optional<image::Image> minus;
   reference.problem = read_reference(reference_file(one_case, difference->minus, references),
-                                     difference->minus, scene_hashes, copies, minus);
+                                     difference->minus, scene_hashes, copies, size_divisor, minus);
   if (minus && (minus->width != reference.image->width || minus->height != reference.image->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);
@@ -132,8 +137,17 @@ namespace {
 CopiedReference copy_reference(const std::filesystem::path& file,
                                const std::string& scene,
                                const std::map<std::string, std::string>& scene_hashes,
-                               const std::filesystem::path& folder) {
+                               const std::filesystem::path& folder,
+                               int size_divisor) {
   CopiedReference copied;
+  std::optional<image::Image> image;
+  if (size_divisor != 1) {
+    copied.problem = read_reference(file, scene, scene_hashes, {}, size_divisor, image);
+    if (!copied.problem.empty()) return copied;
+    image::write_exr(*image, folder / file.filename());
+    copied.hash = hash_text(content_hash(read_file(folder / file.filename())));
+    return copied;
+  }
   try {
     const auto bytes = read_file(file);
     copied.hash = hash_text(content_hash(bytes));
@@ -144,9 +158,8 @@ CopiedReference copy_reference(const std::filesystem::path& file,
     copied.problem = fmt::format("the reference cannot be used: {}", e.what());
     return copied;
   }
-  std::optional<image::Image> image;
-  copied.problem =
-      read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}}, image);
+  copied.problem = read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}},
+                                  size_divisor, image);
   std::error_code ignored;
   if (!copied.problem.empty()) std::filesystem::remove(folder / file.filename(), ignored);
   return copied;
@@ -157,7 +170,8 @@ CopiedReference copy_reference(const std::filesystem::path& file,
 ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
                                 const std::filesystem::path& references,
                                 const std::map<std::string, std::string>& scene_hashes,
-                                const std::filesystem::path& folder) {
+                                const std::filesystem::path& folder,
+                                int size_divisor) {
   ReferenceCopies copies{folder, {}};
   make_folder(folder);
   std::error_code ignored;
@@ -166,7 +180,7 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
       const auto file = reference_file(one_case, scene.name, references);
       const auto name = file.filename().string();
       if (!copies.copied.contains(name) && std::filesystem::exists(file, ignored))
-        copies.copied[name] = copy_reference(file, scene.name, scene_hashes, folder);
+        copies.copied[name] = copy_reference(file, scene.name, scene_hashes, folder, size_divisor);
     }
   for (const auto& one_case : cases)
     for (const auto& target : registry::target_names(one_case)) {

@@ -34,24 +34,29 @@ struct ReferenceCopies {
 /// Reads the reference of a target of the case from the folder `references`, or from its copy if there are
 /// copies; messages name the original. A reference is stale, and so missing, if the scene hash or its own
 /// pixel hash differs from its provenance record, and a copy if its bytes are no longer those that were
-/// copied. `scene_hashes` holds by scene today's hash; a scene that is not in it is not checked.
+/// copied. `scene_hashes` holds by scene today's hash; a scene that is not in it is not checked. An original
+/// is averaged for images of 1/size_divisor of its width and height once it is checked, see
+/// reduced_reference; copies are averaged already.
 Reference load_reference(const registry::Case& one_case,
                          const std::string& target,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes = {},
-                         const ReferenceCopies& copies = {});
+                         const ReferenceCopies& copies = {},
+                         int size_divisor = 1);
 
 /// The files that the reference of a target is made from: one, or the two of a difference.
 std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
                                                    const std::string& target,
                                                    const std::filesystem::path& references);
 
-/// Copies the reference files of all targets of the cases into `folder`, except unusable ones. Adds for each
+/// Copies the reference files of all targets of the cases into `folder`, except unusable ones: for images of
+/// 1/size_divisor of their width and height, averages of them, see reduced_reference. Adds for each
 /// target that has a reference <target>.exr: with them the folder of a run can be looked at on its own.
 /// WriteError when the disk refuses.
 ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
                                 const std::filesystem::path& references,
                                 const std::map<std::string, std::string>& scene_hashes,
-                                const std::filesystem::path& folder);
+                                const std::filesystem::path& folder,
+                                int size_divisor = 1);
 
 }  // namespace orbs::judge

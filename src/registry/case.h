@@ -38,6 +38,7 @@ struct PixelCheck {
   std::array<double, 3> expected{};
   double tolerance = 0;
   std::string why;
+  std::string not_measured = {};  // why it cannot be measured at a reduced size; "" if it can
 };
 
 /// The least share of a light-path class in the mean radiance of the reference, or the case proves nothing

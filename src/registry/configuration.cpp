@@ -193,6 +193,7 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   renderer.is_noise_free = in.boolean_or("noise_free", renderer.is_noise_free);
   if (renderer.is_noise_free && uses_placeholder(renderer.command, "seed"))
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");
+  renderer.has_box_filter = in.boolean_or("box_filter", renderer.has_box_filter);
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.environment = load_environment(in);
   in.finish();

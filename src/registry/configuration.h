@@ -70,6 +70,9 @@ struct Renderer {
   /// are those of the next seed in the pixel before: renders of consecutive seeds would not be independent.
   int seed_stride = 1;
   bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
+  /// A pixel is the plain mean over its square. Only then is an image of fewer pixels the average of the full
+  /// one.
+  bool has_box_filter = true;
   RenderSeconds render_seconds;
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };

@@ -26,7 +26,8 @@ struct RunSettings {
   int threads = 0;         // of one render; 0: the machine's cores divided by jobs
   int seed = 1;
   double spp_scale = 1;
-  bool log = true;  // keep log.txt of renders that passed, too
+  int size_divisor = 1;  // of the width and height of every image; one of kSizeDivisors
+  bool log = true;       // keep log.txt of renders that passed, too
   bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
 };

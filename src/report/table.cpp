@@ -2,6 +2,7 @@
 
 #include "base/text_table.h"
 #include "report/probe_hint.h"
+#include "report/size_note.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,8 @@ std::string counts_text(const results::RendererRecord& renderer) {
 std::string renderer_lines(const RunRecord& run) {
   std::vector<TableRow> rows;
   for (const auto& renderer : run.renderers) {
-    rows.push_back({renderer.name, fmt::format("declared {} \u00b7 measured {}", renderer.declared,
+    rows.push_back({renderer.name, fmt::format("declared {} \u00b7 measured{} {}", renderer.declared,
+                                               run.size == "1" ? "" : " at " + run.size,
                                                renderer.measured.empty() ? "nothing" : renderer.measured)});
     rows.push_back(
         {"", fmt::format("{} \u00b7 {:.1f} s of rendering, {:.1f} s of CPU{}", counts_text(renderer),
@@ -135,7 +137,7 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   text += renderer_lines(run);
   for (const auto& left : run.left_out)
     text += fmt::format("{} was left out: {}\n", left.renderer, left.reason);
-  for (const auto& lines : {verdict_lines(run, style), remark_lines(run), probe_hints(run)})
+  for (const auto& lines : {verdict_lines(run, style), remark_lines(run), probe_hints(run), size_note(run)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
   if (run.interrupted) text += "\nThe run was interrupted; what was finished stands above.\n";
   return text;

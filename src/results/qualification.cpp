@@ -104,6 +104,13 @@ std::vector<GateRecord> read_qualification(const std::filesystem::path& file) {
   return gates;
 }
 
+std::string qualification_file(const std::string& size) {
+  if (size == "1") return "qualification.json";
+  auto name = "qualification-" + size + ".json";
+  std::replace(name.begin(), name.end(), '/', '-');
+  return name;
+}
+
 std::string qualification_json(const std::vector<GateRecord>& gates) {
   Writer out;
   out.begin_object().member("format", "orbs-qualification/2").key("gates").begin_array();

@@ -10,8 +10,9 @@
 /// each one rejects, and the smallest that it sees.
 namespace orbs::results {
 
-/// Beside the references, which it is about.
-inline constexpr const char* kQualificationFile = "qualification.json";
+/// Name of the file beside the references, which it is about: "qualification.json", or
+/// "qualification-1-4.json" for gates on images of the size "1/4".
+std::string qualification_file(const std::string& size);
 
 /// One faulty mutant of a control image.
 struct MutantRecord {

@@ -79,7 +79,8 @@ void fields(Visitor& visit, Record& left) {
 
 struct RunRecord {
   std::string suite;
-  std::string folder;  // absolute; not stored, because the folder may be moved
+  std::string size = "1";  // of the images: "1/4" for a quarter of the scenes' width and height
+  std::string folder;      // absolute; not stored, because the folder may be moved
   std::string started;
   double wall_seconds = 0;
   std::string orbs_version;
@@ -100,6 +101,7 @@ struct RunRecord {
 template <class Visitor, RecordOf<RunRecord> Record>
 void fields(Visitor& visit, Record& run) {
   visit("suite", run.suite);
+  visit("size", run.size);
   visit("orbs_version", run.orbs_version);
   visit("command_line", run.command_line);
   visit("started", run.started);

@@ -62,12 +62,14 @@ struct Check {
   std::string reason;
   std::optional<double> min;  // limits of a condition on a number
   std::optional<double> max;
+  bool measured = true;  // false: the size of the run does not allow it, and the verdict does not rest on it
 };
 
 template <class Visitor, RecordOf<Check> Record>
 void fields(Visitor& visit, Record& check) {
   visit.required("what", check.what);
   visit("passed", check.passed);
+  visit("measured", check.measured);
   visit("reason", check.reason);
   visit("min", check.min);
   visit("max", check.max);

@@ -32,11 +32,13 @@ TargetRecord blank_target(const Plan& plan,
   return record;
 }
 
-TargetRecord undeclared_target(const Plan& plan,
-                               const PlannedTarget& planned,
-                               const std::filesystem::path& folder) {
+TargetRecord unsupported_target(const Plan& plan,
+                                const PlannedTarget& planned,
+                                const std::filesystem::path& folder) {
   auto record = blank_target(plan, planned, folder);
   record.verdict = Verdict::Unsupported;
+  record.reason = planned.unsupported;
+  if (planned.declared) return record;
   record.reason = fmt::format("{} does not declare {}", record.renderer, record.requirement);
   if (const auto reason = registry::limit_reason(plan.renderers[planned.renderer].entry, record.requirement))
     record.reason += fmt::format(": {}", *reason);

@@ -19,10 +19,11 @@ results::TargetRecord blank_target(const Plan& plan,
                                    const PlannedTarget& planned,
                                    const std::filesystem::path& folder);
 
-/// The record of a target that is not rendered because its renderer does not declare the requirement.
-results::TargetRecord undeclared_target(const Plan& plan,
-                                        const PlannedTarget& planned,
-                                        const std::filesystem::path& folder);
+/// The record of a target that is not rendered: its renderer does not declare the requirement, or cannot be
+/// measured at the size of the run.
+results::TargetRecord unsupported_target(const Plan& plan,
+                                         const PlannedTarget& planned,
+                                         const std::filesystem::path& folder);
 
 /// The outcome of the render becomes the verdict of its target.
 void take_job_verdict(const results::JobRecord& job, results::TargetRecord& record);

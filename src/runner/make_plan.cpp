@@ -9,7 +9,9 @@
 #include "judge/judge.h"
 #include "metrics/mask.h"
 #include "registry/choose_cases.h"
+#include "registry/image_size.h"
 #include "runner/choose_renderers.h"
+#include "runner/reduced_size.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 
@@ -84,8 +86,11 @@ void check_regions(const Plan& plan, const registry::Case& one_case) {
 
 // Everything that makes the image what it is, but not the folder and the time: the same id in every run.
 std::string job_id(const Plan& plan, const PlannedScene& scene, const ChosenRenderer& renderer, int spp) {
-  return hash_text(content_hash(fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name,
-                                            renderer.entry.name, spp, plan.settings.seed)));
+  auto text = fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name, renderer.entry.name, spp,
+                          plan.settings.seed);
+  if (const int divisor = plan.settings.size_divisor; divisor != 1)
+    text += fmt::format("\n{}", registry::size_text(divisor));
+  return hash_text(content_hash(text));
 }
 
 std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t renderer) {
@@ -119,6 +124,9 @@ void plan_targets(Plan& plan) {
       const auto add = [&](const std::string& target, const std::vector<std::string>& scenes) {
         PlannedTarget planned{c, renderer, target, {}, declared};
         if (declared)
+          planned.unsupported =
+              why_not_at_size(plan, plan.renderers[renderer].entry, one_case, target, scenes);
+        if (declared && planned.unsupported.empty())
           for (const auto& scene : scenes) planned.jobs.push_back(job_for(plan, scene, renderer));
         plan.targets.push_back(std::move(planned));
       };
@@ -160,6 +168,7 @@ Plan make_plan(const registry::Configuration& configuration,
     judge::refuse_unknown_metrics(one_case);
     check_regions(plan, one_case);
   }
+  reduce_size(plan);
   plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {

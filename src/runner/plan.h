@@ -22,8 +22,9 @@ struct ChosenRenderer {
 struct PlannedScene {
   std::string name;
   std::filesystem::path file;
-  int spp = 64;  // of the case
-  std::shared_ptr<const scene::Scene> scene;
+  int spp = 64;                               // of the case
+  std::shared_ptr<const scene::Scene> scene;  // with the camera of the run's size
+  std::string size_problem{};                 // why it cannot be rendered at that size; "" if it can
 };
 
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.
@@ -42,17 +43,19 @@ struct PlannedTarget {
   std::size_t one_case = 0;  // of Plan::cases
   std::size_t renderer = 0;
   std::string target;
-  std::vector<std::size_t> jobs;  // one for a scene, `of` and `minus` for a difference; none when undeclared
+  std::vector<std::size_t>
+      jobs;  // one for a scene, `of` and `minus` for a difference; none when not rendered
   bool declared = false;
+  std::string unsupported{};  // why it is not rendered although it is declared; "" if it is
 };
 
 struct Plan {
   registry::Suite suite;
-  registry::RunSettings settings;  // after the command line
-  int threads = 1;                 // of one render
-  std::filesystem::path root;      // {root}
-  std::filesystem::path build;     // {build}
-  std::vector<registry::Case> cases;
+  registry::RunSettings settings;     // after the command line
+  int threads = 1;                    // of one render
+  std::filesystem::path root;         // {root}
+  std::filesystem::path build;        // {build}
+  std::vector<registry::Case> cases;  // for images of the run's size
   std::vector<ChosenRenderer> renderers;
   std::vector<results::LeftOut> left_out;
   std::vector<PlannedScene> scenes;

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "judge/qualified.h"
 #include "judge/reference.h"
+#include "registry/image_size.h"
 #include "results/effect_costs.h"
 #include "results/qualification.h"
 #include "results/record_json.h"
@@ -19,6 +20,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include <fmt/format.h>
+
 namespace orbs::runner {
 
 namespace {
@@ -32,7 +35,7 @@ std::vector<TargetRecord> all_targets(const Plan& plan, JudgedJobs& judged, cons
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
   for (const auto& planned : plan.targets) {
     if (planned.jobs.empty()) {
-      records.push_back(undeclared_target(plan, planned, folders.run));
+      records.push_back(unsupported_target(plan, planned, folders.run));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
       records.push_back(judged.targets[job][taken[job]++]);
@@ -43,6 +46,16 @@ std::vector<TargetRecord> all_targets(const Plan& plan, JudgedJobs& judged, cons
   return records;
 }
 
+// What is known of gates at the full size says little of those at a reduced one, so each size has its own.
+std::string smallest_error(const registry::Case& one_case,
+                           const Plan& plan,
+                           const std::vector<results::GateRecord>& gates) {
+  auto text = judge::smallest_error_seen(one_case, plan.suite.references, gates);
+  if (!text.empty() && plan.settings.size_divisor != 1)
+    text = fmt::format("at {}: {}", registry::size_text(plan.settings.size_divisor), text);
+  return text;
+}
+
 // The record before anything is rendered: every image that can be rendered waits for its turn.
 results::RunRecord record_at_start(const Plan& plan,
                                    const std::vector<std::string>& versions,
@@ -50,6 +63,7 @@ results::RunRecord record_at_start(const Plan& plan,
                                    const RunContext& context) {
   results::RunRecord record;
   record.suite = plan.suite.name;
+  record.size = registry::size_text(plan.settings.size_divisor);
   record.folder = folder.string();
   record.started = context.file.started;
   record.orbs_version = context.rendering.orbs_version;
@@ -58,11 +72,11 @@ results::RunRecord record_at_start(const Plan& plan,
   record.load = load_average();
   record.left_out = plan.left_out;
   record.finished = false;
-  const auto gates = results::read_qualification(plan.suite.references / results::kQualificationFile);
+  const auto gates =
+      results::read_qualification(plan.suite.references / results::qualification_file(record.size));
   for (const auto& one_case : plan.cases)
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
-                            one_case.tests, one_case.typical_mistake,
-                            judge::smallest_error_seen(one_case, plan.suite.references, gates)});
+                            one_case.tests, one_case.typical_mistake, smallest_error(one_case, plan, gates)});
   auto effect_costs = results::read_effect_costs(plan.suite.references / results::kEffectCostsFile);
   for (const auto& scene : plan.scenes) {
     record.scenes.push_back(scene_record(scene.name, *scene.scene));
@@ -71,7 +85,7 @@ results::RunRecord record_at_start(const Plan& plan,
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.targets) {
     if (planned.jobs.empty()) {
-      record.targets.push_back(undeclared_target(plan, planned, folder));
+      record.targets.push_back(unsupported_target(plan, planned, folder));
     } else {
       record.targets.push_back(blank_target(plan, planned, folder));
       take_job_verdict(record.jobs[planned.jobs.front()], record.targets.back());
@@ -89,8 +103,9 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   write_run_file(context.file, folder);
   const results::WorkFolder work_folder(folder);
   WorkFolders folders{folder, work_folder.path(), {}};
-  folders.references = judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes,
-                                              folders.unfinished / kReferenceFolder);
+  folders.references =
+      judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes,
+                             folders.unfinished / kReferenceFolder, plan.settings.size_divisor);
   put_in_place(folders.unfinished / kReferenceFolder, folder / kReferenceFolder);
   folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
 #include "image/image_io.h"
+#include "image/reduced_image.h"
 #include "judge/provenance.h"
 #include "judge/qualified.h"
 #include "runner/execute.h"
@@ -40,12 +41,17 @@ struct Subject {
   std::string target;
 };
 
-std::map<std::string, Image> all_references(const std::filesystem::path& folder) {
+// References of another size are kept as they are: they are like none of the control images.
+std::map<std::string, Image> all_references(const std::filesystem::path& folder, int size_divisor) {
   std::map<std::string, Image> references;
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
-    if (entry.path().extension() == ".exr")
-      references[entry.path().stem().string()] = image::read_image(entry.path());
+    if (entry.path().extension() == ".exr") {
+      auto image = image::read_image(entry.path());
+      const bool can_be_divided = image.width % size_divisor == 0 && image.height % size_divisor == 0;
+      references[entry.path().stem().string()] =
+          can_be_divided ? image::reduced_image(image, size_divisor) : std::move(image);
+    }
   if (failed) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), failed.message()));
   return references;
 }
@@ -60,7 +66,9 @@ bool is_wanted(const Qualification& shared, const std::string& scene) {
 void render_without_lights(Qualification& shared) {
   const ScratchFolder scratch("orbs-qualify");
   for (const auto& scene : shared.plan.scenes) {
-    if (!is_wanted(shared, scene.name) || !why_no_light_can_miss(*scene.scene).empty()) continue;
+    if (!scene.size_problem.empty() || !is_wanted(shared, scene.name) ||
+        !why_no_light_can_miss(*scene.scene).empty())
+      continue;
     const int spp = adapters::scaled_spp(scene.spp, 1, shared.settings.missing_light_spp_scale);
     auto targets = without_each_light(shared.plan, scene, spp, scratch.path(), shared.context.stop);
     if (!targets) return;
@@ -95,7 +103,7 @@ GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
   static const std::vector<MissingLight> kNone;
   const auto control = control_image(shared, subject);
   auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
-                                         shared.plan.reference_hashes);
+                                         shared.plan.reference_hashes, {}, shared.plan.settings.size_divisor);
   if (!reference.image) throw InputError(reference.problem);
   const auto seed = judge::provenance_of(control)["seed"];
   if (!seed.empty() && judge::provenance_of(*reference.image)["seed"] == seed)
@@ -132,11 +140,19 @@ std::vector<GateRecord> qualify(const runner::Plan& plan,
                                 const results::RunRecord& run,
                                 const QualifySettings& settings,
                                 const StudyContext& context) {
-  Qualification shared{plan, run, settings, context, all_references(plan.suite.references), {}};
+  Qualification shared{
+      plan, run, settings, context, all_references(plan.suite.references, plan.settings.size_divisor), {}};
   render_without_lights(shared);
   std::vector<Subject> subjects;
-  for (const auto& one_case : plan.cases)
-    for (const auto& target : registry::target_names(one_case)) subjects.push_back({&one_case, target});
+  for (const auto& target : plan.targets) {
+    if (target.renderer != 0) continue;
+    if (target.unsupported.empty()) {
+      subjects.push_back({&plan.cases[target.one_case], target.target});
+    } else {
+      context.say(
+          fmt::format("{} {}: {}", plan.cases[target.one_case].name, target.target, target.unsupported));
+    }
+  }
   std::vector<GateRecord> gates(subjects.size());
   std::mutex saying;
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {

@@ -17,7 +17,7 @@ namespace {
 std::vector<results::GateRecord> stored_gates() {
   std::vector<results::GateRecord> gates;
   for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
-    for (auto& gate : results::read_qualification(suite.references / results::kQualificationFile))
+    for (auto& gate : results::read_qualification(suite.references / results::qualification_file("1")))
       gates.push_back(std::move(gate));
   return gates;
 }

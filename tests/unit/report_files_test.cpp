@@ -43,8 +43,8 @@ RunRecord run_of(Verdict verdict, const std::string& reason) {
 TEST(Csv, HasOneRowPerImageAndRenderer) {
   EXPECT_EQ(
       orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-      "suite,requirement,case,target,renderer,declared,verdict,reason,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
-      "s,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
+      "suite,size,requirement,case,target,renderer,declared,verdict,reason,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
+      "s,1,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }
 
 TEST(Csv, HoldsTheRemarks) {

@@ -62,6 +62,7 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
 
 function runText({ overview: { run } }: Session): string {
   const parts = [run.suite, run.started.replace("T", " ")];
+  if (run.size !== "1") parts.unshift(`measured at ${run.size}`);
   if (run.wall_seconds > 0) parts.push(seconds(run.wall_seconds));
   parts.push(`${run.host.name} (${run.host.cores} cores)`, `orbs ${run.orbs_version}`);
   if (run.interrupted) parts.push("interrupted");

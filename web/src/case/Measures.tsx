@@ -90,9 +90,13 @@ export function Measures({ detail }: { detail: TargetDetail }) {
         <ul class="checks">
           {others.map((check) => (
             <li key={check.reason}>
-              <span class={check.passed ? "tone-good" : "tone-bad"}>
-                {check.passed ? "✓" : "✗"}
-              </span>{" "}
+              {check.measured === false ? (
+                <span class="quiet">–</span>
+              ) : (
+                <span class={check.passed ? "tone-good" : "tone-bad"}>
+                  {check.passed ? "✓" : "✗"}
+                </span>
+              )}{" "}
               {check.reason}
             </li>
           ))}

@@ -18,6 +18,8 @@ export interface Host {
 export interface RunInfo {
   name: string;
   suite: string;
+  /** Width and height of the images, as a share of the scenes': "1", "1/4". */
+  size: string;
   started: string;
   wall_seconds: number;
   orbs_version: string;
@@ -153,6 +155,8 @@ export interface Measure extends Metric {
 export interface Check {
   what: string;
   passed: boolean;
+  /** False if the size of the run does not allow it; the verdict then does not rest on it. */
+  measured?: boolean;
   reason: string;
   min?: number;
   max?: number;

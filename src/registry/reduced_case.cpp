@@ -1,0 +1,39 @@
+#include "registry/reduced_case.h"
+
+#include "registry/image_size.h"
+
+#include <fmt/format.h>
+
+namespace orbs::registry {
+
+namespace {
+
+int rounded_up(int pixel, int divisor) { return (pixel + divisor - 1) / divisor; }
+
+Rectangle grown(const Rectangle& full, int divisor) {
+  return {full.x0 / divisor, full.y0 / divisor, rounded_up(full.x1, divisor), rounded_up(full.y1, divisor)};
+}
+
+Rectangle shrunk(const Rectangle& full, int divisor) {
+  return {rounded_up(full.x0, divisor), rounded_up(full.y0, divisor), full.x1 / divisor, full.y1 / divisor};
+}
+
+}  // namespace
+
+Case reduced_case(Case one_case, int divisor) {
+  if (divisor == 1) return one_case;
+  for (auto& mask : one_case.masks)
+    for (auto& rectangle : mask.rectangles) rectangle = grown(rectangle, divisor);
+  for (auto& check : one_case.pixel_checks) {
+    const auto region = shrunk(check.region, divisor);
+    if (region.x0 < region.x1 && region.y0 < region.y1) {
+      check.region = region;
+    } else {
+      check.not_measured = fmt::format("not measured at {}: these pixels of the full size fill none there",
+                                       size_text(divisor));
+    }
+  }
+  return one_case;
+}
+
+}  // namespace orbs::registry
