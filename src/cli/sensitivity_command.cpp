@@ -2,6 +2,7 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
+#include "registry/image_size.h"
 #include "runner/make_plan.h"
 #include "studies/sensitivity_report.h"
 
@@ -17,6 +18,7 @@ struct SensitivityOptions {
   std::string renderer = "orbs";
   std::vector<std::string> cases, scenes;
   int threads = 0;
+  std::string size;
   studies::SensitivitySettings study;
 };
 
@@ -36,6 +38,10 @@ void add_options(CLI::App& command, SensitivityOptions& options) {
   command.add_option("--spp-scale", options.study.spp_scale, "Factor of the cases' samples per pixel")
       ->check(above_zero())
       ->capture_default_str();
+  command
+      .add_option("--size", options.size,
+                  "Part of the width and height of every scene: 1, 1/2, 1/4 or 1/8 (default: 1)")
+      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
   command.add_option("--threads", options.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, kMostThreads));
 }
@@ -49,6 +55,7 @@ int measure(const registry::Configuration& configuration,
   if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
   settings.renderers = options.renderer;
   settings.threads = options.threads;
+  settings.size_divisor = options.size.empty() ? 1 : registry::size_divisor(options.size);
   settings.jobs = 1;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);

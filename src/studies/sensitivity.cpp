@@ -130,7 +130,11 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
   };
   std::vector<Pair> pairs;
   std::vector<Task> tasks;
-  const auto faults = with_mutants ? subtle_faults(*subject.reference.image) : std::vector<Fault>{};
+  auto faults = with_mutants ? subtle_faults(*subject.reference.image) : std::vector<Fault>{};
+  // A change that leaves the reference as it is is no fault of this scene.
+  std::erase_if(faults, [&](const Fault& fault) {
+    return image::has_same_colours(fault.apply(*subject.reference.image), *subject.reference.image);
+  });
   for (const auto knowledge : kAllKnowledge) {
     pairs.push_back(pair_for(subject, renders, knowledge));
     tasks.push_back({pairs.size() - 1, {}});
@@ -154,9 +158,9 @@ Subject subject_of(const runner::Plan& plan, const runner::PlannedScene& scene) 
   for (const auto& one_case : plan.cases) {
     const auto names = registry::target_names(one_case);
     if (std::find(names.begin(), names.end(), scene.name) == names.end()) continue;
-    Subject subject{
-        &one_case, scene.name,
-        judge::load_reference(one_case, scene.name, plan.suite.references, plan.reference_hashes)};
+    Subject subject{&one_case, scene.name,
+                    judge::load_reference(one_case, scene.name, plan.suite.references, plan.reference_hashes,
+                                          {}, plan.settings.size_divisor)};
     if (!subject.reference.image) throw InputError(subject.reference.problem);
     return subject;
   }
