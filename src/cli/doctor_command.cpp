@@ -49,6 +49,9 @@ void examine(const registry::Renderer& renderer,
              renderer.native_scenes.empty()
                  ? ""
                  : fmt::format(", hand-written scenes *.{}", renderer.native_scenes));
+  // The program must have been built with each of them; a run says which one is missing.
+  for (const auto& [transport, word] : renderer.transports)
+    fmt::print("  needs     {} for {} light paths\n", word, transport);
   fmt::print("  declares  {}\n", registry::format_features(renderer.declares));
   for (const auto& limit : renderer.known_limits)
     fmt::print("  lacks     {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);

@@ -25,6 +25,7 @@ RunSettings read_run_settings(json::ObjectReader in) {
   s.spp_scale = in.number_or("spp_scale", s.spp_scale, json::kPositive);
   s.size_divisor = size_divisor(in.one_of_or("size", size_text(s.size_divisor), {"1", "1/2", "1/4", "1/8"}));
   s.log = in.boolean_or("log", s.log);
+  s.sandbox = in.boolean_or("sandbox", s.sandbox);
   s.dry_run = in.boolean_or("dry_run", s.dry_run);
   in.finish();
   return s;
@@ -35,7 +36,7 @@ void write_run_settings(json::Writer& out, const RunSettings& s) {
   out.member("requirement", s.requirements).member("renderer", s.renderers).member("exec", s.executable);
   out.member("output", s.output).member("jobs", s.jobs).member("threads", s.threads);
   out.member("seed", s.seed).member("spp_scale", s.spp_scale);
-  out.member("size", size_text(s.size_divisor)).member("log", s.log);
+  out.member("size", size_text(s.size_divisor)).member("log", s.log).member("sandbox", s.sandbox);
   out.member("dry_run", s.dry_run).end_object();
 }
 

@@ -28,6 +28,7 @@ struct RunSettings {
   double spp_scale = 1;
   int size_divisor = 1;  // of the width and height of every image; one of kSizeDivisors
   bool log = true;       // keep log.txt of renders that passed, too
+  bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
 };
 

@@ -139,6 +139,7 @@ TEST_P(Exported, SuiteScenesReadBackAsTheyWere) {
                                        "g1_primitive_format/g1-attributes",
                                        "g2_single_mesh/g2-camera-wide",
                                        "g3_inst_matrices/g3-matrices",
+                                       "g4_inst_change_material/g4-lambert",
                                        "g5_inst_remaplist/078",
                                        "g5_inst_remaplist/078-remap",
                                        "l1_area_light/246",
@@ -298,6 +299,15 @@ TEST(PbrtBands, AColourIsThreeStepsWithTheirEdgesBetweenWholeNanometres) {
 TEST(PbrtBands, BlackLightIsAScaleOfZero) {
   EXPECT_TRUE(adapters::pbrt::band_radiance({}).ends_with("\"float scale\" 0"));
   EXPECT_EQ(adapters::pbrt::band_radiance({}).find("[360 0"), std::string::npos);
+}
+
+// The prism is lit by a square of 2 cm, 21 m away.
+TEST(PbrtLimits, ALightBehindSmoothGlassMustFillSomeSolidAngle) {
+  const auto limits = adapters::pbrt_limits(
+      scene::load_scene(ORBS_SOURCE_DIR "/data/cases/appearance/e6_dispersion/prism_achromatic.json"));
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_TRUE(limits.front().starts_with("light 'lamp' fills 9.3e-07 sr as seen from mesh 'prism'"))
+      << limits.front();
 }
 
 TEST(PbrtLimits, ColourOfMirrorsAndGlassIsRefused) {

@@ -1,6 +1,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "golden/read_back.h"
+#include "golden/xml.h"
 #include "scene/ply.h"
 
 #include <numbers>
@@ -9,99 +10,6 @@
 namespace orbs::tests {
 
 namespace {
-
-struct Element {
-  std::string name;
-  std::map<std::string, std::string> attributes;
-  std::vector<Element> children;
-
-  const std::string& at(const std::string& key) const { return attributes.at(key); }
-  // The child that is called `called` by its name attribute.
-  const Element* named(const std::string& called) const {
-    for (const Element& child : children)
-      if (child.attributes.contains("name") && child.at("name") == called) return &child;
-    return nullptr;
-  }
-  const Element* kind(const std::string& tag) const {
-    for (const Element& child : children)
-      if (child.name == tag) return &child;
-    return nullptr;
-  }
-  const std::string& value(const std::string& called) const {
-    if (named(called) == nullptr) throw std::runtime_error(name + " has no " + called);
-    return named(called)->at("value");
-  }
-  double number(const std::string& called) const { return to_number(value(called)).value(); }
-};
-
-// As much of XML as a scene takes: elements, attributes, comments, one declaration.
-class XmlReader {
- public:
-  explicit XmlReader(std::string text) : text_(std::move(text)) {}
-
-  Element read() {
-    skip();
-    Element root = element();
-    skip();
-    if (at_ != text_.size()) throw std::runtime_error("text after the root element");
-    return root;
-  }
-
- private:
-  bool comes(const std::string& word) const { return text_.compare(at_, word.size(), word) == 0; }
-  void expect(const std::string& word) {
-    if (!comes(word)) throw std::runtime_error("expected " + word + " before " + text_.substr(at_, 40));
-    at_ += word.size();
-  }
-  void to_end_of(const std::string& word) {
-    at_ = text_.find(word, at_);
-    if (at_ == std::string::npos) throw std::runtime_error("no " + word);
-    at_ += word.size();
-  }
-  void skip() {
-    for (;;) {
-      while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-      if (comes("<?")) {
-        to_end_of("?>");
-      } else if (comes("<!--")) {
-        at_ += 4;
-        to_end_of("--");
-        expect(">");  // "--" may not stand inside of a comment
-      } else {
-        return;
-      }
-    }
-  }
-  std::string until(const std::string& ends) {
-    const auto end = text_.find_first_of(ends, at_);
-    if (end == std::string::npos) throw std::runtime_error("unfinished markup");
-    std::string word = text_.substr(at_, end - at_);
-    at_ = end;
-    return word;
-  }
-  Element element() {
-    Element e;
-    expect("<");
-    e.name = until(" />");
-    for (skip(); !comes("/>") && !comes(">"); skip()) {
-      const std::string key = until("=");
-      expect("=\"");
-      e.attributes[key] = until("\"<&");
-      expect("\"");
-    }
-    if (comes("/>")) {
-      at_ += 2;
-      return e;
-    }
-    expect(">");
-    for (skip(); !comes("</"); skip()) e.children.push_back(element());
-    expect("</" + e.name + ">");
-    return e;
-  }
-
-  std::string text_;
-  std::size_t at_ = 0;
-};
 
 std::vector<double> numbers(std::string text) {
   for (char& c : text)
@@ -281,7 +189,7 @@ class SceneReader {
 }  // namespace
 
 ReadScene read_mitsuba(const std::filesystem::path& file) {
-  return SceneReader(XmlReader(read_file(file)).read(), file.parent_path()).scene;
+  return SceneReader(read_xml(read_file(file)), file.parent_path()).scene;
 }
 
 }  // namespace orbs::tests

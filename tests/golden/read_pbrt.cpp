@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "base/text.h"
+#include "golden/pbrt_tokens.h"
 #include "golden/read_back.h"
 #include "scene/ply.h"
 #include "spectra/observer.h"
@@ -27,34 +28,13 @@ using Parameters = std::map<std::string, std::vector<std::string>>;  // "rgb L" 
 class PbrtReader {
  public:
   explicit PbrtReader(const std::filesystem::path& file) : folder_(file.parent_path()) {
-    tokenise(read_file(file));
+    tokens_ = pbrt_tokens(read_file(file));
     while (at_ < tokens_.size()) directive(next());
     if (!states_.empty()) throw std::runtime_error("AttributeBegin without end");
   }
   ReadScene scene;
 
  private:
-  void tokenise(const std::string& text) {
-    for (const std::string& whole : split(text, '\n')) {
-      const std::string line = whole.substr(0, whole.find('#'));
-      for (std::size_t i = 0; i < line.size();) {
-        if (line[i] == ' ') {
-          ++i;
-        } else if (line[i] == '"') {
-          const auto end = line.find('"', i + 1);
-          if (end == std::string::npos) throw std::runtime_error("unfinished string: " + line);
-          tokens_.push_back(line.substr(i, end - i));  // keeps the first quote as a mark
-          i = end + 1;
-        } else if (line[i] == '[' || line[i] == ']') {
-          tokens_.emplace_back(1, line[i++]);
-        } else {
-          const auto end = std::min(line.find_first_of(" []\"", i), line.size());
-          tokens_.push_back(line.substr(i, end - i));
-          i = end;
-        }
-      }
-    }
-  }
   std::string next() {
     if (at_ == tokens_.size()) throw std::runtime_error("the file ends within a directive");
     return tokens_[at_++];

@@ -4,6 +4,7 @@
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
 #include "adapters/pbrt/materials.h"
+#include "adapters/pbrt/small_light.h"
 #include "image/image_io.h"
 #include "scene/effects.h"
 
@@ -67,7 +68,9 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
     note(light_limit(scene.lights[i], name, kName, "has them for points without size only"));
     note(reflecting_limit(scene.lights[i], name));
   }
-  for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
+  const auto meshes = material_meshes(scene);
+  for (const MaterialMesh& shown : meshes) note(back_limit(scene, shown));
+  note(pbrt::small_light_limit(scene, meshes));
   return reasons;
 }
 
