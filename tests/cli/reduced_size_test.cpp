@@ -155,8 +155,8 @@ TEST(ReducedSize, OfTheBuiltInTracerHasTheMeansOfTheFullOne) {
  "tests": "t", "typical_mistake": "m", "scenes": [{"name": "grey", "file": "grey.json", "spp": 64}]})");
   std::filesystem::remove_all(sandbox.folder() / "cases/m3_mirror");
   std::filesystem::remove(sandbox.folder() / "references/grey.exr");
-  sandbox.orbs({"reference", "-s", "grey", "--spp", "64", "--threads", "1"});
-  ASSERT_TRUE(sandbox.has("references/grey.exr"));
+  const auto rendered = sandbox.orbs({"reference", "-s", "grey", "--spp", "64", "--threads", "1"});
+  ASSERT_TRUE(sandbox.has("references/grey.exr")) << rendered.text;
   const auto answer = sandbox.orbs({"run", "-o", "out", "--size", "1/4"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto run = record_of(sandbox, "out");
