@@ -54,6 +54,7 @@ int measure(const registry::Configuration& configuration,
   if (!options.cases.empty()) settings.cases = joined_list(options.cases);
   if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
   settings.renderers = options.renderer;
+  settings.size_divisor = 1;  // the sensitivity is that of the full size
   settings.threads = options.threads;
   settings.size_divisor = options.size.empty() ? 1 : registry::size_divisor(options.size);
   settings.jobs = 1;

@@ -13,10 +13,13 @@ std::string size_note(const results::RunRecord& run) {
     unmeasured += std::count_if(target.checks.begin(), target.checks.end(),
                                 [](const auto& check) { return !check.measured; });
   const auto left_out =
-      unmeasured == 0 ? "" : fmt::format("; {} checks of single pixels were not measured", unmeasured);
+      unmeasured == 0
+          ? ""
+          : fmt::format(" Not measured: {}, smaller than such a pixel.",
+                        unmeasured == 1 ? "1 pixel check" : fmt::format("{} pixel checks", unmeasured));
   return fmt::format(
-      "Measured at {} of the width and height: the gates judge means, tiles and noise as at full size, but edges "
-      "and\ndetail that are finer than a pixel of this size are averaged and not judged{}. --size 1 judges them.\n",
+      "Measured at {} of the width and height: means, tiles and noise are judged as at full size. Edges and detail\n"
+      "finer than a pixel of this size are averaged out and not judged.{} --size 1 judges everything.\n",
       run.size, left_out);
 }
 

@@ -87,9 +87,9 @@ struct TargetRecord {
   std::string reason;
   std::vector<Measure> measures;
   std::vector<Check> checks;
-  std::vector<std::string> remarks;                         // facts that change no verdict
-  std::string hidden;                                       // what errors its noise hides; "" for none worth it
-  std::string reference;                                    // absolute path
+  std::vector<std::string> remarks;  // facts that change no verdict
+  std::string hidden;                // what errors its noise hides; "" for none worth it
+  std::string reference;             // absolute path
   std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
   std::string image;
   std::string reference_image;  // the copy of the reference in the run's folder; "" if there is none

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <thread>
 
 #include <fmt/format.h>
@@ -115,12 +116,30 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   return plan.jobs.size() - 1;
 }
 
+bool declares(const Plan& plan, std::size_t renderer, const registry::Case& one_case) {
+  return registry::has_feature(plan.renderers[renderer].entry.declares,
+                               registry::parse_requirement(one_case.requirement));
+}
+
+// Jobs are started in their order. One scene of each requirement comes first, by every renderer, so that the
+// table of a run fills evenly while it goes on, and one that is interrupted says something of everything.
+void plan_first_jobs(Plan& plan) {
+  std::set<std::string> begun;
+  for (const auto& one_case : plan.cases) {
+    if (!begun.insert(one_case.requirement).second) continue;
+    const auto& scene = one_case.scenes.front().name;
+    for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
+      if (declares(plan, renderer, one_case) &&
+          why_not_at_size(plan, plan.renderers[renderer].entry, one_case, scene, {scene}).empty())
+        job_for(plan, scene, renderer);
+  }
+}
+
 void plan_targets(Plan& plan) {
   for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
     for (std::size_t c = 0; c < plan.cases.size(); ++c) {
       const auto& one_case = plan.cases[c];
-      const bool declared = registry::has_feature(plan.renderers[renderer].entry.declares,
-                                                  registry::parse_requirement(one_case.requirement));
+      const bool declared = declares(plan, renderer, one_case);
       const auto add = [&](const std::string& target, const std::vector<std::string>& scenes) {
         PlannedTarget planned{c, renderer, target, {}, declared};
         if (declared)
@@ -169,6 +188,7 @@ Plan make_plan(const registry::Configuration& configuration,
     check_regions(plan, one_case);
   }
   reduce_size(plan);
+  plan_first_jobs(plan);
   plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {

@@ -170,6 +170,19 @@ TEST(Run, AnotherProgramCanStandInForAConfiguredRenderer) {
                        "\"argv\": [\"" + (sandbox.folder() / "mine").string()));
 }
 
+// So that the table fills evenly while a run goes on.
+TEST(Run, BeginsWithOneSceneOfEachRequirementByEveryRenderer) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "good,dark", "--dry-run"});
+  std::vector<std::string> jobs;
+  for (const auto& line : orbs::split(answer.text, '\n'))
+    for (const char* renderer : {"  good  ", "  dark  "})
+      if (const auto at = line.find(renderer); at != std::string::npos) jobs.push_back(line.substr(at + 2));
+  EXPECT_EQ(jobs, (std::vector<std::string>{"good  grey", "dark  grey", "good  mirror", "dark  mirror",
+                                            "good  v1.5", "dark  v1.5"}))
+      << answer.text;
+}
+
 TEST(Run, ADryRunPrintsTheCommandsAndTouchesNothing) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "--dry-run", "-o", "out"});
