@@ -56,6 +56,12 @@ std::string scene_file_name(const std::string& format) {
   return exporter == nullptr ? "" : exporter->scene_file;
 }
 
+ImageChannels image_channels(const std::string& format, const scene::Scene& scene) {
+  const auto* exporter = find_exporter(format);
+  return exporter == nullptr || exporter->image_channels == nullptr ? kColourChannels
+                                                                    : exporter->image_channels(scene);
+}
+
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene) {
   auto lowered = scene::lower(scene, registry::feature_codes(renderer.declares));

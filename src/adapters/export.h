@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adapters/exporter.h"
 #include "registry/configuration.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,9 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
 /// Name of the exported scene file of a job, with the ending that programs of the format know; "" where
 /// nothing is exported.
 std::string scene_file_name(const std::string& format);
+
+/// Channels that hold R, G and B in the image that a renderer makes of the exported scene.
+ImageChannels image_channels(const std::string& format, const scene::Scene& scene);
 
 /// Writes a prepared scene in the renderer's format, everything into the folder of `file`.
 void export_scene(const registry::Renderer& renderer,

@@ -3,6 +3,7 @@
 #include "registry/placeholders.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -19,11 +20,17 @@ struct SceneSetting {
   bool is_whole = false;
 };
 
+/// Channels of a renderer's image that hold the linear Rec.709 colour.
+using ImageChannels = std::array<std::string, 3>;
+inline const ImageChannels kColourChannels{"R", "G", "B"};
+
 /// A format that scenes are written in.
 struct Exporter {
   const char* format = "";      // its word in "scene_format" of configuration.json
   const char* scene_file = "";  // name of the main file that it writes, with the ending that programs know
   std::vector<SceneSetting> settings;
+  /// Channels of the image that the exported scene asks for; kColourChannels where there is no function.
+  ImageChannels (*image_channels)(const scene::Scene& scene) = nullptr;
   /// Whatever of a lowered scene cannot be written, one reason each; empty when all of it can. A reason
   /// begins with the object in the scene.
   std::vector<std::string> (*limits)(const scene::Scene& scene, const SceneSettings& settings) = nullptr;

@@ -30,10 +30,11 @@ std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
   return reasons;
 }
 
-std::string light_limit(const scene::Light& light, const std::string& display_name, const char* renderer) {
-  if (light.ies)
-    return fmt::format("{} has an IES profile: {} has them for points without size only", display_name,
-                       renderer);
+std::string light_limit(const scene::Light& light,
+                        const std::string& display_name,
+                        const char* renderer,
+                        const char* ies) {
+  if (light.ies) return fmt::format("{} has an IES profile: {} {}", display_name, renderer, ies);
   if (std::holds_alternative<scene::DiskShape>(light.shape) && !is_round(light_frame(light.matrix)))
     return fmt::format("{} is a disk stretched into an ellipse, whose area {} does not know", display_name,
                        renderer);

@@ -23,8 +23,12 @@ bool is_refused(const std::string& requirement, const BeyondOrbs& levels);
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels);
-/// `display_name`: the light in the reason.
-std::string light_limit(const scene::Light& light, const std::string& display_name, const char* renderer);
+/// `display_name`: the light in the reason. `ies` says what the renderer has in place of an IES profile on a
+/// light with a size: "has no ...".
+std::string light_limit(const scene::Light& light,
+                        const std::string& display_name,
+                        const char* renderer,
+                        const char* ies);
 std::string oren_nayar_limit(const std::string& material, double roughness, const char* renderer);
 /// `form` names the masking of the renderer: "a product" or "height-correlated".
 std::string masking_limit(const std::string& material, double alpha, const char* renderer, const char* form);

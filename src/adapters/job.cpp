@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -22,6 +24,21 @@ int scaled_spp(int spp, double renderer_scale, double run_scale) {
   return static_cast<int>(std::max(1L, std::lround(samples)));
 }
 
+namespace {
+
+std::int64_t strided_seed(const registry::Renderer& renderer, int seed) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  const auto strided = std::int64_t{seed} * renderer.seed_stride;
+  if (strided > kMost)
+    throw InputError(fmt::format(
+        "{}: seed {} times its seed_stride {} is {}; at most {} is a seed of most renderers: choose a "
+        "smaller seed",
+        entry_name(renderer), seed, renderer.seed_stride, strided, kMost));
+  return strided;
+}
+
+}  // namespace
+
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
              const JobSettings& settings,
@@ -33,12 +50,13 @@ Job make_job(const registry::Renderer& renderer,
   job.image = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
+  if (settings.scene_file.empty()) job.channels = image_channels(renderer.scene_format, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},
                                 {"output", job.image.string()},
                                 {"folder", folder.string()},
                                 {"spp", std::to_string(settings.spp)},
-                                {"seed", std::to_string(settings.seed)},
+                                {"seed", std::to_string(strided_seed(renderer, settings.seed))},
                                 {"threads", std::to_string(settings.threads)},
                                 {"width", std::to_string(job.width_px)},
                                 {"height", std::to_string(job.height_px)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adapters/exporter.h"
 #include "registry/configuration.h"
 #include "registry/placeholders.h"
 #include "scene/scene.h"
@@ -20,7 +21,8 @@ struct Job {
   std::filesystem::path image;
   int width_px = 0;
   int height_px = 0;
-  bool may_be_negative = false;  // its pixels
+  bool may_be_negative = false;              // its pixels
+  ImageChannels channels = kColourChannels;  // of its image, which hold R, G and B
   // Proof that an image belongs to this render; an empty member is not checked.
   std::string id;                                              // given to the renderer as ORBS_JOB
   std::string scene_file_hash;                                 // hash_text of scene_file's bytes
@@ -42,9 +44,9 @@ struct JobSettings {
 int scaled_spp(int spp, double renderer_scale, double run_scale);
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
-/// folder that they are started in. {transport} is transport_word of the scene; exporters add placeholders of
-/// their formats. Pure, touches no file. argv[0] is settings.executable where the command starts with
-/// {executable}.
+/// folder that they are started in. {seed} is the seed times the renderer's seed_stride, {transport} is
+/// transport_word of the scene; exporters add placeholders of their formats. Pure, touches no file. argv[0]
+/// is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
              const JobSettings& settings,

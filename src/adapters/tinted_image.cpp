@@ -26,22 +26,51 @@ scene::RgbColour tint_of(const scene::MaterialModel& model) {
       model);
 }
 
+image::Image tinted(const scene::Scene& scene, int material) {
+  const scene::MaterialModel& model = material_at(scene, material).model;
+  const scene::RgbColour tint = tint_of(model);
+  const std::array factors{tint.x, tint.y, tint.z};
+  image::Image image = image::read_linear_rgb(texture_at(scene, *texture_of(model)).file);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
+  return image;
+}
+
+template <typename Action>
+void with_texture_note(const scene::Scene& scene, int material, const Action& action) {
+  const auto& use = *texture_of(material_at(scene, material).model);
+  with_note(fmt::format("tinting texture '{}'", texture_at(scene, use).name), action);
+}
+
 }  // namespace
 
 std::string tinted_image_name(int material, const std::string& stem) {
   return fmt::format("{}-material{}.exr", stem, material);
 }
 
+std::array<std::string, 3> tinted_channel_names(int material, const std::string& stem) {
+  const auto name = [&](char channel) {
+    return fmt::format("{}-material{}-{}.exr", stem, material, channel);
+  };
+  return {name('r'), name('g'), name('b')};
+}
+
 void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file) {
-  const scene::MaterialModel& model = material_at(scene, material).model;
-  const scene::RgbColour tint = tint_of(model);
-  const auto& texture = texture_at(scene, *texture_of(model));
-  with_note(fmt::format("tinting texture '{}'", texture.name), [&] {
-    image::Image image = image::read_linear_rgb(texture.file);
-    const std::array factors{tint.x, tint.y, tint.z};
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-      image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
-    image::write_exr(image, file);
+  with_texture_note(scene, material, [&] { image::write_exr(tinted(scene, material), file); });
+}
+
+void write_tinted_channels(const scene::Scene& scene,
+                           int material,
+                           const std::filesystem::path& folder,
+                           const std::string& stem) {
+  with_texture_note(scene, material, [&] {
+    const image::Image image = tinted(scene, material);
+    const auto names = tinted_channel_names(material, stem);
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      image::Image channel = image::make_image(image.width, image.height, {"Y"});
+      for (std::size_t i = 0; i < channel.pixels.size(); ++i) channel.pixels[i] = image.pixels[3 * i + c];
+      image::write_exr(channel, folder / names[c]);
+    }
   });
 }
 

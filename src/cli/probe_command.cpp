@@ -46,6 +46,21 @@ void add_options(CLI::App& command, ProbeOptions& options) {
   command.add_option("-o,--output", options.output, "JSON file for all findings")->check(not_empty("a file"));
 }
 
+std::ptrdiff_t count(const std::vector<studies::ProbeRecord>& records, studies::ProbeVerdict verdict) {
+  return std::count_if(records.begin(), records.end(),
+                       [&](const auto& record) { return studies::probe_verdict(record) == verdict; });
+}
+
+std::string summary(const std::vector<studies::ProbeRecord>& records) {
+  const auto right = count(records, studies::ProbeVerdict::Right);
+  const auto wrong = count(records, studies::ProbeVerdict::Wrong);
+  const auto unchecked = count(records, studies::ProbeVerdict::NotChecked);
+  if (unchecked == 0 && wrong == 0) return fmt::format("all {} are right", right);
+  return fmt::format("{} of {} are right{}{}", right, records.size(),
+                     wrong == 0 ? "" : fmt::format(", {} not right", wrong),
+                     unchecked == 0 ? "" : fmt::format(", {} not checked", unchecked));
+}
+
 int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
   if (!options.output.empty()) check_output_file(options.output);
   auto settings = configuration.defaults;
@@ -59,11 +74,10 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   const auto records = studies::run_probe(plan, options.probe, context);
   if (!options.output.empty()) write_file(options.output, studies::probe_json(records));
   if (is_stopped(context)) return kInterrupted;
-  const auto wrong = std::count_if(records.begin(), records.end(),
-                                   [](const auto& record) { return !studies::is_mapped_right(record); });
-  context.say(wrong == 0 ? fmt::format("all {} are right", records.size())
-                         : fmt::format("{} of {} are not right", wrong, records.size()));
-  return wrong == 0 ? 0 : 1;
+  context.say(summary(records));
+  return count(records, studies::ProbeVerdict::Wrong) == 0 && count(records, studies::ProbeVerdict::Right) > 0
+             ? 0
+             : 1;
 }
 
 }  // namespace
@@ -75,7 +89,8 @@ void add_probe_command(CLI::App& command, const Program& program, Action& action
   command.footer(
       "Renders an id pass, in which every material of every instance and every light has a colour of its own,\n"
       "and a uv pass. Both are compared with primary visibility as orbs computes it from the scene.\n"
-      "Exit status: 0 if all renderers are right, 1 if one is not.");
+      "Exit status: 0 if all that could be checked is right, 1 if a renderer is not right or nothing could be\n"
+      "checked.");
   command.callback([=, &program, &action] {
     action = [=, &program] { return probe(read_configuration(*configuration, program), *options, program); };
   });

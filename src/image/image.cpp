@@ -27,14 +27,17 @@ int channel_index(const Image& image, std::string_view name) {
 bool is_variance(std::string_view channel) { return channel.starts_with("variance."); }
 
 Image select_rgb(const Image& image, std::string_view prefix) {
-  constexpr std::array kColours{"R", "G", "B"};
+  return select_channels(
+      image, {fmt::format("{}R", prefix), fmt::format("{}G", prefix), fmt::format("{}B", prefix)});
+}
+
+Image select_channels(const Image& image, const std::array<std::string, 3>& channels) {
   std::array<std::size_t, 3> source{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto name = fmt::format("{}{}", prefix, kColours[c]);
-    const int index = channel_index(image, name);
+    const int index = channel_index(image, channels[c]);
     if (index < 0)
-      throw InputError(
-          fmt::format("the image has no channel '{}'; it has {}", name, fmt::join(image.channels, ", ")));
+      throw InputError(fmt::format("the image has no channel '{}'; it has {}", channels[c],
+                                   fmt::join(image.channels, ", ")));
     source[c] = static_cast<std::size_t>(index);
   }
   Image rgb = make_image(image.width, image.height, {"R", "G", "B"});

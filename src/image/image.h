@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -46,6 +47,10 @@ bool is_variance(std::string_view channel);
 /// The channels `prefix`R, `prefix`G, `prefix`B alone as an image with channels R, G, B ("" for the colour
 /// itself, "variance." for its variance). InputError when one is missing.
 Image select_rgb(const Image& image, std::string_view prefix);
+
+/// The three named channels as an image with channels R, G, B; attributes are not kept. InputError when one
+/// is missing.
+Image select_channels(const Image& image, const std::array<std::string, 3>& channels);
 
 /// R, G and B of each. InputError as select_rgb.
 std::vector<Image> colours_of(const std::vector<Image>& images);

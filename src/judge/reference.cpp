@@ -51,17 +51,34 @@ std::string provenance_problem(const image::Image& image,
              : differs("the reference is not the image that was accepted", image_now, image_said->second);
 }
 
+// Whoever can write into the folder of the run, such as a renderer, could change what it is judged by.
+image::Image read_copy(const std::filesystem::path& original,
+                       const std::filesystem::path& copy,
+                       const std::string& hash) {
+  const auto bytes = read_file(copy);
+  if (const auto now = hash_text(content_hash(bytes)); now != hash)
+    throw InputError(
+        fmt::format("{}: this copy has changed since the run started: its hash is now {}, it was {}; "
+                    "'orbs run --resume' copies the reference again",
+                    copy.string(), now, hash));
+  return image::read_exr(original.string(), bytes);
+}
+
 // Why there is no usable reference; "" when `image` has been filled.
 std::string read_reference(const std::filesystem::path& file,
                            const std::string& scene,
                            const std::map<std::string, std::string>& scene_hashes,
+                           const ReferenceCopies& copies,
                            std::optional<image::Image>& image) {
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
+  const auto copied = copies.copied.find(file.filename().string());
+  if (copies.folder.empty() ? !std::filesystem::exists(file, ignored) : copied == copies.copied.end())
     return fmt::format("there is no reference {}; 'orbs reference' renders it", file.string());
+  if (!copies.folder.empty() && !copied->second.problem.empty()) return copied->second.problem;
   std::string problem;
   try {
-    image = image::read_image(file);
+    image = copies.folder.empty() ? image::read_image(file)
+                                  : read_copy(file, copies.folder / file.filename(), copied->second.hash);
     image::select_rgb(*image, "");
     problem = provenance_problem(*image, file, scene, scene_hashes);
   } catch (const InputError& e) {
@@ -86,18 +103,19 @@ std::vector<std::filesystem::path> reference_files(const registry::Case& one_cas
 Reference load_reference(const registry::Case& one_case,
                          const std::string& target,
                          const std::filesystem::path& references,
-                         const std::map<std::string, std::string>& scene_hashes) {
+                         const std::map<std::string, std::string>& scene_hashes,
+                         const ReferenceCopies& copies) {
   Reference reference;
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
                                        [&](const auto& d) { return d.name == target; });
   const bool is_difference = difference != one_case.differences.end();
   const auto& scene = is_difference ? difference->of : target;
   reference.file = reference_file(one_case, scene, references);
-  reference.problem = read_reference(reference.file, scene, scene_hashes, reference.image);
+  reference.problem = read_reference(reference.file, scene, scene_hashes, copies, reference.image);
   if (!is_difference || !reference.image) return reference;
   std::optional<image::Image> minus;
   reference.problem = read_reference(reference_file(one_case, difference->minus, references),
-                                     difference->minus, scene_hashes, minus);
+                                     difference->minus, scene_hashes, copies, minus);
   if (minus && (minus->width != reference.image->width || minus->height != reference.image->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);
@@ -109,23 +127,60 @@ Reference load_reference(const registry::Case& one_case,
   return reference;
 }
 
-void copy_references(const std::vector<registry::Case>& cases,
-                     const std::filesystem::path& references,
-                     const std::map<std::string, std::string>& scene_hashes,
-                     const std::filesystem::path& folder) {
+namespace {
+
+CopiedReference copy_reference(const std::filesystem::path& file,
+                               const std::string& scene,
+                               const std::map<std::string, std::string>& scene_hashes,
+                               const std::filesystem::path& folder) {
+  CopiedReference copied;
+  try {
+    const auto bytes = read_file(file);
+    copied.hash = hash_text(content_hash(bytes));
+    write_file(folder / file.filename(), bytes);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const InputError& e) {
+    copied.problem = fmt::format("the reference cannot be used: {}", e.what());
+    return copied;
+  }
+  std::optional<image::Image> image;
+  copied.problem =
+      read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}}, image);
   std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
+  if (!copied.problem.empty()) std::filesystem::remove(folder / file.filename(), ignored);
+  return copied;
+}
+
+}  // namespace
+
+ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
+                                const std::filesystem::path& references,
+                                const std::map<std::string, std::string>& scene_hashes,
+                                const std::filesystem::path& folder) {
+  ReferenceCopies copies{folder, {}};
+  make_folder(folder);
+  std::error_code ignored;
   for (const auto& one_case : cases)
-    for (const auto& name : registry::target_names(one_case)) {
-      const auto reference = load_reference(one_case, name, references, scene_hashes);
+    for (const auto& scene : one_case.scenes) {
+      const auto file = reference_file(one_case, scene.name, references);
+      const auto name = file.filename().string();
+      if (!copies.copied.contains(name) && std::filesystem::exists(file, ignored))
+        copies.copied[name] = copy_reference(file, scene.name, scene_hashes, folder);
+    }
+  for (const auto& one_case : cases)
+    for (const auto& target : registry::target_names(one_case)) {
+      const auto copy = folder / (target + ".exr");
+      if (copies.copied.contains(copy.filename().string())) continue;
+      const auto reference = load_reference(one_case, target, references, scene_hashes, copies);
       if (!reference.image) continue;
-      const auto copy = folder / (name + ".exr");
-      if (reference_files(one_case, name, references).size() == 1) {
-        write_file(copy, read_file(reference.file));
+      if (reference_files(one_case, target, references).size() == 1) {
+        write_file(copy, read_file(folder / reference.file.filename()));
       } else {
         image::write_exr(*reference.image, copy);
       }
     }
+  return copies;
 }
 
 }  // namespace orbs::judge

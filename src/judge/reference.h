@@ -18,25 +18,40 @@ struct Reference {
   std::string problem;                // why it is missing
 };
 
-/// Reads the reference of a target of the case from the folder `references`. A reference is stale, and so
-/// missing, if the scene hash or its own pixel hash differs from its provenance record. `scene_hashes` holds
-/// by scene today's hash; a scene that is not in it is not checked.
+/// A reference file as it was when it was copied.
+struct CopiedReference {
+  std::string hash;     // hash_text of its bytes; "" when it could not be read
+  std::string problem;  // why it is no usable reference, in which case there is no copy; "" when it is one
+};
+
+/// Copies that a run makes of its references when it starts: it is judged by them, whatever becomes of the
+/// originals meanwhile.
+struct ReferenceCopies {
+  std::filesystem::path folder;                   // "": there are no copies, the originals are read
+  std::map<std::string, CopiedReference> copied;  // by file name
+};
+
+/// Reads the reference of a target of the case from the folder `references`, or from its copy if there are
+/// copies; messages name the original. A reference is stale, and so missing, if the scene hash or its own
+/// pixel hash differs from its provenance record, and a copy if its bytes are no longer those that were
+/// copied. `scene_hashes` holds by scene today's hash; a scene that is not in it is not checked.
 Reference load_reference(const registry::Case& one_case,
                          const std::string& target,
                          const std::filesystem::path& references,
-                         const std::map<std::string, std::string>& scene_hashes = {});
+                         const std::map<std::string, std::string>& scene_hashes = {},
+                         const ReferenceCopies& copies = {});
 
 /// The files that the reference of a target is made from: one, or the two of a difference.
 std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
                                                    const std::string& target,
                                                    const std::filesystem::path& references);
 
-/// Puts the reference of each target of the cases for which load_reference finds one into `folder` as
-/// <target>.exr: files of scenes unchanged, differences computed. With them the folder of a run can be looked
-/// at on its own.
-void copy_references(const std::vector<registry::Case>& cases,
-                     const std::filesystem::path& references,
-                     const std::map<std::string, std::string>& scene_hashes,
-                     const std::filesystem::path& folder);
+/// Copies the reference files of all targets of the cases into `folder`, except unusable ones. Adds for each
+/// target that has a reference <target>.exr: with them the folder of a run can be looked at on its own.
+/// WriteError when the disk refuses.
+ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
+                                const std::filesystem::path& references,
+                                const std::map<std::string, std::string>& scene_hashes,
+                                const std::filesystem::path& folder);
 
 }  // namespace orbs::judge

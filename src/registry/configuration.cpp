@@ -108,18 +108,19 @@ std::string load_native_scenes(ObjectReader& in, const std::string& format) {
   return ending;
 }
 
-void check_pattern(ObjectReader& in, const std::string& text) {
-  constexpr std::size_t kMostGroups = 3;
+// `needed`: what the message says about the groups.
+void check_pattern(ObjectReader& in,
+                   const std::string& key,
+                   const std::string& text,
+                   std::size_t most_groups,
+                   const char* needed) {
   try {
     const auto groups = Pattern(text).group_count();
-    if (groups < 1 || groups > kMostGroups)
-      in.fail("pattern",
-              fmt::format("has {} groups in parentheses, needs 1 (seconds), 2 (minutes, seconds) or 3 "
-                          "(hours, minutes, seconds)",
-                          groups));
+    if (groups < 1 || groups > most_groups)
+      in.fail(key, fmt::format("has {} groups in parentheses, needs {}", groups, needed));
   } catch (const InputError& e) {
     if (std::string(e.what()).starts_with(in.file())) throw;
-    in.fail("pattern", e.what());
+    in.fail(key, e.what());
   }
 }
 
@@ -129,7 +130,9 @@ RenderSeconds load_render_seconds(ObjectReader in) {
     in.fail("", "needs either 'pattern', for the renderer's output, or 'file' and 'key', for a JSON file");
   if (in.has("pattern")) {
     place.pattern = in.text("pattern");
-    check_pattern(in, place.pattern);
+    check_pattern(
+        in, "pattern", place.pattern, 3,
+        "1 (seconds), 2 (minutes, seconds; or a number and its unit) or 3 (hours, minutes, seconds)");
   } else {
     place.file = in.text("file");
     const auto path = std::filesystem::path(place.file);
@@ -151,7 +154,10 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   renderer.executable = template_text(in, "executable", places);
   if (in.has("version_command"))
     renderer.version_command = template_texts(in, "version_command", executable_placeholders());
-  renderer.version_prefix = in.text_or("version_prefix", "");
+  if (in.has("version_pattern")) {
+    renderer.version_pattern = in.text("version_pattern");
+    check_pattern(in, "version_pattern", renderer.version_pattern, 1, "1, which holds the version");
+  }
   renderer.scene_format = in.text_or("scene_format", kNeutralFormat);
   if (in.has("scene_settings")) {
     auto settings = in.object("scene_settings");
@@ -181,6 +187,9 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   renderer.seeds = in.integer_or("seeds", renderer.seeds, 1, kMostSeeds);
   if (renderer.seeds > 1 && !uses_placeholder(renderer.command, "seed"))
     in.fail("seeds", "needs {seed} in the command, or all renders would be the same");
+  renderer.seed_stride = in.integer_or("seed_stride", renderer.seed_stride, 1, kLargestSeed);
+  if (renderer.seed_stride > 1 && !uses_placeholder(renderer.command, "seed"))
+    in.fail("seed_stride", "needs {seed} in the command, which it multiplies");
   renderer.is_noise_free = in.boolean_or("noise_free", renderer.is_noise_free);
   if (renderer.is_noise_free && uses_placeholder(renderer.command, "seed"))
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");

@@ -35,7 +35,7 @@ struct KnownLimit {
 /// Nothing is looked for where both are "".
 struct RenderSeconds {
   /// POSIX extended regular expression, of one line. Its groups: seconds, or minutes and seconds, or hours,
-  /// minutes and seconds.
+  /// minutes and seconds; or a number and its unit (us, ms, s, m, min, h, d).
   std::string pattern{};
   std::string file{};       // JSON that it writes, relative to the folder of the render
   std::string key{};        // of a number there: "seconds", or "timing/render" for one in an object
@@ -47,8 +47,9 @@ struct Renderer {
   std::string place;       // file:line of the entry, for messages; "" when it comes from no file
   std::string executable;  // a path with placeholders, or a program on PATH
   std::vector<std::string> version_command;
-  std::string
-      version_prefix;  // how the line of its output starts that says the version; "" for the first line
+  /// POSIX extended regular expression with one group, which holds the version in the first line of the
+  /// output that matches; "" for the whole first line.
+  std::string version_pattern;
   std::string scene_format = kNeutralFormat;
   std::map<std::string, double>
       scene_settings;  // numbers for the exporter of the format; which, it says itself
@@ -65,6 +66,9 @@ struct Renderer {
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.
   int seeds = 1;
+  /// {seed} is the seed of the render times this. For renderers whose random numbers of one seed in one pixel
+  /// are those of the next seed in the pixel before: renders of consecutive seeds would not be independent.
+  int seed_stride = 1;
   bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
   RenderSeconds render_seconds;
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value

@@ -27,6 +27,7 @@ void write_command(const Renderer& alike, json::Writer& out) {
     for (const auto& [name, word] : alike.transports) out.member(name, word);
     out.end_object();
   }
+  if (alike.seed_stride > 1) out.member("seed_stride", alike.seed_stride);
   out.member("command", alike.command);
 }
 

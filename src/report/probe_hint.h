@@ -7,8 +7,8 @@
 namespace orbs::report {
 
 /// A hint for each renderer with images that fail by 6 dB or more (twice the error that the gate allows)
-/// against references of another program: it may have misplaced the scene, which orbs probe checks. "" if
-/// there is none.
+/// against references of another program: it may have misplaced the scene, which orbs probe checks. Images
+/// whose tiles all have the right mean are only noisy and give no hint. "" if there is none.
 std::string probe_hints(const results::RunRecord& run);
 
 }  // namespace orbs::report

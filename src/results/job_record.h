@@ -53,6 +53,8 @@ void fields(Visitor& visit, Record& program) {
 /// What the render and its verdict depend on: --resume renders or judges again where a hash differs.
 struct JobHashes {
   std::string scene;
+  std::string program;   // the executable and the files that the command names; "" if they changed meanwhile
+  std::string files;     // scene file and image in the folder of the render
   std::string settings;  // what else makes the image: command, environment, threads
   std::string limits;    // what may end the render without an image: time, memory, files
   std::string judged;    // what its images were judged by: cases, references, the version of orbs
@@ -61,6 +63,8 @@ struct JobHashes {
 template <class Visitor, RecordOf<JobHashes> Record>
 void fields(Visitor& visit, Record& hashes) {
   visit("scene", hashes.scene);
+  visit("program", hashes.program);
+  visit("files", hashes.files);
   visit("settings", hashes.settings);
   visit("limits", hashes.limits);
   visit("judged", hashes.judged);

@@ -111,7 +111,12 @@ std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapter
     make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
-    if (outcome.kind != JobOutcome::Image || replicas.size() == 1) return {std::move(outcome), job.image};
+    if (outcome.kind != JobOutcome::Image) return {std::move(outcome), job.image};
+    if (replicas.size() == 1) {
+      // All who read the file later expect R, G and B.
+      if (job.channels != adapters::kColourChannels) image::write_exr(*outcome.image, job.image);
+      return {std::move(outcome), job.image};
+    }
     images.push_back(std::move(*outcome.image));
   }
   const auto file = replicas.front().folder / adapters::JobSettings{}.image_file;

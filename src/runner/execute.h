@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "judge/reference.h"
 #include "results/record.h"
 #include "runner/plan.h"
 
@@ -16,6 +17,7 @@ namespace orbs::runner {
 struct WorkFolders {
   std::filesystem::path run;
   std::filesystem::path unfinished;
+  judge::ReferenceCopies references{};  // by which the images are judged
 };
 
 struct Execution {

@@ -55,18 +55,18 @@ namespace {
 void judge_target(const Plan& plan,
                   const PlannedTarget& planned,
                   const image::Image& result,
-                  const std::filesystem::path& folder,
+                  const WorkFolders& folders,
                   TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
-  const auto reference =
-      judge::load_reference(one_case, planned.target, plan.suite.references, plan.reference_hashes);
+  const auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
+                                               plan.reference_hashes, folders.references);
   const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
   const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
   const auto comparison = judge::judge_image(one_case, result, reference,
                                              {.threads = plan.threads, .result_noise = noise}, record);
   if (!comparison) return;
   const auto relative = std::filesystem::path(record.renderer) / record.target;
-  record.maps = judge::write_maps(result, *comparison, folder / relative);
+  record.maps = judge::write_maps(result, *comparison, folders.unfinished / relative);
   for (auto& map : record.maps) map.image = (relative / map.image).string();
 }
 
@@ -82,7 +82,7 @@ std::vector<TargetRecord> judge_scene(const Plan& plan,
     auto& record = records.emplace_back(blank_target(plan, planned, folders.run));
     record.image = execution.record.files.image;
     if (execution.image) {
-      judge_target(plan, planned, *execution.image, folders.unfinished, record);
+      judge_target(plan, planned, *execution.image, folders, record);
     } else {
       take_job_verdict(execution.record, record);
     }
@@ -108,7 +108,7 @@ TargetRecord judge_difference(const Plan& plan,
   make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");
   record.image = (relative / "result.exr").string();
-  judge_target(plan, planned, result, folders.unfinished, record);
+  judge_target(plan, planned, result, folders, record);
   put_in_place(folders.unfinished / relative, folders.run / relative);
   return record;
 }

@@ -4,6 +4,8 @@
 #include "base/text.h"
 #include "image/image_io.h"
 #include "metrics/alignment.h"
+#include "runner/last_words.h"
+#include "runner/named_within.h"
 
 #include <csignal>
 #include <filesystem>
@@ -18,34 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using results::JobOutcome;
 using supervisor::Cause;
-
-// The folder of the render is moved when it is complete, so its files are named relative to it.
-std::string named_within(const fs::path& folder, std::string text) {
-  const auto prefix = folder.string() + "/";
-  for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
-    text.erase(at, prefix.size());
-  return text;
-}
-
-// At most `most` bytes, no character cut in two.
-std::string shortened(std::string text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U) --most;
-  text.resize(most);
-  return text;
-}
-
-// The last line of the output that is not empty, for the end of a reason. A carriage return starts a line
-// anew.
-std::string last_words(const std::string& output, const fs::path& folder) {
-  constexpr std::size_t kMost = 200;
-  std::string words;
-  for (const auto& line : split(output, '\n'))
-    for (const auto& part : split(line, '\r'))
-      if (const auto text = trim(part); !text.empty()) words = text;
-  words = shortened(clean_text(named_within(folder, std::move(words))), kMost);
-  return words.empty() ? "" : fmt::format("; its last words: {}", words);
-}
 
 std::string megabytes(std::size_t bytes) {
   return fmt::format("{:.6g} MB", static_cast<double>(bytes) / (1 << 20));
@@ -80,10 +54,13 @@ Outcome limit_outcome(Cause cause, const ProcessLimits& limits) {
   return {};
 }
 
-std::string signal_message(const adapters::ProcessResult& process) {
+std::string signal_message(const adapters::ProcessResult& process, const ProcessLimits& limits) {
   auto text = fmt::format("was killed by {}{}", adapters::signal_name(process.signal),
                           process.core_dumped ? " (core dumped)" : "");
   if (process.signal == SIGKILL) text += ", not by orbs: the kernel does that when memory runs out";
+  if (process.signal == SIGXFSZ && limits.output_bytes)
+    text += fmt::format(", which the kernel sends when a file outgrows {}; its folder holds less",
+                        megabytes(*limits.output_bytes));
   return text;
 }
 
@@ -92,15 +69,16 @@ Outcome process_outcome(const adapters::ProcessResult& process,
                         const ProcessLimits& limits) {
   if (!process.start_error.empty())
     return {JobOutcome::Crash, fmt::format("could not start: {}", process.start_error), {}};
-  if (!process.orphaned.empty())
+  if (!process.orphaned.empty() && process.cause != Cause::Stopped)
     return {JobOutcome::Crash, fmt::format("was lost: {}", process.orphaned), {}};
   auto outcome = limit_outcome(process.cause, limits);
   if (process.cause == Cause::Nothing && process.signal != 0)
-    outcome = {JobOutcome::Crash, signal_message(process), {}};
+    outcome = {JobOutcome::Crash, signal_message(process, limits), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {JobOutcome::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
   if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)
-    outcome.reason += last_words(process.output, folder);
+    if (const auto words = last_words(process.output, folder); !words.empty())
+      outcome.reason += fmt::format("; its last words: {}", words);
   return outcome;
 }
 
@@ -146,6 +124,16 @@ Outcome size_outcome(const adapters::Job& job, int width_px, int height_px, cons
           {}};
 }
 
+Outcome channels_outcome(const adapters::Job& job, const image::Image& image, const std::string& name) {
+  for (const auto& channel : job.channels)
+    if (image::channel_index(image, channel) < 0)
+      return {JobOutcome::WrongChannels,
+              fmt::format("{} has the channels {}, expected {}", name, fmt::join(image.channels, ", "),
+                          fmt::join(job.channels, ", ")),
+              {}};
+  return {};
+}
+
 Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
   if (auto outcome = file_outcome(job, name); outcome.kind != JobOutcome::Image) return outcome;
@@ -159,6 +147,13 @@ Outcome image_outcome(const adapters::Job& job) {
         outcome.kind != JobOutcome::Image)
       return outcome;
     image = image::read_image(job.image);
+    if (job.channels != adapters::kColourChannels) {
+      if (auto outcome = channels_outcome(job, image, name); outcome.kind != JobOutcome::Image)
+        return outcome;
+      auto colours = image::select_channels(image, job.channels);
+      colours.attributes = image.attributes;
+      image = std::move(colours);
+    }
   } catch (const InputError& e) {
     return {JobOutcome::Unreadable, named_within(job.folder, e.what()), {}};
   }

@@ -10,7 +10,8 @@
 
 namespace orbs::runner {
 
-/// How a render ended, why, and the image if there is a usable one.
+/// How a render ended, why, and the image if there is a usable one, its colour in R, G and B whatever its
+/// file calls them.
 struct Outcome {
   results::JobOutcome kind = results::JobOutcome::Image;
   std::string reason;
@@ -19,7 +20,7 @@ struct Outcome {
 
 /// The first of these that applies, in this fixed order: could not start, ended by us (a limit, an
 /// interrupt), signal, exit code, no output, stale, unreadable, of another scene or job, wrong size, wrong
-/// channels, invalid pixels. A reason about the process ends with the last line of its output.
+/// channels, invalid pixels. A reason about the process ends with its last_words.
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits);

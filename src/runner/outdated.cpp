@@ -2,6 +2,7 @@
 
 #include "adapters/native_scene.h"
 #include "base/files.h"
+#include "runner/prepare.h"
 #include "runner/scene_hash.h"
 
 #include <fmt/format.h>
@@ -39,7 +40,10 @@ std::string limits_hash(const Plan& plan, const PlannedJob& job) {
                                             limits.output_bytes.value_or(0), limits.grace_seconds)));
 }
 
-std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version) {
+std::string judged_hash(const Plan& plan,
+                        std::size_t index,
+                        const judge::ReferenceCopies& references,
+                        const std::string& orbs_version) {
   auto hash = content_hash(orbs_version);
   if (plan.renderers[plan.jobs[index].renderer].entry.is_noise_free) hash = content_hash("noise-free", hash);
   for (const auto& planned : plan.targets) {
@@ -48,23 +52,50 @@ std::string judged_hash(const Plan& plan, std::size_t index, const std::string& 
     hash = content_hash(planned.target, content_hash(read_file(one_case.file), hash));
     for (const auto& scene : one_case.scenes) {
       if (scene.name != planned.target) continue;
-      const auto reference = plan.suite.references / (registry::reference_name(scene) + ".exr");
-      std::error_code ignored;
+      const auto copied = references.copied.find(registry::reference_name(scene) + ".exr");
       hash = content_hash(plan.reference_hashes.at(scene.name), hash);
-      if (std::filesystem::exists(reference, ignored)) hash = content_hash(read_file(reference), hash);
+      if (copied != references.copied.end()) hash = content_hash(copied->second.hash, hash);
     }
   }
   return hash_text(hash);
 }
 
-void note_hashes(const Plan& plan,
-                 std::size_t index,
-                 const std::string& orbs_version,
-                 results::JobRecord& record) {
-  const auto& job = plan.jobs[index];
-  record.hashes = {scene_hash(plan, job), settings_hash(plan, job), limits_hash(plan, job),
-                   judged_hash(plan, index, orbs_version)};
+std::string files_hash(const Plan& plan,
+                       const PlannedJob& job,
+                       const results::JobRecord& record,
+                       const std::filesystem::path& run_folder) {
+  const auto scene_file = replicas_of(plan, job, run_folder).front().scene_file;
+  auto hash = content_hash("");
+  for (const auto& file : {scene_file, run_folder / record.files.image})
+    if (no_file_problem(file).empty()) hash = content_hash(hash_text(content_hash(read_file(file))), hash);
+  return hash_text(hash);
 }
+
+namespace {
+
+// Outcomes that may have had their cause in the machine, and not in the renderer.
+bool is_worth_another_try(results::JobOutcome outcome) {
+  using results::JobOutcome;
+  switch (outcome) {
+    case JobOutcome::Crash:
+    case JobOutcome::Timeout:
+    case JobOutcome::OutOfMemory:
+    case JobOutcome::NoOutput:
+    case JobOutcome::Unreadable:
+    case JobOutcome::Stale:
+    case JobOutcome::Skipped:
+      return true;
+    case JobOutcome::Image:
+    case JobOutcome::Unsupported:
+    case JobOutcome::InvalidPixels:
+    case JobOutcome::WrongChannels:
+    case JobOutcome::WrongSize:
+      return false;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now) {
   if (found.identity.id != now.identity.id) return "its samples or its seed have changed";
@@ -72,10 +103,16 @@ std::optional<std::string> why_outdated(const results::JobRecord& found, const r
   if (found.program.version != now.program.version)
     return fmt::format("it was rendered by '{}', now there is '{}'", found.program.version,
                        now.program.version);
-  if (found.hashes.settings != now.hashes.settings)
-    return "its program, command, environment or threads have changed";
+  if (found.hashes.settings != now.hashes.settings) return "its command, environment or threads have changed";
+  if (found.hashes.program != now.hashes.program)
+    return "its program, or a file that its command names, has changed";
+  if (found.hashes.files != now.hashes.files)
+    return "its scene file or image in the folder of the run has changed";
   // An image that was finished within the old limits is the same under new ones.
   if (!has_image(found) && found.hashes.limits != now.hashes.limits) return "its limits have changed";
+  if (is_worth_another_try(found.end.outcome))
+    return fmt::format("it ended without an image ({}) and is tried again",
+                       job_outcome_name(found.end.outcome));
   return std::nullopt;
 }
 

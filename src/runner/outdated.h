@@ -1,8 +1,10 @@
 #pragma once
 
+#include "judge/reference.h"
 #include "results/record.h"
 #include "runner/plan.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -19,17 +21,23 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job);
 /// Hash of what may end a render without an image: time, memory, size of its files.
 std::string limits_hash(const Plan& plan, const PlannedJob& job);
 
-/// Hash of what the images of the job at `index` are judged by: cases, references, this version of orbs.
-std::string judged_hash(const Plan& plan, std::size_t index, const std::string& orbs_version);
+/// Hash of what the images of the job at `index` are judged by: cases, references as they were copied, this
+/// version of orbs.
+std::string judged_hash(const Plan& plan,
+                        std::size_t index,
+                        const judge::ReferenceCopies& references,
+                        const std::string& orbs_version);
 
-/// Fills the four hashes into the record.
-void note_hashes(const Plan& plan,
-                 std::size_t index,
-                 const std::string& orbs_version,
-                 results::JobRecord& record);
+/// Hash of the scene file and of the image of a complete render whose folder is below `run_folder`; a file
+/// that is not there counts as empty.
+std::string files_hash(const Plan& plan,
+                       const PlannedJob& job,
+                       const results::JobRecord& record,
+                       const std::filesystem::path& run_folder);
 
 /// Why an existing render must be rendered again ("its scene has changed"); nothing when it need not. `now`
-/// is its record with today's hashes and renderer version.
+/// is its record with today's hashes and renderer version. A crash, a timeout or a missing image may have had
+/// its cause in the machine and is always tried again.
 std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now);
 
 }  // namespace orbs::runner

@@ -9,6 +9,7 @@
 #include "runner/host.h"
 #include "runner/judge_targets.h"
 #include "runner/outdated.h"
+#include "runner/program_hash.h"
 
 #include <mutex>
 #include <optional>
@@ -104,14 +105,18 @@ class JobRunner {
         folders_(folders),
         context_(context),
         judged_{std::vector<JobRecord>(plan.jobs.size()),
-                std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {}
+                std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {
+    for (const auto& renderer : plan.renderers)
+      programs_.push_back(program_hash(renderer, plan, file_hashes_));
+    for (std::size_t index = 0; index < plan.jobs.size(); ++index)
+      at_start_.push_back(record_at_start(index));
+  }
 
   void run_or_keep(std::size_t index) {
     const auto& job = plan_.jobs[index];
-    auto now = skipped_record(plan_, job);
-    now.program.version = versions_[job.renderer];
-    note_hashes(plan_, index, context_.orbs_version, now);
+    auto now = at_start_[index];
     auto found = found_job(folders_.run / job.folder);
+    if (found) now.hashes.files = files_hash(plan_, job, found->job, folders_.run);
     auto reason = found ? why_outdated(found->job, now) : std::nullopt;
     if (found && !reason && found->job.hashes.judged == now.hashes.judged &&
         found->targets.size() == targets_of(plan_, index)) {
@@ -130,9 +135,32 @@ class JobRunner {
   JudgedJobs take() { return std::move(judged_); }
 
  private:
+  // Everything that the render depends on is hashed before the first render starts. A file that is replaced
+  // later then differs from its hash, and --resume notices.
+  JobRecord record_at_start(std::size_t index) const {
+    const auto& job = plan_.jobs[index];
+    auto record = skipped_record(plan_, job);
+    record.program.version = versions_[job.renderer];
+    record.hashes = {scene_hash(plan_, job),
+                     programs_[job.renderer],
+                     "",
+                     settings_hash(plan_, job),
+                     limits_hash(plan_, job),
+                     judged_hash(plan_, index, folders_.references, context_.orbs_version)};
+    return record;
+  }
+
   Execution render(const PlannedJob& job) {
     auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
     execution.record.cost.host = host_;
+    execution.record.hashes.program = programs_[job.renderer];
+    if (program_hash(plan_.renderers[job.renderer], plan_, file_hashes_) != programs_[job.renderer]) {
+      execution.record.hashes.program = "";
+      say(
+          fmt::format("{} {}: its program, or a file that its command names, has changed since the run "
+                      "started; --resume renders it again",
+                      execution.record.identity.renderer, execution.record.identity.scene));
+    }
     return execution;
   }
 
@@ -160,7 +188,11 @@ class JobRunner {
     }
     if (!has_image(execution.record) && execution.record.end.outcome != JobOutcome::Unsupported)
       refuse_full_disk(folders_.run);
+    const auto program = execution.record.hashes.program;
     execution.record.hashes = now.hashes;
+    execution.record.hashes.program = program;
+    execution.record.hashes.files =
+        files_hash(plan_, plan_.jobs[index], execution.record, folders_.unfinished);
     make_folder(folders_.unfinished / folder);
     judged_.targets[index] = judge_scene(plan_, index, execution, folders_);
     write_file(folders_.unfinished / folder / "job.json",
@@ -187,6 +219,9 @@ class JobRunner {
   const WorkFolders& folders_;
   const RenderContext& context_;
   const results::Host host_ = this_host();
+  FileHashes file_hashes_;
+  std::vector<std::string> programs_;  // by renderer: its program_hash
+  std::vector<JobRecord> at_start_;    // by job
   JudgedJobs judged_;
   std::mutex mutex_;
   std::size_t done_ = 0;

@@ -7,19 +7,35 @@
 #include "json/document.h"
 #include "json/object_reader.h"
 
+#include <map>
+
 namespace orbs::runner {
 
 namespace {
 
-// One group holds seconds; two minutes and seconds; three hours, minutes and seconds.
+// Seconds in the units of time that programs write.
+const std::map<std::string, double>& unit_seconds() {
+  static const std::map<std::string, double> kUnits{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1},    {"m", 60},
+                                                    {"min", 60},  {"h", 3600},  {"d", 86400}};
+  return kUnits;
+}
+
+// A number has its unit in the group behind it; without units one number is seconds, two are minutes and
+// seconds, three hours, minutes and seconds.
 std::optional<double> in_output(const std::string& pattern, const std::string& output) {
   const auto groups = Pattern(pattern).last_match(output);
   if (groups.empty()) return std::nullopt;
   double sum = 0;
-  for (const auto& group : groups) {
-    const auto number = to_number(trim(group));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto number = to_number(trim(groups[i]));
     if (!number) return std::nullopt;
-    sum = 60 * sum + *number;
+    const auto unit = i + 1 < groups.size() ? unit_seconds().find(groups[i + 1]) : unit_seconds().end();
+    if (unit == unit_seconds().end()) {
+      sum = 60 * sum + *number;
+    } else {
+      sum += *number * unit->second;
+      ++i;
+    }
   }
   return sum;
 }

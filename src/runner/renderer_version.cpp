@@ -2,12 +2,24 @@
 
 #include "adapters/process/process.h"
 #include "adapters/process/programs.h"
+#include "base/pattern.h"
 #include "base/text.h"
 #include "registry/placeholders.h"
 
 #include <fmt/format.h>
 
 namespace orbs::runner {
+
+namespace {
+
+// "" where the line says no version.
+std::string version_in(const std::string& line, const std::string& pattern) {
+  if (pattern.empty()) return line;
+  const auto groups = Pattern(pattern).last_match(line);
+  return groups.empty() ? "" : groups.front();
+}
+
+}  // namespace
 
 std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   constexpr double kLimit_seconds = 30;
@@ -25,13 +37,13 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   const auto process = adapters::run_process(request);
   if (process.cause == supervisor::Cause::WallTime)
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
+  const auto& pattern = renderer.entry.version_pattern;
   for (const auto& line : split(process.output, '\n'))
-    if (const auto text = trim(line); !text.empty() && text.starts_with(renderer.entry.version_prefix))
-      return clean_text(text);
-  return renderer.entry.version_prefix.empty()
+    if (const auto version = version_in(std::string(trim(line)), pattern); !version.empty())
+      return clean_text(version);
+  return pattern.empty()
              ? "unknown: its version command prints nothing"
-             : fmt::format("unknown: its version command prints no line that starts '{}'",
-                           renderer.entry.version_prefix);
+             : fmt::format("unknown: its version command prints no line that matches '{}'", pattern);
 }
 
 }  // namespace orbs::runner

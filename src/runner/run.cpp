@@ -88,10 +88,13 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   const results::RunLock lock(folder);
   write_run_file(context.file, folder);
   const results::WorkFolder work_folder(folder);
-  const WorkFolders folders{folder, work_folder.path()};
+  WorkFolders folders{folder, work_folder.path(), {}};
+  folders.references = judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes,
+                                              folders.unfinished / kReferenceFolder);
+  put_in_place(folders.unfinished / kReferenceFolder, folder / kReferenceFolder);
+  folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) versions.push_back(renderer_version(renderer, plan));
-  judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes, folder / kReferenceFolder);
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
   auto judged = render_jobs(plan, versions, folders, context.rendering);

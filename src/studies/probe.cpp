@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/scratch_folder.h"
 #include "base/text.h"
+#include "metrics/seeds.h"
+#include "registry/placeholders.h"
 #include "runner/render_once.h"
 #include "studies/probe_report.h"
 
@@ -21,6 +23,37 @@ struct ProbeInputs {
   const std::filesystem::path& scratch;
 };
 
+// The renderer as if it declared the lamps and the plain emission that an id pass is made of: a new entry
+// that declares no more than M1 can be probed, too. Textured emission is left to those that declare it.
+runner::ChosenRenderer with_emission(runner::ChosenRenderer renderer) {
+  for (const auto* requirement : {"M2", "L1", "L2"}) {
+    const auto code = registry::parse_requirement(requirement);
+    renderer.entry.declares[code.group].insert(code.level);
+  }
+  return renderer;
+}
+
+// With the variances that the renderer writes, or else with those that two seeds give. Nothing when stopped.
+std::optional<image::Image> render_with_noise(const ProbeInputs& inputs,
+                                              const runner::PreparedRender& subject) {
+  std::vector<image::Image> replicas;
+  const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command, "seed");
+  for (const int seed : {1, 2}) {
+    // Noise of colours may be negative where the colour is dark.
+    const auto made = runner::render_once(subject,
+                                          {.spp = inputs.settings.spp,
+                                           .seed = seed,
+                                           .threads = inputs.settings.threads,
+                                           .may_be_negative = true},
+                                          inputs.context.stop);
+    if (!made) return std::nullopt;
+    replicas.push_back(made->image);
+    if (!has_seed || image::channel_index(made->image, "variance.R") >= 0) break;
+  }
+  return replicas.size() == 1 || metrics::are_equal(replicas) ? replicas.front()
+                                                              : metrics::mean_and_variance_of(replicas);
+}
+
 template <typename Compare>
 ProbeImage render_pass(const ProbeInputs& inputs,
                        const runner::ChosenRenderer& renderer,
@@ -36,13 +69,12 @@ ProbeImage render_pass(const ProbeInputs& inputs,
     const auto folder = inputs.scratch / renderer.entry.name;
     std::filesystem::remove_all(folder);
     const auto subject = runner::prepare_render(renderer, inputs.plan, scene, folder);
-    const auto made =
-        runner::render_once(subject, {inputs.settings.spp, 1, inputs.settings.threads}, inputs.context.stop);
-    if (!made) {
+    const auto image = render_with_noise(inputs, subject);
+    if (!image) {
       taken.no_image = "was stopped";
       return taken;
     }
-    taken.findings = compare(made->image);
+    taken.findings = compare(*image);
   } catch (const InputError& e) {
     taken.no_image = split(e.what(), '\n').front();
   }
@@ -59,8 +91,9 @@ void probe_scene(const ProbeInputs& inputs,
   const auto probe = make_id_pass(*planned.scene, inputs.settings.most_px);
   const auto surfaces = primary_visibility(probe.scene, {}, inputs.settings.threads);
   const auto uv_scene = make_uv_pass(probe, inputs.scratch / "ramp.exr");
-  for (const auto& renderer : inputs.plan.renderers) {
+  for (const auto& chosen : inputs.plan.renderers) {
     if (is_stopped(inputs.context)) return;
+    const auto renderer = with_emission(chosen);
     ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
     for (const auto& object : probe.objects) record.object_names.push_back(object.name);
     if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {

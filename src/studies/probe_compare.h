@@ -4,6 +4,7 @@
 #include "studies/primary_visibility.h"
 #include "studies/probe_scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,15 @@ struct Mismatch {
 };
 
 struct ProbeFindings {
-  int compared = 0;                  // pixels that one object covers completely
-  std::vector<Mismatch> mismatches;  // those of most pixels first
+  int compared = 0;                      // pixels that one object covers completely
+  std::vector<Mismatch> mismatches;      // those of most pixels first
+  int cracks = 0;                        // single pixels that show something behind; not among the mismatches
+  std::optional<double> needed_samples;  // so many times more, since noise hides what is compared
 };
 
 /// Compares the image of the id pass. A pixel counts if all its points see the same object, because then a
-/// pixel filter no wider than one pixel can only give that object's colour.
+/// pixel filter no wider than one pixel can only give that object's colour. Both comparisons leave room for
+/// the noise that the image's variances state.
 ProbeFindings compare_id_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
                               const image::Image& image);

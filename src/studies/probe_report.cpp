@@ -30,6 +30,13 @@ std::string differs(const char* what, const ProbeRecord& record, const ProbeFind
                      rest == 0 ? "" : fmt::format("; and {} more", rest));
 }
 
+std::string undecided(const ProbeImage& image) {
+  return image.findings.needed_samples
+             ? fmt::format("noise hides what is compared: needs about {:.2g} times the samples (--spp)",
+                           *image.findings.needed_samples)
+             : "";
+}
+
 // The fault that the image shows; "" if it shows none.
 std::string fault(const char* what, const ProbeRecord& record, const ProbeImage& image) {
   if (!image.no_image.empty()) return image.no_image;
@@ -40,7 +47,9 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
   out.key(name).begin_object();
   if (!image.unsupported.empty()) out.member("unsupported", image.unsupported);
   if (!image.no_image.empty()) out.member("no_image", image.no_image);
-  out.member("compared_pixels", image.findings.compared).key("mismatches").begin_array();
+  out.member("compared_pixels", image.findings.compared).member("crack_pixels", image.findings.cracks);
+  if (image.findings.needed_samples) out.member("times_the_samples_needed", *image.findings.needed_samples);
+  out.key("mismatches").begin_array();
   for (const auto& mismatch : image.findings.mismatches)
     out.begin_object()
         .member("object", object_name(record, mismatch.object))
@@ -54,20 +63,28 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
 
 }  // namespace
 
-bool is_mapped_right(const ProbeRecord& record) {
-  return fault("", record, record.id_pass).empty() && fault("", record, record.uv_pass).empty();
+ProbeVerdict probe_verdict(const ProbeRecord& record) {
+  if (!record.id_pass.unsupported.empty()) return ProbeVerdict::NotChecked;
+  if (!fault("", record, record.id_pass).empty() || !fault("", record, record.uv_pass).empty())
+    return ProbeVerdict::Wrong;
+  return undecided(record.id_pass).empty() && undecided(record.uv_pass).empty() ? ProbeVerdict::Right
+                                                                                : ProbeVerdict::NotChecked;
 }
 
 std::string probe_message(const ProbeRecord& record) {
-  if (!record.id_pass.unsupported.empty()) return "unsupported: " + record.id_pass.unsupported;
+  if (!record.id_pass.unsupported.empty()) return "not checked: " + record.id_pass.unsupported;
   const auto id_fault = fault("scene mapping differs", record, record.id_pass);
   if (!id_fault.empty()) return id_fault;
   const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
   if (!uv_fault.empty()) return uv_fault;
-  return fmt::format("ok, {} pixels, {}", record.id_pass.findings.compared,
+  for (const auto* image : {&record.id_pass, &record.uv_pass})
+    if (const auto reason = undecided(*image); !reason.empty()) return "not checked: " + reason;
+  const int cracks = record.id_pass.findings.cracks;
+  return fmt::format("ok, {} pixels{}, {}", record.id_pass.findings.compared,
+                     cracks == 0 ? "" : fmt::format(" ({} of them at cracks between triangles)", cracks),
                      record.uv_pass.unsupported.empty()
                          ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
-                         : "texture coordinates unsupported: " + record.uv_pass.unsupported);
+                         : "texture coordinates not checked: " + record.uv_pass.unsupported);
 }
 
 std::string probe_json(const std::vector<ProbeRecord>& records) {
@@ -77,7 +94,8 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
     out.begin_object()
         .member("scene", record.scene)
         .member("renderer", record.renderer)
-        .member("ok", is_mapped_right(record))
+        .member("checked", probe_verdict(record) != ProbeVerdict::NotChecked)
+        .member("ok", probe_verdict(record) == ProbeVerdict::Right)
         .member("reason", probe_message(record));
     put_image(out, "id_pass", record, record.id_pass);
     put_image(out, "uv_pass", record, record.uv_pass);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include <sys/types.h>
@@ -11,19 +10,12 @@ namespace orbs::supervisor {
 
 struct Descendant {
   pid_t pid = 0;
-  bool is_zombie = false;
+  pid_t parent = 0;
+  bool is_zombie = false;  // no thread of it runs any more; its main thread may end long before the others
   double cpu_seconds = 0;  // its own, and those of the children that it has reaped
 };
 
 /// All processes below `ancestor`, zombies too.
 std::vector<Descendant> descendants_of(pid_t ancestor);
-
-struct Memory {
-  std::size_t resident_bytes = 0;
-  std::size_t unbacked_bytes = 0;  // of these, bytes that no file backs
-};
-
-/// Of one process now; zeros when it is gone.
-Memory memory_of(pid_t pid);
 
 }  // namespace orbs::supervisor

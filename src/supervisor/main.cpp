@@ -5,12 +5,14 @@
 #include "base/text.h"
 #include "supervisor/supervise.h"
 
+#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 namespace {
@@ -53,6 +55,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   ::fcntl(kReport, F_SETFD, FD_CLOEXEC);
+  ::prctl(PR_SET_PDEATHSIG, SIGCONT);  // should we be stopped when orbs is killed
   const auto text = orbs::supervisor::report_text(orbs::supervisor::supervise(command, STDIN_FILENO));
   return ::write(kReport, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1;
 }

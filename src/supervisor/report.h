@@ -21,8 +21,8 @@ struct Report {
   double wall_seconds = 0;            // from its start to the end of the command itself
   double user_seconds = 0;            // of it and all its descendants
   double system_seconds = 0;          // likewise
-  std::size_t peak_rss_bytes = 0;     // of the largest process (the kernel's count), or of all together when
-                                      // seen larger
+  std::size_t peak_rss_bytes = 0;     // of the largest process (the kernel's count), or of all together with
+                                      // their files in memory when seen larger; shared pages count once
   int left_behind = 0;                // processes that outlived the command
   double supervisor_cpu_seconds = 0;  // of the supervisor itself
 };

@@ -2,6 +2,7 @@
 
 #include "supervisor/descendants.h"
 #include "supervisor/folder_size.h"
+#include "supervisor/memory.h"
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,6 @@ constexpr double kPollShare = 0.005;
 constexpr double kShortestWait_seconds = 0.01;
 constexpr double kLongestWait_seconds = 0.5;
 
-// For a process that SIGKILL does not end: it hangs in the kernel, for example on a network disk that is
-// gone.
-constexpr double kGiveUp_seconds = 10;
-
 double to_seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
@@ -46,6 +43,7 @@ struct Supervision {
   double terminated_at = -1;
   double next_poll_at = kShortestWait_seconds;
   std::size_t folder_at_start = 0;
+  MemoryWatch memory = {};
   Report report = {};
 
   double now() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -58,7 +56,6 @@ void record_exit(Supervision& state, int status) {
   if (!WIFSIGNALED(status)) return;
   state.report.signal = WTERMSIG(status);
   state.report.core_dumped = WCOREDUMP(status);
-  if (state.report.signal == SIGXFSZ) state.report.cause = Cause::Output;
 }
 
 void reap_children(Supervision& state) {
@@ -84,24 +81,21 @@ void terminate(Supervision& state, Cause cause) {
   signal_all(SIGTERM);
 }
 
+bool has_written_more_than(const Supervision& state, std::size_t bytes) {
+  return !state.command.folder.empty() && folder_size(state.command.folder) > state.folder_at_start + bytes;
+}
+
 void poll_usage(Supervision& state) {
   const double begin = state.now();
   const auto& limits = state.command.limits;
   rusage collected{};
   ::getrusage(RUSAGE_CHILDREN, &collected);
   double cpu_seconds = to_seconds(collected.ru_utime) + to_seconds(collected.ru_stime);
-  Memory memory;
-  for (const auto& process : descendants_of(::getpid())) {
-    cpu_seconds += process.cpu_seconds;
-    const auto of_this = memory_of(process.pid);
-    memory.resident_bytes += of_this.resident_bytes;
-    memory.unbacked_bytes += of_this.unbacked_bytes;
-  }
-  state.report.peak_rss_bytes = std::max(state.report.peak_rss_bytes, memory.resident_bytes);
+  const auto processes = descendants_of(::getpid());
+  for (const auto& process : processes) cpu_seconds += process.cpu_seconds;
   if (limits.cpu_seconds && cpu_seconds >= *limits.cpu_seconds) terminate(state, Cause::CpuTime);
-  if (limits.memory_bytes && memory.unbacked_bytes > *limits.memory_bytes) terminate(state, Cause::Memory);
-  if (limits.output_bytes && !state.command.folder.empty() &&
-      folder_size(state.command.folder) > state.folder_at_start + *limits.output_bytes)
+  if (exceeds_memory(state.memory, processes, limits.memory_bytes)) terminate(state, Cause::Memory);
+  if (limits.output_bytes && has_written_more_than(state, *limits.output_bytes))
     terminate(state, Cause::Output);
   const double end = state.now();
   state.next_poll_at =
@@ -161,13 +155,22 @@ void kill_survivors(Supervision& state, int signals) {
   }
 }
 
+// The command may have written a burst between the last poll and its end. The kernel raises SIGXFSZ when a
+// file would outgrow the limit, and leaves it at that size; anybody can raise it without having written.
+void record_output(Supervision& state) {
+  const auto limit = state.command.limits.output_bytes;
+  if (state.report.cause != Cause::Nothing || !limit) return;
+  const std::size_t cut = state.report.signal == SIGXFSZ && *limit > 0 ? 1 : 0;
+  if (has_written_more_than(state, *limit - cut)) state.report.cause = Cause::Output;
+}
+
 void record_usage(Supervision& state) {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
   state.report.user_seconds = to_seconds(usage.ru_utime);
   state.report.system_seconds = to_seconds(usage.ru_stime);
   state.report.peak_rss_bytes =
-      std::max(state.report.peak_rss_bytes, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
+      std::max(state.memory.peak_bytes, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
   ::getrusage(RUSAGE_SELF, &usage);
   state.report.supervisor_cpu_seconds = to_seconds(usage.ru_utime) + to_seconds(usage.ru_stime);
 }
@@ -195,10 +198,7 @@ Report supervise(const Command& command, int control) {
     if (state.terminated_at >= 0 && state.now() >= state.terminated_at + command.limits.grace_seconds) break;
   }
   kill_survivors(state, signals);
-  // The command may have written a burst between the last poll and its end.
-  if (state.report.cause == Cause::Nothing && command.limits.output_bytes && !command.folder.empty() &&
-      folder_size(command.folder) > state.folder_at_start + *command.limits.output_bytes)
-    state.report.cause = Cause::Output;
+  record_output(state);
   if (!state.has_ended) state.report.wall_seconds = state.now();
   record_usage(state);
   ::close(signals);

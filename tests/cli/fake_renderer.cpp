@@ -19,6 +19,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,17 +70,38 @@ void hang_with_child() {
 }
 
 // One that has left for a session of its own, as a daemon would.
-void leave_child_in_own_session() {
+void leave_child_in_own_session(void (*behave)()) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::setsid();
     if (::fork() == 0) {
-      std::ofstream("child.txt") << ::getpid();
-      hang();
+      std::ofstream("child.txt") << ::getpid() << '\n';
+      behave();
     }
     ::_exit(0);
   }
   ::waitpid(child, nullptr, 0);
+}
+
+// The kernel shows the process as a zombie from then on, although the thread goes on.
+[[noreturn]] void end_main_thread(void (*in_another_thread)()) {
+  std::thread(in_another_thread).detach();
+  ::syscall(SYS_exit, 0);
+  std::abort();
+}
+
+char state_of(pid_t pid) {
+  std::ifstream stat(fmt::format("/proc/{}/stat", pid));
+  std::string text;
+  std::getline(stat, text);
+  return text.empty() ? ' ' : text.at(text.rfind(')') + 2);
+}
+
+// A daemon that looks like a zombie when we end.
+void leave_daemon_without_main_thread() {
+  leave_child_in_own_session([] { end_main_thread(hang); });
+  pid_t daemon = 0;
+  while (!(std::ifstream("child.txt") >> daemon) || state_of(daemon) != 'Z') std::this_thread::yield();
 }
 
 void print_much() {
@@ -90,6 +114,34 @@ void leak_memory() {
   std::vector<std::string> parts;
   for (int part = 0; part < 64; ++part) parts.emplace_back(kPart, 'x');
   hang();
+}
+
+// Memory that no process has mapped.
+void leak_to_memfd() {
+  const std::string part(16 << 20, 'x');
+  const int file = ::memfd_create("fake", 0);
+  for (int written = 0; written < 32; ++written)
+    if (::write(file, part.data(), part.size()) < 0) std::abort();
+  hang();
+}
+
+int wait_a_while(void*) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  return 0;
+}
+
+// Each page is there once: a child has the same memory, as between vfork and exec, then others share it, as
+// after fork. Long enough for the supervisor to look at both.
+void share_pages() {
+  const std::string pages(150 << 20, 'x');
+  std::vector<char> stack(1 << 20);
+  const pid_t same =
+      ::clone(wait_a_while, stack.data() + stack.size(), CLONE_VM | CLONE_VFORK | SIGCHLD, nullptr);
+  ::waitpid(same, nullptr, 0);
+  for (int child = 0; child < 4; ++child)
+    if (::fork() == 0) hang();
+  wait_a_while(nullptr);
+  if (pages.back() != 'x') std::abort();
 }
 
 void burn_processor_time() {
@@ -159,8 +211,13 @@ void misbehave(const std::string& mode) {
     hang();
   }
   if (mode == "hang-with-child") hang_with_child();
-  if (mode == "leave-child") leave_child_in_own_session();
+  if (mode == "leave-child") leave_child_in_own_session(hang);
   if (mode == "leak") leak_memory();
+  if (mode == "leak-to-memfd") leak_to_memfd();
+  if (mode == "shared-pages") share_pages();
+  if (mode == "main-thread-ends") end_main_thread(hang);
+  if (mode == "main-thread-ends-leak") end_main_thread(leak_memory);
+  if (mode == "main-thread-ends-daemon") leave_daemon_without_main_thread();
   if (mode == "burn") burn_processor_time();
   if (mode == "fill-file") fill_disk(1, 8 << 20);
   if (mode == "fill-files") fill_disk(64, 1 << 17);

@@ -30,6 +30,9 @@ constexpr Fault kFaults[]{
     {"hang-with-child", "timeout", "was ended after its time limit of 4 s"},
     {"burn", "timeout", "was ended after 0.3 s of processor time, its limit"},
     {"leak", "out of memory", "was ended because it took more than its 200 MB of memory"},
+    {"leak-to-memfd", "out of memory", "was ended because it took more than its 200 MB of memory"},
+    {"main-thread-ends", "timeout", "was ended after its time limit of 0.3 s"},
+    {"main-thread-ends-leak", "out of memory", "was ended because it took more than its 200 MB of memory"},
     {"fill-file", "crash", "was ended because it wrote more than its 4 MB of files"},
     {"fill-files", "crash", "was ended because it wrote more than its 4 MB of files"},
     {"nothing", "no output", "wrote no result.exr"},
@@ -40,7 +43,7 @@ constexpr Fault kFaults[]{
     {"old", "stale", "result.exr is older than its render"},
     {"replace-own-folder", "no output", "wrote no result.exr"},
     {"coloured", "crash",
-     "ended with exit code 3; its last words: \uFFFD[31mfake: \uFFFD cannot read sun.txt"},
+     "ended with exit code 3; its last words: fake: \uFFFD cannot read sun.txt"},
     {"other-scene", "stale", "result.exr is an image of another scene"},
     {"other-job", "stale", "result.exr is of another render"},
     {"wrong-size", "wrong size", "result.exr is 6 x 8 pixels, expected 12 x 8"},
@@ -56,6 +59,8 @@ constexpr Fault kFaults[]{
     {"dark", "fail", "psnr_srgb8 is 12.01 dB, at least 35 is needed"},
     // No fault of the image, and no harm to the run.
     {"leave-child", "pass", ""},
+    {"main-thread-ends-daemon", "pass", ""},
+    {"shared-pages", "pass", ""},
     {"litter", "pass", ""},
     {"noisy-litter", "inconclusive", "noise"},
     {"much", "pass", ""},
@@ -99,13 +104,22 @@ TEST(Faults, EachGetsItsVerdictAndTheOthersGoOn) {
 
 TEST(Faults, NoChildOutlivesItsRenderNotEvenInAnotherSession) {
   const Sandbox sandbox;
-  for (const char* mode : {"hang-with-child", "leave-child"}) {
+  for (const char* mode : {"hang-with-child", "leave-child", "main-thread-ends-daemon"}) {
     sandbox.orbs(run_of(mode));
     const auto file = std::string("out/") + mode + "/grey/child.txt";
     const auto child = static_cast<pid_t>(std::stoi(sandbox.read(file)));
     EXPECT_NE(::kill(child, 0), 0) << mode;
     std::filesystem::remove_all(sandbox.folder() / "out");
   }
+}
+
+// Nobody gives up on it: the supervisor would after 10 s.
+TEST(Faults, ThreadsThatOutliveTheMainThreadAreEndedAtOnce) {
+  const Sandbox sandbox;
+  sandbox.orbs(run_of("main-thread-ends"));
+  const auto file = results::read_job_file(sandbox.folder() / "out/main-thread-ends/grey/job.json");
+  EXPECT_EQ(file.job.end.signal, "SIGTERM");
+  EXPECT_LT(file.job.cost.wall_seconds, 10);
 }
 
 TEST(Faults, OneColourAllOverIsAFaultUnlessTheReferenceHasOneToo) {

@@ -38,7 +38,29 @@ TEST(ProbeCommand, NamesWhatAWrongCameraMoved) {
   const auto answer = sandbox.orbs({"probe", "-s", "078", "--size", "64"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("scene mapping differs: "), std::string::npos) << answer.text;
-  EXPECT_NE(answer.text.find("1 of 1 are not right"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("0 of 1 are right, 1 not right"), std::string::npos) << answer.text;
+}
+
+// Its converter gets an emissive scene all the same.
+TEST(ProbeCommand, AsksNoDeclarationOfEmission) {
+  const Sandbox sandbox;
+  auto text = configuration_with_mistake("cat");
+  text.replace(text.find("G5/M8/L4/A4"), 11, "G5/M1");
+  sandbox.write("configuration.json", text);
+  const auto answer = sandbox.orbs({"probe", "-s", "101", "--size", "64"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("texture coordinates not checked: "), std::string::npos) << answer.text;
+}
+
+TEST(ProbeCommand, NothingCheckedIsNothingRight) {
+  const Sandbox sandbox;
+  auto text = configuration_with_mistake("cat");
+  text.replace(text.find("\"declares\""), 0, R"("scene_format": "native", "native_scenes": "own", )");
+  sandbox.write("configuration.json", text);
+  const auto answer = sandbox.orbs({"probe", "-s", "101", "--size", "64", "-o", "probe.json"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_NE(answer.text.find("0 of 1 are right, 1 not checked"), std::string::npos) << answer.text;
+  EXPECT_NE(sandbox.read("probe.json").find("\"checked\": false"), std::string::npos);
 }
 
 TEST(ProbeCommand, SaysHowARendererFailed) {

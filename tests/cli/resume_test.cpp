@@ -101,7 +101,7 @@ TEST(Resume, RendersAgainWhatHasAnotherSceneOrCommand) {
   replace_in(sandbox, "configuration.json", R"("--mode", "good")", R"("--mode", "complain")");
   const auto answer = resume(sandbox);
   EXPECT_TRUE(contains(answer.text, "dark grey: its scene has changed")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "good mirror: its program, command, environment or threads"))
+  EXPECT_TRUE(contains(answer.text, "good mirror: its command, environment or threads"))
       << answer.text;
   EXPECT_FALSE(contains(answer.text, "dark mirror:")) << answer.text;
   EXPECT_EQ(rendered_at(sandbox, "dark/mirror"), kept);

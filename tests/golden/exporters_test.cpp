@@ -1,5 +1,6 @@
 #include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/mitsuba.h"
+#include "adapters/pbrt/bands.h"
 #include "adapters/pbrt/limits.h"
 #include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
@@ -8,8 +9,10 @@
 #include "image/image_io.h"
 #include "scene/generators.h"
 #include "scene/load_scene.h"
+#include "scene/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -104,7 +107,7 @@ void expect_same_camera(const scene::Scene& scene, const tests::ReadScene& read)
   EXPECT_EQ(read.width_px, scene.camera.width_px);
   EXPECT_EQ(read.height_px, scene.camera.height_px);
   EXPECT_EQ(read.trace_depth, scene.trace_depth);
-  EXPECT_EQ(read.environment, scene.environment);
+  expect_near(read.environment, scene.environment, 1e-6 * length(scene.environment), "environment");
 }
 
 double area_m2(const scene::Light& light) {
@@ -122,7 +125,7 @@ void expect_same_lights(const scene::Scene& scene, const tests::ReadScene& read)
   ASSERT_EQ(read.lights.size(), scene.lights.size());
   for (std::size_t i = 0; i < read.lights.size(); ++i) {
     const scene::Light& light = scene.lights[i];
-    EXPECT_EQ(read.lights[i].radiance, light.radiance);
+    expect_near(read.lights[i].radiance, light.radiance, 1e-6 * length(light.radiance), "radiance");
     EXPECT_NEAR(read.lights[i].area_m2, area_m2(light), 1e-9 * area_m2(light));
     expect_near(read.lights[i].centre, transform_point(light.matrix, {}), 1e-12, "centre");
     if (std::holds_alternative<scene::SphereShape>(light.shape)) continue;
@@ -191,7 +194,7 @@ TEST_P(Exported, UprightImageAndMirroredThingsReadBack) {
   expect_same_camera(scene, read);
   expect_same_lights(scene, read);
   expect_same_surfaces(scene, read);
-  EXPECT_EQ(read.emission.at("material0"), (scene::RgbColour{1, 2, 3}));
+  expect_near(read.emission.at("material0"), {1, 2, 3}, 1e-5, "emission");
 }
 
 TEST_P(Exported, SameSceneGivesTheSameText) {
@@ -208,22 +211,34 @@ TEST_P(Exported, TexturesAreLinearImagesWithTheColourMultipliedIn) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const auto* lambert = std::get_if<scene::Lambert>(&scene.materials[i].model);
     if (lambert == nullptr || lambert->reflectance.x != 0.95) continue;  // red times a checker with white
-    const auto image = image::read_image(folder_ / fmt::format("scene-material{}.exr", i));
-    EXPECT_EQ(image.at(0, image.height - 1, 0), 0.95F);
-    EXPECT_EQ(image.at(0, image.height - 1, 1), 0.05F);
-    EXPECT_EQ(image.at(0, 0, 0), 0.0F);  // the upper left field is black
+    const bool is_split = GetParam().name == "pbrt";  // into an image for each of R, G and B
+    const auto texel = [&](int x, int y, std::size_t c) {
+      const char* const channel[]{"-r", "-g", "-b"};
+      const auto image =
+          image::read_image(folder_ / fmt::format("scene-material{}{}.exr", i, is_split ? channel[c] : ""));
+      return image.at(x, y < 0 ? image.height - 1 : y, is_split ? 0 : c);
+    };
+    EXPECT_EQ(texel(0, -1, 0), 0.95F);
+    EXPECT_EQ(texel(0, -1, 1), 0.05F);
+    EXPECT_EQ(texel(0, 0, 0), 0.0F);  // the upper left field is black
     return;
   }
   FAIL() << "no red material";
 }
 
+class MitsubaEmission : public testing::Test {
+ protected:
+  ScratchFolder scratch_{"orbs-mitsuba-emission"};
+};
+
 // The back of Mitsuba's emitters is dark: nobody sees it on a closed mesh from outside.
 TEST(MitsubaLimits, EmissionNeedsAClosedMeshSeenFromOutside) {
   scene::Scene scene;
-  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}};
-  scene.meshes = {scene::make_cube({1})};
+  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}, {"grey", scene::Lambert{{0.5, 0.5, 0.5}, {}}}};
+  scene.meshes = {scene::make_cube({1}), scene::make_cube({1})};
   scene.meshes[0].triangle_materials.assign(12, 0);
-  scene.instances = {{"i", 0, scaling({2, 2, 2}), {}}};
+  scene.meshes[1].triangle_materials.assign(12, 1);
+  scene.instances = {{"i", 0, scaling({2, 2, 2}), {}}, {"lit", 1, translation({9, 0, 0}), {}}};
   scene.camera.position_m = {0, 0, 2.1};
   EXPECT_TRUE(adapters::mitsuba_limits(scene).empty());
   scene.camera.position_m = {0, 0, 1.9};
@@ -235,6 +250,32 @@ TEST(MitsubaLimits, EmissionNeedsAClosedMeshSeenFromOutside) {
   EXPECT_EQ(adapters::mitsuba_limits(scene).size(), 1U);
 }
 
+// As in an id pass: the winding that the camera sees is right, whatever the mesh.
+TEST_F(MitsubaEmission, OfAnOpenMeshFacesTheCameraThatAloneSeesIt) {
+  scene::Scene scene;
+  scene.materials = {{"glow", scene::Emission{{1, 1, 1}, {}}}};
+  scene.meshes = {scene::make_cube({1})};
+  scene.meshes[0].triangle_materials.assign(12, 0);
+  scene.meshes[0].triangles.pop_back();
+  scene.meshes[0].triangle_materials.pop_back();
+  const Mat4 mirror = scaling({-1, 1, 1});
+  scene.instances = {{"i", 0, mirror, {}}};
+  scene.camera.position_m = {0.3, 0.2, 9};
+  ASSERT_TRUE(adapters::mitsuba_limits(scene).empty());
+  for (const Vec3d eye : {Vec3d{0.3, 0.2, 9}, Vec3d{0.1, 0.2, 0.3}}) {
+    scene.camera.position_m = eye;
+    adapters::write_mitsuba(scene, scratch_.path() / "scene.xml");
+    const auto mesh = scene::read_ply(scratch_.path() / "scene-mesh0.0.ply").mesh;
+    ASSERT_EQ(mesh.triangles.size(), 11U);
+    for (const auto& t : mesh.triangles) {
+      const auto corner = [&](std::size_t i) {
+        return transform_point(mirror, cast<double>(mesh.positions[t[i]]));
+      };
+      EXPECT_GT(dot(cross(corner(1) - corner(0), corner(2) - corner(0)), eye - corner(0)), 0);
+    }
+  }
+}
+
 TEST(ExporterLimits, MaskingOfAnotherFormIsTakenWhereItCannotBeSeen) {
   scene::Scene scene = suite_scene("a4_paths_glossy_glass/a4-ball");
   EXPECT_TRUE(adapters::mitsuba_limits(scene).empty());
@@ -243,6 +284,20 @@ TEST(ExporterLimits, MaskingOfAnotherFormIsTakenWhereItCannotBeSeen) {
     if (auto* glass = std::get_if<scene::RoughGlass>(&material.model)) glass->alpha = 0.3;
   EXPECT_EQ(adapters::mitsuba_limits(scene).size(), 1U);
   EXPECT_EQ(adapters::pbrt_limits(scene).size(), 1U);
+}
+
+// pbrt's film has three buckets, and each colour one step in each of them: nothing passes between R, G and B.
+TEST(PbrtBands, AColourIsThreeStepsWithTheirEdgesBetweenWholeNanometres) {
+  EXPECT_EQ(adapters::pbrt::band_spectrum("L", {3, 2, 1}),
+            "\"spectrum L\" [360 1 499.4999 1 499.5 2 599.4999 2 599.5 3 830 3]");
+  EXPECT_EQ(adapters::pbrt::band_channels(),
+            (std::array<std::string, 3>{"S0.649,500nm", "S0.549,500nm", "S0.449,500nm"}));
+}
+
+// A spectrum without luminance cannot be scaled to the light's: pbrt would divide by zero.
+TEST(PbrtBands, BlackLightIsAScaleOfZero) {
+  EXPECT_TRUE(adapters::pbrt::band_radiance({}).ends_with("\"float scale\" 0"));
+  EXPECT_EQ(adapters::pbrt::band_radiance({}).find("[360 0"), std::string::npos);
 }
 
 TEST(PbrtLimits, ColourOfMirrorsAndGlassIsRefused) {

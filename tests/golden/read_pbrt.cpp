@@ -129,7 +129,7 @@ class PbrtReader {
     if (word == "Camera") {
       fov_deg_ = number(given, "float fov");
     } else if (word == "Film") {
-      film(given);
+      film(name, given);
     } else if (word == "Integrator") {
       scene.trace_depth = static_cast<int>(number(given, "integer maxdepth"));
     } else if (word == "LightSource") {
@@ -160,17 +160,23 @@ class PbrtReader {
       out[to_number(words[i]).value()] = to_number(words[i + 1]).value();
     return out;
   }
-  // pbrt divides a light's spectrum by its luminance, then multiplies it by `scale`.
-  static void radiance(const Parameters& given, scene::RgbColour& colour, ReadSpectrum& spectrum) {
-    if (given.contains("rgb L")) {
-      colour = vec3(given.at("rgb L"));
-      return;
-    }
+  // pbrt divides a light's spectrum by its luminance, then multiplies it by `scale`. Its spectral film
+  // multiplies by the luminance of a flat 1, which is 1 for our ybar, and averages over each bucket.
+  void radiance(const Parameters& given, scene::RgbColour& colour, ReadSpectrum& spectrum) const {
     spectrum = pairs(given.at("spectrum L"));
     double luminance = 0;
     for (double nm = 360; nm <= 830; nm += 1)
       luminance += value_at(spectra::cie_1931().ybar, nm) * tests::value_at(spectrum, nm);
     for (auto& [nm, value] : spectrum) value *= number(given, "float scale") / luminance;
+    if (band_nm_ == 0) return;
+    const auto mean = [&](double band) {
+      double sum = 0;
+      for (double nm = 0.5; nm < band_nm_; nm += 1)
+        sum += tests::value_at(spectrum, first_nm_ + band * band_nm_ + nm);
+      return sum / band_nm_;
+    };
+    colour = {mean(2), mean(1), mean(0)};
+    spectrum.clear();
   }
   static void surface(const Parameters& given, ReadSurface& out) {
     for (const auto& [key, values] : given) {
@@ -184,7 +190,11 @@ class PbrtReader {
         out.words[name] = values.at(0);
     }
   }
-  void film(const Parameters& given) {
+  void film(const std::string& type, const Parameters& given) {
+    if (type == "spectral") {
+      first_nm_ = number(given, "float lambdamin");
+      band_nm_ = (number(given, "float lambdamax") - first_nm_) / number(given, "integer nbuckets");
+    }
     scene.width_px = static_cast<int>(number(given, "integer xresolution"));
     scene.height_px = static_cast<int>(number(given, "integer yresolution"));
     const double half = std::tan(fov_deg_ * std::numbers::pi / 360);  // of the shorter side
@@ -234,6 +244,8 @@ class PbrtReader {
   std::string object_;
   std::map<std::string, std::pair<std::string, scene::Mesh>> objects_;
   double fov_deg_ = 0;
+  double first_nm_ = 0;  // of the spectral film's first bucket
+  double band_nm_ = 0;   // of each of its buckets; 0 for other films
 };
 
 }  // namespace

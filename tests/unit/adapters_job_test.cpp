@@ -41,6 +41,13 @@ TEST(Job, EveryPlaceholderHasItsValue) {
   EXPECT_EQ(job.height_px, 48);
 }
 
+TEST(Job, SeedsStandAsFarApartAsTheRendererNeedsThem) {
+  auto renderer = renderer_with({"{executable}", "{scene}", "{output}", "{seed}"});
+  renderer.seed_stride = 1000003;
+  EXPECT_EQ(make_job(renderer, scene_of(1, 1), {1, 2, 1, "", "", "/r"}, "/o").argv.back(), "2000006");
+  EXPECT_THROW(make_job(renderer, scene_of(1, 1), {1, 5000, 1, "", "", "/r"}, "/o"), orbs::InputError);
+}
+
 // A path with spaces or shell characters is one argument, since there is no shell.
 TEST(Job, APathWithSpacesStaysOneArgument) {
   const auto job = make_job(renderer_with({"{executable}", "{scene}", "{output}"}), scene_of(1, 1),

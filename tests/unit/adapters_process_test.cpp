@@ -3,15 +3,14 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "structure/source_files.h"
+#include "unit/process_shell.h"
 
 #include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,36 +18,10 @@
 
 using orbs::adapters::ProcessRequest;
 using orbs::adapters::run_process;
+using orbs::process_tests::is_running;
+using orbs::process_tests::shell;
 using orbs::structure::TestFolder;
 using orbs::supervisor::Cause;
-
-namespace {
-
-// What a program prints is scripted in a shell here; the harness itself starts programs without one.
-ProcessRequest shell(const std::string& script) {
-  ProcessRequest request;
-  request.argv = {"/bin/sh", "-c", script};
-  request.environment = {"PATH=/usr/bin:/bin"};
-  request.limits.wall_seconds = 60;
-  request.limits.grace_seconds = 0.1;
-  return request;
-}
-
-// A killed orphan stays in the table of processes until somebody collects it, and the kill takes a moment to
-// arrive.
-bool is_running(const std::string& id) {
-  for (int look = 0; look < 100000; ++look) {
-    std::ifstream stat(fmt::format("/proc/{}/stat", std::stoi(id)));
-    std::string text;
-    if (!std::getline(stat, text)) return false;
-    const char state = text[text.rfind(')') + 2];
-    if (state == 'Z' || state == 'X') return false;
-    std::this_thread::yield();
-  }
-  return true;
-}
-
-}  // namespace
 
 TEST(Process, OutputAndErrorsGoToTheLogInTheirOrder) {
   const TestFolder scratch("process-log");

@@ -197,12 +197,26 @@ TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
   EXPECT_EQ(
       problem(R"x("pattern": "took")x"),
       "/renderers/0/render_seconds/pattern: has 0 groups in parentheses, needs 1 (seconds), 2 (minutes, "
-      "seconds) or 3 (hours, minutes, seconds)");
+      "seconds; or a number and its unit) or 3 (hours, minutes, seconds)");
   EXPECT_TRUE(problem(R"x("pattern": "(")x")
                   .starts_with("/renderers/0/render_seconds/pattern: '(' is no regular expression: "));
   EXPECT_EQ(
       problem(R"x("file": "../t.json", "key": "t")x"),
       "/renderers/0/render_seconds/file: must lie in the folder of the render: a relative path without '..'");
+}
+
+TEST(Configuration, AVersionIsOneGroupOfAPattern) {
+  const auto right = with_renderer(kRenderer + R"x(, "version_pattern": "^(r [^,]+)")x");
+  EXPECT_EQ(load(right).renderers[0].version_pattern, "^(r [^,]+)");
+  EXPECT_NE(message_of(with_renderer(kRenderer + R"x(, "version_pattern": "^r")x"))
+                .find("has 0 groups in parentheses, needs 1, which holds the version"),
+            std::string::npos);
+}
+
+TEST(Configuration, AStrideOfSeedsNeedsASeed) {
+  EXPECT_NE(
+      message_of(with_renderer(kRenderer + R"(, "seed_stride": 7)")).find("needs {seed} in the command"),
+      std::string::npos);
 }
 
 TEST(Configuration, HandWrittenScenesHaveAnEnding) {

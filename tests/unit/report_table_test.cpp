@@ -93,6 +93,9 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   bad.checks = {{"psnr_srgb8", false, "", 35, {}}};
   bad.reference_provenance = {{"program", "orbs-tracer"}};
   const std::string hint = "\nbb is far off in 101: 'orbs probe -r bb' checks whether";
+  bad.checks.push_back({"local_bias", true, "", {}, 0.1});
+  EXPECT_EQ(summary_text(run, {}).find(hint), std::string::npos) << "its tiles are right: it is only noisy";
+  bad.checks.pop_back();
   EXPECT_NE(summary_text(run, {}).find(hint), std::string::npos);
   const auto is_silent = [&] { return summary_text(run, {}).find("orbs probe") == std::string::npos; };
   bad.measures[0].value = 29.1;

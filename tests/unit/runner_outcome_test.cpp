@@ -106,12 +106,28 @@ TEST_F(OutcomeTest, ALostSupervisorIsNoRendererThatDidNotStart) {
   EXPECT_EQ(outcome(process).reason, "was lost: its supervisor was killed by SIGKILL");
 }
 
+TEST_F(OutcomeTest, ASupervisorThatDoesNotAnswerAnInterruptIsAnInterrupt) {
+  ProcessResult process;
+  process.orphaned = "its supervisor did not answer within 17 s after the interrupt of the run";
+  process.cause = Cause::Stopped;
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Skipped);
+}
+
+TEST_F(OutcomeTest, ASignalOfTheFileSizeAloneIsACrash) {
+  ProcessResult process;
+  process.signal = SIGXFSZ;
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
+  EXPECT_EQ(
+      outcome(process).reason,
+      "was killed by SIGXFSZ, which the kernel sends when a file outgrows 0.5 MB; its folder holds less");
+}
+
 TEST_F(OutcomeTest, WordsThatNoTerminalShouldTakeAreMarked) {
   ProcessResult process;
   process.exit_code = 1;
-  process.output = std::string("10 %\r99 %\r\x1b[2Jlamp \xfe of \u00b5m") + '\0' + "\u009b";
+  process.output = std::string("10 %\r99 %\r\x1blamp \xfe of \u00b5m") + '\0' + "\u009b";
   EXPECT_EQ(outcome(process).reason,
-            "ended with exit code 1; its last words: \uFFFD[2Jlamp \uFFFD of \u00b5m\uFFFD\uFFFD");
+            "ended with exit code 1; its last words: \uFFFDlamp \uFFFD of \u00b5m\uFFFD\uFFFD");
 }
 
 TEST_F(OutcomeTest, AnImageFromElsewhereIsNone) {
@@ -167,6 +183,42 @@ TEST_F(OutcomeTest, TheLastWordsAndTheCoreAreToldWithACrash) {
   process.output = "loading\nassertion failed: sun > 0\n\n";
   EXPECT_EQ(outcome(process).reason,
             "was killed by SIGABRT (core dumped); its last words: assertion failed: sun > 0");
+}
+
+// Mitsuba ends its red message with a line that holds nothing but the end of the colour.
+TEST_F(OutcomeTest, ColoursOfATerminalAreNoWords) {
+  ProcessResult process;
+  process.exit_code = 1;
+  process.output = "\x1b[1m\x1b[31mthere is no lamp\x1b[0m\n\x1b[0m\n";
+  EXPECT_EQ(outcome(process).reason, "ended with exit code 1; its last words: there is no lamp");
+}
+
+TEST_F(OutcomeTest, ALineThatNamesAnErrorSaysMoreThanTheLast) {
+  ProcessResult process;
+  process.exit_code = 1;
+  process.output =
+      "warming up\nError: scene.pbrt:1:7: unknown option\nError: Fatal errors during scene construction\nbye\n";
+  EXPECT_EQ(outcome(process).reason,
+            "ended with exit code 1; its last words: Error: scene.pbrt:1:7: unknown option");
+  process.output = "Traceback (most recent call last):\n  File \"a\", line 1\nValueError: no lamp\n";
+  EXPECT_EQ(outcome(process).reason, "ended with exit code 1; its last words: ValueError: no lamp");
+}
+
+// pbrt's spectral film writes R, G and B too, which are something else.
+TEST_F(OutcomeTest, TheColourIsInTheChannelsThatTheJobNames) {
+  auto image = orbs::image::make_image(4, 3, {"R", "G", "B", "S0.1nm", "S0.2nm", "S0.3nm"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % 6 < 3 ? -1 : static_cast<float>(i % 6);
+  orbs::image::write_exr(image, job_.image);
+  job_.channels = {"S0.3nm", "S0.2nm", "S0.1nm"};
+  const auto found = outcome();
+  ASSERT_EQ(found.kind, JobOutcome::Image) << found.reason;
+  EXPECT_EQ(found.image->channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_EQ(found.image->at(3, 2, 0), 5.0F);
+  EXPECT_EQ(found.image->at(3, 2, 2), 3.0F);
+  job_.channels[1] = "S0.4nm";
+  EXPECT_EQ(outcome().kind, JobOutcome::WrongChannels);
+  EXPECT_NE(outcome().reason.find("expected S0.3nm, S0.4nm, S0.1nm"), std::string::npos) << outcome().reason;
 }
 
 TEST_F(OutcomeTest, NegativeValuesAreForJobsThatMayHaveThem) {

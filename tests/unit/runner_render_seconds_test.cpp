@@ -29,6 +29,17 @@ TEST(RenderSeconds, MayBeMinutesAndHoursToo) {
       3661);
 }
 
+// As Mitsuba's and pbrt's last lines say them.
+TEST(RenderSeconds, MayHaveAUnit) {
+  const std::string mitsuba = "took ([0-9.]+)(ms|s|m|h)";
+  EXPECT_EQ(in_output(mitsuba, "Rendering finished. (took 850ms)\n"), 0.85);
+  EXPECT_EQ(in_output(mitsuba, "Rendering finished. (took 34.998s)\n"), 34.998);
+  EXPECT_EQ(in_output(mitsuba, "Rendering finished. (took 1.5m)\n"), 90);
+  EXPECT_EQ(in_output(mitsuba, "Rendering finished. (took 2h)\n"), 7200);
+  EXPECT_EQ(in_output("([0-9]+) (h) ([0-9]+) (min)", "1 h 30 min\n"), 5400);
+  EXPECT_EQ(in_output("took ([0-9.]+)(s|fortnights)", "took 1fortnights\n"), std::nullopt);
+}
+
 TEST(RenderSeconds, MayBeInAFileAndInAnotherUnit) {
   const TestFolder folder("render-seconds");
   const RenderSeconds place{.file = "stats/times.json", .key = "render/wall", .unit_seconds = 0.001};

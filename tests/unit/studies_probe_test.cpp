@@ -5,6 +5,8 @@
 #include "studies/probe_compare.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +79,54 @@ TEST(Probe, ACameraThatIsOffByHalfAPixelIsSeen) {
   const auto found = findings(probe, painted(probe, shifted));
   ASSERT_FALSE(found.mismatches.empty());
   EXPECT_GT(found.mismatches[0].pixels, 10);
+}
+
+TEST(Probe, ASinglePixelThatShowsAMixtureIsACrack) {
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  auto image = painted(probe, probe.scene);
+  image.at(5, 5, 1) += 0.01F;
+  const auto found = findings(probe, image);
+  EXPECT_TRUE(found.mismatches.empty());
+  EXPECT_EQ(found.cracks, 1);
+  for (int x = 0; x < 5; ++x) image.at(x, 5, 1) += 0.01F;
+  EXPECT_EQ(findings(probe, image).mismatches.size(), 1U);
+}
+
+namespace {
+
+// Adds noise of this standard deviation, evenly distributed, and its variance.
+image::Image with_noise(const image::Image& image, double deviation) {
+  auto noisy =
+      image::make_image(image.width, image.height, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-std::sqrt(3.0) * deviation, std::sqrt(3.0) * deviation);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    noisy.pixels[i / 3 * 6 + i % 3] = image.pixels[i] + static_cast<float>(noise(random));
+    noisy.pixels[i / 3 * 6 + 3 + i % 3] = static_cast<float>(deviation * deviation);
+  }
+  return noisy;
+}
+
+}  // namespace
+
+TEST(Probe, NoiseIsNoMismatchButWhatIsMovedIs) {
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  const auto image = painted(probe, probe.scene);
+  EXPECT_TRUE(findings(probe, with_noise(image, 0.005)).mismatches.empty());
+  auto without = probe.scene;
+  without.instances.pop_back();
+  const auto found = findings(probe, with_noise(painted(probe, without), 0.005));
+  ASSERT_EQ(found.mismatches.size(), 1U);
+  EXPECT_EQ(found.mismatches[0].instead, "nothing");
+}
+
+TEST(Probe, TooMuchNoiseAsksForSamples) {
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  const auto found = findings(probe, with_noise(painted(probe, probe.scene), 0.1));
+  EXPECT_TRUE(found.mismatches.empty());
+  ASSERT_TRUE(found.needed_samples);
+  EXPECT_GT(*found.needed_samples, 4);
+  EXPECT_LT(*found.needed_samples, 1000);
 }
 
 TEST(Probe, AnObjectThatIsNotThereIsNamed) {

@@ -3,6 +3,7 @@
 #include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
+#include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/materials.h"
 #include "adapters/mitsuba/stokes_frame.h"
 #include "scene/effects.h"
@@ -20,7 +21,8 @@ constexpr const char* kName = "Mitsuba";
 // Mitsuba's emitter is dark from behind; ORB.S's emissive surfaces shine from both sides.
 std::string back_limit(const scene::Scene& scene, const MaterialMesh& shown) {
   const auto& material = material_at(scene, shown.material);
-  if (!std::holds_alternative<scene::Emission>(material.model)) return "";
+  if (!std::holds_alternative<scene::Emission>(material.model) || mitsuba::only_camera_sees_light(scene))
+    return "";
   if (!is_closed(shown.mesh))
     return fmt::format(
         "mesh '{}' emits ('{}') and is not closed: Mitsuba's emitters shine from one side only",
@@ -62,7 +64,8 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
     if (transport != scene::LightTransport::Rgb) note(spectral_texture_limit(texture, kName));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    note(light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i), kName));
+    note(light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i), kName,
+                     "has no light with a measured intensity distribution"));
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
   note(stokes_limit(scene));
   return reasons;

@@ -1,7 +1,7 @@
 #include "adapters/mitsuba/mitsuba.h"
 
-#include "adapters/closed_mesh.h"
 #include "adapters/material_meshes.h"
+#include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/lights.h"
 #include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/materials.h"
@@ -92,14 +92,6 @@ scene::Mesh flipped_v(scene::Mesh mesh) {
   return mesh;
 }
 
-// Emission follows the normal of the triangles in world space, so their winding has to face outwards there: a
-// mirroring matrix reverses it.
-scene::Mesh wound_for(scene::Mesh mesh, const Mat4& place) {
-  if (is_wound_outwards(mesh) == (determinant3(place) > 0)) return mesh;
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-  return mesh;
-}
-
 class Writer {
  public:
   Writer(const scene::Scene& scene, const std::filesystem::path& file)
@@ -134,11 +126,11 @@ class Writer {
     std::string text = comment(shown.mesh.name);
     if (const auto* emission = std::get_if<scene::Emission>(&model)) {
       for (std::size_t i = 0; i < shown.places.size(); ++i)
-        text +=
-            shape(wound_for(shown.mesh, shown.places[i]), fmt::format("mesh{}.{}", index, i), shown.material,
-                  "<boolean name=\"face_normals\" value=\"true\"/>" +
-                      mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
-                      to_world(shown.places[i]));
+        text += shape(mitsuba::emitting_mesh(scene_, shown.mesh, shown.places[i]),
+                      fmt::format("mesh{}.{}", index, i), shown.material,
+                      "<boolean name=\"face_normals\" value=\"true\"/>" +
+                          mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
+                          to_world(shown.places[i]));
       return text;
     }
     if (const auto* polariser = std::get_if<scene::Polariser>(&model)) {

@@ -1,9 +1,11 @@
 #include "adapters/pbrt/colours.h"
 
-#include "adapters/pbrt/directives.h"
+#include "adapters/pbrt/bands.h"
 #include "scene/effects.h"
 
 #include <iterator>
+
+#include <fmt/format.h>
 
 namespace orbs::adapters::pbrt {
 
@@ -13,13 +15,17 @@ Colours::Colours(const scene::Scene& of)
 std::string Colours::surface(const char* name,
                              scene::RgbColour colour,
                              const std::optional<scene::SpectrumUse>& use) const {
-  return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use))) : rgb(name, colour);
+  return is_spectral ? spectrum(name, samples_of(reflected(scene, colour, use)))
+                     : band_spectrum(name, colour);
 }
 
 std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
-  if (!is_spectral) return rgb("L", colour);
+  if (!is_spectral) return band_radiance(colour);
   const Samples light = light_samples(scene, colour, use);
-  return fmt::format("{} \"float scale\" {}", spectrum("L", light), luminance_of(light));
+  const double luminance = luminance_of(light);
+  // pbrt divides by the luminance of the spectrum.
+  return luminance == 0 ? band_radiance({})
+                        : fmt::format("{} \"float scale\" {}", spectrum("L", light), luminance);
 }
 
 std::string spectrum(const char* name, const Samples& samples) {

@@ -5,10 +5,9 @@
 
 #include <string>
 
-/// Colours and spectra as pbrt reads them. pbrt always computes with wavelengths and makes spectra of colours
-/// by a model of its own (Jakob and Hanika 2019), which is accurate enough where a scene has nothing but
-/// colours. Where wavelengths count it gets the spectrum that the colour of the scene stands for, nanometre
-/// by nanometre.
+/// Colours and spectra as pbrt reads them. Where a scene has nothing but colours, each is a spectrum of three
+/// steps (bands.h). Where wavelengths count, pbrt gets the spectrum that the colour of the scene stands for,
+/// nanometre by nanometre.
 namespace orbs::adapters::pbrt {
 
 struct Colours {

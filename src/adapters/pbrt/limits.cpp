@@ -64,7 +64,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto name = scene::display_name("light", scene.lights[i].name, i);
-    note(light_limit(scene.lights[i], name, kName));
+    note(light_limit(scene.lights[i], name, kName, "has them for points without size only"));
     note(reflecting_limit(scene.lights[i], name));
   }
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));

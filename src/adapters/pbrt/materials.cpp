@@ -2,8 +2,11 @@
 
 #include "adapters/comment_text.h"
 #include "adapters/material_support.h"
+#include "adapters/pbrt/bands.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"
+
+#include <array>
 
 namespace orbs::adapters::pbrt {
 
@@ -28,7 +31,8 @@ struct MaterialLimits {
   std::string operator()(const scene::Emission& m) const {
     if (!m.texture) return "";
     return fmt::format(
-        "material '{}' emits through a texture: pbrt's area light neither repeats an image nor tints it",
+        "material '{}' emits through a texture: pbrt's area light keeps a copy of the image for each "
+        "triangle, never repeats it and changes its colours",
         name);
   }
   std::string operator()(const scene::Mirror& m) const { return coloured(m.reflectance, "mirror"); }
@@ -65,19 +69,27 @@ struct MaterialLimits {
 struct MaterialWriter {
   const Colours& colours;
   const std::string& name;
-  const std::string& image;
+  const std::string& stem;  // of the scene file
+  int material = 0;
 
-  // pbrt's v runs up from the bottom row, as ours.
   std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
     if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));
-    const scene::Texture& texture = texture_at(colours.scene, *use);
-    return fmt::format(
-               "Texture \"{}-image\" \"spectrum\" \"imagemap\" \"string filename\" \"{}\" \"string "
-               "filter\" \"bilinear\" \"string wrap\" \"{}\"\n",
-               name, image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat") +
-           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-image\"", name));
+    return textures(texture_at(colours.scene, *use)) +
+           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-texture\"", name));
+  }
+  // pbrt's v runs up from the bottom row, as ours.
+  std::string textures(const scene::Texture& texture) const {
+    const auto files = tinted_channel_names(material, stem);
+    const std::array images{name + "-image-r", name + "-image-g", name + "-image-b"};
+    std::string text;
+    for (std::size_t c = 0; c < images.size(); ++c)
+      text += fmt::format(
+          "Texture \"{}\" \"float\" \"imagemap\" \"string filename\" \"{}\" \"string filter\" "
+          "\"bilinear\" \"string wrap\" \"{}\"\n",
+          images[c], files[c], texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat");
+    return text + band_texture(name + "-texture", images);
   }
   // The reflectance of pbrt's conductors grows towards grazing angles, that of ORB.S's mirrors is the same at
   // all. So a share of the hits meets a full mirror and the rest a black surface, which is right on average
@@ -145,9 +157,8 @@ std::string material_limit(const scene::Material& material) {
 std::string material_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = material_at(colours.scene, material);
   const std::string name = fmt::format("material{}", material);
-  const std::string image = tinted_image_name(material, stem);
   return fmt::format("# material {}\n", comment_text(m.name)) +
-         text_of_material(m, kName, MaterialWriter{colours, name, image});
+         text_of_material(m, kName, MaterialWriter{colours, name, stem, material});
 }
 
 }  // namespace orbs::adapters::pbrt

@@ -2,12 +2,14 @@
 
 #include "adapters/comment_text.h"
 #include "adapters/material_meshes.h"
+#include "adapters/pbrt/bands.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
 #include "adapters/pbrt/limits.h"
 #include "adapters/pbrt/materials.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
+#include "scene/effects.h"
 #include "scene/ply.h"
 
 #include <cmath>
@@ -29,22 +31,25 @@ double fov_of_shorter_side_deg(const scene::Camera& camera) {
 
 // pbrt's camera space is left-handed: the mirrored x makes a right-handed image. With texture filtering off,
 // bilinear interpolation remains; by default pbrt would choose a coarser image far away. Half floats and the
-// clamp of bright samples would change values.
-std::string head_text(const scene::Scene& scene) {
+// clamp of bright samples would change values. The sampler draws exactly as many samples as the command line
+// asks for, each pixel by itself; the default, zsobol, rounds down to a power of two.
+std::string head_text(const scene::Scene& scene, bool is_spectral) {
   const scene::Camera& camera = scene.camera;
+  const auto size =
+      fmt::format("\"integer xresolution\" {} \"integer yresolution\" {}", camera.width_px, camera.height_px);
   return fmt::format(
-      "Option \"bool disabletexturefiltering\" true\n"
+      "Option \"disabletexturefiltering\" true\n"
       "Scale -1 1 1\n"
       "LookAt {}  {}  {}\n"
       "Camera \"perspective\" \"float fov\" {}\n"
-      "Sampler \"zsobol\" \"integer pixelsamples\" 64\n"
+      "Sampler \"independent\" \"integer pixelsamples\" 64\n"
       "PixelFilter \"box\" \"float xradius\" 0.5 \"float yradius\" 0.5\n"
-      "Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"bool savefp16\" false "
-      "\"float maxcomponentvalue\" 1e30\n"
+      "{} \"bool savefp16\" false \"float maxcomponentvalue\" 1e30\n"
       "Integrator \"path\" \"integer maxdepth\" {}\n"  // counts scatterings, as trace_depth
       "WorldBegin\n",
       numbers(camera.position_m), numbers(camera.look_at_m), numbers(camera.up),
-      fov_of_shorter_side_deg(camera), camera.width_px, camera.height_px, scene.trace_depth);
+      fov_of_shorter_side_deg(camera), is_spectral ? "Film \"rgb\" " + size : pbrt::band_film(size),
+      scene.trace_depth);
 }
 
 class Writer {
@@ -53,13 +58,13 @@ class Writer {
       : scene_(scene), colours_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
 
   std::string write() {
-    std::string text = head_text(scene_);
+    std::string text = head_text(scene_, colours_.is_spectral);
     if (scene_.environment != scene::RgbColour{})
       text += fmt::format("LightSource \"infinite\" {}\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(material_at(scene_, index).model))
-        write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
+        write_tinted_channels(scene_, index, folder_, stem_);
       text += pbrt::material_text(colours_, index, stem_);
     }
     const auto meshes = material_meshes(scene_);
@@ -112,6 +117,11 @@ Exporter pbrt_exporter() {
   return {.format = "pbrt",
           .scene_file = "scene.pbrt",
           .settings = {},
+          .image_channels =
+              [](const scene::Scene& scene) {
+                return scene::transport(scene) == scene::LightTransport::Rgb ? pbrt::band_channels()
+                                                                             : kColourChannels;
+              },
           .limits = [](const scene::Scene& scene, const SceneSettings&) { return pbrt_limits(scene); },
           .write = [](const scene::Scene& scene, const SceneSettings&,
                       const std::filesystem::path& file) { write_pbrt(scene, file); }};

@@ -6,10 +6,11 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
-#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -20,6 +21,8 @@ namespace orbs::adapters {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // Reads the bytes that are there; false once nobody holds the other end.
 template <typename Consume>
 bool drain(int file, Consume&& consume) {
@@ -29,39 +32,111 @@ bool drain(int file, Consume&& consume) {
   return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
-// Follows output and report until the supervisor has ended; returns the report's text.
-std::string follow(const ProcessRequest& request, Pipes& pipes, OutputLog& log) {
-  constexpr int kPollPeriod_ms = 20;  // of the flag `stop`
+// The first failure is kept until the supervisor has ended; what comes after it is not written.
+void append(std::string_view bytes, OutputLog& log, std::exception_ptr& failure) {
+  try {
+    if (!failure) log.append(bytes);
+  } catch (const InputError&) {
+    failure = std::current_exception();
+  }
+}
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Until when we wait for the report: the supervisor may be stopped, or hang on a disk that is gone.
+struct Deadline {
+  double at_seconds = 0;  // after the start
+  std::string reason;     // what is said when it passes
+};
+
+Deadline deadline_after(double end_seconds, const std::string& end, const ProcessRequest& request) {
+  const double wait_seconds = request.limits.grace_seconds + request.answer_seconds;
+  return {end_seconds + wait_seconds,
+          fmt::format("its supervisor did not answer within {:.6g} s after {}", wait_seconds, end)};
+}
+
+// What came from a supervisor until it ended or had to be given up.
+struct Followed {
   std::string report;
-  std::exception_ptr failure;
-  const auto to_log = [&](std::string_view bytes) {
-    try {
-      if (!failure) log.append(bytes);
-    } catch (const InputError&) {
-      failure = std::current_exception();
-      pipes.control.close_write_end();
-    }
-  };
+  std::string unanswered;  // why it was given up; "" when it ended
+  bool is_interrupted = false;
+  std::exception_ptr failure;  // of the log
+};
+
+// Tells the supervisor to end the command, also one that somebody has stopped.
+void ask_to_end(pid_t supervisor, Pipes& pipes) {
+  pipes.control.close_write_end();
+  ::kill(supervisor, SIGCONT);
+}
+
+// Follows output and report until the supervisor has ended or its time to answer is over. The report comes
+// first: we may have been stopped ourselves.
+Followed follow(const ProcessRequest& request, pid_t supervisor, Pipes& pipes, OutputLog& log) {
+  constexpr int kPollPeriod_ms = 20;  // of the flag `stop`
+  const auto begin = Clock::now();
+  Followed followed;
+  auto deadline =
+      deadline_after(request.limits.wall_seconds,
+                     fmt::format("the time limit of {:.6g} s", request.limits.wall_seconds), request);
+  const auto to_log = [&](std::string_view bytes) { append(bytes, log, followed.failure); };
   std::array<pollfd, 2> files{{{pipes.output.read_end(), POLLIN, 0}, {pipes.report.read_end(), POLLIN, 0}}};
-  for (bool is_there = true; is_there;) {
-    if (request.stop != nullptr && request.stop->load()) pipes.control.close_write_end();
-    if (::poll(files.data(), files.size(), kPollPeriod_ms) <= 0) continue;
-    if (files[0].revents != 0 && !drain(pipes.output.read_end(), to_log)) files[0].fd = -1;
-    if (files[1].revents != 0)
-      is_there = drain(pipes.report.read_end(), [&](std::string_view bytes) { report += bytes; });
+  for (bool is_there = true; is_there && followed.unanswered.empty();) {
+    followed.is_interrupted = request.stop != nullptr && request.stop->load();
+    if ((followed.is_interrupted || followed.failure) && pipes.control.write_end() >= 0) {
+      ask_to_end(supervisor, pipes);
+      auto sooner = deadline_after(seconds_since(begin), "the interrupt of the run", request);
+      if (sooner.at_seconds < deadline.at_seconds) deadline = std::move(sooner);
+    }
+    const bool is_late = seconds_since(begin) >= deadline.at_seconds;
+    const bool has_event = ::poll(files.data(), files.size(), kPollPeriod_ms) > 0;
+    if (has_event && files[0].revents != 0 && !drain(pipes.output.read_end(), to_log)) files[0].fd = -1;
+    if (has_event && files[1].revents != 0)
+      is_there = drain(pipes.report.read_end(), [&](std::string_view bytes) { followed.report += bytes; });
+    else if (is_late)
+      followed.unanswered = deadline.reason;
   }
-  // Output that the command wrote before it ended. A process that cannot be killed may hold the pipe for
-  // ever.
-  while (files[0].fd >= 0 && ::poll(files.data(), 1, 0) > 0 && drain(pipes.output.read_end(), to_log)) {
+  return followed;
+}
+
+// Output that the command wrote before it ended. A process that cannot be killed may hold the pipe for ever.
+void drain_rest(const Pipes& pipes, OutputLog& log, std::exception_ptr& failure) {
+  pollfd output{pipes.output.read_end(), POLLIN, 0};
+  const auto to_log = [&](std::string_view bytes) { append(bytes, log, failure); };
+  while (::poll(&output, 1, 0) > 0 && drain(output.fd, to_log)) {
   }
-  if (failure) std::rethrow_exception(failure);
-  return report;
 }
 
 // How a supervisor ended that left no report.
 std::string end_of_supervisor(int status) {
   return WIFSIGNALED(status) ? fmt::format("its supervisor was killed by {}", signal_name(WTERMSIG(status)))
                              : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
+}
+
+// Follows a supervisor that was started to its end, or makes an end of it and of all that it ran.
+ProcessResult finish(const ProcessRequest& request, pid_t supervisor, Pipes& pipes, OutputLog& log) {
+  ProcessResult result;
+  const auto begin = Clock::now();
+  auto followed = follow(request, supervisor, pipes, log);
+  const auto report = supervisor::parse_report(followed.report);
+  if (!followed.unanswered.empty()) {
+    kill_supervisor(supervisor);
+    result.orphaned = followed.unanswered;
+  } else if (const int status = reap_supervisor(supervisor); !report) {
+    result.orphaned = end_of_supervisor(status);
+  }
+  if (!result.orphaned.empty()) kill_orphans();
+  drain_rest(pipes, log, followed.failure);
+  if (followed.failure) std::rethrow_exception(followed.failure);
+  if (report) {
+    static_cast<supervisor::Report&>(result) = *report;
+    result.orphaned.clear();
+    return result;
+  }
+  result.wall_seconds = seconds_since(begin);
+  if (followed.is_interrupted) result.cause = supervisor::Cause::Stopped;
+  return result;
 }
 
 }  // namespace
@@ -71,23 +146,10 @@ ProcessResult run_process(const ProcessRequest& request) {
   OutputLog log(request.log, request.limits.log_bytes);
   Pipes pipes;
   pid_t pid = 0;
-  if (const int error = start_supervisor(request, pipes, pid); error != 0) {
+  if (const int error = start_supervisor(request, pipes, pid); error != 0)
     result.start_error = fmt::format("{}: {}", supervisor_command(request).front(), std::strerror(error));
-  } else {
-    std::string report;
-    try {
-      report = follow(request, pipes, log);
-    } catch (const InputError&) {
-      reap_supervisor(pid);
-      throw;
-    }
-    const int status = reap_supervisor(pid);
-    if (const auto parsed = supervisor::parse_report(report)) {
-      static_cast<supervisor::Report&>(result) = *parsed;
-    } else {
-      result.orphaned = end_of_supervisor(status);
-    }
-  }
+  else
+    result = finish(request, pid, pipes, log);
   for (const auto& problem : {result.start_error, result.orphaned})
     if (!problem.empty()) log.append(fmt::format("[orbs: {}: {}]\n", request.argv.at(0), problem));
   result.output = log.finish();

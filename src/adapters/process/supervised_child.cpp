@@ -1,13 +1,22 @@
 #include "adapters/process/supervised_child.h"
 
+#include "supervisor/descendants.h"
+#include "supervisor/supervise.h"
+
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,6 +41,18 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   for (auto& text : texts) out.push_back(text.data());
   out.push_back(nullptr);
   return out;
+}
+
+// The supervisors that we started and have not reaped. Whoever tells our other children from them holds the
+// mutex, as does whoever starts one.
+struct Supervisors {
+  std::mutex mutex;
+  std::set<pid_t> ids;
+};
+
+Supervisors& our_supervisors() {
+  static Supervisors supervisors;
+  return supervisors;
 }
 
 // posix_spawn reports a failed exec to the caller and is safe in a program with threads.
@@ -107,7 +128,14 @@ std::vector<std::string> supervisor_command(const ProcessRequest& request) {
 
 int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid) {
   const bool has_pipes = pipes.control.is_open() && pipes.output.is_open() && pipes.report.is_open();
-  const int error = has_pipes ? spawn(request, pipes, pid) : EMFILE;
+  int error = EMFILE;
+  if (has_pipes) {
+    auto& supervisors = our_supervisors();
+    const std::lock_guard lock(supervisors.mutex);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+    error = spawn(request, pipes, pid);
+    if (error == 0) supervisors.ids.insert(pid);
+  }
   pipes.control.close_read_end();
   pipes.output.close_write_end();
   pipes.report.close_write_end();
@@ -118,7 +146,56 @@ int reap_supervisor(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
+  auto& supervisors = our_supervisors();
+  const std::lock_guard lock(supervisors.mutex);
+  supervisors.ids.erase(pid);
   return status;
+}
+
+namespace {
+
+void kill_with_descendants(pid_t pid) {
+  for (const auto& process : supervisor::descendants_of(pid)) ::kill(process.pid, SIGKILL);
+  ::kill(pid, SIGKILL);
+}
+
+// Asks again and again, and gives up on what hangs in the kernel.
+bool wait_until(const std::function<bool()>& is_done) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kPause_ms = 5;
+  const auto end = Clock::now() + std::chrono::duration<double>(supervisor::kGiveUp_seconds);
+  while (!is_done()) {
+    if (Clock::now() >= end) return false;
+    ::poll(nullptr, 0, kPause_ms);
+  }
+  return true;
+}
+
+}  // namespace
+
+void kill_supervisor(pid_t pid) {
+  kill_with_descendants(pid);
+  const auto has_ended = [&] { return ::waitpid(pid, nullptr, WNOHANG) != 0; };
+  if (!wait_until(has_ended)) return;
+  auto& supervisors = our_supervisors();
+  const std::lock_guard lock(supervisors.mutex);
+  supervisors.ids.erase(pid);
+}
+
+void kill_orphans() {
+  auto& supervisors = our_supervisors();
+  const std::lock_guard lock(supervisors.mutex);
+  wait_until([&] {
+    bool found_none = true;
+    for (const auto& process : supervisor::descendants_of(::getpid())) {
+      if (process.parent != ::getpid() || supervisors.ids.contains(process.pid)) continue;
+      if (::getsid(process.pid) == ::getsid(0)) continue;  // the browser, for example
+      kill_with_descendants(process.pid);
+      ::waitpid(process.pid, nullptr, WNOHANG);
+      found_none = false;  // what was below it may have become our child meanwhile
+    }
+    return found_none;
+  });
 }
 
 }  // namespace orbs::adapters

@@ -41,10 +41,19 @@ struct Pipes {
 std::vector<std::string> supervisor_command(const ProcessRequest& request);
 
 /// Starts that supervisor in a session of its own and closes its ends of the pipes here. Returns errno when
-/// it cannot be started, else 0.
+/// it cannot be started, else 0. Makes us a child subreaper (prctl(2)): what a supervisor leaves behind when
+/// it is killed becomes our child.
 int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid);
 
 /// Waits for the supervisor's end; returns its status as waitpid(2) does.
 int reap_supervisor(pid_t pid);
+
+/// For a supervisor that does not answer, stopped or hanging in the kernel: kills it and all below it. Waits
+/// for its end, but not for ever.
+void kill_supervisor(pid_t pid);
+
+/// Kills and reaps all that supervisors left behind that are gone: our children in another session than ours
+/// that are no supervisors, and all below them. Waits for their end, but not for ever.
+void kill_orphans();
 
 }  // namespace orbs::adapters

@@ -12,8 +12,9 @@
 /// Connections of light paths to the camera, which sees the surface directly or in a flat mirror.
 namespace orbs::tracer {
 
-// f |cos| of the camera path contains |wi . shading normal|, the flux density of the light path on the
-// surface |wi . geometric normal| (Veach 1997, 5.3).
+// Cosine of a direction at the geometric normal. BSDFs give f times the cosine at the shading normal, but the
+// flux of a light path is measured on the true surface. So light paths need the ratio of the two (the adjoint
+// BSDF for shading normals; Veach 1997, 5.3).
 inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
   return std::abs(dot(point.geometric_normal, direction));
 }
@@ -22,7 +23,6 @@ inline float surface_cosine(const SurfacePoint& point, Vec3f direction) {
 template <TracesFromLights T>
 struct CameraConnection {
   typename T::Value throughput{};  // with this scattering event
-  [[no_unique_address]] typename T::Lambda lambda{};
   PathClass events;
   Vec3f origin;  // of the ray to the camera
 };
@@ -38,16 +38,18 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
   const SurfacePoint& point = surface.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_camera);
+  // As on camera paths, only the direction to the light must agree with both normals.
   if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return std::nullopt;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f wo = frame.to_local(to_camera);
   const Vec3f wi = frame.to_local(to_light);
-  if (!(wo.z > 0)) return std::nullopt;
+  if (!(wo.z > 0)) return std::nullopt;  // by rounding at grazing angles
   CameraConnection<T> out;
-  out.lambda = path.lambda;
   out.throughput = path.throughput;
+  auto lambda = path.lambda;  // dispersion may end wavelengths for this connection, and not for the path
   typename T::Bsdf bsdf;
-  make_bsdf<T>(bsdf, {world, surface, side > 0, out.lambda, out.throughput, {}});
+  // No sample block: only fluorescence draws random numbers here, and it has no light paths.
+  make_bsdf<T>(bsdf, {world, surface, side > 0, lambda, out.throughput, {}});
   const auto value = evaluate(bsdf, wo, wi);
   if (!(value.pdf > 0) || (surface.material.is_near_specular && !(value.pdf < kTailPdf))) return std::nullopt;
   out.events = path.events;
@@ -58,6 +60,7 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
   return out;
 }
 
+/// Appends a ray from the hit of the light path to the camera, with the splat that it adds if not blocked.
 template <TracesFromLights T>
 void connect_to_camera(LightPathBatch<T>& batch,
                        const World& world,
@@ -83,8 +86,9 @@ void connect_to_camera_by_mirrors(LightPathBatch<T>& batch,
   if (path.scatterings + 2 > world.trace_depth) return;  // this event and the mirror
   for (std::size_t i = 0; i < world.mirror_planes.size(); ++i) {
     const MirrorPlane& plane = world.mirror_planes[i];
-    // The camera is tested as in note_near_specular. The point needs no tolerance: whatever its ray hits of
-    // the mirror is left to light paths.
+    // The camera is tested as in note_near_specular, so that exactly one of camera and light paths adds each
+    // contribution. The point needs no tolerance: what camera paths see of it in the mirror, they leave to
+    // light paths at every height over the plane.
     if (!is_in_front(plane, world.camera.position) || !(height_over(plane, surface.point.position) > 0))
       continue;
     const PinholeCamera camera = mirrored(plane, world.camera);
@@ -106,7 +110,7 @@ void resolve_mirror_rays(LightPathBatch<T>& batch, const World& world) {
   batch.mirror_hits.resize(batch.mirror_rays.size());
   timed_traversal(batch, [&] { world.accel->intersect(batch.mirror_rays, batch.mirror_hits); });
   for (std::size_t i = 0; i < batch.mirror_payloads.size(); ++i) {
-    const MirroredCameraRay<T>& payload = batch.mirror_payloads[i];
+    const CameraMirrorPayload<T>& payload = batch.mirror_payloads[i];
     const LightPath<T>& path = batch.paths[payload.path];
     const auto found =
         mirror_hit<T>(world, batch.mirror_rays[i], batch.mirror_hits[i], payload.plane, path.lambda);

@@ -29,10 +29,11 @@ EmittingPoint point_on(const DiskEmitter& disk, float u, float v) {
   return {disk.centre + disk.a * at.x + disk.b * at.y, disk.normal, 1 / disk.area, rounding_of(disk), {}};
 }
 
-// Uniform on the unit sphere. A linear map A takes an area dA with normal n to |det A| |A^-T n| dA.
+// Uniform on the unit sphere, then mapped to the ellipsoid. A linear map M takes a surface element dS with
+// normal n to one of area |det M| |M^-T n| dS.
 EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
   const float z = 1 - 2 * u;
-  const float r = std::sqrt(std::max(0.0F, 1 - z * z));  // rounding only
+  const float r = std::sqrt(1 - z * z);  // z is exact and in [-1, 1], so this is not negative
   const float phi = 2 * kPi * v;
   const Vec3f p{r * std::cos(phi), r * std::sin(phi), z};
   const Vec3f normal = sphere.inverse[0] * p.x + sphere.inverse[1] * p.y + sphere.inverse[2] * p.z;

@@ -4,10 +4,10 @@
 
 #include <array>
 
-/// Emission of light paths.
+/// The start of a light path.
 namespace orbs::tracer {
 
-/// A ray from a point of an emitter towards the caustic casters of the world.
+/// A ray from a point of an emitter towards the near-specular surfaces of the world (caustic_casters.h).
 struct EmittedRay {
   Ray ray;
   std::size_t emitter = 0;

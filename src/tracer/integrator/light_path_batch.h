@@ -11,7 +11,8 @@
 /// The state of light tracing.
 namespace orbs::tracer {
 
-/// A contribution of a light path to a pixel, whose radiance is the mean over all light paths.
+/// What a light path adds to a pixel. The radiance of the pixel is the sum of its splats over the number of
+/// all light paths, also of those that miss it.
 struct Splat {
   std::uint32_t pixel = 0;
   int path_class = 0;
@@ -24,8 +25,8 @@ concept TracesFromLights = Transport<T> && std::same_as<typename T::Throughput, 
 
 template <TracesFromLights T>
 struct LightPath {
-  typename T::Value throughput{};  // of all scattering events
-  typename T::Value emitted{};     // radiance of the emitter over the pdf of the start
+  typename T::Value throughput{};  // of all scattering events, without the start
+  typename T::Value emitted{};     // radiance of the emitter times start.weight, which is cosine over pdf
   [[no_unique_address]] typename T::Lambda lambda{};
   EmittedRay start;
   Ray ray;
@@ -37,7 +38,7 @@ struct LightPath {
 
 /// A connection to the camera by way of a flat mirror, before its ray has hit the mirror.
 template <TracesFromLights T>
-struct MirroredCameraRay {
+struct CameraMirrorPayload {
   typename T::Value throughput{};  // from the light up to the mirror
   std::uint32_t path = 0;
   std::uint32_t pixel = 0;
@@ -54,7 +55,7 @@ struct LightPathBatch {
   std::vector<Hit> hits;
   std::vector<Ray> mirror_rays;
   std::vector<Hit> mirror_hits;
-  std::vector<MirroredCameraRay<T>> mirror_payloads;  // of mirror_rays
+  std::vector<CameraMirrorPayload<T>> mirror_payloads;  // of mirror_rays
   std::vector<Ray> camera_rays;
   std::vector<Splat> camera_payloads;  // of camera_rays; added if not blocked
   std::vector<std::uint8_t> blocked;

@@ -6,9 +6,10 @@ namespace orbs::tracer {
 
 namespace {
 
-// The shadow ray ends before the surface of the emitter by a bound of the rounding errors: of both points,
-// and of what grows with the length of the ray, which is 1 half ulp for its direction, 1 for the corners
-// relative to its origin, 3 for each of the two dot products of the intersection test, all twice.
+// The shadow ray ends before the surface of the emitter, by a bound of the rounding errors. Twice the
+// position error: that of the sampled point, and that of the surface as Embree intersects it. In half ulps of
+// the length of the ray: 1 for its direction, 1 for the corners relative to its origin, 3 for each of the two
+// dot products of the intersection test, which is 8, and doubled.
 Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
   constexpr float kRayRounding = 16 * 0x1p-24F;
   const float along_ray = kRayRounding * length(point.position - from);
@@ -18,6 +19,7 @@ Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
 }  // namespace
 
 std::optional<LightSample> sample_light(const World& world, Vec3f from, float pick, float u, float v) {
+  // For one emitter light_numbers draws no number to pick by.
   const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
   const float probability = world.emitters.probability(chosen);
   std::optional<EmitterPoint> point;
@@ -54,11 +56,12 @@ EmissionHit emission_at_surface(const World& world,
                                 Vec3f sampled_from) {
   const Vec3f d = surface.point.position - sampled_from;
   const float cosine = std::abs(dot(surface.point.geometric_normal, ray.direction));
-  // Only triangles are in the table of emitters.
-  const bool is_emitter =
+  // Of emissive surfaces, only triangles are in the table of emitters.
+  const bool is_light_sampled =
       material.emitter_pdf_per_area > 0 && world.objects[surface.hit.object].kind != ObjectKind::Sphere;
   return {emitted_radiance(world, material, apply(material.radiance.uv, texture_coordinates(world, surface))),
-          is_emitter && cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0, is_emitter};
+          is_light_sampled && cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0,
+          is_light_sampled};
 }
 
 }  // namespace orbs::tracer

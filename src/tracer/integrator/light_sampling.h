@@ -13,7 +13,7 @@ namespace orbs::tracer {
 struct EmissionHit {
   Radiance radiance;
   float light_pdf = 0;
-  bool is_emitter = false;  // false for emissive spheres, which light sampling and light paths do not sample
+  bool is_light_sampled = false;  // by light sampling and light paths; false for emissive spheres
 };
 
 EmissionHit emission_at_light(

@@ -9,8 +9,8 @@
 
 namespace orbs::tracer {
 
-/// A path at a hit point, as the make_bsdf functions of the materials see it. Dispersion and fluorescence
-/// change the wavelengths of the path.
+/// A path at a hit point, as the make_bsdf functions of the materials see it. They may change the path's
+/// lambda and throughput: dispersion ends its secondary wavelengths, fluorescence moves all of them.
 template <Transport T>
 struct ShadingContext {
   using Value = typename T::Value;

@@ -38,29 +38,33 @@ struct PathState {
   std::uint32_t sample = 0;
   /// Pdf of ray.direction for MIS; 0 if light sampling could not have found what the ray hits.
   float bsdf_pdf = 0;
-  float radiance_scale = 1;  // product of BsdfSample::radiance_scale
+  float radiance_scale = 1;  // product of BsdfSample::radiance_scale, the inverse of pbrt's etaScale
   int scatterings = 0;
-  bool began_at_flat_mirror = false;        // one that has the camera in front of it
-  bool is_reached_by_light_paths = false;   // the first surface, see is_left_to_light_paths
+  bool began_at_flat_mirror = false;  // one that has the camera in front of it
+  /// The first surface is not near-specular, or the path left it in the tail of its lobe: light paths connect
+  /// it to the camera.
+  bool is_reached_by_light_paths = false;
   bool near_specular_beyond_first = false;  // the last surface is near-specular and is not the first
-  /// Set after a bounce off a flat mirror that followed a non-specular vertex: that vertex mirrored in the
-  /// plane, and the probability that its light sampling picked this plane. bsdf_pdf is then that of the
+  /// The last bounce was off a flat mirror, and the vertex before it has no delta function: next-event
+  /// estimation there could have sampled the same light by way of the mirror. bsdf_pdf is still that of the
   /// vertex.
   bool came_by_mirror = false;
-  float mirror_probability = 0;
-  Vec3f mirrored_vertex;
+  float mirror_probability = 0;  // with which the vertex picks this mirror
+  Vec3f mirrored_vertex;         // the vertex, mirrored in the plane
   PathClass events;
-  Vec2f first_light_sample;  // the two numbers of the first set that the pixel position does not use
+  Vec2f first_light_numbers;  // of the four random numbers of PixelAndFirstLight, the two for the light
 };
 
-/// True if the path is about to scatter at the surface that the camera sees, directly or by a flat mirror.
+/// True if the path is about to scatter at the surface that the camera sees or, where that is a flat mirror,
+/// at the surface that the camera sees in it.
 template <Transport T>
 bool is_at_first_surface(const PathState<T>& path) {
   return path.scatterings == 0 || (path.scatterings == 1 && path.began_at_flat_mirror);
 }
 
-/// Light that comes from a near-specular surface and reaches the camera from another surface that is not, or
-/// by the tail of its lobe, directly or by a flat mirror: it is left to light paths (World::caustic_casters).
+/// True if camera paths must not add the emitter that this path reaches next, because light paths add it
+/// (trace_light_batch.h): the last surface is near-specular, and the first one, which the camera sees
+/// directly or in a flat mirror, is not, or scattered the path in the tail of its lobe (kTailPdf).
 template <Transport T>
 bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
   return path.near_specular_beyond_first && path.is_reached_by_light_paths && !world.caustic_casters.empty();
@@ -68,7 +72,7 @@ bool is_left_to_light_paths(const World& world, const PathState<T>& path) {
 
 /// What a shadow ray adds to its path if it is not blocked.
 template <Transport T>
-struct ShadowRay {
+struct ShadowPayload {
   typename T::Contribution light{};
   std::uint32_t path = 0;
   int path_class = 0;
@@ -76,7 +80,7 @@ struct ShadowRay {
 
 /// A light sample by way of a flat mirror, before its ray has hit the mirror (sample_mirrored_light.h).
 template <Transport T>
-struct MirrorRay {
+struct MirrorPayload {
   typename T::Throughput throughput{};  // up to the mirror
   typename T::Value emitted{};
   Vec3f target;  // on the light
@@ -95,9 +99,9 @@ struct PathBatch {
   std::vector<Hit> hits;
   std::vector<Ray> mirror_rays;
   std::vector<Hit> mirror_hits;
-  std::vector<MirrorRay<T>> mirror_payloads;  // of mirror_rays
+  std::vector<MirrorPayload<T>> mirror_payloads;  // of mirror_rays
   std::vector<Ray> shadow_rays;
-  std::vector<ShadowRay<T>> shadow_payloads;  // of shadow_rays
+  std::vector<ShadowPayload<T>> shadow_payloads;  // of shadow_rays
   std::vector<std::uint8_t> blocked;
   std::vector<ClassedRadiance> classed;  // filled if split_paths
   bool split_paths = false;
@@ -105,7 +109,8 @@ struct PathBatch {
 };
 
 /// Up to eight paths at hit points where they scatter, as structure of arrays: their geometry is computed in
-/// vector registers. Lanes from `count` on hold stale values, which are computed with and never used.
+/// vector registers. Lanes from `count` on hold stale values. Vector code computes with them, and nothing
+/// uses the results.
 template <Transport T>
 struct VertexLanes {
   Vec8 position{};
@@ -113,8 +118,8 @@ struct VertexLanes {
   Vec8 shading_normal{};  // flipped to the viewer
   Vec8 to_viewer{};
   Float8 position_error{};
-  Word8 block{};  // seed and index of the samples
-  Word8 index{};
+  Word8 block{};  // seed of the sample block
+  Word8 index{};  // of the sample within the block
   std::array<std::uint32_t, kLanes> path{};
   std::array<typename T::Bsdf, kLanes> bsdf;
   std::array<bool, kLanes> samples_light{};  // next-event estimation is done here
@@ -132,8 +137,8 @@ void add_contribution(PathBatch<T>& batch,
   if (batch.split_paths) batch.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
 }
 
-/// Runs a traversal and adds its duration to the batch. There are two or three per bounce, for hundreds of
-/// rays each, so reading the clock is free.
+/// Runs a traversal and adds its duration to the batch. There are three for each bounce of a whole batch, so
+/// the clock is read rarely.
 template <typename Batch, typename F>
 void timed_traversal(Batch& batch, const F& traverse) {
   const auto start = std::chrono::steady_clock::now();

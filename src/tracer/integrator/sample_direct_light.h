@@ -24,9 +24,9 @@ Scattering<typename T::Bsdf> scattering_at(const VertexLanes<T>& vertices,
           lane_of(wi, lane)};
 }
 
-/// Random numbers for the selection of an emitter and a point on it. At the first bounce the point shares its
-/// set of four numbers with the pixel position: stratifying them jointly is what makes direct light converge
-/// fast.
+/// Random numbers for the choice of an emitter and of a point on it. At the first bounce the point takes the
+/// two numbers that the pixel position leaves of its set of four, so that pixel and light are stratified
+/// jointly.
 template <Transport T>
 std::array<Float8, 3> light_numbers(const PathBatch<T>& batch,
                                     const World& world,
@@ -41,7 +41,7 @@ std::array<Float8, 3> light_numbers(const PathBatch<T>& batch,
   if (world.emitters.size() > 1)
     out[0] = draw(vertices.block, vertices.index, 0, SampleDimension::LightPick)[0];
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
-    const Vec2f first = batch.paths[vertices.path[lane]].first_light_sample;
+    const Vec2f first = batch.paths[vertices.path[lane]].first_light_numbers;
     out[1][lane] = first.x;
     out[2][lane] = first.y;
   }
@@ -67,7 +67,7 @@ LightLanes sample_lights(const PathBatch<T>& batch,
     if (!vertices.samples_light[lane]) continue;
     const auto light = sample_light(world, lane_of(vertices.position, lane), numbers[0][lane],
                                     numbers[1][lane], numbers[2][lane]);
-    // Lights are flat or convex, so none illuminates itself; rounding could place a point in front of it.
+    // Lights are flat or convex, so none illuminates itself. But rounding can make it seem so.
     if (!light || static_cast<int>(light->emitter) == vertices.own_light[lane]) continue;
     set_lane(out.position, lane, light->position);
     out.target[lane] = light->target;
@@ -121,7 +121,7 @@ void resolve_shadow_rays(PathBatch<T>& batch, const World& world) {
   batch.blocked.resize(batch.shadow_rays.size());
   timed_traversal(batch, [&] { world.accel->occluded(batch.shadow_rays, batch.blocked); });
   for (std::size_t i = 0; i < batch.shadow_payloads.size(); ++i) {
-    const ShadowRay<T>& shadow = batch.shadow_payloads[i];
+    const ShadowPayload<T>& shadow = batch.shadow_payloads[i];
     if (batch.blocked[i] == 0)
       add_contribution(batch, batch.paths[shadow.path], shadow.light, shadow.path_class);
   }

@@ -59,7 +59,7 @@ void sample_mirrored_light(PathBatch<T>& batch,
                            const VertexLanes<T>& vertices,
                            const FrameOf<Vec8>& frame,
                            int bounce) {
-  if (world.mirror_planes.empty() || bounce + 2 > world.trace_depth) return;
+  if (world.mirror_planes.empty() || bounce + 2 > world.trace_depth) return;  // this event and the mirror
   const auto u = draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce),
                       SampleDimension::MirroredLight);
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
@@ -94,7 +94,7 @@ void resolve_mirror_rays(PathBatch<T>& batch, const World& world) {
   batch.mirror_hits.resize(batch.mirror_rays.size());
   timed_traversal(batch, [&] { world.accel->intersect(batch.mirror_rays, batch.mirror_hits); });
   for (std::size_t i = 0; i < batch.mirror_payloads.size(); ++i) {
-    const MirrorRay<T>& payload = batch.mirror_payloads[i];
+    const MirrorPayload<T>& payload = batch.mirror_payloads[i];
     const Ray& ray = batch.mirror_rays[i];
     const auto found =
         mirror_hit<T>(world, ray, batch.mirror_hits[i], payload.plane, batch.paths[payload.path].lambda);

@@ -12,7 +12,9 @@ namespace orbs::tracer {
 template <Transport T>
 void add_emission(PathBatch<T>& batch, const World& world, PathState<T>& path, const EmissionHit& emission) {
   if (is_dark(emission.radiance)) return;
-  if (emission.is_emitter && is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
+  // Light that next-event estimation samples by way of a flat mirror stays with camera paths: light paths end
+  // there (shade_light_path_hit).
+  if (emission.is_light_sampled && is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
   const float light_pdf =
       path.came_by_mirror ? emission.light_pdf * path.mirror_probability : emission.light_pdf;
   const float weight = path.bsdf_pdf > 0 ? mis_weight(path.bsdf_pdf, light_pdf) : 1;
@@ -27,7 +29,8 @@ void add_environment(PathBatch<T>& batch, const World& world, PathState<T>& path
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
 }
 
-/// Point whose next-event estimation could have sampled this hit; needed for the MIS pdf.
+/// The point at which next-event estimation could have sampled what this ray hits, and at which its pdf is
+/// evaluated for MIS: the last vertex, or its mirror image.
 template <Transport T>
 Vec3f pdf_origin(const PathState<T>& path) {
   return path.came_by_mirror ? path.mirrored_vertex : path.ray.origin;

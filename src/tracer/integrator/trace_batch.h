@@ -7,11 +7,13 @@
 
 #include <span>
 
-/// The path tracer: unidirectional, with next-event estimation and multiple importance sampling (Kajiya 1986;
-/// Veach 1997, ch. 9). A batch of paths advances together, one scattering event at a time, so that rays reach
-/// the accelerator in full packets and vertices fill the vector registers. The result of a path does not
-/// depend on the other paths of its batch. Read from the bottom up: trace_batch, shade_batch, and the steps
-/// in their headers.
+/// The path tracer: unidirectional, with next-event estimation and multiple importance sampling by the power
+/// heuristic (Kajiya 1986; Veach 1997, ch. 9). Two techniques come on top: next-event estimation by way of a
+/// flat mirror (sample_mirrored_light.h), and light tracing for caustics, which are skipped here
+/// (is_left_to_light_paths; trace_light_batch.h). A batch of paths advances together, one scattering event at
+/// a time, so that rays reach the accelerator in full packets and vertices fill the vector registers. The
+/// result of a path does not depend on the other paths of its batch. Read from the bottom up: trace_batch,
+/// shade_batch, and the steps in their headers.
 namespace orbs::tracer {
 
 template <Transport T>
@@ -25,7 +27,7 @@ void start_paths(PathBatch<T>& batch, const World& world, std::span<const Sample
     PathState<T>& path = batch.paths[i];
     path = {};
     path.sample = i;
-    path.first_light_sample = {u[2], u[3]};
+    path.first_light_numbers = {u[2], u[3]};
     path.ray = camera_ray(world.camera, static_cast<float>(x) + u[0], static_cast<float>(y) + u[1]);
     path.throughput = T::start(world.camera, path.ray);
     path.lambda = T::sample_lambda([&samples, i] {

@@ -4,8 +4,12 @@
 
 #include <cstdint>
 
-/// Light tracing, for the light that World::caustic_casters leaves to light paths. Particle tracing with the
-/// adjoint of the camera paths' BSDFs (Veach 1997, ch. 4 and 5).
+/// Light tracing, for paths that camera paths sample badly: the light first meets a near-specular surface
+/// (SurfaceMaterial::is_near_specular), and the surface that the camera sees, directly or in a flat mirror,
+/// is not near-specular or scatters in the tail of its lobe (kTailPdf). Camera paths skip exactly these paths
+/// (is_left_to_light_paths), but for those that next-event estimation by way of a flat mirror samples. No
+/// light path is traced if World::caustic_casters is empty. Particle tracing with the adjoint of the camera
+/// paths' BSDFs (Veach 1997, ch. 4 and 5).
 namespace orbs::tracer {
 
 /// Russian roulette with the throughput as the survival probability, so that the surviving paths carry as
@@ -25,10 +29,11 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
   const SurfacePoint& point = surface.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_light);
+  // As on camera paths, only the direction to the light must agree with both normals.
   if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return false;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f from = frame.to_local(to_light);
-  if (!(from.z > 0)) return false;
+  if (!(from.z > 0)) return false;  // by rounding at grazing angles
   const auto bounce = static_cast<std::uint32_t>(path.scatterings);
   typename T::Bsdf bsdf;
   make_bsdf<T>(bsdf, {world, surface, side > 0, path.lambda, path.throughput, block, path.index, bounce});
@@ -45,7 +50,7 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
   path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
               direction};
   ++path.scatterings;
-  return survives_light_roulette<T>(path, u[3]);
+  return survives_light_roulette<T>(path, u[3]);  // free: sample() uses three numbers at most
 }
 
 /// Connects the hit of the path's ray to the camera and scatters; true if the path continues with a new ray.
@@ -85,10 +90,11 @@ void start_light_paths(LightPathBatch<T>& batch,
   for (std::uint32_t i = 0; i < count; ++i) {
     LightPath<T>& path = batch.paths[i];
     path.index = first + i;
+    // Light paths have random numbers of their own (kLightSeed), so these two dimensions are free.
     path.start = emit(world, draw(block, path.index, 0, SampleDimension::PixelAndFirstLight),
                       draw(block, path.index, 0, SampleDimension::LightPick));
     path.ray = path.start.ray;
-    path.throughput = T::start(world.camera, path.ray);
+    path.throughput = T::start(world.camera, path.ray);  // 1: plain factors depend on neither
     path.lambda =
         T::sample_lambda([&] { return draw(block, path.index, 0, SampleDimension::Wavelength)[0]; });
     if (path.start.weight > 0) batch.active.push_back(i);

@@ -1,0 +1,125 @@
+#include "supervisor/memory_files.h"
+
+#include "base/text.h"
+#include "supervisor/proc_file.h"
+
+#include <algorithm>
+#include <ctime>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace orbs::supervisor {
+
+namespace {
+
+struct FileStatus {
+  FileId id;
+  std::size_t bytes = 0;
+  std::int64_t changed_ns = 0;  // ctime, which no program can set
+};
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+// Of a regular file; nothing for all else. What the kernel knows is enough: a server is not asked.
+std::optional<FileStatus> status_of(int folder, const char* name) {
+  struct statx status {};
+  constexpr unsigned kWanted = STATX_TYPE | STATX_INO | STATX_BLOCKS | STATX_CTIME;
+  if (::statx(folder, name, AT_STATX_DONT_SYNC | AT_NO_AUTOMOUNT, kWanted, &status) != 0) return std::nullopt;
+  if (!S_ISREG(status.stx_mode)) return std::nullopt;
+  constexpr std::size_t kBlock_bytes = 512;  // whatever the block size of the file system
+  return FileStatus{{status.stx_dev_major, status.stx_dev_minor, static_cast<ino_t>(status.stx_ino)},
+                    static_cast<std::size_t>(status.stx_blocks) * kBlock_bytes,
+                    status.stx_ctime.tv_sec * kSecond_ns + status.stx_ctime.tv_nsec};
+}
+
+// The kernel's own tmpfs, which is mounted nowhere: that of memfds.
+FileId any_memfd() {
+  const int file = ::memfd_create("orbs", MFD_CLOEXEC);
+  if (file < 0) return {};
+  const auto status = status_of(AT_FDCWD, fmt::format("/proc/self/fd/{}", file).c_str());
+  ::close(file);
+  return status ? status->id : FileId{};
+}
+
+// A task may have mounts of its own, in which our mountinfo does not list its tmpfs.
+bool is_mounted_tmpfs(unsigned major, unsigned minor, pid_t task) {
+  const auto device = fmt::format(" {}:{} ", major, minor);
+  for (const auto& mount : split(read_proc_file(fmt::format("/proc/{}/mountinfo", task)), '\n'))
+    if (mount.find(device) != std::string::npos) return mount.find(" - tmpfs ") != std::string::npos;
+  return false;
+}
+
+bool is_in_memory(MemoryFiles& known, const FileId& id, pid_t task) {
+  if (id.device_major != 0) return false;  // a disk
+  static const auto memfd = any_memfd();
+  if (id.device_minor == memfd.device_minor) return true;
+  const auto [entry, is_new] = known.is_tmpfs.try_emplace({id.device_major, id.device_minor}, false);
+  if (is_new) entry->second = is_mounted_tmpfs(id.device_major, id.device_minor, task);
+  return entry->second;
+}
+
+std::string link_target(int folder, const char* name) {
+  std::string target(4096, '\0');
+  const auto count = ::readlinkat(folder, name, target.data(), target.size());
+  target.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  return target;
+}
+
+// Notes the files that the task has open. Another user's task, or one that hides itself, shows none.
+void note_open_files(MemoryFiles& known, pid_t task, std::set<FileId>& open) {
+  DIR* folder = ::opendir(fmt::format("/proc/{}/fd", task).c_str());
+  if (folder == nullptr) return;
+  const int descriptor = ::dirfd(folder);
+  while (const dirent* entry = ::readdir(folder)) {
+    const auto status = status_of(descriptor, entry->d_name);
+    if (!status || !is_in_memory(known, status->id, task)) continue;
+    const auto [found, is_new] = known.files.try_emplace(status->id);
+    auto& file = found->second;
+    if (is_new) file.path = link_target(descriptor, entry->d_name);
+    if (is_new && status->changed_ns < known.begin_ns) file.old_bytes = status->bytes;
+    file.bytes = status->bytes;
+    open.insert(status->id);
+  }
+  ::closedir(folder);
+}
+
+}  // namespace
+
+MemoryFiles begin_memory_files() {
+  MemoryFiles none;
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
+  none.begin_ns = now.tv_sec * kSecond_ns + now.tv_nsec;
+  return none;
+}
+
+void update(MemoryFiles& known, const std::vector<pid_t>& tasks) {
+  std::set<FileId> open;
+  for (const pid_t task : tasks) note_open_files(known, task, open);
+  for (auto& [id, file] : known.files) {
+    if (open.contains(id)) continue;
+    const auto status = status_of(AT_FDCWD, file.path.c_str());
+    file.bytes = status && status->id == id ? status->bytes : 0;
+  }
+  std::erase_if(known.files,
+                [&](const auto& entry) { return entry.second.bytes == 0 && !open.contains(entry.first); });
+}
+
+std::size_t new_bytes(const MemoryFile& file) { return file.bytes - std::min(file.bytes, file.old_bytes); }
+
+std::size_t total_bytes(const MemoryFiles& known) {
+  std::size_t bytes = 0;
+  for (const auto& [id, file] : known.files) bytes += new_bytes(file);
+  return bytes;
+}
+
+}  // namespace orbs::supervisor
