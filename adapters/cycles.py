@@ -33,7 +33,7 @@ import cycles_meshes  # noqa: E402
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 LARGEST_DOUBLED_EMITTER_AREA = 0.1
 SMALLEST_SCALE = 0.01
-MOST_BOUNCES = 1024  # that Blender takes
+MOST_BOUNCES = 1024  # Blender accepts no more.
 LIGHT_SHAPES = {
     "rect": (("half_width", "half_length"), cycles_meshes.rect_light),
     "disk": (("radius",), cycles_meshes.disk_light),
@@ -70,7 +70,7 @@ def parse_arguments():
 
 
 def checked(entry, place, required, optional=()):
-    """The entry, when it has all required keys and none that are unknown."""
+    """Returns the entry; refuses missing and unknown keys, so that no setting is silently ignored."""
     if not isinstance(entry, dict):
         raise SceneError(f"{place} must be an object")
     for key in required:
@@ -94,7 +94,7 @@ def named(table, name, place):
 def build(scene, folder, scale_option):
     checked(scene, "scene", ["format", "name", "camera"],
             ["environment", "textures", "materials", "meshes", "instances", "lights", "integrator",
-             "outputs"])  # fmt: skip  # layers beside the colour are left out
+             "outputs"])  # fmt: skip  # "outputs" is ignored: only the colour is written.
     if scene["format"] != "orbs-scene/1":
         raise SceneError(f"format must be orbs-scene/1, is {scene['format']}")
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -113,7 +113,7 @@ def build(scene, folder, scale_option):
     add_instances(meshes, instances, materials, scale)
     for index, light in enumerate(lights):
         add_light(light, f"light {index}", folder, scale)
-    # Roulette would act on the factor 1 / ior^2 that a camera path carries within glass, and only add noise.
+    # Cycles' roulette would act on the factor 1 / ior^2 that a path carries in glass, which only adds noise.
     bpy.context.scene.cycles.min_light_bounces = 1024 if scales_radiance else 0
 
 
@@ -157,7 +157,7 @@ def read_mesh(mesh, folder):
 
 
 def checked_instance(instance, meshes, materials):
-    """(name, mesh name, matrix, material name of each slot after the remap list)"""
+    """Returns name, mesh name, matrix, and the material name of each slot after the remap list."""
     place = f"instance '{instance.get('name')}'"
     checked(instance, place, ["mesh"], ["name", "matrix", "remap"])
     remap = instance.get("remap", [])
@@ -165,7 +165,7 @@ def checked_instance(instance, meshes, materials):
         raise SceneError(f"{place}: remap must hold pairs")
     replacement = {}
     for old, new in zip(remap[0::2], remap[1::2]):
-        replacement.setdefault(old, new)  # looked up once, not chained
+        replacement.setdefault(old, new)  # The first pair counts, and results are not remapped again.
     slots = [replacement.get(name, name) for name in named(meshes, instance["mesh"], place)[1]]
     for name in slots:
         named(materials, name, place)
@@ -255,7 +255,7 @@ def add_environment(radiance):
     background = world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = (*radiance, 1.0)
     background.inputs["Strength"].default_value = 1.0
-    world.cycles.sampling_method = "NONE"  # a constant is sampled best by the surfaces themselves
+    world.cycles.sampling_method = "NONE"  # BSDF sampling is best for a constant.
 
 
 def add_instances(meshes, instances, materials, scale):
@@ -286,7 +286,7 @@ def load_ies(use, light_matrix, folder, scale):
         except cycles_ies.IesError as error:
             raise SceneError(f"{path}: not a usable LM-63 file: {error}") from None
     frame = world_matrix(light_matrix, scale) @ world_matrix(use.get("matrix", IDENTITY), 1.0)
-    rows = frame.to_3x3().normalized().transposed()  # unit axes of the profile; their lengths do not turn directions
+    rows = frame.to_3x3().normalized().transposed()  # unit axes: a scale must not change directions
     centre = tuple(frame.to_translation()) if use.get("point_area", False) else None
     return grid, [tuple(row) for row in rows], centre
 
@@ -306,7 +306,7 @@ def add_object(name, data, matrix=None):
 
 
 def world_frame():
-    """The empty at the origin that every placed object hangs on."""
+    """Returns the empty at the origin that is the parent of every placed object."""
     name = "orbs world frame"
     return bpy.data.objects.get(name) or add_object(name, None)
 

@@ -14,7 +14,7 @@ MOST_GRID_CELLS = 4_000_000
 
 
 class IesError(ValueError):
-    """The file is no usable LM-63 file."""
+    """The file is not a usable LM-63 file."""
 
 
 @dataclass
@@ -29,7 +29,7 @@ class Profile:
 
 @dataclass
 class Grid:
-    """candela / max candela on a regular grid; rows ascend in the vertical angle, columns run from 0 to 360 deg."""
+    """Holds candela / max candela on a regular grid: rows ascend in the vertical angle, columns in 0 to 360 deg."""
 
     columns: int
     rows: int
@@ -82,7 +82,7 @@ def _split_file(text):
 
 
 def _tilt_factor(tilt, number):
-    """Factor of a luminaire that hangs level: the entry at 0 deg."""
+    """Returns the factor at 0 deg of tilt, because luminaires here hang level."""
     if tilt == "NONE":
         return 1.0
     if tilt != "INCLUDE":
@@ -95,7 +95,7 @@ def _tilt_factor(tilt, number):
 
 
 def _azimuths_of(plane, first, last):
-    """Where a stored plane appears, by the symmetry that the range of the planes states."""
+    """Returns the angles of a stored plane by the symmetry that the range of the planes implies."""
     if last == 0:
         return (0, 360)
     if first == 90 and last == 270:
@@ -108,7 +108,7 @@ def _azimuths_of(plane, first, last):
 
 
 def _plane_at_zero(plane_at):
-    """Between the neighbours of 0 = 360, for a profile from 90 to 270 that has no plane at 180."""
+    """Interpolates between the neighbours of 0 = 360: a profile from 90 to 270 may lack the plane at 180."""
     first, last = min(plane_at), max(plane_at)
     share_of_first = (360 - last) / (360 - last + first)
     pairs = zip(plane_at[first], plane_at[last])
@@ -125,13 +125,13 @@ def _unfolded(vertical, horizontal, candela, peak):
             plane_at.setdefault(azimuth, row)
     if 0 not in plane_at:
         plane_at[0] = _plane_at_zero(plane_at)
-    plane_at.setdefault(360, plane_at[0])  # files that stop short of 360 go on with their first plane
+    plane_at.setdefault(360, plane_at[0])  # A file that stops short of 360 continues with its first plane.
     azimuths = sorted(plane_at)
     return Profile(vertical, azimuths, [plane_at[azimuth] for azimuth in azimuths], peak)
 
 
 def _common_step_deg(angles):
-    """Largest step on which all angles lie, counted from the first one."""
+    """Returns the largest step from the first angle on which all angles lie."""
     units = [round((angle - angles[0]) / ANGLE_RESOLUTION_DEG) for angle in angles]
     for unit, angle in zip(units, angles):
         if abs(unit * ANGLE_RESOLUTION_DEG + angles[0] - angle) > 1e-6:
@@ -140,7 +140,7 @@ def _common_step_deg(angles):
 
 
 def _resampled(angles, values, count):
-    """Piecewise linear values at `count` regular angles that include all of `angles`."""
+    """Interpolates values at `count` regular angles, which include all of `angles`, so nothing is lost."""
     if len(angles) == 1:
         return [values[0]] * count
     step = (angles[-1] - angles[0]) / (count - 1)

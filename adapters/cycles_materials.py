@@ -19,7 +19,7 @@ FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 
 
 class Shader:
-    """A material under construction; sockets and plain numbers are interchangeable as arguments."""
+    """Builds a node tree; functions take sockets and plain numbers alike."""
 
     def __init__(self, name):
         self.material = bpy.data.materials.new(name)
@@ -55,7 +55,7 @@ class Shader:
         return node.outputs["Vector"]
 
     def affine(self, vector, factors, offset):
-        """dot(vector, factors) + offset"""
+        """Returns the socket of dot(vector, factors) + offset."""
         return self.math("ADD", self.vector("DOT_PRODUCT", vector, factors), offset)
 
     def finish(self, surface):
@@ -71,7 +71,7 @@ def srgb_to_linear(value):
 
 
 def load_texture(path):
-    """The file as an image of linear float texels, so that Cycles filters after the decoding and not before."""
+    """Loads the file as linear float texels, so that Cycles filters after the decoding and not before."""
     source = bpy.data.images.load(path)
     source.colorspace_settings.name = "Non-Color"
     source.alpha_mode = "CHANNEL_PACKED"
@@ -90,14 +90,14 @@ def load_texture(path):
 
 
 def float_image(name, width, height, texels):
-    """Non-colour RGBA float image; `texels` row by row from the bottom (v = 0)."""
+    """Makes a non-colour RGBA float image of `texels`, row by row from the bottom (v = 0)."""
     image = bpy.data.images.new(name, width, height, alpha=True, float_buffer=True, is_data=True)
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "CHANNEL_PACKED"
     image.use_half_precision = False
     image.pixels.foreach_set(texels)
     image.update()
-    image.pack()  # a packed image is what Cycles reads from memory, never from the path in its name
+    image.pack()  # Cycles would read an image that is not packed from the path in its name.
     return image
 
 
@@ -123,7 +123,7 @@ def image_lookup(shader, image, vector, extension):
 
 
 def coloured(shader, colour, use, textures):
-    """The constant colour, times the texture if there is one."""
+    """Returns the constant colour times the texture, if there is one."""
     return shader.vector("MULTIPLY", sampled_texture(shader, use, textures), colour) if use else colour
 
 
@@ -173,7 +173,7 @@ def emission(shader, radiance, strength=1.0):
 
 @dataclass
 class Surroundings:
-    """What the materials of a scene share: images by texture name with their wraps, and whether glass scales radiance."""
+    """Holds what the materials of a scene share: images and wraps by texture name, and whether glass scales radiance."""
 
     textures: dict
     scales_radiance: bool
@@ -209,7 +209,7 @@ def _emission(shader, m, around):
     return emission(shader, coloured(shader, m["radiance"], m.get("texture"), around.textures))
 
 
-# Material type: (required keys, keys that may be absent, what builds the surface).
+# Each type of material: its required keys, its optional keys, and the function that builds its surface.
 MATERIAL_TYPES = {
     "lambert": ({"reflectance"}, {"texture"}, _lambert),
     "oren_nayar": ({"reflectance", "roughness"}, {"texture"}, _oren_nayar),
@@ -231,7 +231,7 @@ def make_material(description, around):
 
 
 def make_light_material(name, radiance, ies=None):
-    """Constant radiance in front and black behind; `ies` = (Grid, to_local 3x3 rows, centre or None) scales it."""
+    """Emits constant radiance in front, none behind; `ies` = (Grid, to_local 3x3 rows, centre or None) scales it."""
     shader = Shader(name)
     back = shader.node("ShaderNodeNewGeometry").outputs["Backfacing"]
     strength = shader.math("SUBTRACT", 1.0, back)
@@ -261,7 +261,7 @@ def grid_lookup(shader, name, grid, vertical_rad, turns):
     first, last = math.radians(grid.first_vertical_deg), math.radians(grid.last_vertical_deg)
     texels = array("f", (v for value in grid.values for v in (value, value, value, 1.0)))
     image = float_image(name, grid.columns, grid.rows, texels)
-    # Angle to texel centre: value k of n stands at (k + 0.5) / n.
+    # Angles map to texel centres, because value k of n is at (k + 0.5) / n.
     u = shader.math("MULTIPLY_ADD", turns, (grid.columns - 1) / grid.columns, 0.5 / grid.columns)
     slope = (grid.rows - 1) / grid.rows / (last - first) if grid.rows > 1 else 0.0
     v = shader.math("MULTIPLY_ADD", vertical_rad, slope, 0.5 / grid.rows - first * slope)

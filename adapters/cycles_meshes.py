@@ -59,7 +59,7 @@ def read_ply(path):
 
 
 def interleaved(columns, first, width):
-    """`width` neighbouring columns of the 11-column vertex table, flat."""
+    """Returns `width` neighbouring columns of the 11-column vertex table as one flat array."""
     out = array("f", bytes(4 * width * (len(columns) // 11)))
     for offset in range(width):
         out[offset::width] = columns[first + offset :: 11]
@@ -87,7 +87,7 @@ def add_triangle(mesh, a, b, c, material):
 
 
 def make_mesh(name, triangles, materials):
-    """`materials` are the slots that triangles.materials counts through."""
+    """Makes a Blender mesh; triangles.materials holds indices into `materials`."""
     corners = array("i", (i for corner in triangles.corners for i in corner))
     count = len(triangles.corners)
     mesh = bpy.data.meshes.new(name)
@@ -112,7 +112,7 @@ def make_mesh(name, triangles, materials):
 
 
 def set_normals(mesh, normals):
-    mesh.use_auto_smooth = True  # custom normals count only then
+    mesh.use_auto_smooth = True  # Blender ignores custom normals otherwise.
     mesh.auto_smooth_angle = math.pi
     mesh.normals_split_custom_set_from_vertices(list(zip(normals[0::3], normals[1::3], normals[2::3])))
 
@@ -121,7 +121,7 @@ def set_normals(mesh, normals):
 
 
 def flat_light(outline):
-    """Triangle fan of points (x, z) in the plane y = 0 that is lit towards -Y."""
+    """Returns a triangle fan of points (x, z) in the plane y = 0; it emits towards -Y."""
     positions = array("f", (value for x, z in outline for value in (x, 0.0, z)))
     normals = array("f", (0.0, -1.0, 0.0)) * len(outline)
     mesh = Triangles(positions, normals, array("f", bytes(8 * len(outline))))
@@ -137,7 +137,7 @@ def rect_light(half_width, half_length):
 
 
 def disk_light(radius, sides=256):
-    """A polygon of the disk's area; its edge leaves the circle by at most 1e-4 radii."""
+    """Returns a polygon of the disk's area, so that its power is right; its edge is within 1e-4 radii of the circle."""
     r = radius * math.sqrt(2 * math.pi / (sides * math.sin(2 * math.pi / sides)))
     angles = [2 * math.pi * k / sides for k in range(sides)]
     mesh = flat_light([(0.0, 0.0)] + [(r * math.cos(a), r * math.sin(a)) for a in angles])
@@ -147,7 +147,7 @@ def disk_light(radius, sides=256):
 
 
 def sphere_light(radius, levels=5):
-    """A subdivided icosahedron of the sphere's surface area. The mean shadow of a convex body is a quarter of its surface
+    """Returns a subdivided icosahedron of the sphere's surface area. A convex body's mean shadow is a quarter of its surface
     (Cauchy), so the solid angle is kept on average; with 20 * 4^5 triangles it varies by less than 1e-4."""
     points, faces = icosahedron()
     for _ in range(levels):
@@ -194,7 +194,7 @@ def normalised(v):
 
 
 def cross_product(a, b, c):
-    """(b - a) x (c - a)"""
+    """Returns (b - a) x (c - a), twice the area along the normal."""
     u, v = [q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]
     return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 
@@ -208,14 +208,14 @@ def transformed(matrix, x, y, z):
 
 
 def bounds(triangles, matrix):
-    """(lowest, highest) corner of the box around the transformed vertices."""
+    """Returns the lowest and the highest corner of the box around the transformed vertices."""
     p = triangles.positions
     points = [transformed(matrix, *point) for point in zip(p[0::3], p[1::3], p[2::3])]
     return [min(column) for column in zip(*points)], [max(column) for column in zip(*points)]
 
 
 def is_closed(triangles):
-    """A closed surface has no vector area; a sheet, like a water surface, has one."""
+    """Tests the vector area, which is zero for a closed surface and not for a sheet of water."""
     p, vector, total = triangles.positions, [0.0, 0.0, 0.0], 0.0
     for corner in triangles.corners:
         cross = cross_product(*(p[3 * i : 3 * i + 3] for i in corner))
@@ -225,7 +225,7 @@ def is_closed(triangles):
 
 
 def largest_triangle_area(triangles, matrix, slots=None):
-    """Largest area of a triangle after the affine matrix (16 numbers); `slots` restricts to some material slots."""
+    """Returns the largest triangle's area after the affine matrix (16 numbers); `slots`: only these material slots."""
     p, largest = triangles.positions, 0.0
     for corner, slot in zip(triangles.corners, triangles.materials):
         if slots is None or slot in slots:

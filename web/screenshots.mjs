@@ -1,7 +1,7 @@
 // Takes the screenshots of the documentation from a run:
 //   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address>...]
-// The case shown is the first failure with an image. An address is the part from '#' on; if any is
-// given, only these screenshots are taken. Needs Debian's chromium.
+// The case shown is the first failure, or the first pass if there is none. An address is the part
+// from '#' on; if any is given, only these screenshots are taken. Needs Debian's chromium.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -19,10 +19,11 @@ const args = [
   ...(process.getuid() === 0 ? ["--no-sandbox"] : []),
 ];
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args });
-const page = await browser.newPage({ viewport: { width: 1200, height: 760 } });
+const kWidth_px = 1280;
+const page = await browser.newPage({ colorScheme: "light" });
 
 async function take(name, height, address, ready) {
-  await page.setViewportSize({ width: 1200, height });
+  await page.setViewportSize({ width: kWidth_px, height });
   await page.goto("about:blank");
   await page.goto(url + address);
   await page.locator(ready).first().waitFor();
@@ -34,21 +35,21 @@ async function take(name, height, address, ready) {
 
 async function takeUsual() {
   await take("overview", 530, "", ".cell a");
-  const cell = page.locator(".cell a.tone-bad, .cell a.tone-unsure, .cell a.tone-good").first();
-  const link = new URL(await cell.getAttribute("href"), page.url()).hash;
-  await take(
-    "case",
-    960,
-    `${link}?mode=side&tick=result%7Creference%7Cl1%7Csigned&img=l1`,
-    ".stage canvas[data-drawn]",
-  );
+  const cells = ["bad", "unsure", "good"].map((tone) => page.locator(`.cell a.tone-${tone}`));
+  for (const cell of cells) {
+    if ((await cell.count()) === 0) continue;
+    const link = new URL(await cell.first().getAttribute("href"), page.url()).hash;
+    const view = "mode=side&tick=result%7Creference%7Cl1&img=l1";
+    await take("case", 720, `${link}?${view}`, ".stage canvas[data-drawn]");
+    break;
+  }
   await take("chart", 630, "#/charts", ".plot canvas");
 }
 
 if (views.length === 0) await takeUsual();
 for (const view of views) {
   const [, name, address] = /^([^=]+)=(.+)$/s.exec(view);
-  await take(name, 760, address, ".stage canvas[data-drawn]");
+  await take(name, 720, address, ".stage canvas[data-drawn]");
 }
 await browser.close();
 server.kill("SIGTERM");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "registry/placeholders.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -38,6 +39,9 @@ struct Exporter {
   void (*write)(const scene::Scene& scene,
                 const SceneSettings& settings,
                 const std::filesystem::path& file) = nullptr;
+  /// The placeholders of commands that only programs of this format know, for these samples per pixel; null
+  /// where it has none.
+  registry::Placeholders (*placeholders)(int spp) = nullptr;
 };
 
 }  // namespace orbs::adapters

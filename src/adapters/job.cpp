@@ -1,7 +1,7 @@
 #include "adapters/job.h"
 
 #include "adapters/export.h"
-#include "adapters/povray/povray.h"
+#include "adapters/exporters.h"
 #include "adapters/transports.h"
 #include "base/error.h"
 
@@ -51,21 +51,23 @@ Job make_job(const registry::Renderer& renderer,
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
   if (settings.scene_file.empty()) job.channels = image_channels(renderer.scene_format, scene);
-  job.argv = registry::fill_placeholders(renderer.command,
-                                         {{"executable", settings.executable.string()},
-                                          {"scene", job.scene_file.string()},
-                                          {"output", job.image.string()},
-                                          {"folder", folder.string()},
-                                          {"spp", std::to_string(settings.spp)},
-                                          {"seed", std::to_string(strided_seed(renderer, settings.seed))},
-                                          {"threads", std::to_string(settings.threads)},
-                                          {"width", std::to_string(job.width_px)},
-                                          {"height", std::to_string(job.height_px)},
-                                          {"aa_grid", std::to_string(povray_aa_grid(settings.spp))},
-                                          {"trace_depth", std::to_string(scene.trace_depth)},
-                                          {"transport", transport_word(renderer, scene)},
-                                          {"root", settings.root.string()},
-                                          {"build", settings.build.string()}});
+  registry::Placeholders values{{"executable", settings.executable.string()},
+                                {"scene", job.scene_file.string()},
+                                {"output", job.image.string()},
+                                {"folder", folder.string()},
+                                {"spp", std::to_string(settings.spp)},
+                                {"seed", std::to_string(strided_seed(renderer, settings.seed))},
+                                {"threads", std::to_string(settings.threads)},
+                                {"width", std::to_string(job.width_px)},
+                                {"height", std::to_string(job.height_px)},
+                                {"trace_depth", std::to_string(scene.trace_depth)},
+                                {"transport", transport_word(renderer, scene)},
+                                {"root", settings.root.string()},
+                                {"build", settings.build.string()}};
+  // Those of all formats, because a renderer with hand-written scenes names no exporter.
+  for (const auto& exporter : exporters())
+    if (exporter.placeholders != nullptr) values.merge(exporter.placeholders(settings.spp));
+  job.argv = registry::fill_placeholders(renderer.command, values);
   return job;
 }
 

@@ -44,8 +44,8 @@ struct JobSettings {
 int scaled_spp(int spp, double renderer_scale, double run_scale);
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
-/// folder that they are started in. {aa_grid} is povray_aa_grid of the samples, {transport} is transport_word
-/// of the scene. {seed} is the seed times the renderer's seed_stride. Pure, touches no file. argv[0] is
+/// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
+/// renderer's seed_stride; exporters add placeholders of their formats. Pure, touches no file. argv[0] is
 /// settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,

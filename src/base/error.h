@@ -9,12 +9,12 @@ namespace orbs {
 /// Exit status after an interrupt: 128 + SIGINT, as shells count.
 constexpr int kInterrupted = 130;
 
-/// Bad input from the user's side: a file, a key, an option. Never a bug of ours.
+/// The user gave bad input: a file, a key, an option. A bug of ours is an assert, never an InputError.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& what) : std::runtime_error(what), text_(what) {}
 
-  /// Adds one "while ..." line; called by each layer that knows more than the layer below.
+  /// Adds one "while ..." line. Each layer that knows more than the layer below calls it.
   InputError& note(const std::string& line) {
     text_ += "\n  while " + line;
     return *this;
@@ -25,13 +25,13 @@ class InputError : public std::runtime_error {
   std::string text_;
 };
 
-/// The disk refuses what we write: the surroundings, and nobody's input, so nothing else is worth trying.
+/// The disk refuses what we write. No other input would help, so callers stop instead of trying the next.
 class WriteError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Runs f; an InputError that passes through gains a "while <doing>" line.
+/// Runs f. An InputError that passes through gains a "while <doing>" line.
 template <typename F>
 decltype(auto) with_note(const std::string& doing, F&& f) {
   try {

@@ -6,12 +6,12 @@
 
 namespace orbs {
 
-/// A file that is locked for as long as the object lives, and gone with it. The system lets go of the lock
-/// however the process ends: the file of one that was killed is in nobody's way.
+/// A file that is locked while the object lives and deleted with it. The system releases the lock however the
+/// process ends, so the file of a process that was killed stops nobody.
 class FileLock {
  public:
-  /// `busy` makes the message of the InputError for a lock that another object holds, here or in the process
-  /// whose id it is given. InputError, too, when the file cannot be made.
+  /// InputError if another object holds the lock, here or in another process: `busy` gets the process id and
+  /// makes the message. InputError, too, if the file cannot be made.
   FileLock(const std::filesystem::path& file, const std::function<std::string(const std::string&)>& busy);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -22,7 +22,7 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-/// True while somebody holds the lock of `file`; asking is in nobody's way.
+/// True while somebody holds the lock of `file`. Asking takes no lock.
 bool is_locked(const std::filesystem::path& file);
 
 }  // namespace orbs

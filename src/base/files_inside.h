@@ -8,7 +8,7 @@
 
 namespace orbs {
 
-/// A regular file that lies in a folder, opened; what happens to its name afterwards changes nothing.
+/// An open regular file. Renaming or replacing it afterwards changes nothing, because the descriptor stays.
 class OpenFile {
  public:
   explicit OpenFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
@@ -19,7 +19,7 @@ class OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 
   std::uint64_t size() const { return size_; }
-  /// Up to `count` bytes from `offset`; fewer only at the end of the file or when reading fails.
+  /// Reads up to `count` bytes from `offset`: fewer only at the end of the file or if reading fails.
   std::string read(std::uint64_t offset, std::size_t count) const;
 
  private:
@@ -27,9 +27,9 @@ class OpenFile {
   std::uint64_t size_;
 };
 
-/// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink:
-/// nothing outside the folder can be reached, whatever is renamed meanwhile. Nothing for whatever is no
-/// regular file there.
+/// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,
+/// so nothing outside the folder can be reached, whatever is renamed meanwhile. std::nullopt if there is no
+/// such regular file.
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative);
 
 }  // namespace orbs

@@ -12,14 +12,14 @@ namespace orbs {
 /// the ends of a line, and no class of characters holds a line break.
 class Pattern {
  public:
-  /// InputError with the reason when the text is none, refers back to a group, nests more than 50 groups or
-  /// has more than 10,000 characters with every bound "{m,n}" written out.
+  /// InputError with the reason if the text is no expression, refers back to a group, nests more than 50
+  /// groups or, with every bound "{m,n}" written out, has more than 10,000 characters.
   explicit Pattern(const std::string& text);
 
-  /// How many groups in parentheses it has.
+  /// The number of groups in parentheses.
   std::size_t group_count() const { return compiled_->re_nsub; }
 
-  /// What the groups of the last match in `text` hold, "" for one that took no part; empty when nothing
+  /// The texts of the groups in the last match in `text`, "" for a group that took no part. Empty if nothing
   /// matches.
   std::vector<std::string> last_match(const std::string& text) const;
 

@@ -5,7 +5,7 @@
 
 namespace orbs {
 
-/// What one render may use, all its processes together. An empty limit is no limit.
+/// What all processes of one render may use together. An empty limit is no limit.
 struct ProcessLimits {
   double wall_seconds = 600;
   std::optional<double> cpu_seconds;        // user and system

@@ -4,9 +4,9 @@
 
 namespace orbs {
 
-/// Mixes two words into one with every input bit reaching every output bit: the finaliser of SplitMix64
-/// (Steele, Lea, Flood 2014) over their combination. Random numbers of the project are functions of what they
-/// are for, never of what was drawn before: same seed, same image, for any order of work.
+/// Mixes two words into one so that every input bit reaches every output bit: the finaliser of SplitMix64
+/// (Steele, Lea, Flood 2014) over their combination. All random numbers are functions of their purpose, never
+/// of earlier ones, so that a seed gives the same image in any order of work.
 constexpr std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   std::uint64_t z = a * 0x9e3779b97f4a7c15ULL + b + 0x9e3779b97f4a7c15ULL;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -14,7 +14,7 @@ constexpr std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   return z ^ (z >> 31);
 }
 
-/// [0, 1) from the upper 53 bits; never 1.
+/// A number in [0, 1), never 1, from the upper 53 bits.
 constexpr double unit_random(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 }  // namespace orbs

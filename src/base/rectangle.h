@@ -4,7 +4,7 @@
 
 namespace orbs {
 
-/// Pixels x0 <= x < x1, y0 <= y < y1, y from the top.
+/// The pixels x0 <= x < x1, y0 <= y < y1. y counts from the top.
 struct Rectangle {
   int x0 = 0;
   int y0 = 0;
@@ -12,7 +12,7 @@ struct Rectangle {
   int y1 = 0;
 };
 
-/// "[x0,y0,x1,y1]", as messages and results write it.
+/// Writes "[x0,y0,x1,y1]", the form of messages and results.
 std::string rectangle_text(const Rectangle& rectangle);
 
 }  // namespace orbs

@@ -5,10 +5,10 @@
 
 namespace orbs {
 
-/// A folder of its own for unfinished files, below the system's temporary folder; gone with the object.
+/// A new folder for unfinished files in the system's temporary folder. It is deleted with the object.
 class ScratchFolder {
  public:
-  /// `name` tells people whose it is. Throws std::filesystem::filesystem_error when it cannot be made.
+  /// `name` tells users who made it. Throws std::filesystem::filesystem_error if it cannot be made.
   explicit ScratchFolder(const std::string& name);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

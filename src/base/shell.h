@@ -6,7 +6,7 @@
 
 namespace orbs {
 
-/// A command line that a POSIX shell splits into `words` again.
+/// Quotes `words` as a command line that a POSIX shell splits into the same words.
 std::string shell_text(const std::vector<std::string>& words);
 
 /// A line for a POSIX shell that runs `argv` in `folder` with exactly the variables NAME=value of

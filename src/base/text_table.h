@@ -8,7 +8,7 @@
 /// Tables of text for a terminal.
 namespace orbs {
 
-/// Columns that `text` takes on a terminal: one per code point of UTF-8, none for ANSI escapes.
+/// The columns that `text` takes on a terminal: one per code point of UTF-8, none for ANSI escapes.
 std::size_t display_width(std::string_view text);
 
 enum class Align { Left, Right };

@@ -4,8 +4,8 @@
 
 namespace orbs {
 
-/// Three numbers: a point, a direction or an RGB value. `Real` is double in scene data, float on the tracer's
-/// paths.
+/// Three numbers: a point, a direction or an RGB value. `Real` is double in scene data and float on the
+/// tracer's paths.
 template <typename Real>
 struct Vec3 {
   Real x{};
@@ -53,7 +53,7 @@ inline Real length(Vec3<Real> a) {
   return std::sqrt(dot(a, a));
 }
 
-/// Unit vector along a; a must not be zero.
+/// The unit vector along a, which must not be zero.
 template <typename Real>
 inline Vec3<Real> normalised(Vec3<Real> a) {
   return a / length(a);

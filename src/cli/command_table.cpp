@@ -10,6 +10,7 @@ AddCommand add_run_command, add_serve_command, add_report_command, add_compare_c
 AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
+AddCommand add_sensitivity_command;
 
 namespace {
 
@@ -35,6 +36,8 @@ constexpr std::array kCommands{
             add_probe_command},
     Command{"qualify", kStudies, "Check that each gate rejects faulty images and accepts a good one",
             add_qualify_command},
+    Command{"sensitivity", kStudies, "Measure which slight faults pass silently, and the rate of false alarms",
+            add_sensitivity_command},
     Command{"bench", kStudies, "Measure speed and noise of renderers side by side", add_bench_command},
     Command{"effect-cost", kStudies,
             "Measure what each effect of light costs, and what leaving it out changes",

@@ -9,7 +9,10 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,11 +41,23 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
                                  closest(argv[1], names), fmt::join(names, ", ")));
 }
 
+// CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::string_view kValue = "{false}";
+    auto name = CLI::Formatter::make_option_name(option, is_positional);
+    if (const auto at = name.find(kValue); at != std::string::npos) name.erase(at, kValue.size());
+    return name;
+  }
+};
+
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   CLI::App app{
       "Renders small test scenes with every configured renderer, compares the images with references,\n"
       "and says which requirements each renderer meets."};
+  app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.name("orbs");
   app.set_version_flag("--version", "orbs " + version);

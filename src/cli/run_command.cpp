@@ -1,3 +1,4 @@
+#include "adapters/process/isolation.h"
 #include "base/error.h"
 #include "base/local_time.h"
 #include "cli/checks.h"
@@ -35,6 +36,7 @@ struct RunOptions {
   int seed = 1;
   double spp_scale = 1;
   bool log = true;
+  bool sandbox = false;
   bool dry_run = false;
   bool view = false;
 };
@@ -73,6 +75,9 @@ void add_options(CLI::App& command, RunOptions& options) {
                    "Keep log.txt of every render; --no-log keeps only those of failures");
   command.add_flag("-v,--view", options.view,
                    "At the end, serve the results as a page and open it in the browser");
+  command.add_flag(
+      "--sandbox,!--no-sandbox", options.sandbox,
+      "Run renderers under bubblewrap: no network, no references, only their own folder writable");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
                    "Print the renders and their commands, and start nothing");
   for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output"})
@@ -112,6 +117,7 @@ registry::RunSettings settings_of(const CLI::App& command,
   take(command, "--seed", options.seed, settings.seed);
   take(command, "--spp-scale", options.spp_scale, settings.spp_scale);
   take(command, "--log", options.log, settings.log);
+  take(command, "--sandbox", options.sandbox, settings.sandbox);
   take(command, "--dry-run", options.dry_run, settings.dry_run);
   if (command.count("--exec") > 0 && settings.executable.empty())
     throw InputError("-e/--exec needs a program");
@@ -213,6 +219,8 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
       const auto read = read_configuration(from, program);
       const auto settings = settings_of(*chosen, *options, resumed.value_or(read.defaults));
       const auto plan = runner::make_plan(read, settings, program.folder);
+      if (settings.sandbox)
+        if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
       if (!settings.dry_run) return run_plan(read, plan, program, *options);
       fmt::print("{}", runner::plan_text(plan));
       return 0;

@@ -139,6 +139,15 @@ void refuse_constant(const metrics::ImagePair& pair, TargetRecord& record) {
     take(record, Verdict::ConstantImage, "every pixel has the same colour, which the reference's have not");
 }
 
+// No image that was rendered can share the noise of another one. This says nothing of how good it is.
+void refuse_copy(const metrics::ImagePair& pair, TargetRecord& record) {
+  if (pair.noise.stated == metrics::StatedNoise::NearerThanReference)
+    take(
+        record, Verdict::Fail,
+        "it is nearer to the reference than the reference's own noise allows: it is a copy of it, or was rendered "
+        "with its seed");
+}
+
 std::vector<std::string> gate_metrics(const Case& one_case) {
   std::vector<std::string> names;
   for (const auto& gate : one_case.gates) names.push_back(gate.metric);
@@ -189,14 +198,21 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
   }
   const auto pair = metrics::make_image_pair(result, *reference.image, mask_of(one_case, record.target),
                                              {settings.threads, settings.result_noise});
+  if (pair.noise.stated == metrics::StatedNoise::OverstatedByResult) {
+    record.remarks.push_back(
+        "its variances are not used: the image is nearer to the reference than they allow; they must be those of "
+        "the mean of a pixel's samples, not of single samples");
+    return judge_image(one_case, without_variances(result), reference, settings, record);
+  }
   auto comparison = metrics::compare(
       pair, {.no_others = settings.measured == Measured::ForTheVerdict, .also = gate_metrics(one_case)});
   add_measures(comparison, record);
-  if (auto remark = metrics::bias_remark(pair.noise); !remark.empty())
-    record.remarks.push_back(std::move(remark));
+  for (auto& remark : metrics::bias_remarks(pair.noise)) record.remarks.push_back(std::move(remark));
+  record.hidden = metrics::hidden_by_noise(pair.noise);
   check_gates(one_case, pair, comparison, record);
   check_conditions(one_case, result, record);
   refuse_constant(pair, record);
+  refuse_copy(pair, record);
   return comparison;
 }
 

@@ -2,6 +2,7 @@
 
 #include "image/colour.h"
 #include "metrics/psnr.h"
+#include "metrics/residual.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,16 @@ double expected_square(double linear, double variance) {
   return std::min(slope * slope * variance, largest * largest);
 }
 
+// The variance of what differs by these steps, were it normally distributed: by the median, so that single
+// pixels that are wrong do not pass for noise. |step| of two has the median 0.6745 sqrt(2) standard
+// deviations.
+double variance_of_half_steps(std::vector<double>& steps) {
+  constexpr double kMedian = 0.6744897501960817;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle * *middle / (2 * kMedian * kMedian);
+}
+
 }  // namespace
 
 std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
@@ -51,6 +62,35 @@ std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
 std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Image& values) {
   const auto samples = metrics::pair_samples(image, values);
   return noise_mse_srgb8(samples.result_variance, samples.reference, samples.included);
+}
+
+std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair) {
+  constexpr int kApart_px = 4;
+  constexpr double kFewest = 0.1;
+  const auto smooth = metrics::smooth_pixels(pair);
+  const auto difference = [&](std::size_t i) {
+    return static_cast<double>(pair.result_display[i]) - static_cast<double>(pair.reference_display[i]);
+  };
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Rectangle& block : metrics::blocks_of(pair)) {
+    std::vector<double> steps;
+    for (int y = block.y0; y < block.y1; ++y)
+      for (int x = block.x0; x < std::min(block.x0 + kApart_px, block.x1 - kApart_px); ++x) {
+        const auto a = pair.pixel_at(x, y);
+        const auto b = pair.pixel_at(x + kApart_px, y);
+        if (smooth[a] == 0 || smooth[b] == 0) continue;
+        for (std::size_t c = 0; c < 3; ++c)
+          steps.push_back(255 * std::fabs(difference(3 * a + c) - difference(3 * b + c)));
+      }
+    if (steps.empty()) continue;
+    sum += static_cast<double>(steps.size()) * variance_of_half_steps(steps);
+    count += steps.size();
+  }
+  // Each step is of two samples.
+  if (2 * static_cast<double>(count) < kFewest * 3 * static_cast<double>(pair.included_count))
+    return std::nullopt;
+  return sum / static_cast<double>(count);
 }
 
 std::string variance_problem(const image::Image& image) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/image_pair.h"
 #include "metrics/pair_samples.h"
 
 #include <cstdint>
@@ -24,6 +25,13 @@ std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
 
 /// As above, from the channels "variance.R/G/B" of `image` and the colours of `values`; every pixel counts.
 std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Image& values);
+
+/// The same of result and reference together where the result does not state its noise: from the steps of
+/// their difference between pixels 4 px apart, beyond the reach of a pixel's filter, where the reference is
+/// smooth; by the median of each block, as for normally distributed noise. What goes wrong at edges, in
+/// textures or in single pixels so does not pass for noise. Nothing when less than a tenth of the pixels is
+/// smooth.
+std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair);
 
 /// Why the variances in an image cannot be true: a channel is missing beside the others, or a value is
 /// negative, infinite or NaN. "" when they can be, or there are none.

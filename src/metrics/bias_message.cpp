@@ -1,6 +1,7 @@
 #include "metrics/bias_message.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,26 +23,60 @@ std::string ratios_text(const NoiseTest& test) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string blocks_text(const BlockScores& blocks) {
+  const int side = kTestedBlocks_px.at(blocks.largest_at);
+  const auto size = std::isinf(blocks.largest_error) ? std::string("from black")
+                                                     : fmt::format("by {}", percent(blocks.largest_error));
+  return fmt::format("bias: {} of {} block means differ by more than noise, most over {} x {} px in {}, {}",
+                     blocks.off, blocks.tested, side, side, rectangle_text(blocks.where), size);
+}
+
+std::string residual_text(const SmoothResidual& residual) {
+  return fmt::format("bias: away from edges an error of {:.2g} % is left that noise does not explain",
+                     100 * std::sqrt(residual.bias_squared.value / residual.reference_squared));
+}
+
+std::string correlation_text(const Correlation& correlation) {
+  return fmt::format(
+      "the errors of pixels ({}, {}) apart are correlated by {:.2g}: a filter wider than a pixel, a denoiser, "
+      "or an error with structure",
+      correlation.dx, correlation.dy, correlation.value);
+}
+
 }  // namespace
 
-std::string bias_remark(const NoiseTest& test) {
+std::vector<std::string> bias_remarks(const NoiseTest& test) {
+  std::vector<std::string> remarks;
   if (const auto worst = mean_error(test))
-    return fmt::format("bias: the mean is {} than that of the reference by more than noise: {}",
-                       worst->value > 0 ? "brighter" : "darker", ratios_text(test));
-  if (test.blocks && test.blocks->off > 0) {
-    const auto& where = test.blocks->where;
-    return fmt::format("bias: {} of {} block means differ by more than noise, most in {}", test.blocks->off,
-                       test.blocks->tested, rectangle_text(where));
-  }
-  return "";
+    remarks.push_back(fmt::format("bias: the mean is {} than that of the reference by more than noise: {}",
+                                  worst->value > 0 ? "brighter" : "darker", ratios_text(test)));
+  if (test.pattern) remarks.push_back(fmt::format("bias: the image is {}", describe(*test.pattern)));
+  if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
+  if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));
+  if (test.correlation) remarks.push_back(correlation_text(*test.correlation));
+  return remarks;
 }
 
 std::string bias_message(const NoiseTest& test) {
-  if (auto remark = bias_remark(test); !remark.empty()) return remark;
+  if (const auto remarks = bias_remarks(test); !remarks.empty()) return remarks.front();
   if (is_square_biased(test))
     return fmt::format(
         "bias: noise explains {:.3g} of the mean squared error, {:.3g} is left ({:.3g} to {:.3g})",
         test.noise_squared, test.bias_squared.value, test.bias_squared.low, test.bias_squared.high);
+  return "";
+}
+
+std::string hidden_by_noise(const NoiseTest& test) {
+  struct Wanted {
+    int side_px;
+    double error;
+  };
+  constexpr std::array<Wanted, 2> kWanted{{{64, 0.02}, {16, 0.05}}};
+  for (const auto& [side, error] : kWanted)
+    for (const auto& scale : test.blocks.scales)
+      if (scale.side_px == side && scale.smallest_error && *scale.smallest_error > error)
+        return fmt::format("noise hides errors below {:.2g} % over {} x {} px", 100 * *scale.smallest_error,
+                           side, side);
   return "";
 }
 

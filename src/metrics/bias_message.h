@@ -3,15 +3,20 @@
 #include "metrics/noise_test.h"
 
 #include <string>
+#include <vector>
 
 namespace orbs::metrics {
 
-/// That the means, or else the blocks, differ by more than noise: a reader must be told this of an image that
-/// passes, too. "" when they do not. Images of two correct renderers differ at the edges of objects, so the
-/// squares are left out here.
-std::string bias_remark(const NoiseTest& test);
+/// What the tests see beyond noise, one text each, the plainest first; empty for an image that is only noisy.
+/// A reader must be told this of an image that passes, too. The squares everywhere are left out: images of
+/// two correct renderers differ at the edges of objects.
+std::vector<std::string> bias_remarks(const NoiseTest& test);
 
-/// The bias that is_biased sees: the remark, or else the squares. "" when it sees none.
+/// The first of the remarks, or else the squares. "" when no test sees a bias.
 std::string bias_message(const NoiseTest& test);
+
+/// What noise hides: "noise hides errors below 7 % over 16 x 16 px", where an error of 2 % over 64 x 64 px or
+/// of 5 % over 16 x 16 px would not be found in nine of ten places. "" where they would be.
+std::string hidden_by_noise(const NoiseTest& test);
 
 }  // namespace orbs::metrics

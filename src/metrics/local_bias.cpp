@@ -23,8 +23,7 @@ Sums sums_of(const PairSamples& samples, const Rectangle& tile, std::size_t chan
   Sums sums;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const auto pixel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
+      const auto pixel = samples.pixel_at(x, y);
       if (samples.included[pixel] == 0) continue;
       const std::size_t i = 3 * pixel + channel;
       const double reference = static_cast<double>(samples.reference[i]);

@@ -28,18 +28,19 @@ MetricResult compute(const ImagePair& pair) {
 
 template <std::size_t Channel>
 constexpr MetricInfo row(std::string_view name) {
-  return {name,
-          "1",
-          Better::NearZero,
-          "mean(result) / mean(reference) - 1 of one channel over all unmasked pixels; linear Rec.709, no "
-          "clamp. The interval leaves out a right image in 1 of 9000 (delta method, Student's distribution), "
-          "by the variances of both images, by the scatter of neighbouring 8 x 8 px blocks where the result "
-          "has none, or by the reference's alone where its renderer has no noise",
-          kNoMap,
-          compute<Channel>,
-          Computed::Always,
-          GateRule::WholeInterval,
-          describe};
+  return {
+      name,
+      "1",
+      Better::NearZero,
+      "mean(result) / mean(reference) - 1 of one channel over all unmasked pixels; linear Rec.709, no "
+      "clamp. The interval leaves out a right image in 1 of 21000 (delta method, Student's distribution), "
+      "by the variances of both images, by the scatter of neighbouring 8 x 8 px blocks where the result "
+      "has none, or by the reference's alone where its renderer has no noise",
+      kNoMap,
+      compute<Channel>,
+      Computed::Always,
+      GateRule::WholeInterval,
+      describe};
 }
 
 }  // namespace mean_ratio

@@ -15,13 +15,17 @@ inline MetricResult compute_bias_squared(const ImagePair& pair) {
 }
 
 inline MetricResult compute_blocks_off(const ImagePair& pair) {
-  if (!pair.noise.blocks) return {std::nullopt};
-  return {static_cast<double>(pair.noise.blocks->off)};
+  return {static_cast<double>(pair.noise.blocks.off)};
 }
 
 inline MetricResult compute_block_z_max(const ImagePair& pair) {
-  if (!pair.noise.blocks) return {std::nullopt};
-  return {.value = pair.noise.blocks->largest, .where = pair.noise.blocks->where};
+  return {.value = pair.noise.blocks.largest, .where = pair.noise.blocks.where};
+}
+
+// The index is that of kTestedBlocks_px.
+template <std::size_t Scale>
+MetricResult compute_smallest_error(const ImagePair& pair) {
+  return {std::get<Scale>(pair.noise.blocks.scales).smallest_error};
 }
 
 inline MetricResult compute_pixel_z_max(const ImagePair& pair) {
@@ -50,7 +54,7 @@ inline constexpr MetricInfo kBiasSquared{
     Better::NearZero,
     "mse - noise_squared: the part of the mean squared error that noise does not explain, below zero by "
     "chance; over R, G, B of all unmasked pixels; linear Rec.709, no clamp. The interval leaves out a right "
-    "image in 1 of 3000",
+    "image in 1 of 7000",
     kNoMap,
     compute_bias_squared};
 
@@ -58,9 +62,10 @@ inline constexpr MetricInfo kBlocksOff{
     "blocks_off",
     "blocks",
     Better::Lower,
-    "how many means of the unmasked pixels of 8 x 8 px blocks, each channel one, differ from the reference "
-    "by more than noise and 0.1 % (Student's test, Benjamini and Hochberg's correction; in 1 of 3000 right "
-    "images it is not 0); linear Rec.709, no clamp. No value where the result has no variance",
+    "how many means of the unmasked pixels of blocks of 8, 16, 32 and 64 px, each channel one, differ from the "
+    "reference by more than noise and 0.1 % (Student's test, Benjamini and Hochberg's correction; in 1 of 7000 "
+    "right images it is not 0); linear Rec.709, no clamp. By the variances of both images, or by the scatter of "
+    "neighbouring pixels where the result has none",
     kNoMap,
     compute_blocks_off};
 
@@ -68,10 +73,28 @@ inline constexpr MetricInfo kBlockZMax{
     "block_z_max",
     "1",
     Better::Lower,
-    "the largest |z| of any 8 x 8 px block: difference of the means of its unmasked pixels over its standard "
-    "deviation; linear Rec.709, no clamp. No value where the result has no variance",
+    "the largest |z| of any block of 8, 16, 32 or 64 px: difference of the means of its unmasked pixels over its "
+    "standard deviation; linear Rec.709, no clamp",
     kNoMap,
     compute_block_z_max};
+
+inline constexpr MetricInfo kSmallestError16{
+    "smallest_error_16px",
+    "1",
+    Better::Lower,
+    "the relative error of the mean of the unmasked pixels of a block of 16 x 16 px that the block test would find "
+    "in nine of ten blocks; noise hides smaller ones; linear Rec.709, no clamp",
+    kNoMap,
+    compute_smallest_error<1>};
+
+inline constexpr MetricInfo kSmallestError64{
+    "smallest_error_64px",
+    "1",
+    Better::Lower,
+    "the relative error of the mean of the unmasked pixels of a block of 64 x 64 px that the block test would find "
+    "in nine of ten blocks; noise hides smaller ones; linear Rec.709, no clamp",
+    kNoMap,
+    compute_smallest_error<3>};
 
 inline constexpr MetricInfo kPixelZMax{
     "pixel_z_max",

@@ -10,7 +10,7 @@ namespace orbs::metrics {
 
 namespace {
 
-constexpr double kPerTest = kFalseAlarms / 3;
+constexpr double kPerTest = kFalseAlarms / kTests;
 
 Estimate interval(double value, double error, double probability, double degrees) {
   const double reach = error > 0 ? student_quantile(probability, std::max(1.0, degrees)) * error : 0.0;
@@ -91,14 +91,14 @@ Estimate mean_of(const std::vector<double>& values) {
 // The variances of both images over all channels; which of the two estimates of the result's is chosen as
 // in DifferenceVariance, for the same reason.
 struct PixelVariances {
-  std::vector<double> own, expected;  // sums of the three channels of the counted pixels
+  std::vector<double> own, expected;  // sums of the three channels of the chosen pixels
   double own_sum = 0, expected_sum = 0;
 };
 
-PixelVariances pixel_variances(const PairSamples& samples) {
+PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std::uint8_t>& chosen) {
   PixelVariances all;
-  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-    if (samples.included[pixel] == 0) continue;
+  for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
+    if (chosen[pixel] == 0) continue;
     double own = 0;
     double expected = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -116,20 +116,74 @@ PixelVariances pixel_variances(const PairSamples& samples) {
 
 // (result - reference)^2 - variances has the expectation bias^2. The mean of its channels, which are far from
 // independent, is one number per pixel.
-void split_by_variances(const PairSamples& samples, NoiseTest& test) {
-  const PixelVariances all = pixel_variances(samples);
-  const auto& variances = all.own_sum >= all.expected_sum ? all.own : all.expected;
+Estimate mean_excess(const PairSamples& samples,
+                     const std::vector<std::uint8_t>& chosen,
+                     const std::vector<double>& variances) {
   std::vector<double> excess;
   excess.reserve(variances.size());
-  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-    if (samples.included[pixel] == 0) continue;
+  for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
+    if (chosen[pixel] == 0) continue;
     double squares = 0;
     for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
       squares += samples.difference(i) * samples.difference(i);
     excess.push_back((squares - variances[excess.size()]) / 3);
   }
-  test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(variances.size()));
-  test.bias_squared = mean_of(excess);
+  return mean_of(excess);
+}
+
+double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& chosen) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
+    if (chosen[pixel] == 0) continue;
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+      sum += static_cast<double>(samples.reference[i]) * static_cast<double>(samples.reference[i]);
+    count += 3;
+  }
+  return sum / static_cast<double>(count);
+}
+
+void split_by_variances(const PairSamples& samples,
+                        const std::vector<std::uint8_t>& smooth,
+                        NoiseTest& test) {
+  const PixelVariances all = pixel_variances(samples, samples.included);
+  const bool is_own = all.own_sum >= all.expected_sum;
+  test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(all.own.size()));
+  test.bias_squared = mean_excess(samples, samples.included, is_own ? all.own : all.expected);
+  constexpr std::ptrdiff_t kFewestPixels = 1000;
+  if (std::count(smooth.begin(), smooth.end(), 1) < kFewestPixels) return;
+  const PixelVariances there = pixel_variances(samples, smooth);
+  const auto& variances = there.own_sum >= there.expected_sum ? there.own : there.expected;
+  test.smooth = {mean_excess(samples, smooth, variances), mean_square(samples, smooth)};
+}
+
+// Whether the squared differences are below half of these variances for sure. Half, as the variances of
+// references are stored to 2 significant bits, which can make them a fifth too large.
+bool is_less_than_half(const PairSamples& samples, std::vector<double> variances) {
+  double sum = 0;
+  for (double& variance : variances) {
+    variance /= 2;
+    sum += variance;
+  }
+  return sum > 0 && mean_excess(samples, samples.included, variances).high < 0;
+}
+
+StatedNoise check_stated_noise(const PairSamples& samples) {
+  const auto sums = [&](bool with_result) {
+    std::vector<double> variances;
+    for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+      if (samples.included[pixel] == 0) continue;
+      double sum = 0;
+      for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+        sum += variance_at(samples.reference_variance, i) +
+               (with_result ? variance_at(samples.result_variance, i) : 0.0);
+      variances.push_back(sum);
+    }
+    return variances;
+  };
+  if (is_less_than_half(samples, sums(false))) return StatedNoise::NearerThanReference;
+  if (is_less_than_half(samples, sums(true))) return StatedNoise::OverstatedByResult;
+  return StatedNoise::Plausible;
 }
 
 // The product of the differences of two neighbours has the expectation of the product of their biases, and
@@ -139,8 +193,7 @@ void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
   double noise = 0;
   for (int y = 0; y < samples.height; ++y)
     for (int x = 0; x + 1 < samples.width; x += 2) {
-      const auto pixel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
+      const auto pixel = samples.pixel_at(x, y);
       if (samples.included[pixel] == 0 || samples.included[pixel + 1] == 0) continue;
       double product = 0;
       for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
@@ -156,34 +209,25 @@ void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
   test.bias_squared = mean_of(products);
 }
 
-double mean_square(const PairSamples& samples) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-    if (samples.included[pixel] == 0) continue;
-    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
-      sum += static_cast<double>(samples.reference[i]) * static_cast<double>(samples.reference[i]);
-    count += 3;
-  }
-  return sum / static_cast<double>(count);
-}
-
 }  // namespace
 
 NoiseTest test_noise(const PairSamples& samples) {
   NoiseTest test;
   test.source = samples.noise_source;
+  test.stated = check_stated_noise(samples);
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
-  test.reference_squared = mean_square(samples);
+  test.reference_squared = mean_square(samples, samples.included);
+  const auto smooth = smooth_pixels(samples);
   if (test.source == NoiseSource::Scatter) {
     split_by_scatter(samples, test);
-    return test;
+  } else {
+    split_by_variances(samples, smooth, test);
   }
-  split_by_variances(samples, test);
-  if (test.source == NoiseSource::Reference) return test;
   test.blocks = score_blocks(samples, kPerTest);
-  test.pixels = score_pixels(samples);
+  test.pattern = strongest_pattern(samples, kPerTest);
+  test.correlation = strongest_correlation(samples, smooth, kPerTest);
+  if (test.source == NoiseSource::Variances) test.pixels = score_pixels(samples);
   return test;
 }
 
@@ -207,8 +251,11 @@ bool is_square_biased(const NoiseTest& test) {
   return test.bias_squared.low > kNegligible * kNegligible * test.reference_squared;
 }
 
-bool is_biased(const NoiseTest& test) {
-  return mean_error(test) || (test.blocks && test.blocks->off > 0) || is_square_biased(test);
+bool is_residual(const NoiseTest& test) {
+  constexpr double kNegligibleResidual =
+      3e-3;  // of the root mean square: rounding to 8 bits makes a third of it
+  return test.smooth && test.smooth->bias_squared.low >
+                            kNegligibleResidual * kNegligibleResidual * test.smooth->reference_squared;
 }
 
 }  // namespace orbs::metrics

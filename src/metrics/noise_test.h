@@ -4,6 +4,8 @@
 #include "metrics/block_scores.h"
 #include "metrics/mask.h"
 #include "metrics/pair_samples.h"
+#include "metrics/patterns.h"
+#include "metrics/residual.h"
 
 #include <array>
 #include <optional>
@@ -24,27 +26,46 @@
 ///   Nor what the result alone has not seen where the reference keeps its variance and samples to itself.
 namespace orbs::metrics {
 
-/// How many control images in total are called wrong; three tests share it evenly.
+/// How many control images in total are called wrong; the tests share it evenly: mean ratio, blocks, squares
+/// everywhere and away from edges, patterns, correlation, and the two of the stated noise together.
 constexpr double kFalseAlarms = 1e-3;
+constexpr int kTests = 7;
 
-/// A number and the interval that a right image leaves with the probability kFalseAlarms / 3 at most (for
-/// the three channels of a mean ratio together).
+/// A number and the interval that a right image leaves with the probability kFalseAlarms / kTests at most
+/// (for the three channels of a mean ratio together).
 struct Estimate {
   double value = 0;
   double low = 0;
   double high = 0;
 };
 
+/// Whether the noise that the images state is there. NearerThanReference: the squared differences are less
+/// than half of what the noise of the reference alone makes them, so the result shares the reference's
+/// samples: it is a copy, or was made with its seed. OverstatedByResult: they are less than half of what both
+/// images state, so the result's variances are too large, as those of single samples in place of those of
+/// their mean.
+enum class StatedNoise { Plausible, NearerThanReference, OverstatedByResult };
+
+/// What is left of the squared error away from edges.
+struct SmoothResidual {
+  Estimate bias_squared;
+  double reference_squared = 0;  // mean square of the reference at these pixels
+};
+
 struct NoiseTest {
   NoiseSource source = NoiseSource::Variances;
+  StatedNoise stated = StatedNoise::Plausible;
   /// mean(result) / mean(reference) - 1 of R, G, B; nothing where the mean of the reference is not above ten
   /// times its own noise (black, or a difference of images), as the ratio then says nothing.
   std::array<std::optional<Estimate>, 3> mean_ratio;
-  double noise_squared = 0;           // the MSE that the noise of both images explains
-  Estimate bias_squared;              // what is left of the MSE; below zero by chance
-  double reference_squared = 0;       // mean square of the reference, the measure of what is negligible
-  std::optional<BlockScores> blocks;  // these two by variances only
-  std::optional<PixelScores> pixels;
+  double noise_squared = 0;              // the MSE that the noise of both images explains
+  Estimate bias_squared;                 // what is left of the MSE; below zero by chance
+  double reference_squared = 0;          // mean square of the reference, the measure of what is negligible
+  std::optional<SmoothResidual> smooth;  // by variances only; nothing with fewer than 1000 smooth pixels
+  BlockScores blocks;
+  std::optional<PatternFinding> pattern;
+  std::optional<Correlation> correlation;
+  std::optional<PixelScores> pixels;  // by the result's variances only
 };
 
 NoiseTest test_noise(const PairSamples& samples);
@@ -55,12 +76,11 @@ NoiseTest test_noise(const image::Image& result,
                      const Mask& mask = {},
                      ResultNoise result_noise = ResultNoise::AsTheImageSays);
 
-/// Whether any of the three tests (mean ratio, blocks, bias squared) sees more than noise. Of right images
-/// with independent seeds that is the share kFalseAlarms at most.
-bool is_biased(const NoiseTest& test);
-
 /// Whether bias_squared is above zero for sure, and above what is negligible.
 bool is_square_biased(const NoiseTest& test);
+
+/// The same away from edges, where correct renderers do not differ.
+bool is_residual(const NoiseTest& test);
 
 /// The mean ratio that is farthest from zero of those whose whole interval lies beyond kNegligible; nothing
 /// when there is none.

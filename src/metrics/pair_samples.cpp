@@ -1,9 +1,8 @@
 #include "metrics/pair_samples.h"
 
-#include "base/text.h"
-
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace orbs::metrics {
 
@@ -25,30 +24,62 @@ std::optional<StokesSamples> stokes_of(const image::Image& image) {
   return samples;
 }
 
-// Samples of the reference for each one of the result; 0 when the provenance records do not say.
-double sample_ratio(const image::Image& result, const image::Image& reference) {
-  const auto said = [](const image::Image& image, const char* key) {
-    const auto found = image.attributes.find(key);
-    return found == image.attributes.end() ? std::string() : found->second;
-  };
-  const auto of_result = to_number(said(result, "orbs.spp"));
-  const auto of_reference = to_number(said(reference, "orbs.spp"));
-  const bool is_same = said(result, "orbs.program") == said(reference, "orbs.program");
-  return is_same && of_result && of_reference && *of_result > 0 ? *of_reference / *of_result : 0;
+// The result's noise in one block and channel: what it says, or else the scatter of horizontal neighbours
+// less the reference's share of it.
+double noise_of_block(const PairSamples& samples,
+                      const Rectangle& block,
+                      std::size_t channel,
+                      double reference) {
+  double sum = 0;
+  if (samples.noise_source == NoiseSource::Variances) {
+    for_each_block_pixel(samples, block, [&](std::size_t pixel) {
+      sum += variance_at(samples.result_variance, 3 * pixel + channel);
+    });
+    return sum;
+  }
+  for (int y = block.y0; y < block.y1; ++y)
+    for (int x = block.x0; x + 1 < block.x1; x += 2) {
+      const std::size_t i = 3 * samples.pixel_at(x, y) + channel;
+      const double step = samples.difference(i) - samples.difference(i + 3);
+      sum += step * step;
+    }
+  return std::max(0.0, sum - reference);
 }
 
-void set_variance_ratio(PairSamples& samples, double of_provenances) {
-  if (samples.result_variance.empty() || samples.reference_variance.empty()) return;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double result = 0;
-    double reference = 0;
-    for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-      if (samples.included[pixel] == 0) continue;
-      result += variance_at(samples.result_variance, 3 * pixel + c);
-      reference += variance_at(samples.reference_variance, 3 * pixel + c);
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void set_variance_ratio(PairSamples& samples) {
+  if (samples.reference_variance.empty()) return;
+  const auto is_counted = [&](const Rectangle& block) {
+    int pixels = 0;
+    for_each_block_pixel(samples, block, [&](std::size_t) { ++pixels; });
+    return pixels == (block.x1 - block.x0) * (block.y1 - block.y0);
+  };
+  std::array<std::vector<double>, 3> ratios;
+  std::array<double, 3> result_sum{};
+  std::array<double, 3> reference_sum{};
+  for (const Rectangle& block : blocks_of(samples)) {
+    if (!is_counted(block)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double reference = 0;
+      for_each_block_pixel(samples, block, [&](std::size_t pixel) {
+        reference += variance_at(samples.reference_variance, 3 * pixel + c);
+      });
+      if (!(reference > 0)) continue;
+      const double result = noise_of_block(samples, block, c, reference);
+      ratios.at(c).push_back(result / reference);
+      result_sum.at(c) += result;
+      reference_sum.at(c) += reference;
     }
-    samples.variance_ratio.at(c) = std::max(of_provenances, reference > 0 ? result / reference : 0.0);
   }
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!ratios.at(c).empty())
+      samples.variance_ratio.at(c) =
+          std::max(median(std::move(ratios.at(c))), result_sum.at(c) / reference_sum.at(c));
 }
 
 }  // namespace
@@ -74,7 +105,7 @@ PairSamples pair_samples(const image::Image& result,
   }
   samples.result_variance = variances_of(result);
   if (samples.result_variance.empty()) samples.noise_source = NoiseSource::Scatter;
-  set_variance_ratio(samples, sample_ratio(result, reference));
+  set_variance_ratio(samples);
   return samples;
 }
 

@@ -34,7 +34,8 @@ struct PairSamples {
   NoiseSource noise_source = NoiseSource::Variances;
   std::vector<float> result_variance;     // of the mean; empty unless noise_source is Variances
   std::vector<float> reference_variance;  // of the mean; empty: exact
-  /// By channel the variance of the result over that of the reference; 0 where one of them is unknown.
+  /// By channel the variance of the result over that of the reference; 0 where the reference has none, or the
+  /// result is free of noise.
   std::array<double, 3> variance_ratio{};
   std::optional<StokesSamples> result_stokes;  // nothing where the image has no Stokes parameters
   std::optional<StokesSamples> reference_stokes;
@@ -42,6 +43,9 @@ struct PairSamples {
   std::size_t included_count = 0;
 
   std::size_t pixel_count() const { return included.size(); }
+  std::size_t pixel_at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
   double difference(std::size_t sample) const {
     return static_cast<double>(result[sample]) - static_cast<double>(reference[sample]);
   }
@@ -49,9 +53,9 @@ struct PairSamples {
 
 /// Unpacks images that have passed check_alignment. InputError when the mask does not fit them.
 ///
-/// The variance ratio is that of the sums, or, where it is larger, that of the sample counts that the
-/// provenance records of images of one program state ("orbs.program", "orbs.spp"): a result that missed rare
-/// light underestimates its own variance.
+/// The variance ratio is that of the sums over the image, or the median of its blocks where that is larger: a
+/// result that missed rare light states too little there, and most of its blocks know better; where the
+/// blocks missed it, a few have seen it. No word of the image's provenance decides it.
 PairSamples pair_samples(const image::Image& result,
                          const image::Image& reference,
                          const Mask& mask = {},
@@ -72,11 +76,8 @@ constexpr int kBlock_px = 8;
 template <typename Visit>
 void for_each_block_pixel(const PairSamples& samples, const Rectangle& block, Visit visit) {
   for (int y = block.y0; y < block.y1; ++y)
-    for (int x = block.x0; x < block.x1; ++x) {
-      const auto pixel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(x);
-      if (samples.included[pixel] != 0) visit(pixel);
-    }
+    for (int x = block.x0; x < block.x1; ++x)
+      if (const auto pixel = samples.pixel_at(x, y); samples.included[pixel] != 0) visit(pixel);
 }
 
 /// Blocks of kBlock_px by rows, counted from the upper left corner; those at the right and lower edge may be

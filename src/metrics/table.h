@@ -25,10 +25,14 @@ namespace orbs::metrics {
 /// Every number by which two images are compared; each can be a gate. To add one: its file, and its line
 /// here.
 inline constexpr std::array kMetrics{
-    kL1,          kMse,          kPsnrSrgb8,   kPsnrLinear, kSsim,       kRelMse,    kRelMseTrimmed,
-    kSmape,       kErrorP95,     kErrorP99,    kErrorMax,   kWorstTile,  kFlip,      kHdrFlip,
-    kPsnrPu21,    kSsimJeri,     kMeanRatioR,  kMeanRatioG, kMeanRatioB, kLocalBias, kEdgeBlur,
-    kStokesError, kNoiseSquared, kBiasSquared, kBlocksOff,  kBlockZMax,  kPixelZMax, kPixelsBeyond3,
+    kL1,         kMse,           kPsnrSrgb8,       kPsnrLinear,
+    kSsim,       kRelMse,        kRelMseTrimmed,   kSmape,
+    kErrorP95,   kErrorP99,      kErrorMax,        kWorstTile,
+    kFlip,       kHdrFlip,       kPsnrPu21,        kSsimJeri,
+    kMeanRatioR, kMeanRatioG,    kMeanRatioB,      kLocalBias,
+    kEdgeBlur,   kStokesError,   kNoiseSquared,    kBiasSquared,
+    kBlocksOff,  kBlockZMax,     kSmallestError16, kSmallestError64,
+    kPixelZMax,  kPixelsBeyond3,
 };
 
 /// The metric of this name. InputError that lists the metrics when there is none.

@@ -22,6 +22,7 @@ RunSettings read_run_settings(json::ObjectReader in) {
   s.seed = in.integer_or("seed", s.seed, 0, kLargestSeed);
   s.spp_scale = in.number_or("spp_scale", s.spp_scale, json::kPositive);
   s.log = in.boolean_or("log", s.log);
+  s.sandbox = in.boolean_or("sandbox", s.sandbox);
   s.dry_run = in.boolean_or("dry_run", s.dry_run);
   in.finish();
   return s;
@@ -31,7 +32,10 @@ void write_run_settings(json::Writer& out, const RunSettings& s) {
   out.begin_object().member("suite", s.suite).member("case", s.cases).member("scene", s.scenes);
   out.member("requirement", s.requirements).member("renderer", s.renderers).member("exec", s.executable);
   out.member("output", s.output).member("jobs", s.jobs).member("threads", s.threads);
-  out.member("seed", s.seed).member("spp_scale", s.spp_scale).member("log", s.log);
+  out.member("seed", s.seed)
+      .member("spp_scale", s.spp_scale)
+      .member("log", s.log)
+      .member("sandbox", s.sandbox);
   out.member("dry_run", s.dry_run).end_object();
 }
 

@@ -27,6 +27,7 @@ struct RunSettings {
   int seed = 1;
   double spp_scale = 1;
   bool log = true;  // keep log.txt of renders that passed, too
+  bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
 };
 

@@ -43,6 +43,11 @@ class FieldWriter {
     (*this)(key, value);
   }
 
+  template <class T>
+  void at_least(std::string_view key, const T& value, int) {
+    (*this)(key, value);
+  }
+
   /// JSON has no infinity: it becomes null, with "infinite": true beside it.
   void maybe_infinite(std::string_view key, double value) {
     out_.member(key, value);

@@ -14,7 +14,8 @@
 /// FieldWriter writes the listed members as JSON, the reader of read_record.cpp reads them, and the page
 /// shows them: a member that is added here is stored, read and shown. A key states the unit of its number as
 /// its last word ("wall_seconds", "peak_rss_bytes"). A member that is missing in a file keeps its default,
-/// unless it is required.
+/// unless it is required. at_least(key, member, least) is for a number, or a map of numbers, that must not be
+/// less than `least`: the reader refuses it.
 namespace orbs::results {
 
 /// Record, or const Record for a visitor that only looks.

@@ -29,7 +29,7 @@ template <class Visitor, RecordOf<Host> Record>
 void fields(Visitor& visit, Record& host) {
   visit("name", host.name);
   visit("cpu", host.cpu);
-  visit("cores", host.cores);
+  visit.at_least("cores", host.cores, 0);
   visit("governor", host.governor);
   visit("memory_bytes", host.memory_bytes);
   visit("system", host.system);

@@ -18,7 +18,7 @@ struct JobIdentity {
   std::string suite;
   std::string scene;
   std::string renderer;
-  int spp = 0;
+  int spp = 1;
   int seed = 0;   // the first seed
   int seeds = 1;  // number of consecutive seeds that share the samples
 };
@@ -29,9 +29,9 @@ void fields(Visitor& visit, Record& identity) {
   visit("suite", identity.suite);
   visit.required("scene", identity.scene);
   visit.required("renderer", identity.renderer);
-  visit("spp", identity.spp);
+  visit.at_least("spp", identity.spp, 1);
   visit("seed", identity.seed);
-  visit("seeds", identity.seeds);
+  visit.at_least("seeds", identity.seeds, 1);
 }
 
 /// What was started.
@@ -47,7 +47,7 @@ void fields(Visitor& visit, Record& program) {
   visit("version", program.version);
   visit("argv", program.argv);
   visit("shell", program.shell);
-  visit("threads", program.threads);
+  visit.at_least("threads", program.threads, 0);
 }
 
 /// What the render and its verdict depend on: --resume renders or judges again where a hash differs.

@@ -28,6 +28,16 @@ class FieldReader {
     get(key, value);
   }
 
+  void at_least(const std::string& key, int& value, int least) {
+    value = in_.integer_or(key, value, least, kMostInteger);
+  }
+
+  void at_least(const std::string& key, std::map<std::string, int>& values, int least) {
+    if (!in_.has(key)) return;
+    auto object = in_.object(key);
+    for (const auto& name : object.keys()) values[name] = object.integer(name, least, kMostInteger);
+  }
+
   // As FieldWriter writes it: null with "infinite" beside it is infinite, null alone is NaN.
   void maybe_infinite(const std::string& key, double& value) {
     if (in_.has(key) && in_.holds_number(key)) {
@@ -48,6 +58,8 @@ class FieldReader {
   }
 
  private:
+  static constexpr int kMostInteger = std::numeric_limits<int>::max();
+
   bool is_infinite() { return in_.boolean_or("infinite", false); }
 
   void get(const std::string& key, std::string& value) { value = in_.text(key); }
@@ -55,14 +67,14 @@ class FieldReader {
   void get(const std::string& key, double& value) { value = in_.number(key); }
   void get(const std::string& key, bool& value) { value = in_.boolean_or(key, value); }
 
-  void get(const std::string& key, int& value) {
-    constexpr int kMost = std::numeric_limits<int>::max();
-    value = in_.integer(key, -kMost, kMost);
-  }
+  void get(const std::string& key, int& value) { value = in_.integer(key, -kMostInteger, kMostInteger); }
 
   void get(const std::string& key, std::size_t& value) {
     constexpr double kLargestExact = 9007199254740992;  // 2^53: every integer up to it is a double
-    value = static_cast<std::size_t>(in_.number(key, {0, kLargestExact}));
+    const double number = in_.number(key, {0, kLargestExact});
+    value = static_cast<std::size_t>(number);
+    if (static_cast<double>(value) != number)
+      in_.fail(key, fmt::format("must be a whole number, is {}", number));
   }
 
   void get(const std::string& key, Verdict& value) {

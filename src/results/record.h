@@ -60,7 +60,7 @@ void fields(Visitor& visit, Record& renderer) {
   visit("executable", renderer.executable);
   visit("declared", renderer.declared);
   visit("measured", renderer.measured);
-  visit("requirements_by_verdict", renderer.counts);
+  visit.at_least("requirements_by_verdict", renderer.counts, 0);
   visit("wall_seconds", renderer.wall_seconds);
   visit("cpu_seconds", renderer.cpu_seconds);
 }

@@ -86,6 +86,7 @@ struct TargetRecord {
   std::vector<Measure> measures;
   std::vector<Check> checks;
   std::vector<std::string> remarks;                         // facts that change no verdict
+  std::string hidden;                                       // what errors its noise hides; "" for none worth it
   std::string reference;                                    // absolute path
   std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
   std::string image;
@@ -106,6 +107,7 @@ void fields(Visitor& visit, Record& target) {
   visit("measures", target.measures);
   visit("checks", target.checks);
   visit("remarks", target.remarks);
+  visit("hidden", target.hidden);
   visit("reference", target.reference);
   visit("reference_provenance", target.reference_provenance);
   visit("image", target.image);

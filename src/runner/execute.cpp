@@ -2,6 +2,7 @@
 
 #include "adapters/export.h"
 #include "adapters/native_scene.h"
+#include "adapters/process/isolation.h"
 #include "adapters/process/process.h"
 #include "adapters/process/programs.h"
 #include "base/files.h"
@@ -27,6 +28,17 @@ namespace {
 
 using results::JobOutcome;
 using results::JobRecord;
+
+// Folders of runs beside this one hold copies of references, too.
+std::vector<std::filesystem::path> folders_with_references(const Plan& plan,
+                                                           const std::filesystem::path& run) {
+  std::vector<std::filesystem::path> folders{plan.suite.references, run};
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::absolute(run).parent_path(), ignored))
+    if (std::filesystem::exists(entry.path() / "results.json", ignored)) folders.push_back(entry.path());
+  return folders;
+}
 
 adapters::ProcessRequest process_request(const registry::Renderer& renderer,
                                          const adapters::Job& job,
@@ -102,12 +114,15 @@ image::Image merged_image(const std::vector<adapters::Job>& replicas,
 // image.
 std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapters::Job>& replicas,
                                                        const registry::Renderer& renderer,
+                                                       const std::optional<adapters::Isolation>& isolation,
                                                        const std::atomic<bool>* stop,
                                                        JobRecord& record) {
   std::vector<image::Image> images;
   for (const auto& job : replicas) {
     forget_render_seconds(renderer.render_seconds, job.folder);
-    const auto process = adapters::run_process(process_request(renderer, job, stop));
+    auto request = process_request(renderer, job, stop);
+    if (isolation) request.argv = adapters::isolated(request.argv, *isolation);
+    const auto process = adapters::run_process(request);
     make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
@@ -169,7 +184,12 @@ Execution execute(const Plan& plan,
                process_request(renderer, replicas.front(), stop).environment, record);
   record.cost.started = local_time_now();
   record.cost.load = load_average();
-  auto [outcome, file] = run_replicas(replicas, renderer, stop, record);
+  std::optional<adapters::Isolation> isolation;
+  if (plan.settings.sandbox)
+    isolation = {replicas.front().folder,
+                 {plan.root, plan.build, plan.renderers[planned.renderer].executable.parent_path()},
+                 folders_with_references(plan, folders.run)};
+  auto [outcome, file] = run_replicas(replicas, renderer, isolation, stop, record);
   record.end.outcome = outcome.kind;
   record.end.reason = outcome.reason;
   if (results::leaves_visible_image(outcome.kind))

@@ -6,29 +6,22 @@
 
 namespace orbs::scene {
 
-namespace {
-
-// Materials that have a form without an effect overload leave_out. A type that does not must not call for the
-// effect: its image would silently stay as it is.
-void leave_out_of(const SpectrumList& spectra, Effect effect, Material& material) {
-  std::visit(
-      [&](auto& model) {
-        if constexpr (requires { leave_out(effect, model); }) leave_out(effect, model);
-        for (const auto& verdict : effects(spectra, model))
-          if (verdict.effect == effect && verdict.is_called_for)
-            throw InputError(
-                fmt::format("material '{}' {}, and the type {} has no form without the effect '{}'",
-                            material.name, verdict.reason, model.kType, effect_name(effect)));
-      },
-      material.model);
+void refuse_effect(Effect effect,
+                   const std::vector<EffectVerdict>& verdicts,
+                   const std::string& material,
+                   const char* type) {
+  for (const auto& verdict : verdicts)
+    if (verdict.effect == effect && verdict.is_called_for)
+      throw InputError(fmt::format("material '{}' {}, and the type {} has no form without the effect '{}'",
+                                   material, verdict.reason, type, effect_name(effect)));
 }
-
-}  // namespace
 
 bool leave_out(Effect effect, Scene& scene) {
   if (effect != Effect::Dispersion && effect != Effect::MeasuredMetal && effect != Effect::ThinFilm)
     return false;
-  for (auto& material : scene.materials) leave_out_of(scene.spectra, effect, material);
+  for (auto& material : scene.materials)
+    std::visit([&](auto& model) { leave_out_of(scene.spectra, effect, material.name, model); },
+               material.model);
   return true;
 }
 

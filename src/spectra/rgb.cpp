@@ -13,11 +13,6 @@ namespace {
 
 constexpr float kGrid_nm = 5;  // of the basis and of D65
 
-struct ColourSpace {
-  Mat4 to_xyz;
-  Mat4 to_rgb;
-};
-
 Mat4 columns(Vec3d a, Vec3d b, Vec3d c) {
   return {{a.x, b.x, c.x, 0, a.y, b.y, c.y, 0, a.z, b.z, c.z, 0, 0, 0, 0, 1}};
 }
@@ -25,19 +20,13 @@ Mat4 columns(Vec3d a, Vec3d b, Vec3d c) {
 Vec3d xyz_of_chromaticity(double x, double y) { return {x / y, 1, (1 - x - y) / y}; }
 
 // Chromaticities of the primaries: ITU-R BT.709, table 1. Their luminances are those that make the sum white.
-ColourSpace make_colour_space() {
+Mat4 make_rgb_of_xyz() {
   const Vec3d red = xyz_of_chromaticity(0.64, 0.33);
   const Vec3d green = xyz_of_chromaticity(0.30, 0.60);
   const Vec3d blue = xyz_of_chromaticity(0.15, 0.06);
   const Vec3d luminance =
       transform_direction(*inverse(columns(red, green, blue)), xyz_of_light(illuminant("D65")));
-  const Mat4 to_xyz = columns(red * luminance.x, green * luminance.y, blue * luminance.z);
-  return {to_xyz, *inverse(to_xyz)};
-}
-
-const ColourSpace& colour_space() {
-  static const ColourSpace space = make_colour_space();
-  return space;
+  return *inverse(columns(red * luminance.x, green * luminance.y, blue * luminance.z));
 }
 
 // red, blue, D65; the basis holds its ends.
@@ -65,9 +54,10 @@ RowTable make_matching_table() {
 
 }  // namespace
 
-Vec3d rgb_of_xyz(Vec3d xyz) { return transform_direction(colour_space().to_rgb, xyz); }
-
-Vec3d xyz_of_rgb(Vec3d rgb) { return transform_direction(colour_space().to_xyz, rgb); }
+Vec3d rgb_of_xyz(Vec3d xyz) {
+  static const Mat4 kMatrix = make_rgb_of_xyz();
+  return transform_direction(kMatrix, xyz);
+}
 
 Spectrum reflectance_of_rgb(Vec3d rgb) {
   std::vector<double> wavelengths_nm;

@@ -11,7 +11,6 @@
 namespace orbs::spectra {
 
 Vec3d rgb_of_xyz(Vec3d xyz);
-Vec3d xyz_of_rgb(Vec3d rgb);
 
 /// A reflectance that has the colour `rgb` under D65: r, g and b times three fixed smooth reflectances which
 /// sum to 1 (data/common/spectra/make_rgb_basis.py). Linear, hence exact for colours of any size and sign;

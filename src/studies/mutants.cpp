@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -135,6 +136,32 @@ Image clamped(const Image& image) {
   });
 }
 
+// Of the squares without masked pixels that lie 4 px off a grid of their side.
+Rectangle place_of_median(const Image& reference, const std::vector<std::uint8_t>& included, int side_px) {
+  constexpr int kOff_px = 4;
+  std::vector<std::pair<double, Rectangle>> places;
+  for (int y = kOff_px; y + side_px <= reference.height; y += side_px)
+    for (int x = kOff_px; x + side_px <= reference.width; x += side_px) {
+      double sum = 0;
+      bool is_whole = true;
+      for (int v = y; v < y + side_px; ++v)
+        for (int u = x; u < x + side_px; ++u) {
+          is_whole =
+              is_whole && included[static_cast<std::size_t>(v) * static_cast<std::size_t>(reference.width) +
+                                   static_cast<std::size_t>(u)] != 0;
+          sum += image::luminance(static_cast<double>(reference.at(u, v, colour_index(reference, 0))),
+                                  static_cast<double>(reference.at(u, v, colour_index(reference, 1))),
+                                  static_cast<double>(reference.at(u, v, colour_index(reference, 2))));
+        }
+      if (is_whole) places.push_back({sum, {x, y, x + side_px, y + side_px}});
+    }
+  if (places.empty()) return {0, 0, std::min(side_px, reference.width), std::min(side_px, reference.height)};
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+  std::nth_element(places.begin(), middle, places.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  return middle->second;
+}
+
 }  // namespace
 
 std::vector<Fault> faults_of(const Image& reference) {
@@ -171,30 +198,12 @@ Image with_leak(const Image& image, const Rectangle& where, double radiance) {
 
 Rectangle place_of_leak(const Image& reference, const metrics::Mask& mask) {
   constexpr int kSide_px = 16;
-  constexpr int kOff_px = 4;
-  const auto included = metrics::included_pixels(mask, reference.width, reference.height);
-  std::vector<std::pair<double, Rectangle>> places;
-  for (int y = kOff_px; y + kSide_px <= reference.height; y += kSide_px)
-    for (int x = kOff_px; x + kSide_px <= reference.width; x += kSide_px) {
-      double sum = 0;
-      bool is_whole = true;
-      for (int v = y; v < y + kSide_px; ++v)
-        for (int u = x; u < x + kSide_px; ++u) {
-          is_whole =
-              is_whole && included[static_cast<std::size_t>(v) * static_cast<std::size_t>(reference.width) +
-                                   static_cast<std::size_t>(u)] != 0;
-          sum += image::luminance(static_cast<double>(reference.at(u, v, colour_index(reference, 0))),
-                                  static_cast<double>(reference.at(u, v, colour_index(reference, 1))),
-                                  static_cast<double>(reference.at(u, v, colour_index(reference, 2))));
-        }
-      if (is_whole) places.push_back({sum, {x, y, x + kSide_px, y + kSide_px}});
-    }
-  if (places.empty())
-    return {0, 0, std::min(kSide_px, reference.width), std::min(kSide_px, reference.height)};
-  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
-  std::nth_element(places.begin(), middle, places.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  return middle->second;
+  return place_of_median(reference, metrics::included_pixels(mask, reference.width, reference.height),
+                         kSide_px);
+}
+
+Rectangle place_of_patch(const Image& reference, int side_px) {
+  return place_of_median(reference, metrics::included_pixels({}, reference.width, reference.height), side_px);
 }
 
 double mean_radiance(const Image& image) {

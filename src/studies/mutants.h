@@ -36,6 +36,9 @@ image::Image with_leak(const image::Image& image, const Rectangle& where, double
 /// masked pixels, 4 px off any grid of 8 or 16 px. The whole image when it is smaller than that.
 Rectangle place_of_leak(const image::Image& reference, const metrics::Mask& mask);
 
+/// As above without a mask, of side `side_px`, cut to the image.
+Rectangle place_of_patch(const image::Image& reference, int side_px);
+
 /// Mean of R, G and B over all pixels.
 double mean_radiance(const image::Image& image);
 

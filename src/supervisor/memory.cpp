@@ -24,8 +24,8 @@ namespace orbs::supervisor {
 
 namespace {
 
-// Of one core, for counting by shares. A count reads the page tables of the renderer, so it would show in
-// the times that are measured.
+// Counting by shares may take this share of one core. It reads the page tables of the renderer, which would
+// show in the times that are measured.
 constexpr double kCountShare = 0.005;
 constexpr double kLongestWait_seconds = 10;
 
@@ -39,8 +39,8 @@ std::size_t bytes_of(std::string_view line) {
   return static_cast<std::size_t>(to_integer(trim(value.substr(0, value.find("kB")))).value_or(0)) * 1024;
 }
 
-// By what the task has mapped, whoever shares it. Nothing for a task that has ended: its memory belongs to
-// the other threads.
+// Counts what the task has mapped, also what it shares. Returns nothing for a task that has ended: its memory
+// belongs to the other threads.
 std::optional<Memory> resident_memory(pid_t task) {
   Memory memory;
   bool has_memory = false;
@@ -70,8 +70,8 @@ std::optional<Task> running_task(pid_t pid) {
   return std::nullopt;
 }
 
-// Each page divided by the number of processes that map it. Nothing where the kernel refuses or is too old to
-// tell the kinds of pages: then the whole counts.
+// Divides each page by the number of processes that map it. Returns nothing where the kernel refuses or is
+// too old to tell the kinds of pages; then the whole counts.
 std::optional<Memory> shares_of(pid_t task) {
   Memory memory;
   bool has_kinds = false;
@@ -84,8 +84,8 @@ std::optional<Memory> shares_of(pid_t task) {
   return has_kinds ? std::optional(memory) : std::nullopt;
 }
 
-// The file of a mapping's first line in smaps, "start-end rwxp offset major:minor inode path"; nothing for
-// another line.
+// Reads the first line of a mapping in smaps, "start-end rwxp offset major:minor inode path". Returns nothing
+// for any other line.
 std::optional<FileId> mapped_file(std::string_view line) {
   const auto words = words_of(line.substr(0, line.find('/')));
   if (words.size() < 5 || words[0].find('-') == std::string::npos) return std::nullopt;

@@ -29,7 +29,8 @@ struct FileStatus {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-// Of a regular file; nothing for all else. What the kernel knows is enough: a server is not asked.
+// The status of a regular file, as far as the kernel knows it without asking a server. Returns nothing for
+// anything else.
 std::optional<FileStatus> status_of(int folder, const char* name) {
   struct statx status {};
   constexpr unsigned kWanted = STATX_TYPE | STATX_INO | STATX_BLOCKS | STATX_CTIME;
@@ -41,7 +42,7 @@ std::optional<FileStatus> status_of(int folder, const char* name) {
                     status.stx_ctime.tv_sec * kSecond_ns + status.stx_ctime.tv_nsec};
 }
 
-// The kernel's own tmpfs, which is mounted nowhere: that of memfds.
+// Memfds lie in a tmpfs of the kernel's own, which is mounted nowhere.
 FileId any_memfd() {
   const int file = ::memfd_create("orbs", MFD_CLOEXEC);
   if (file < 0) return {};
@@ -74,7 +75,7 @@ std::string link_target(int folder, const char* name) {
   return target;
 }
 
-// Notes the files that the task has open. Another user's task, or one that hides itself, shows none.
+// Notes the files that the task has open. A task of another user shows none, and one that hides itself.
 void note_open_files(MemoryFiles& known, pid_t task, std::set<FileId>& open) {
   DIR* folder = ::opendir(fmt::format("/proc/{}/fd", task).c_str());
   if (folder == nullptr) return;

@@ -104,6 +104,12 @@ bool is_cheap(const std::string& line) {
 
 }  // namespace
 
+TEST(Help, NamesOptionsAsTheyAreTyped) {
+  const Sandbox sandbox;
+  for (const auto& [command, text] : help_of_commands(sandbox))
+    EXPECT_EQ(text.find("{false}"), std::string::npos) << command << '\n' << text;
+}
+
 TEST(CommandsPage, NamesEveryCommandAndOptionAndNoOther) {
   const Sandbox sandbox;
   const auto help = help_of_commands(sandbox);

@@ -39,7 +39,7 @@ const std::vector<std::pair<std::string, std::string>> kModes{
     {"leave-child", ""},
     {"leak", R"("memory_megabytes": 200)"},
     {"leak-to-memfd", R"("memory_megabytes": 200)"},
-    {"shared-pages", R"("memory_megabytes": 250)"},
+    {"shared-pages", R"("memory_megabytes": 280)"},
     {"main-thread-ends", R"("wall_seconds": 0.3, "grace_seconds": 0.1)"},
     {"main-thread-ends-leak", R"("memory_megabytes": 200)"},
     {"main-thread-ends-daemon", ""},

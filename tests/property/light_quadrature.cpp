@@ -91,6 +91,8 @@ OfWavelength illuminant_by_table(const std::string& name) {
   return [relative, scale](double nm) { return scale * relative(nm); };
 }
 
-double luminance_by_sum(Vec3d rgb) { return transform_direction(xyz_of_rgb(), rgb).y; }
+Vec3d xyz_of_rgb_by_sum(Vec3d rgb) { return transform_direction(xyz_of_rgb(), rgb); }
+
+double luminance_by_sum(Vec3d rgb) { return xyz_of_rgb_by_sum(rgb).y; }
 
 }  // namespace orbs::tests

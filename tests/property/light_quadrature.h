@@ -23,7 +23,8 @@ Vec3d rgb_by_sum(const OfWavelength& light);
 /// "D65" or "D50", scaled to Y = 1.
 OfWavelength illuminant_by_table(const std::string& name);
 
-/// Y of a linear Rec.709 colour.
+/// X, Y and Z of a linear Rec.709 colour, and Y alone.
+Vec3d xyz_of_rgb_by_sum(Vec3d rgb);
 double luminance_by_sum(Vec3d rgb);
 
 }  // namespace orbs::tests

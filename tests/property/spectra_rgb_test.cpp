@@ -1,4 +1,5 @@
-// RGB colours as spectra: exact both ways, for colours of any size and sign.
+// RGB colours as spectra: exact, for colours of any size and sign.
+#include "base/matrix.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 
@@ -67,16 +68,14 @@ TEST(RgbSpectra, TheBasisOfPathsIsThatOfTheSpectra) {
   });
 }
 
-TEST(RgbSpectra, XyzAndRgbAreEachOthersInverse) {
-  for_each_colour([&](Vec3d rgb) {
-    EXPECT_LT(largest_magnitude(rgb_of_xyz(xyz_of_rgb(rgb)) - rgb),
-              1e-12 * std::max(1.0, largest_magnitude(rgb)));
-  });
-}
-
 // Rec.709's own luminances are rounded to four digits.
 TEST(RgbSpectra, PrimariesHaveTheLuminancesOfRec709) {
-  EXPECT_NEAR(xyz_of_rgb({1, 0, 0}).y, 0.2126, 1.5e-4);
-  EXPECT_NEAR(xyz_of_rgb({0, 1, 0}).y, 0.7152, 1.5e-4);
-  EXPECT_NEAR(xyz_of_rgb({0, 0, 1}).y, 0.0722, 1.5e-4);
+  const Vec3d x = rgb_of_xyz({1, 0, 0});
+  const Vec3d y = rgb_of_xyz({0, 1, 0});
+  const Vec3d z = rgb_of_xyz({0, 0, 1});
+  const auto xyz_of_rgb = inverse(Mat4{{x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0, 0, 0, 0, 1}});
+  ASSERT_TRUE(xyz_of_rgb);
+  EXPECT_NEAR(transform_direction(*xyz_of_rgb, {1, 0, 0}).y, 0.2126, 1.5e-4);
+  EXPECT_NEAR(transform_direction(*xyz_of_rgb, {0, 1, 0}).y, 0.7152, 1.5e-4);
+  EXPECT_NEAR(transform_direction(*xyz_of_rgb, {0, 0, 1}).y, 0.0722, 1.5e-4);
 }

@@ -75,7 +75,7 @@ void for_each_patch(const std::string& light,
 TEST(SpectralLight, TheColorCheckerIsWithinATenthOfADifferenceOfItsIntegrals) {
   for (const std::string light : {"D65", "D50"}) {
     const Vec3d white = xyz_by_sum(illuminant_by_table(light));
-    const auto lab = [&](Vec3d rgb) { return spectra::lab_of(spectra::xyz_of_rgb(rgb), white); };
+    const auto lab = [&](Vec3d rgb) { return spectra::lab_of(xyz_of_rgb_by_sum(rgb), white); };
     double worst = 0;
     for_each_patch(light, 256, [&](const Patch& patch) {
       const double difference = spectra::ciede2000(lab(patch.mean), lab(patch.expected));

@@ -75,6 +75,8 @@ Image brighter(Image image, float factor) {
   return image;
 }
 
+bool is_biased(const NoiseTest& test) { return !bias_message(test).empty(); }
+
 Image without_variance(const Image& image) { return orbs::image::select_rgb(image, ""); }
 
 int false_alarms(const Light& light, int images, bool exact_reference = false) {
@@ -104,7 +106,7 @@ TEST(NoiseTest, UnbiasedSeedsAreNotCalledBiased) {
 TEST(NoiseTest, UnbiasedSeedsWithFirefliesAreNotCalledBiased) { EXPECT_LE(false_alarms(fireflies, 300), 3); }
 
 // Standard deviation of one pixel: 1/sqrt(12) / sqrt(16) = 7 % of the mean. The mean of 64^2 of them has 0.11
-// %, so 1 % is nine of its standard deviations, and t for 1 in 9000 is four.
+// %, so 1 % is nine of its standard deviations, and t for 1 in 21000 is four.
 TEST(NoiseTest, OnePercentMoreEnergyIsSeenInAnImageWithSevenPercentNoise) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64, .seed = kReferenceSeed});
@@ -122,18 +124,18 @@ TEST(NoiseTest, OnePercentMoreEnergyIsSeenInAnImageWithSevenPercentNoise) {
 
 // The error of the ratio by its formula: sqrt(sum of variances) / sum, here with exact numbers: 0.04^2 in
 // each of 1024 pixels of 0.5 makes 0.04 / 0.5 / 32 = 0.0025; Student's t with 1024 degrees of freedom for
-// 1/9000 is 3.877.
+// 1/21000 is 4.083.
 TEST(NoiseTest, TheIntervalOfTheMeanRatioIsThatOfTheDeltaMethod) {
   Image result = orbs::image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = i % 6 < 3 ? 0.5F : 0.0016F;
   Image reference = without_variance(result);
   const auto test = test_noise(brighter(result, 1.0F), reference);
   EXPECT_NEAR(test.mean_ratio[0]->value, 0.0, 1e-12);
-  EXPECT_NEAR(test.mean_ratio[0]->high, 3.877 * 0.0025, 2e-5);
+  EXPECT_NEAR(test.mean_ratio[0]->high, 4.083 * 0.0025, 2e-5);
   EXPECT_NEAR(test.noise_squared, 0.0016, 1e-9);
   EXPECT_NEAR(test.bias_squared.value, -0.0016, 1e-9);
   // A reference with the same noise: sqrt(2) of it.
-  EXPECT_NEAR(test_noise(result, result).mean_ratio[0]->high, 3.877 * 0.0025 * std::sqrt(2), 4e-5);
+  EXPECT_NEAR(test_noise(result, result).mean_ratio[0]->high, 4.083 * 0.0025 * std::sqrt(2), 4e-5);
 }
 
 // One pixel that carries the variance: no more than one degree of freedom, and a t beyond a thousand.
@@ -169,20 +171,20 @@ TEST(NoiseTest, ALocalErrorIsSeenByItsBlock) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64, .seed = kReferenceSeed});
   Image result = rendered(from_half_to_three_halves, {.size_px = 64});
-  EXPECT_EQ(test_noise(result, reference).blocks->off, 0);
+  EXPECT_EQ(test_noise(result, reference).blocks.off, 0);
   for (int y = 24; y < 32; ++y)
     for (int x = 40; x < 48; ++x)
       for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) += 0.15F;
   const auto test = test_noise(result, reference);
   EXPECT_FALSE(mean_error(test));
-  ASSERT_TRUE(test.blocks);
-  EXPECT_EQ(test.blocks->tested, 3 * 64);
-  EXPECT_EQ(test.blocks->off, 3);
-  EXPECT_EQ(test.blocks->where.x0, 40);
-  EXPECT_EQ(test.blocks->where.y0, 24);
-  EXPECT_EQ(test.blocks->where.x1, 48);
-  EXPECT_EQ(test.blocks->where.y1, 32);
-  EXPECT_NE(bias_remark(test).find("[40,24,48,32]"), std::string::npos) << bias_remark(test);
+  EXPECT_EQ(test.blocks.tested, 3 * (64 + 16 + 4 + 1));  // of 8, 16, 32 and 64 px
+  EXPECT_EQ(test.blocks.scales[0].off, 3);
+  EXPECT_EQ(test.blocks.where.x0, 40);
+  EXPECT_EQ(test.blocks.where.y0, 24);
+  EXPECT_EQ(test.blocks.where.x1, 48);
+  EXPECT_EQ(test.blocks.where.y1, 32);
+  EXPECT_NE(bias_message(test).find("over 8 x 8 px in [40,24,48,32], by +"), std::string::npos)
+      << bias_message(test);
   EXPECT_FALSE(is_biased(test_noise(result, reference, {{{40, 24, 48, 32}}, {}})));
 }
 
@@ -242,13 +244,121 @@ TEST(NoiseTest, WithoutVarianceTheScatterOfBlocksBoundsTheMean) {
     const Image result = without_variance(rendered(from_half_to_three_halves, {.size_px = 64, .seed = seed}));
     const auto test = test_noise(result, reference);
     EXPECT_EQ(test.source, NoiseSource::Scatter);
-    EXPECT_FALSE(test.blocks);
+    EXPECT_EQ(test.blocks.off, 0) << seed;
     EXPECT_FALSE(is_biased(test)) << seed;
     EXPECT_NEAR(test.noise_squared, 1.0 / 192 + 1.0 / 3072, 6e-4);
     Image bright = result;
     for (float& value : bright.pixels) value *= 1.02F;
     EXPECT_TRUE(mean_error(test_noise(bright, reference))) << seed;
   }
+}
+
+// 2 % of 64 x 64 px is twelve of the block's standard deviations and no more than 0.7 of a pixel's.
+TEST(NoiseTest, ASmallErrorIsSeenByALargeBlock) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 128, .spp = 256, .seed = kReferenceSeed});
+  for (const bool knows_noise : {true, false}) {
+    Image result = rendered(from_half_to_three_halves, {.size_px = 128});
+    if (!knows_noise) result = without_variance(result);
+    EXPECT_EQ(test_noise(result, reference).blocks.off, 0);
+    for (int y = 64; y < 128; ++y)
+      for (int x = 0; x < 64; ++x)
+        for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) *= 1.02F;
+    const auto test = test_noise(result, reference);
+    EXPECT_EQ(test.blocks.scales[3].off, 3);
+    EXPECT_EQ(test.blocks.scales[0].off, 0);
+  }
+}
+
+// What the smallest error of a block is said to be is found in most blocks, and half of it in few.
+TEST(NoiseTest, TheSmallestErrorOfABlockIsFound) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 128, .spp = 256, .seed = kReferenceSeed});
+  const Image honest = rendered(from_half_to_three_halves, {.size_px = 128});
+  const double smallest = *test_noise(honest, reference).blocks.scales[1].smallest_error;
+  const auto blocks_off = [&](double error) {
+    Image result = honest;
+    for (std::size_t i = 0; i < result.pixels.size(); ++i)
+      if (i % 6 < 3) result.pixels[i] *= static_cast<float>(1 + error);
+    return test_noise(result, reference).blocks.scales[1].off;
+  };
+  constexpr int kTests = 3 * 64;
+  EXPECT_GT(blocks_off(1.3 * smallest), kTests / 2);
+  EXPECT_LT(blocks_off(0.5 * smallest), kTests / 4);
+  EXPECT_EQ(hidden_by_noise(test_noise(honest, reference)).empty(), smallest <= 0.05) << smallest;
+}
+
+// An image without noise has that of the reference alone to hide its errors.
+TEST(NoiseTest, TheBlocksOfAnImageWithoutNoiseAreTested) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  Image result = without_variance(reference);
+  for (float& value : result.pixels) value = 1.0F;
+  EXPECT_FALSE(is_biased(test_noise(result, reference, {}, ResultNoise::NoiseFree)));
+  for (int y = 8; y < 16; ++y)
+    for (int x = 8; x < 16; ++x)
+      for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) = 1.05F;
+  EXPECT_GE(test_noise(result, reference, {}, ResultNoise::NoiseFree).blocks.scales[0].off, 3);
+}
+
+// Stripes of 5 % change no mean and no block, but the squares where the reference is smooth.
+TEST(NoiseTest, AnErrorOfMeanZeroIsSeenAwayFromEdges) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  Image result = rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64});
+  EXPECT_FALSE(is_residual(test_noise(result, reference)));
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (std::size_t c = 0; c < 3; ++c) result.at(x, y, c) *= (x / 2 + y / 2) % 2 == 0 ? 1.05F : 0.95F;
+  const auto test = test_noise(result, reference);
+  EXPECT_EQ(test.blocks.off, 0);
+  EXPECT_TRUE(is_residual(test));
+}
+
+// A filter that is wider than a pixel gives neighbours a common noise.
+TEST(NoiseTest, CorrelatedNoiseIsSeen) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  const Image honest = without_variance(rendered(from_half_to_three_halves, {.size_px = 64}));
+  EXPECT_FALSE(test_noise(honest, reference).correlation);
+  Image filtered = honest;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 1; x < 64; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        filtered.at(x, y, c) = (honest.at(x - 1, y, c) + honest.at(x, y, c)) / 2;
+  const auto correlation = test_noise(filtered, reference).correlation;
+  ASSERT_TRUE(correlation);
+  EXPECT_EQ(correlation->dx, 1);
+  EXPECT_EQ(correlation->dy, 0);
+  EXPECT_NEAR(correlation->value, 0.5, 0.1);  // that of the mean of two: 1/4 + 1/4 shared of 1/2
+}
+
+// The variance of the image must be there: neither may the image share the reference's samples, nor may it
+// state more than it has.
+TEST(NoiseTest, TheStatedNoiseMustBeThere) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  const Image honest = rendered(from_half_to_three_halves, {.size_px = 64});
+  EXPECT_EQ(test_noise(honest, reference).stated, StatedNoise::Plausible);
+  EXPECT_EQ(test_noise(without_variance(honest), reference).stated, StatedNoise::Plausible);
+  EXPECT_EQ(test_noise(reference, reference).stated, StatedNoise::NearerThanReference);
+  EXPECT_EQ(test_noise(without_variance(reference), reference).stated, StatedNoise::NearerThanReference);
+  EXPECT_EQ(test_noise(without_variance(reference), reference, {}, ResultNoise::NoiseFree).stated,
+            StatedNoise::NearerThanReference);
+  Image overstated = honest;
+  for (std::size_t i = 0; i < overstated.pixels.size(); ++i)
+    if (i % 6 >= 3) overstated.pixels[i] *= 16;  // the variance of one sample of 16
+  EXPECT_EQ(test_noise(overstated, reference).stated, StatedNoise::OverstatedByResult);
+}
+
+// The attributes of an image may say what they like: the noise is in its pixels.
+TEST(NoiseTest, NoWordOfTheImageChangesItsNoise) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  Image result = rendered(from_half_to_three_halves, {.size_px = 64});
+  const double before = test_noise(result, reference).noise_squared;
+  result.attributes["orbs.spp"] = "1";
+  EXPECT_EQ(test_noise(result, reference).noise_squared, before);
 }
 
 TEST(Seeds, GiveTheMeanAndTheVarianceOfTheMean) {

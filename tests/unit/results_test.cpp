@@ -1,10 +1,15 @@
+#include "base/error.h"
 #include "json/document.h"
 #include "results/read_record.h"
 #include "results/record.h"
 #include "results/record_json.h"
 #include "structure/source_files.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +93,34 @@ TEST(ResultsJson, KeepsAllThatIsKnownOfTheMachines) {
   EXPECT_EQ(read.jobs[1].cost.load, 3.5);
   scratch.write("job.json", job_json(run.jobs[1], {}));
   EXPECT_EQ(read_job_file(scratch.path() / "job.json").job.cost.host, run.jobs[1].cost.host);
+}
+
+TEST(JobJson, RefusesCountsThatNoRenderCanHave) {
+  const orbs::structure::TestFolder scratch("results-counts");
+  const auto file = scratch.path() / "job.json";
+  const std::string whole = job_json({}, {});
+  const std::vector<std::array<std::string, 3>> damaged{
+      {R"("spp": 1)", R"("spp": 0)", "/identity/spp: must lie in [1, 2147483647], is 0"},
+      {R"("seeds": 1)", R"("seeds": -2)", "/identity/seeds: must lie in [1, 2147483647], is -2"},
+      {R"("threads": 0)", R"("threads": -1)", "/program/threads: must lie in [0, 2147483647], is -1"},
+      {R"("peak_rss_bytes": 0)", R"("peak_rss_bytes": 0.5)",
+       "/cost/peak_rss_bytes: must be a whole number, is 0.5"}};
+  for (const auto& [right, wrong, complaint] : damaged) {
+    auto text = whole;
+    const auto at = text.find(right);
+    ASSERT_NE(at, std::string::npos) << right << " in " << whole;
+    text.replace(at, right.size(), wrong);
+    scratch.write("job.json", text);
+    const auto line =
+        std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+    try {
+      read_job_file(file);
+      ADD_FAILURE() << wrong << " was read";
+    } catch (const orbs::InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(complaint), std::string::npos) << e.what();
+      EXPECT_EQ(std::string(e.what()).find(file.string() + ":" + line + ":"), 0U) << e.what();
+    }
+  }
 }
 
 TEST(ResultsJson, IsJsonWhateverTheTextsHold) {

@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "scene/load_scene.h"
 #include "scene/without_effect.h"
 
@@ -16,7 +17,32 @@ bool still_calls_for(const scene::Scene& scene, Effect effect) {
   return scene::calls_for(scene::effects(scene), effect);
 }
 
+// A type of material that calls for a film and has no form without one.
+struct Coated {
+  static constexpr const char* kType = "coated";
+};
+void load(const scene::MaterialEntry&, Coated&) {}
+void write(json::Writer&, const scene::SpectrumList&, const Coated&) {}
+scene::MaterialRequirement requirement(const Coated&) { return {"E5", "coated"}; }
+std::vector<scene::EffectVerdict> effects(const scene::SpectrumList&, const Coated&) {
+  return {{Effect::ThinFilm, true, "has a film"}};
+}
+bool is_coloured(const scene::SpectrumList&, const Coated&) { return true; }
+
 }  // namespace
+
+TEST(WithoutEffect, AMaterialThatHasNoFormWithoutItIsRefusedByName) {
+  Coated coated;
+  EXPECT_NO_THROW(scene::leave_out_of({}, Effect::Dispersion, "lens", coated));
+  try {
+    scene::leave_out_of({}, Effect::ThinFilm, "lens", coated);
+    FAIL() << "the film was left out";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "material 'lens' has a film, and the type coated has no form without the effect 'thin film'");
+  }
+}
 
 TEST(WithoutEffect, ASceneThatHasLostItCallsForItNoMore) {
   const std::vector<std::pair<const char*, Effect>> scenes{

@@ -12,8 +12,6 @@ namespace orbs::adapters {
 
 namespace {
 
-using povray::Surface;
-
 std::string texture_limit(const scene::Texture& texture) {
   const std::string type = povray::image_type(texture.file);
   if (type.empty())
@@ -33,10 +31,8 @@ bool needs_caustics(const scene::Scene& scene, const std::set<int>& materials) {
   bool has_specular = false;
   for (const int material : materials) {
     const scene::MaterialModel& model = material_at(scene, material).model;
-    if (povray::surface_of(model) != Surface::Plain) has_specular = true;
-    // Oren-Nayar of any roughness but 0, where it is Lambert, is refused by itself.
-    if (std::holds_alternative<scene::Lambert>(model) || std::holds_alternative<scene::OrenNayar>(model))
-      has_diffuse = true;
+    has_specular = has_specular || povray::is_photon_target(model);
+    has_diffuse = has_diffuse || povray::surface_of(model) == povray::Surface::Diffuse;
   }
   return has_diffuse && has_specular;
 }

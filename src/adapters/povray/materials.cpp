@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -108,13 +109,33 @@ struct TextureWriter {
   }
 };
 
+// What each type does that TextureWriter writes.
+struct SurfaceOf {
+  Surface operator()(const scene::Lambert&) const { return Surface::Diffuse; }
+  Surface operator()(const scene::OrenNayar&) const { return Surface::Diffuse; }
+  Surface operator()(const scene::Emission&) const { return Surface::Emitter; }
+  Surface operator()(const scene::Mirror&) const { return Surface::Mirror; }
+  Surface operator()(const scene::Glass&) const { return Surface::Glass; }
+  Surface operator()(const scene::Dielectric&) const { return Surface::Glass; }
+};
+
 }  // namespace
 
-Surface surface_of(const scene::MaterialModel& model) {
-  if (std::holds_alternative<scene::Mirror>(model)) return Surface::Mirror;
-  if (std::holds_alternative<scene::Glass>(model) || std::holds_alternative<scene::Dielectric>(model))
-    return Surface::Glass;
-  return Surface::Plain;
+std::optional<Surface> surface_of(const scene::MaterialModel& model) {
+  return std::visit(
+      [](const auto& m) -> std::optional<Surface> {
+        // A type that TextureWriter writes and SurfaceOf does not know is a compile error.
+        if constexpr (WritesModel<TextureWriter, std::decay_t<decltype(m)>>)
+          return SurfaceOf{}(m);
+        else
+          return std::nullopt;
+      },
+      model);
+}
+
+bool is_photon_target(const scene::MaterialModel& model) {
+  const auto surface = surface_of(model);
+  return surface == Surface::Mirror || surface == Surface::Glass;
 }
 
 std::string image_type(const std::filesystem::path& file) {

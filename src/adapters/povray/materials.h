@@ -3,14 +3,21 @@
 #include "adapters/format_limits.h"
 #include "scene/scene.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace orbs::adapters::povray {
 
-/// How the triangles of a surface are grouped: glass needs an interior, which belongs to a whole object, and
-/// photons are aimed at mirrors and glass.
-enum class Surface { Plain, Mirror, Glass };
-Surface surface_of(const scene::MaterialModel& model);
+/// What a surface does with light: mirrors and glass send photons to diffuse surfaces, and glass needs an
+/// interior, which belongs to a whole object.
+enum class Surface { Diffuse, Emitter, Mirror, Glass };
+
+/// Nothing for a type of material that is not written.
+std::optional<Surface> surface_of(const scene::MaterialModel& model);
+
+/// Whether photons are aimed at surfaces of this material.
+bool is_photon_target(const scene::MaterialModel& model);
 
 /// The texture image type that POV-Ray has for the file, by its extension ("png", "jpeg", ...), "" when it
 /// has none.

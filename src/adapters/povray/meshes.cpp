@@ -149,7 +149,7 @@ std::vector<int> materials_after_remap(const Mesh& mesh, const scene::Instance& 
 }
 
 int part_of(const scene::Scene& scene, int material) {
-  return surface_of(material_at(scene, material).model) == Surface::Plain ? -1 : material;
+  return is_photon_target(material_at(scene, material).model) ? material : -1;
 }
 
 std::vector<DeclaredMesh> declare_parts(const scene::Scene& scene,

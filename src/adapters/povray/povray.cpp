@@ -185,9 +185,11 @@ Exporter povray_exporter() {
       .settings = povray_setting_names(),
       .limits = [](const scene::Scene& scene,
                    const SceneSettings& numbers) { return povray_limits(scene, povray_settings(numbers)); },
-      .write =
-          [](const scene::Scene& scene, const SceneSettings& numbers, const std::filesystem::path& file) {
-            write_povray(scene, povray_settings(numbers), file);
+      .write = [](const scene::Scene& scene, const SceneSettings& numbers,
+                  const std::filesystem::path& file) { write_povray(scene, povray_settings(numbers), file); },
+      .placeholders =
+          [](int spp) {
+            return registry::Placeholders{{"aa_grid", std::to_string(povray_aa_grid(spp))}};
           }};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/bsdf/boundary.h"
+#include "tracer/bsdf/boundary_bsdf.h"
 #include "tracer/bsdf/broadcast.h"
 #include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/bsdf/lambert.h"
@@ -14,17 +14,7 @@ namespace orbs::tracer {
 
 /// A smooth metal, which reflects by Fresnel's equations, or by Airy's sum if it is coated with a film.
 template <typename Value, std::size_t N>
-struct ConductorBsdf {
-  static constexpr bool kIsDelta = true;
-  static constexpr bool kDepolarises = false;
-  static constexpr Event kEvent = Event::Specular;
-  Boundary<N> boundary;
-};
-
-template <typename Value, std::size_t N>
-BsdfValue<Value> evaluate(const ConductorBsdf<Value, N>&, Vec3f, Vec3f) {
-  return {};
-}
+struct ConductorBsdf : SmoothBoundaryBsdf<Value, N> {};
 
 template <typename Value, std::size_t N>
 std::optional<BsdfSample<Value>> sample(const ConductorBsdf<Value, N>& bsdf,
@@ -34,20 +24,9 @@ std::optional<BsdfSample<Value>> sample(const ConductorBsdf<Value, N>& bsdf,
                            .weight = broadcast<Value>(reflectances(bsdf.boundary, wo.z))};
 }
 
-template <typename Value, std::size_t N>
-std::optional<Polarisation> polarisation_by(const ConductorBsdf<Value, N>& bsdf, const auto& scattering) {
-  return facet_polarisation(bsdf.boundary, kUp, scattering);
-}
-
 /// A metal with microfacets: f = F(wo.m) D(m) G2(wo, wi) / (4 cos cos) (Walter et al. 2007, eq. 20).
 template <typename Value, std::size_t N>
-struct RoughConductorBsdf {
-  static constexpr bool kIsDelta = false;
-  static constexpr bool kDepolarises = false;
-  static constexpr Event kEvent = Event::Glossy;
-  Boundary<N> boundary;
-  Microfacets facets;
-};
+struct RoughConductorBsdf : RoughBoundaryBsdf<Value, N> {};
 
 template <typename Value, std::size_t N>
 BsdfValue<Value> evaluate(const RoughConductorBsdf<Value, N>& bsdf, Vec3f wo, Vec3f wi) {
@@ -103,9 +82,9 @@ void make_bsdf(typename Context::Bsdf& out, const ConductorMaterial& material, c
   const scene::Conductor& metal = material.metal;
   const auto boundary = boundary_between<kN>(at.wavelengths_nm(), metal.outside, metal.index, metal.film);
   if (metal.roughness)
-    out = RoughConductorBsdf<Value, kN>{boundary, microfacets(*metal.roughness)};
+    out = RoughConductorBsdf<Value, kN>{{boundary, microfacets(*metal.roughness)}};
   else
-    out = ConductorBsdf<Value, kN>{boundary};
+    out = ConductorBsdf<Value, kN>{{boundary}};
 }
 
 }  // namespace orbs::tracer

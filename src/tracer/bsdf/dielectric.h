@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/effects.h"
-#include "tracer/bsdf/boundary.h"
+#include "tracer/bsdf/boundary_bsdf.h"
 #include "tracer/bsdf/broadcast.h"
 #include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/bsdf/microfacets.h"
@@ -19,17 +19,7 @@
 namespace orbs::tracer {
 
 template <typename Value, std::size_t N>
-struct DielectricBsdf {
-  static constexpr bool kIsDelta = true;
-  static constexpr bool kDepolarises = false;
-  static constexpr Event kEvent = Event::Specular;
-  Boundary<N> boundary;
-};
-
-template <typename Value, std::size_t N>
-BsdfValue<Value> evaluate(const DielectricBsdf<Value, N>&, Vec3f, Vec3f) {
-  return {};
-}
+struct DielectricBsdf : SmoothBoundaryBsdf<Value, N> {};
 
 template <typename Value, std::size_t N>
 std::optional<BsdfSample<Value>> sample(const DielectricBsdf<Value, N>& bsdf,
@@ -53,20 +43,9 @@ std::optional<BsdfSample<Value>> sample(const DielectricBsdf<Value, N>& bsdf,
   return out;
 }
 
-template <typename Value, std::size_t N>
-std::optional<Polarisation> polarisation_by(const DielectricBsdf<Value, N>& bsdf, const auto& scattering) {
-  return facet_polarisation(bsdf.boundary, kUp, scattering);
-}
-
 /// Walter et al. 2007, eq. 20 and 21, with the same masking-shadowing model for reflection and transmission.
 template <typename Value, std::size_t N>
-struct RoughDielectricBsdf {
-  static constexpr bool kIsDelta = false;
-  static constexpr bool kDepolarises = false;
-  static constexpr Event kEvent = Event::Glossy;
-  Boundary<N> boundary;
-  Microfacets facets;
-};
+struct RoughDielectricBsdf : RoughBoundaryBsdf<Value, N> {};
 
 template <typename Value, std::size_t N>
 BsdfValue<Value> evaluate(const RoughDielectricBsdf<Value, N>& bsdf, Vec3f wo, Vec3f wi) {
@@ -148,9 +127,9 @@ void make_bsdf(typename Context::Bsdf& out, const DielectricMaterial& material, 
   const auto& beyond = at.is_outside ? glass.index : glass.outside;
   const auto boundary = boundary_between<kN>(at.wavelengths_nm(), here, beyond, glass.film);
   if (glass.roughness)
-    out = RoughDielectricBsdf<Value, kN>{boundary, microfacets(*glass.roughness)};
+    out = RoughDielectricBsdf<Value, kN>{{boundary, microfacets(*glass.roughness)}};
   else
-    out = DielectricBsdf<Value, kN>{boundary};
+    out = DielectricBsdf<Value, kN>{{boundary}};
 }
 
 }  // namespace orbs::tracer

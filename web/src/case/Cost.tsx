@@ -1,6 +1,15 @@
 import { bytes, seconds } from "../common/format";
 import { Copyable } from "../common/Copyable";
+import { TableHead, type Column } from "../common/TableHead";
 import type { TargetDetail } from "../data/types";
+
+const kColumns: Column[] = [
+  { label: "Render" },
+  { label: "Wall", isNumber: true, title: "wall-clock time of the whole process" },
+  { label: "CPU", isNumber: true, title: "user and system time of the process and its children" },
+  { label: "Reported", isNumber: true, title: "render time that the renderer itself reports" },
+  { label: "Peak memory", isNumber: true, title: "largest resident set of any of its processes" },
+];
 
 /** Time and memory of the renders, and the commands that repeat them. */
 export function Cost({ detail }: { detail: TargetDetail }) {
@@ -9,27 +18,7 @@ export function Cost({ detail }: { detail: TargetDetail }) {
       <h2>Time, memory, command</h2>
       {detail.jobs.length > 0 ? (
         <table>
-          <thead>
-            <tr>
-              <th scope="col">Render</th>
-              <th scope="col" class="number" title="wall-clock time of the whole process">
-                Wall
-              </th>
-              <th
-                scope="col"
-                class="number"
-                title="user and system time of the process and its children"
-              >
-                CPU
-              </th>
-              <th scope="col" class="number" title="render time that the renderer itself reports">
-                Reported
-              </th>
-              <th scope="col" class="number" title="largest resident set of any of its processes">
-                Peak memory
-              </th>
-            </tr>
-          </thead>
+          <TableHead columns={kColumns} />
           <tbody>
             {detail.jobs.map((job) => (
               <tr key={job.identity.id}>

@@ -1,4 +1,20 @@
+import { TableHead, type Column } from "../common/TableHead";
 import type { Effect, TargetDetail, Scene } from "../data/types";
+
+const kColumns: Column[] = [
+  { label: "Transport" },
+  {
+    label: "Time",
+    isNumber: true,
+    title: "CPU time per sample, relative to the transport that the scene calls for",
+  },
+  {
+    label: "To equal noise",
+    isNumber: true,
+    title: "CPU time to equal noise, relative to the transport that the scene calls for",
+  },
+  { label: "Change of the image" },
+];
 
 /** Groups the parts of a scene by effect; the first of a group stands for all. */
 function grouped(effects: Effect[]): { first: Effect; others: number }[] {
@@ -30,26 +46,7 @@ function EffectCosts({ scene }: { scene: Scene }) {
   return (
     <table>
       <caption>Effect cost, relative to {scene.transport} transport</caption>
-      <thead>
-        <tr>
-          <th scope="col">Transport</th>
-          <th
-            scope="col"
-            class="number"
-            title="CPU time per sample, relative to the transport that the scene calls for"
-          >
-            Time
-          </th>
-          <th
-            scope="col"
-            class="number"
-            title="CPU time to equal noise, relative to the transport that the scene calls for"
-          >
-            To equal noise
-          </th>
-          <th scope="col">Change of the image</th>
-        </tr>
-      </thead>
+      <TableHead columns={kColumns} />
       <tbody>
         {scene.effect_costs.map((cost) => (
           <tr key={cost.name}>

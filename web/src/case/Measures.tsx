@@ -1,5 +1,12 @@
 import { number, withUnit } from "../common/format";
+import { TableHead, type Column } from "../common/TableHead";
 import type { Check, Measure, TargetDetail } from "../data/types";
+
+const kColumns: Column[] = [
+  { label: "Metric" },
+  { label: "Value", isNumber: true },
+  { label: "Gate" },
+];
 
 function limitsText(check: Check | undefined): string {
   if (!check) return "";
@@ -51,7 +58,7 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
 
 /** Every metric with its gate and its definition, then the checks that are no metric. */
 export function Measures({ detail }: { detail: TargetDetail }) {
-  const { measures, checks, remarks = [] } = detail;
+  const { measures, checks, remarks = [], hidden = "" } = detail;
   const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;
   return (
@@ -59,15 +66,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
       <h2>Metrics</h2>
       {measures.length > 0 ? (
         <table>
-          <thead>
-            <tr>
-              <th scope="col">Metric</th>
-              <th scope="col" class="number">
-                Value
-              </th>
-              <th scope="col">Gate</th>
-            </tr>
-          </thead>
+          <TableHead columns={kColumns} />
           <tbody>
             {measures.map((measure) => (
               <MeasureRow
@@ -86,6 +85,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
           ))}
         </ul>
       ) : null}
+      {hidden === "" ? null : <p class="quiet">{hidden}</p>}
       {others.length > 0 ? (
         <ul class="checks">
           {others.map((check) => (

@@ -1,17 +1,14 @@
+import { TableHead, type Column } from "../common/TableHead";
 import type { Job, TargetDetail } from "../data/types";
 import { recordedValues } from "./recorded";
+
+const kColumns: Column[] = [{ label: "Name" }, { label: "Value" }, { label: "Unit" }];
 
 function Values({ job }: { job: Job }) {
   const { log: _log, ...record } = job;
   return (
     <table>
-      <thead>
-        <tr>
-          <th scope="col">Name</th>
-          <th scope="col">Value</th>
-          <th scope="col">Unit</th>
-        </tr>
-      </thead>
+      <TableHead columns={kColumns} />
       <tbody>
         {recordedValues(record).map(({ name, value, unit }) => (
           <tr key={name}>

@@ -1,8 +1,18 @@
 import { number } from "../common/format";
 import { StateMark } from "../common/StateMark";
+import { TableHead, type Column } from "../common/TableHead";
 import type { Overview } from "../data/types";
 import { stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
 import { timesOf, timeSummary } from "./times";
+
+const kColumns: Column[] = [
+  { label: "Case" },
+  { label: "Target" },
+  { label: "Renderer" },
+  { label: "Before" },
+  { label: "After" },
+  { label: "Time", isNumber: true, title: "wall-clock time, after divided by before" },
+];
 
 export const kHeadings: Record<Kind, string> = {
   worse: "Became worse",
@@ -89,18 +99,7 @@ export function ChangeTable({ kind, changes, a, b, metric, links }: ChangeTableP
           </h2>
         </summary>
         <table>
-          <thead>
-            <tr>
-              <th scope="col">Case</th>
-              <th scope="col">Target</th>
-              <th scope="col">Renderer</th>
-              <th scope="col">Before</th>
-              <th scope="col">After</th>
-              <th scope="col" class="number" title="wall-clock time, after divided by before">
-                Time
-              </th>
-            </tr>
-          </thead>
+          <TableHead columns={kColumns} />
           <tbody>
             {changes.slice(0, kMostRows).map((change) => (
               <tr key={`${change.names.case} ${change.names.target} ${change.names.renderer}`}>

@@ -231,6 +231,8 @@ export interface TargetDetail {
   reference: string;
   /** Facts that change no verdict but that the reader must know. */
   remarks?: string[];
+  /** Which errors its noise hides; absent where that is nothing worth a word. */
+  hidden?: string;
   measures: Measure[];
   checks: Check[];
   images: ImageEntry[];

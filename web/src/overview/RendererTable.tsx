@@ -1,6 +1,20 @@
 import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
+import { TableHead, type Column } from "../common/TableHead";
 import type { Overview, Renderer } from "../data/types";
+
+const kColumns: Column[] = [
+  { label: "Renderer" },
+  {
+    label: "Declared",
+    title: "ORB.S feature number: the levels that it claims; L4-(2) means L1 to L4 without L2",
+  },
+  { label: "Measured", title: "The levels of which all targets pass in this run" },
+  { label: "Targets" },
+  { label: "Time", isNumber: true, title: "Sum of the wall-clock time of its renders" },
+  { label: "CPU", isNumber: true, title: "Sum of user and system time of its renders" },
+  { label: "Peak memory", isNumber: true, title: "Largest resident set of any of its renders" },
+];
 
 /** How many targets of each renderer are in each state. */
 function countsOf(overview: Overview): number[][] {
@@ -66,30 +80,7 @@ export function RendererTable({ overview }: { overview: Overview }) {
   return (
     <section class="renderers" aria-label="Renderers">
       <table>
-        <thead>
-          <tr>
-            <th scope="col">Renderer</th>
-            <th
-              scope="col"
-              title="ORB.S feature number: the levels that it claims; L4-(2) means L1 to L4 without L2"
-            >
-              Declared
-            </th>
-            <th scope="col" title="The levels of which all targets pass in this run">
-              Measured
-            </th>
-            <th scope="col">Targets</th>
-            <th scope="col" class="number" title="Sum of the wall-clock time of its renders">
-              Time
-            </th>
-            <th scope="col" class="number" title="Sum of user and system time of its renders">
-              CPU
-            </th>
-            <th scope="col" class="number" title="Largest resident set of any of its renders">
-              Peak memory
-            </th>
-          </tr>
-        </thead>
+        <TableHead columns={kColumns} />
         <tbody>
           {overview.renderers.map((renderer, r) => (
             <RendererRow

@@ -1,6 +1,7 @@
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Size } from "./geometry";
+import { useHeldKey } from "./held_key";
 import type { Region } from "./statistics";
 
 interface Point {
@@ -59,27 +60,6 @@ function useWheel(options: RefObject<Options>): void {
   }, []);
 }
 
-/** Whether the key C is held; a change does not render the component again. */
-function useHeldC(): RefObject<boolean> {
-  const held = useRef(false);
-  useEffect(() => {
-    const update = (event: KeyboardEvent): void => {
-      if (event.key.toLowerCase() === "c") held.current = event.type === "keydown";
-    };
-    // A key that is released in another window sends no event to this one.
-    const release = (): void => void (held.current = false);
-    addEventListener("keydown", update);
-    addEventListener("keyup", update);
-    addEventListener("blur", release);
-    return () => {
-      removeEventListener("keydown", update);
-      removeEventListener("keyup", update);
-      removeEventListener("blur", release);
-    };
-  }, []);
-  return held;
-}
-
 /** Two fingers zoom around the one that rests. */
 function pinch(options: Options, before: Point, at: Point, other: Point): void {
   const distance = (p: Point): number => Math.hypot(p.x - other.x, p.y - other.y);
@@ -92,7 +72,8 @@ export function usePointer(options: Options) {
   now.current = options;
   const down = useRef(new Map<number, Point>());
   const start = useRef<Point | undefined>(undefined);
-  const heldC = useHeldC();
+  const heldC = useRef(false); // a change does not render the component again
+  useHeldKey("c", (held) => void (heldC.current = held));
   useWheel(now);
   const moved = (event: PointerEvent): void => {
     const { current } = now;

@@ -1,28 +1,9 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { ImageEntry } from "../data/types";
+import { useHeldKey } from "./held_key";
 import type { ViewState } from "./view_state";
 
 const kBlink_ms = 1000;
-
-/** True while Shift is held. */
-function useShift(): boolean {
-  const [held, setHeld] = useState(false);
-  useEffect(() => {
-    const update = (event: KeyboardEvent): void => {
-      if (event.key === "Shift") setHeld(event.type === "keydown");
-    };
-    const release = (): void => setHeld(false);
-    addEventListener("keydown", update);
-    addEventListener("keyup", update);
-    addEventListener("blur", release);
-    return () => {
-      removeEventListener("keydown", update);
-      removeEventListener("keyup", update);
-      removeEventListener("blur", release);
-    };
-  }, []);
-  return held;
-}
 
 /** The name that blinking shows now; undefined while it is off. */
 function useBlink(on: boolean, names: string[]): string | undefined {
@@ -46,7 +27,8 @@ export interface Front {
 
 /** Which images are shown: Shift comes before blinking, and blinking before the chosen image. */
 export function useFront(images: ImageEntry[], view: ViewState, blinking: boolean): Front {
-  const shift = useShift();
+  const [shift, setShift] = useState(false);
+  useHeldKey("shift", setShift);
   const reference = images.find((image) => image.kind === "reference");
   const chosen = images.find((image) => image.name === view.image) ?? images[0];
   const names = view.ticked.filter((name) => images.some((image) => image.name === name));

@@ -1,0 +1,75 @@
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
+#include "runner/make_plan.h"
+#include "studies/sensitivity_report.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct SensitivityOptions {
+  std::string suite;
+  std::string renderer = "orbs";
+  std::vector<std::string> cases, scenes;
+  int threads = 0;
+  studies::SensitivitySettings study;
+};
+
+void add_options(CLI::App& command, SensitivityOptions& options) {
+  constexpr int kMostThreads = 1024;
+  constexpr int kMostControls = 10000;
+  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  command.add_option("-c,--case", options.cases, "Only these cases");
+  command.add_option("-s,--scene", options.scenes, "Only these scenes");
+  command.add_option("-r,--renderer", options.renderer, "Renderer of the control images")
+      ->capture_default_str();
+  command
+      .add_option("--controls", options.study.controls,
+                  "Control images of each scene; the first becomes the mutants")
+      ->check(CLI::Range(1, kMostControls))
+      ->capture_default_str();
+  command.add_option("--spp-scale", options.study.spp_scale, "Factor of the cases' samples per pixel")
+      ->check(above_zero())
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0, kMostThreads));
+}
+
+int measure(const registry::Configuration& configuration,
+            const SensitivityOptions& options,
+            const Program& program) {
+  auto settings = configuration.defaults;
+  if (!options.suite.empty()) settings.suite = options.suite;
+  if (!options.cases.empty()) settings.cases = joined_list(options.cases);
+  if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
+  settings.renderers = options.renderer;
+  settings.threads = options.threads;
+  settings.jobs = 1;
+  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto context = study_context(program, stderr);
+  fmt::print("{}", studies::sensitivity_text(studies::measure_sensitivity(plan, options.study, context)));
+  return is_stopped(context) ? kInterrupted : 0;
+}
+
+}  // namespace
+
+void add_sensitivity_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<SensitivityOptions>();
+  add_options(command, *options);
+  command.footer(
+      "Makes slightly wrong images of right ones and judges both: with variances, from two seeds, from one seed,\n"
+      "and as a renderer without noise. It shows what passes silently, and how often a right image is called wrong.");
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      return measure(read_configuration(*configuration, program), *options, program);
+    };
+  });
+}
+
+}  // namespace orbs::cli

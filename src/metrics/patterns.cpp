@@ -1,0 +1,254 @@
+#include "metrics/patterns.h"
+
+#include "base/student_t.h"
+#include "image/colour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace orbs::metrics {
+
+namespace {
+
+using Rgb = std::array<double, 3>;
+
+// The reference around a pixel, in radiance over the mean luminance of the image. The pixel itself is left
+// out: its noise is in the difference too, and would pass for a pattern.
+struct Site {
+  Rgb ring{};     // mean of the 8 neighbours
+  Rgb slope_x{};  // per px
+  Rgb slope_y{};
+  Rgb bend{};                                   // mean of the 16 pixels around the ring - ring
+  double luminance = 0;                         // of the ring
+  double x = 0, y = 0;                          // -1 to 1 from edge to edge
+  double from_centre_x = 0, from_centre_y = 0;  // px
+  bool is_odd_column = false, is_odd_row = false;
+};
+
+struct Row {
+  Pattern pattern;
+  Rgb (*at)(const Site&);
+  bool is_of_colour =
+      false;  // tested without what all channels share, which is most of a path tracer's noise
+};
+
+Rgb scaled(const Rgb& rgb, double factor) { return {rgb[0] * factor, rgb[1] * factor, rgb[2] * factor}; }
+
+// a times x + b times y.
+Rgb sum_of(const Rgb& x, double a, const Rgb& y, double b) {
+  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
+}
+
+Rgb minus(const Rgb& rgb, double level) { return {rgb[0] - level, rgb[1] - level, rgb[2] - level}; }
+
+// Perpendicular to the grey axis and to the colour, as long as what the colour has beside grey.
+Rgb turned_in_hue(const Rgb& rgb) {
+  return {(rgb[2] - rgb[1]) / std::numbers::sqrt3, (rgb[0] - rgb[2]) / std::numbers::sqrt3,
+          (rgb[1] - rgb[0]) / std::numbers::sqrt3};
+}
+
+Rgb times_logarithm(Rgb rgb) {
+  for (double& value : rgb) value = value > 0 ? value * std::log(value) : 0;
+  return rgb;
+}
+
+double sign(bool is_odd) { return is_odd ? -1.0 : 1.0; }
+
+constexpr auto kPercent = AmplitudeUnit::Percent;
+constexpr auto kPixels = AmplitudeUnit::Pixels;
+constexpr auto kDegrees = AmplitudeUnit::Degrees;  // the amplitude is in radians
+// Antialiasing on a grid, and a filter that reaches as far as half a pixel and no farther only nearly, move
+// and soften edges by a few hundredths of a pixel.
+constexpr double kNegligibleShift_px = 0.05;
+constexpr double kNegligibleShare = 2e-3;
+
+constexpr std::array kRows{
+    Row{{"brighter towards the right edge and darker towards the left",
+         "brighter towards the left edge and darker towards the right", kPercent, kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, s.x); }},
+    Row{{"brighter towards the lower edge and darker towards the upper",
+         "brighter towards the upper edge and darker towards the lower", kPercent, kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, s.y); }},
+    Row{{"brighter towards the corners", "darker towards the corners", kPercent, kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, 0.75 * (s.x * s.x + s.y * s.y - 2.0 / 3)); }},
+    Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare},
+        [](const Site& s) { return minus(s.ring, 1); }},
+    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, std::max(0.0, 1 - 2 * s.luminance)); }},
+    Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, s.luminance > 2 ? 1 : 0); }},
+    Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare},
+        [](const Site&) {
+          return Rgb{1, 1, 1};
+        }},
+    Row{{"of more saturated colours", "of less saturated colours", kPercent, 2 * kNegligibleShare},
+        [](const Site& s) { return minus(s.ring, s.luminance); },
+        true},
+    Row{{"turned in hue from red towards green", "turned in hue from green towards red", kDegrees,
+         2 * kNegligibleShare},
+        [](const Site& s) { return turned_in_hue(s.ring); },
+        true},
+    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px},
+        [](const Site& s) { return s.slope_x; }},
+    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px},
+        [](const Site& s) { return s.slope_y; }},
+    Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10},
+        [](const Site& s) { return sum_of(s.slope_x, s.from_centre_x, s.slope_y, s.from_centre_y); }},
+    Row{{"rotated clockwise about its middle", "rotated anticlockwise about its middle", kDegrees,
+         kNegligibleShare / 10},
+        [](const Site& s) { return sum_of(s.slope_x, s.from_centre_y, s.slope_y, -s.from_centre_x); }},
+    Row{{"softer", "sharper", kPercent, 0.05}, [](const Site& s) { return s.bend; }},
+    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare},
+        [](const Site& s) { return times_logarithm(s.ring); }},
+    Row{{"striped: every second column is brighter", "striped: every second column is brighter", kPercent,
+         kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column)); }},
+    Row{{"striped: every second row is brighter", "striped: every second row is brighter", kPercent,
+         kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_row)); }},
+    Row{{"chequered: every second pixel is brighter", "chequered: every second pixel is brighter", kPercent,
+         kNegligibleShare},
+        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column != s.is_odd_row)); }},
+};
+
+double luminance_of(const Rgb& rgb) { return image::luminance(rgb[0], rgb[1], rgb[2]); }
+
+double dot(const Rgb& a, const Rgb& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Mean luminance of the counted pixels of the reference.
+double mean_luminance(const PairSamples& samples) {
+  double sum = 0;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
+    if (samples.included[pixel] == 0) continue;
+    const float* rgb = &samples.reference[3 * pixel];
+    sum +=
+        luminance_of({static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])});
+  }
+  return sum / static_cast<double>(samples.included_count);
+}
+
+// Two pixels from the edge at least.
+Site site_at(const PairSamples& samples, int x, int y, double mean) {
+  Site site;
+  const auto at = [&](int u, int v, std::size_t c) {
+    return static_cast<double>(samples.reference[3 * samples.pixel_at(u, v) + c]) / mean;
+  };
+  for (std::size_t c = 0; c < 3; ++c) {
+    double inner = 0;
+    double outer = 0;
+    for (int v = y - 2; v <= y + 2; ++v)
+      for (int u = x - 2; u <= x + 2; ++u) {
+        if (u == x && v == y) continue;
+        const bool is_inner = std::abs(u - x) <= 1 && std::abs(v - y) <= 1;
+        (is_inner ? inner : outer) += at(u, v, c);
+      }
+    site.ring.at(c) = inner / 8;
+    site.bend.at(c) = outer / 16 - inner / 8;
+    site.slope_x.at(c) = (at(x + 1, y, c) - at(x - 1, y, c)) / 2;
+    site.slope_y.at(c) = (at(x, y + 1, c) - at(x, y - 1, c)) / 2;
+  }
+  site.luminance = luminance_of(site.ring);
+  site.from_centre_x = x + 0.5 - samples.width / 2.0;
+  site.from_centre_y = y + 0.5 - samples.height / 2.0;
+  site.x = site.from_centre_x / (samples.width / 2.0);
+  site.y = site.from_centre_y / (samples.height / 2.0);
+  site.is_odd_column = x % 2 != 0;
+  site.is_odd_row = y % 2 != 0;
+  return site;
+}
+
+// The difference less what is a factor of the light.
+Rgb without_light(const Rgb& difference, const Site& site) {
+  if (!(site.luminance > 0)) return difference;
+  return sum_of(difference, 1, site.ring, -luminance_of(difference) / site.luminance);
+}
+
+// Sums for the amplitude of each pattern by least squares.
+struct Sums {
+  double product = 0;  // of pattern and difference, weighted
+  double norm = 0;     // of the pattern's squares, weighted
+};
+using AllSums = std::array<Sums, kRows.size()>;
+
+AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double mean) {
+  constexpr double kFloor = 0.1;  // of the mean: where it is darker, the noise no longer falls with the light
+  AllSums sums{};
+  for (int y = std::max(block.y0, 2); y < std::min(block.y1, samples.height - 2); ++y)
+    for (int x = std::max(block.x0, 2); x < std::min(block.x1, samples.width - 2); ++x) {
+      const std::size_t pixel = samples.pixel_at(x, y);
+      if (samples.included[pixel] == 0) continue;
+      const Site site = site_at(samples, x, y, mean);
+      const double scale = std::max(0.0, site.luminance) + kFloor;
+      const double weight = 1 / (scale * scale);  // the noise of a path tracer is nearly relative
+      const Rgb difference{samples.difference(3 * pixel) / mean, samples.difference(3 * pixel + 1) / mean,
+                           samples.difference(3 * pixel + 2) / mean};
+      const Rgb of_colour = without_light(difference, site);
+      for (std::size_t i = 0; i < kRows.size(); ++i) {
+        const Rgb pattern = kRows.at(i).at(site);
+        sums.at(i).product += weight * dot(pattern, kRows.at(i).is_of_colour ? of_colour : difference);
+        sums.at(i).norm += weight * dot(pattern, pattern);
+      }
+    }
+  return sums;
+}
+
+// Sums over blocks of one pattern.
+struct Total {
+  double product = 0;
+  double norm = 0;
+  PooledVariance variance;  // of `product`
+};
+
+std::optional<PatternFinding> finding_of(const Row& row, const Total& total, double probability) {
+  if (!(total.variance.sum > 0) || !(total.norm > 0)) return std::nullopt;
+  const double deviation = std::sqrt(total.variance.sum);
+  const double reach = student_quantile(probability, total.variance.degrees()) * deviation / total.norm;
+  const double amplitude = total.product / total.norm;
+  if (std::fabs(amplitude) - reach <= row.pattern.negligible) return std::nullopt;
+  return PatternFinding{&row.pattern, amplitude, amplitude - reach, amplitude + reach,
+                        std::fabs(total.product) / deviation};
+}
+
+}  // namespace
+
+std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, double false_alarms) {
+  const double mean = mean_luminance(samples);
+  if (!(mean > 0)) return std::nullopt;  // black, or a difference of images without a level of its own
+  std::array<Total, kRows.size()> totals{};
+  for (const Rectangle& block : blocks_of(samples)) {
+    const AllSums sums = sums_of_block(samples, block, mean);
+    for (std::size_t i = 0; i < kRows.size(); ++i) {
+      totals.at(i).product += sums.at(i).product;
+      totals.at(i).norm += sums.at(i).norm;
+      totals.at(i).variance.add(sums.at(i).product * sums.at(i).product);
+    }
+  }
+  std::optional<PatternFinding> strongest;
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    const auto finding = finding_of(kRows.at(i), totals.at(i), false_alarms / kRows.size());
+    if (finding && (!strongest || finding->z > strongest->z)) strongest = finding;
+  }
+  return strongest;
+}
+
+std::string describe(const PatternFinding& finding) {
+  struct Unit {
+    const char* name;
+    double scale;
+  };
+  constexpr std::array<Unit, 3> kUnits{{{"%", 100}, {"px", 1}, {"degrees", 180 / std::numbers::pi}}};
+  const auto& [name, scale] = kUnits.at(static_cast<std::size_t>(finding.pattern->unit));
+  const double low = scale * std::fabs(finding.low);
+  const double high = scale * std::fabs(finding.high);
+  return fmt::format("{} by {:.3g} {} ({:.3g} to {:.3g})",
+                     finding.amplitude > 0 ? finding.pattern->more : finding.pattern->less,
+                     scale * std::fabs(finding.amplitude), name, std::min(low, high), std::max(low, high));
+}
+
+}  // namespace orbs::metrics

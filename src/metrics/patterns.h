@@ -1,0 +1,45 @@
+#pragma once
+
+#include "metrics/pair_samples.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace orbs::metrics {
+
+/// What a pattern's amplitude is measured in.
+enum class AmplitudeUnit { Percent, Pixels, Degrees };
+
+/// A kind of mistake whose errors are known up to their size: result - reference = amplitude * pattern. The
+/// sum over the image finds amplitudes that are lost in the noise of every block.
+struct Pattern {
+  std::string_view more;  // what the image is where the amplitude is above zero
+  std::string_view less;
+  AmplitudeUnit unit = AmplitudeUnit::Percent;
+  double negligible = 0;  // an amplitude that is never called an error
+};
+
+struct PatternFinding {
+  const Pattern* pattern = nullptr;
+  double amplitude = 0;
+  double low = 0;  // ends of its interval
+  double high = 0;
+  double z = 0;  // amplitude over its standard deviation
+};
+
+/// The pattern that stands out most from the noise of those whose whole interval lies beyond what is
+/// negligible: gradients, contrast, shadows, highlights, black level, saturation, hue, shifts, rotation,
+/// scale, sharpness, gamma, stripes and checkerboard. Nothing when there is none. `false_alarms` is the
+/// probability that a right image has one.
+///
+/// The standard deviation is that of the sums of 8 x 8 px blocks, whose mean is zero where only noise is
+/// left; so the noise need not be known, and may be shared by neighbouring pixels. Such a self-normalised sum
+/// has tails below those of Student's distribution even where the noise has not (B. Efron, "Student's t-test
+/// under symmetry conditions", J. Am. Stat. Assoc. 64, 1969).
+std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, double false_alarms);
+
+/// "shifted to the right by 0.25 px (0.22 to 0.27)".
+std::string describe(const PatternFinding& finding);
+
+}  // namespace orbs::metrics
