@@ -68,6 +68,7 @@ int qualify(const registry::Configuration& configuration,
   settings.renderers = options.qualify.renderer;
   settings.threads = options.threads;
   settings.jobs = 1;
+  if (!options.output.empty()) check_output_file(options.output);
   const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
   const auto run = results::read_run_folder(folder).run;
   // The control images have the size of their run, and so must all that they are compared with.
@@ -75,7 +76,7 @@ int qualify(const registry::Configuration& configuration,
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto file = options.output.empty() ? plan.suite.references / results::qualification_file(run.size)
                                            : std::filesystem::path(options.output);
-  check_output_file(file);
+  if (options.output.empty()) check_output_file(file);
   const auto context = study_context(program, stderr);
   const auto gates = studies::qualify(plan, run, options.qualify, context);
   if (is_stopped(context)) return kInterrupted;

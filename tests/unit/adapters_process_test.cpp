@@ -111,8 +111,12 @@ TEST(Process, WhatItLeavesBehindIsEndedWithIt) {
 
 // The first has a session of its own, the second is a grandchild whose parent is gone.
 TEST(Process, WhatFledToAnotherSessionIsEndedWithIt) {
-  const auto result = run_process(
-      shell("(setsid sh -c 'echo $$; sh -c \"echo \\$\\$; exec sleep 600\" & exec sleep 600' &); sleep 0.1"));
+  const TestFolder scratch("process-session");
+  // The shell ends when both are there.
+  const auto result = run_process(shell(fmt::format(
+      "(setsid sh -c 'echo $$ >> {0}; sh -c \"echo \\$\\$ >> {0}; exec sleep 600\" & exec sleep 600' &); "
+      "until test \"$(wc -l < {0} || echo 0)\" -ge 2; do sleep 0.01; done 2> /dev/null; cat {0}",
+      (scratch.path() / "ids").string())));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_GE(result.left_behind, 2);
   const auto ids = orbs::split(result.output, '\n');
