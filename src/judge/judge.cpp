@@ -204,7 +204,7 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
   const auto pair = metrics::make_image_pair(result, *reference.image, mask_of(one_case, record.target),
                                              {settings.threads, settings.result_noise});
   if (pair.noise.stated == metrics::StatedNoise::OverstatedByResult) {
-    record.remarks.push_back(
+    record.remarks.emplace_back(
         "its variances are not used: the image is nearer to the reference than they allow; they must be those of "
         "the mean of a pixel's samples, not of single samples");
     return judge_image(one_case, without_variances(result), reference, settings, record);

@@ -72,6 +72,11 @@ void merge_into(Block& to, const Block& from) {
   }
 }
 
+std::size_t block_index(const BlockGrid& grid, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+         static_cast<std::size_t>(column);
+}
+
 }  // namespace
 
 BlockGrid sum_blocks(const PairSamples& samples) {
@@ -86,8 +91,8 @@ BlockGrid merge_blocks(const BlockGrid& grid) {
   merged.blocks.resize(static_cast<std::size_t>(merged.columns) * static_cast<std::size_t>(merged.rows));
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const auto& from = grid.blocks[static_cast<std::size_t>(row * grid.columns + column)];
-      auto& to = merged.blocks[static_cast<std::size_t>(row / 2 * merged.columns + column / 2)];
+      const auto& from = grid.blocks[block_index(grid, column, row)];
+      auto& to = merged.blocks[block_index(merged, column / 2, row / 2)];
       if (row % 2 == 0 && column % 2 == 0) to.where = from.where;
       merge_into(to, from);
     }

@@ -101,8 +101,7 @@ TEST(Resume, RendersAgainWhatHasAnotherSceneOrCommand) {
   replace_in(sandbox, "configuration.json", R"("--mode", "good")", R"("--mode", "complain")");
   const auto answer = resume(sandbox);
   EXPECT_TRUE(contains(answer.text, "dark grey: its scene has changed")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "good mirror: its command, environment or threads"))
-      << answer.text;
+  EXPECT_TRUE(contains(answer.text, "good mirror: its command, environment or threads")) << answer.text;
   EXPECT_FALSE(contains(answer.text, "dark mirror:")) << answer.text;
   EXPECT_EQ(rendered_at(sandbox, "dark/mirror"), kept);
   EXPECT_TRUE(contains(sandbox.read("out/good/mirror/log.txt"), "something is odd"));
