@@ -1,11 +1,16 @@
 #include "base/files_inside.h"
 
+#include "base/error.h"
+#include "base/file_state.h"
 #include "base/text.h"
 
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +23,8 @@ OpenFile::~OpenFile() {
 OpenFile::OpenFile(OpenFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
 
+std::string OpenFile::state() const { return file_state(descriptor_); }
+
 std::string OpenFile::read(std::uint64_t offset, std::size_t count) const {
   std::string bytes(count, '\0');
   std::size_t got = 0;
@@ -29,6 +36,17 @@ std::string OpenFile::read(std::uint64_t offset, std::size_t count) const {
   bytes.resize(got);
   return bytes;
 }
+
+OpenFolder::OpenFolder(const std::filesystem::path& folder)
+    : descriptor_(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0)
+    throw InputError(
+        fmt::format("{}: the folder cannot be opened: {}", folder.string(), std::strerror(errno)));
+}
+
+OpenFolder::~OpenFolder() { ::close(descriptor_); }
+
+std::filesystem::path OpenFolder::path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
 
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative) {
   if (relative.empty() || relative.find('\0') != std::string_view::npos) return std::nullopt;

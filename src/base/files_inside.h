@@ -19,12 +19,31 @@ class OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 
   std::uint64_t size() const { return size_; }
+  /// file_state of this very file.
+  std::string state() const;
   /// Reads up to `count` bytes from `offset`: fewer only at the end of the file or if reading fails.
   std::string read(std::uint64_t offset, std::size_t count) const;
 
  private:
   int descriptor_;
   std::uint64_t size_;
+};
+
+/// A folder that is kept open: its path leads to the same folder as long as the object lives, even if the
+/// folder is renamed or a symbolic link takes its name.
+class OpenFolder {
+ public:
+  /// InputError if there is no such folder.
+  explicit OpenFolder(const std::filesystem::path& folder);
+  ~OpenFolder();
+  OpenFolder(const OpenFolder&) = delete;
+  OpenFolder& operator=(const OpenFolder&) = delete;
+
+  /// Of Linux: /proc/self/fd/N. Valid in this process only.
+  std::filesystem::path path() const;
+
+ private:
+  int descriptor_;
 };
 
 /// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,

@@ -134,7 +134,15 @@ bool is_control(std::string_view character) {
   const auto first = static_cast<unsigned char>(character.front());
   if (character.size() == 2) return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
   return first == 0x7f ||
-         (first < 0x20 && std::string_view("\t\r\n").find(character.front()) == std::string_view::npos);
+         (first < 0x20 && std::string_view("\t\n").find(character.front()) == std::string_view::npos);
+}
+
+// U+061C, U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069; also the separators U+2028 and U+2029.
+bool reorders_text(std::string_view character) {
+  if (character == "\u061c") return true;
+  if (character.size() != 3) return false;
+  return (character >= "\u200e" && character <= "\u200f") ||
+         (character >= "\u2028" && character <= "\u202e") || (character >= "\u2066" && character <= "\u2069");
 }
 
 }  // namespace
@@ -142,12 +150,21 @@ bool is_control(std::string_view character) {
 std::string clean_text(std::string_view text) {
   std::string out;
   while (!text.empty()) {
-    const auto length = utf8_length(text);
-    const bool is_shown = length != 0 && !is_control(text.substr(0, length));
-    out += is_shown ? text.substr(0, length) : "\uFFFD";
+    auto length = utf8_length(text);
+    const auto character = text.substr(0, length);
+    const bool ends_line = text.starts_with("\r\n");
+    const bool is_shown = length != 0 && (ends_line || (!is_control(character) && !reorders_text(character)));
+    out += is_shown ? character : "\uFFFD";
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return out;
+}
+
+std::string clean_line(std::string_view text) {
+  auto line = clean_text(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return line;
 }
 
 }  // namespace orbs

@@ -31,8 +31,13 @@ bool glob_match(std::string_view pattern, std::string_view text);
 /// overlong forms, surrogates and values above U+10FFFF.
 std::size_t utf8_length(std::string_view text);
 
-/// Replaces bytes that are not UTF-8 and control characters other than tabs and line ends by U+FFFD, because
-/// they would change what a terminal shows and break tables and XML.
+/// Text of strangers (titles, names, reasons, output of programs) as a terminal and a file of text can take
+/// it: U+FFFD stands in place of bytes that are no UTF-8, of control characters other than tabs and line
+/// ends, of a carriage return that ends no line, and of the characters that reorder text (bidirectional
+/// controls, Unicode Standard Annex 9), which make a line look like another one.
 std::string clean_text(std::string_view text);
+
+/// clean_text on one line: line ends and tabs become blanks.
+std::string clean_line(std::string_view text);
 
 }  // namespace orbs

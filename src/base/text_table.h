@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Tables of text for a terminal.
@@ -15,8 +17,22 @@ enum class Align { Left, Right };
 
 using TableRow = std::vector<std::string>;
 
+struct TableLook {
+  int width = 0;  // columns of the terminal, see terminal_width; 0: no limit
+  /// ANSI colours of cells, by row and column.
+  std::map<std::pair<std::size_t, std::size_t>, std::string_view> colours = {};
+};
+
 /// Rows of cells as lines. Each column is as wide as its widest cell, and two spaces part it from the next
-/// one. Columns that `columns` does not name are aligned left. A row may have fewer cells than others.
-std::string text_table(const std::vector<TableRow>& rows, const std::vector<Align>& columns = {});
+/// one. Columns that `columns` does not name are aligned left. A row may have fewer cells than others. Cells
+/// may hold text of strangers: each goes through clean_line. Where the lines are wider than the terminal, the
+/// cells of the last column are broken between words.
+std::string text_table(const std::vector<TableRow>& rows,
+                       const std::vector<Align>& columns = {},
+                       const TableLook& look = {});
+
+/// The text in lines of at most `width` columns, broken between words; a longer word stays whole. `width` 0:
+/// one line. At least one line.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 }  // namespace orbs

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
@@ -49,7 +50,7 @@ int bench(const registry::Configuration& configuration, BenchOptions options, co
   const auto record = studies::run_bench(configuration, options.bench, study_context(program, stderr));
   if (!record) return kInterrupted;
   write_file(options.output, studies::bench_json(*record));
-  fmt::print("\n{}\nall numbers: {}\n", studies::bench_table(*record), options.output);
+  print_clean("\n{}\nall numbers: {}\n", studies::bench_table(*record), options.output);
   return 0;
 }
 

@@ -8,7 +8,7 @@ namespace orbs::cli {
 using AddCommand = void(CLI::App& command, const Program& program, Action& action);
 AddCommand add_run_command, add_serve_command, add_report_command, add_compare_command;
 AddCommand add_doctor_command, add_list_command, add_plan_command;
-AddCommand add_renderer_command, add_reference_command;
+AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
 AddCommand add_sensitivity_command;
 
@@ -32,6 +32,8 @@ constexpr std::array kCommands{
     Command{"plan", kLookUp, "Show which effects of light each scene calls for, and why", add_plan_command},
     Command{"renderer", kSetUp, "Add a renderer to configuration.json", add_renderer_command},
     Command{"reference", kSetUp, "Render references with the built-in tracer", add_reference_command},
+    Command{"completion", kSetUp, "Print the completion of commands and options for a shell",
+            add_completion_command},
     Command{"probe", kStudies, "Check that each renderer places camera, geometry and textures correctly",
             add_probe_command},
     Command{"qualify", kStudies, "Check that each gate rejects faulty images and accepts a good one",

@@ -1,9 +1,11 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "image/colour.h"
 #include "image/image_io.h"
+#include "json/writer.h"
 #include "judge/maps.h"
 #include "judge/noise.h"
 #include "metrics/bias_message.h"
@@ -30,6 +32,7 @@ struct CompareOptions {
   std::string maps;
   bool all = false;
   bool definitions = false;
+  bool as_json = false;
 };
 
 // Images for the screen hold sRGB values; the metrics are defined on linear ones.
@@ -58,8 +61,38 @@ void print_measurement(const metrics::Measurement& measurement, bool definitions
   if (measurement.low && measurement.high)
     line += fmt::format("  {:.4g} to {:.4g}", *measurement.low, *measurement.high);
   if (measurement.where) line += fmt::format("  in {}", rectangle_text(*measurement.where));
-  fmt::print("{}\n", line);
-  if (definitions) fmt::print("    {}\n", metric.definition);
+  print_clean("{}\n", line);
+  if (definitions) print_clean("    {}\n", metric.definition);
+}
+
+void print_json(const CompareOptions& options,
+                const metrics::Comparison& comparison,
+                const std::string& bias,
+                bool is_within) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-comparison/1").member("image", options.first);
+  out.member("reference", options.second).key("metrics").begin_array();
+  for (const auto& measurement : comparison.measurements) {
+    const auto& metric = *measurement.metric;
+    out.begin_object().member("name", metric.name).key("value");
+    // JSON holds no infinite number; the word is that of results.json.
+    if (!measurement.value) {
+      out.null();
+    } else if (std::isinf(*measurement.value)) {
+      out.value(*measurement.value > 0 ? "infinite" : "-infinite");
+    } else {
+      out.value(*measurement.value);
+    }
+    out.member("unit", metric.unit).member("definition", metric.definition);
+    if (measurement.low && measurement.high)
+      out.member("low", *measurement.low).member("high", *measurement.high);
+    if (measurement.where) out.member("where", rectangle_text(*measurement.where));
+    out.end_object();
+  }
+  out.end_array();
+  if (!bias.empty()) out.member("bias", bias);
+  if (!options.metric.empty()) out.member("within_tolerance", is_within);
+  print_raw(stdout, out.end_object().text());
 }
 
 // Also true for a number that does not exist: what cannot be measured is not within a tolerance.
@@ -83,16 +116,23 @@ int compare_files(CompareOptions options) {
   metrics::MetricSelection selection{.all = options.all};
   if (!options.metric.empty()) selection.also = {options.metric};
   const auto comparison = metrics::compare(pair, selection);
-  for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
-  if (const auto bias = metrics::bias_message(pair.noise); !bias.empty()) fmt::print("{}\n", bias);
   if (!options.maps.empty()) {
     make_folder(options.maps);
     judge::write_maps(first, comparison, options.maps);
   }
-  if (options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric))) return 0;
-  fmt::print("beyond the tolerance: {}{}{}\n", options.metric,
-             options.min ? fmt::format(", at least {} is needed", *options.min) : "",
-             options.max ? fmt::format(", at most {} is allowed", *options.max) : "");
+  const auto bias = metrics::bias_message(pair.noise);
+  const bool is_within =
+      options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric));
+  if (options.as_json) {
+    print_json(options, comparison, bias, is_within);
+    return is_within ? 0 : 1;
+  }
+  for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
+  if (!bias.empty()) print_clean("{}\n", bias);
+  if (is_within) return 0;
+  print_clean("beyond the tolerance: {}{}{}\n", options.metric,
+              options.min ? fmt::format(", at least {} is needed", *options.min) : "",
+              options.max ? fmt::format(", at most {} is allowed", *options.max) : "");
   return 1;
 }
 
@@ -109,6 +149,8 @@ void add_compare_command(CLI::App& command, const Program& /*program*/, Action& 
       ->check(not_empty("a folder"));
   command.add_flag("--all", options->all, "Compute the slow metrics too: FLIP, PU21, JERI's SSIM");
   command.add_flag("--definitions", options->definitions, "Print the definition of each number");
+  command.add_flag("--json", options->as_json,
+                   "Print all numbers with their definitions as JSON, for programs");
   command.footer(
       "Exit status: 0 if the result is within the tolerance, 1 if it is not, 2 if the images cannot be compared.");
   command.callback([=, &action] { action = [=] { return compare_files(*options); }; });

@@ -1,7 +1,11 @@
+#include "adapters/process/programs.h"
 #include "base/error.h"
+#include "base/terminal.h"
 #include "base/text.h"
+#include "base/text_table.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "json/writer.h"
 #include "registry/cases.h"
 #include "runner/choose_renderers.h"
 #include "runner/renderer_version.h"
@@ -12,10 +16,20 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
 namespace {
+
+// What is found out about a renderer.
+struct Examined {
+  const registry::Renderer* entry;
+  std::optional<std::filesystem::path> executable;
+  std::string problem;  // why there is no executable
+  std::string version;
+  std::vector<std::string> unknown_scenes;  // of spp_scale_of_scenes, with the nearest name
+};
 
 // The scenes of all suites. None if a suite cannot be read, after printing why.
 std::optional<std::set<std::string>> scene_names(const registry::Configuration& configuration) {
@@ -25,54 +39,91 @@ std::optional<std::set<std::string>> scene_names(const registry::Configuration& 
       for (const auto& one_case : registry::load_cases(suite))
         for (const auto& scene : one_case.scenes) names.insert(scene.name);
     } catch (const InputError& e) {
-      fmt::print("suite {} cannot be read: {}\n", suite.name, e.what());
+      print_clean(stderr, "suite {} cannot be read: {}\n", suite.name, e.what());
       return std::nullopt;
     }
   }
   return names;
 }
 
-void examine(const registry::Renderer& renderer,
-             const runner::Plan& places,
-             const std::optional<std::set<std::string>>& scenes) {
-  fmt::print("{}\n", renderer.name);
-  const auto executable = runner::installed_executable(renderer, places.root, places.build);
-  if (executable) {
-    fmt::print("  program   {}\n", executable->string());
-    if (!renderer.version_command.empty())
-      fmt::print("  version   {}\n", runner::renderer_version({renderer, *executable}, places));
-  } else {
-    fmt::print("  program   not installed: '{}' was not found\n",
-               runner::program_name(renderer, places.root, places.build));
-  }
-  fmt::print("  reads     {}{}\n", renderer.scene_format,
-             renderer.native_scenes.empty()
-                 ? ""
-                 : fmt::format(", hand-written scenes *.{}", renderer.native_scenes));
-  // The program must have been built with each of them; a run says which one is missing.
-  for (const auto& [transport, word] : renderer.transports)
-    fmt::print("  needs     {} for {} light paths\n", word, transport);
-  fmt::print("  declares  {}\n", registry::format_features(renderer.declares));
-  for (const auto& limit : renderer.known_limits)
-    fmt::print("  lacks     {}: {}\n", fmt::join(limit.requirements, ", "), limit.reason);
+Examined examine(const registry::Renderer& renderer,
+                 const runner::Plan& places,
+                 const std::optional<std::set<std::string>>& scenes) {
+  Examined found{&renderer, runner::installed_executable(renderer, places.root, places.build), "", "", {}};
+  if (!found.executable)
+    found.problem = adapters::program_problem(runner::program_name(renderer, places.root, places.build));
+  if (found.executable && !renderer.version_command.empty())
+    found.version = runner::renderer_version({renderer, *found.executable}, places);
   for (const auto& [name, scale] : renderer.spp_scale_of_scenes)
     if (scenes && !scenes->contains(name))
-      fmt::print("  spp_scale_of_scenes  no suite has a scene '{}'{}\n", name, closest(name, *scenes));
+      found.unknown_scenes.push_back(fmt::format("'{}'{}", name, closest(name, *scenes)));
+  return found;
+}
+
+void print(const Examined& found) {
+  const auto& renderer = *found.entry;
+  print_clean("{}\n", renderer.name);
+  std::vector<TableRow> rows;
+  const auto add = [&](const char* what, const std::string& text) { rows.push_back({"", what, text}); };
+  add("program", found.executable ? found.executable->string() : "not installed: " + found.problem);
+  if (!found.version.empty()) add("version", found.version);
+  add("reads", renderer.native_scenes.empty() ? renderer.scene_format
+                                              : fmt::format("{}, hand-written scenes *.{}",
+                                                            renderer.scene_format, renderer.native_scenes));
+  // The program must have been built with each of them; a run says which one is missing.
+  for (const auto& [transport, word] : renderer.transports)
+    add("needs", fmt::format("{} for {} light paths", word, transport));
+  add("declares", registry::format_features(renderer.declares));
+  for (const auto& limit : renderer.known_limits)
+    add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), limit.reason));
+  for (const auto& scene : found.unknown_scenes)
+    add("warning", fmt::format("spp_scale_of_scenes: no suite has a scene {}", scene));
+  print_clean("{}", text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}}));
+}
+
+void print_json(const std::filesystem::path& configuration, const std::vector<Examined>& all) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-doctor/1").member("configuration", configuration.string());
+  out.key("renderers").begin_array();
+  for (const auto& found : all) {
+    const auto& renderer = *found.entry;
+    out.begin_object().member("name", renderer.name).member("installed", found.executable.has_value());
+    if (found.executable) out.member("program", found.executable->string());
+    if (!found.problem.empty()) out.member("problem", found.problem);
+    if (!found.version.empty()) out.member("version", found.version);
+    out.member("scene_format", renderer.scene_format);
+    out.member("declares", registry::format_features(renderer.declares)).key("known_limits").begin_array();
+    for (const auto& limit : renderer.known_limits)
+      out.begin_object()
+          .member("requirements",
+                  std::vector<std::string>(limit.requirements.begin(), limit.requirements.end()))
+          .member("reason", limit.reason)
+          .end_object();
+    out.end_array().end_object();
+  }
+  print_raw(stdout, out.end_array().end_object().text());
 }
 
 }  // namespace
 
 void add_doctor_command(CLI::App& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
+  const auto as_json = std::make_shared<bool>(false);
+  command.add_flag("--json", *as_json, "Print everything as JSON, for programs");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      fmt::print("configuration  {}\n", read.file.string());
+      if (!*as_json) print_clean("configuration  {}\n", read.file.string());
       runner::Plan places;
       places.root = read.root;
       places.build = program.folder;
       const auto scenes = scene_names(read);
-      for (const auto& renderer : read.renderers) examine(renderer, places, scenes);
+      std::vector<Examined> all;
+      for (const auto& renderer : read.renderers) {
+        all.push_back(examine(renderer, places, scenes));
+        if (!*as_json) print(all.back());
+      }
+      if (*as_json) print_json(read.file, all);
       return 0;
     };
   });

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
@@ -55,9 +56,9 @@ int measure(const registry::Configuration& configuration,
                                                   study_context(program, stderr));
   if (!list) return kInterrupted;
   write_file(file, studies::effect_cost_json(*list));
-  fmt::print("{}\nall numbers: {}\n",
-             options.as_markdown ? studies::effect_cost_markdown(*list) : studies::effect_cost_table(*list),
-             file);
+  print_clean("{}\nall numbers: {}\n",
+              options.as_markdown ? studies::effect_cost_markdown(*list) : studies::effect_cost_table(*list),
+              file);
   return studies::all_agree(*list) ? 0 : 1;
 }
 

@@ -1,6 +1,9 @@
+#include "base/terminal.h"
+#include "base/text.h"
 #include "base/text_table.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "json/writer.h"
 #include "registry/cases.h"
 
 #include <algorithm>
@@ -10,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -18,68 +22,110 @@ namespace {
 using registry::Case;
 using registry::Configuration;
 
-void print_columns(const std::vector<std::vector<std::string>>& rows) { fmt::print("{}", text_table(rows)); }
+// One list: its rows as text, and what the columns are called in JSON.
+struct Table {
+  const char* name;
+  const char* columns;  // for the heading
+  std::vector<std::string> keys;
+  std::vector<TableRow> rows;
+};
 
-void list_suites(const Configuration& configuration) {
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& suite : configuration.suites) rows.push_back({suite.name, suite.cases.string()});
-  print_columns(rows);
+Table suites(const Configuration& configuration) {
+  Table table{"suites", "name, folder of its cases", {"name", "cases"}, {}};
+  for (const auto& suite : configuration.suites) table.rows.push_back({suite.name, suite.cases.string()});
+  return table;
 }
 
-void list_cases(const std::vector<Case>& cases) {
-  std::vector<std::vector<std::string>> rows;
+Table renderers(const Configuration& configuration) {
+  Table table{"renderers", "name, what it declares, program", {"name", "declares", "executable"}, {}};
+  for (const auto& renderer : configuration.renderers)
+    table.rows.push_back({renderer.name, registry::format_features(renderer.declares), renderer.executable});
+  return table;
+}
+
+Table requirements(const std::vector<Case>& cases) {
+  Table table{"requirements", "code, title", {"code", "title"}, {}};
   for (const auto& one_case : cases)
-    rows.push_back({one_case.name, one_case.requirement, one_case.title,
-                    fmt::format("{}", fmt::join(registry::target_names(one_case), ", "))});
-  print_columns(rows);
+    if (table.rows.empty() || table.rows.back()[0] != one_case.requirement)
+      table.rows.push_back({one_case.requirement, one_case.title});
+  return table;
 }
 
-void list_requirements(const std::vector<Case>& cases) {
-  std::vector<std::vector<std::string>> rows;
+Table case_table(const std::vector<Case>& cases) {
+  Table table{"cases", "name, requirement, title, targets", {"name", "requirement", "title", "targets"}, {}};
   for (const auto& one_case : cases)
-    if (rows.empty() || rows.back()[0] != one_case.requirement)
-      rows.push_back({one_case.requirement, one_case.title});
-  print_columns(rows);
+    table.rows.push_back({one_case.name, one_case.requirement, one_case.title,
+                          fmt::format("{}", fmt::join(registry::target_names(one_case), ", "))});
+  return table;
 }
 
-void list_scenes(const std::vector<Case>& cases) {
-  std::vector<std::vector<std::string>> rows;
+Table scenes(const std::vector<Case>& cases) {
+  Table table{"scenes",
+              "name, requirement, samples, file or difference",
+              {"name", "requirement", "samples", "file"},
+              {}};
   std::set<std::string> seen;
   for (const auto& one_case : cases) {
     for (const auto& scene : one_case.scenes)
       if (seen.insert(scene.name).second)
-        rows.push_back(
+        table.rows.push_back(
             {scene.name, one_case.requirement, fmt::format("{} spp", scene.spp), scene.file.string()});
     for (const auto& difference : one_case.differences)
-      rows.push_back({difference.name, one_case.requirement, "",
-                      fmt::format("{} - {}", difference.of, difference.minus)});
+      table.rows.push_back({difference.name, one_case.requirement, "",
+                            fmt::format("{} - {}", difference.of, difference.minus)});
   }
-  print_columns(rows);
+  return table;
 }
 
-void list_renderers(const Configuration& configuration) {
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& renderer : configuration.renderers)
-    rows.push_back({renderer.name, registry::format_features(renderer.declares), renderer.executable});
-  print_columns(rows);
-}
-
-int list(const Configuration& configuration, const std::string& suite, const std::string& what) {
-  const bool all = what == "all";
-  // A single list has no heading, so that scripts can read it.
-  const auto wants = [&](std::string_view title, const char* columns) {
-    if (!all && what != title) return false;
-    if (all) fmt::print("{}{} ({})\n", title == "suites" ? "" : "\n", title, columns);
-    return true;
-  };
-  if (wants("suites", "name, folder of its cases")) list_suites(configuration);
-  if (wants("renderers", "name, what it declares, program")) list_renderers(configuration);
-  if (what == "suites" || what == "renderers") return 0;
+std::vector<Table> wanted_tables(const Configuration& configuration,
+                                 const std::string& suite,
+                                 const std::string& what) {
+  const auto wants = [&](std::string_view name) { return what == "all" || what == name; };
+  std::vector<Table> tables;
+  if (wants("suites")) tables.push_back(suites(configuration));
+  if (wants("renderers")) tables.push_back(renderers(configuration));
+  if (what == "suites" || what == "renderers") return tables;
   const auto cases = registry::load_cases(registry::find_suite(configuration, suite));
-  if (wants("requirements", "code, title")) list_requirements(cases);
-  if (wants("cases", "name, requirement, title, targets")) list_cases(cases);
-  if (wants("scenes", "name, requirement, samples, file or difference")) list_scenes(cases);
-  return 0;
+  if (wants("requirements")) tables.push_back(requirements(cases));
+  if (wants("cases")) tables.push_back(case_table(cases));
+  if (wants("scenes")) tables.push_back(scenes(cases));
+  return tables;
+}
+
+// A single list has no heading, so that scripts can read it.
+void print(const std::vector<Table>& tables) {
+  const TableLook look{terminal_width(STDOUT_FILENO), {}};
+  const char* before = "";
+  for (const auto& table : tables) {
+    if (tables.size() > 1) print_clean("{}{} ({})\n", before, table.name, table.columns);
+    print_clean("{}", text_table(table.rows, {}, look));
+    before = "\n";
+  }
+}
+
+// Names hold no comma, so the targets of a case can be told apart.
+void print_json(const std::vector<Table>& tables) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-list/1");
+  for (const auto& table : tables) {
+    out.key(table.name).begin_array();
+    for (const auto& row : table.rows) {
+      out.begin_object();
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const auto& key = table.keys[i];
+        if (key == "targets") {
+          std::vector<std::string> targets;
+          for (const auto& target : split(row[i], ',')) targets.emplace_back(trim(target));
+          out.member(key, targets);
+        } else if (!row[i].empty()) {
+          out.member(key, row[i]);
+        }
+      }
+      out.end_object();
+    }
+    out.end_array();
+  }
+  print_raw(stdout, out.end_object().text());
 }
 
 }  // namespace
@@ -91,10 +137,18 @@ void add_list_command(CLI::App& command, const Program& program, Action& action)
   command.add_option("what", *what, "Which list to print")
       ->check(CLI::IsMember({"all", "suites", "renderers", "requirements", "cases", "scenes"}));
   command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
+  const auto as_json = std::make_shared<bool>(false);
+  command.add_flag("--json", *as_json, "Print everything as JSON, for programs");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      return list(read, suite->empty() ? read.defaults.suite : *suite, *what);
+      const auto tables = wanted_tables(read, suite->empty() ? read.defaults.suite : *suite, *what);
+      if (*as_json) {
+        print_json(tables);
+      } else {
+        print(tables);
+      }
+      return 0;
     };
   });
 }

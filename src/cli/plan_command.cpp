@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "registry/cases.h"
@@ -18,10 +19,12 @@ namespace {
 
 using results::SceneRecord;
 
-SceneRecord record_of(const std::string& name, const std::filesystem::path& file) {
-  const auto scene =
-      with_note(fmt::format("reading scene '{}'", name), [&] { return scene::load_scene(file); });
-  for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs: warning: {}\n", warning);
+SceneRecord record_of(const std::string& name,
+                      const std::filesystem::path& file,
+                      const std::vector<std::filesystem::path>& data_folders) {
+  const auto scene = with_note(fmt::format("reading scene '{}'", name),
+                               [&] { return scene::load_scene(file, data_folders); });
+  for (const auto& warning : scene.notes.warnings) print_clean(stderr, "orbs: warning: {}\n", warning);
   return runner::scene_record(name, scene);
 }
 
@@ -37,7 +40,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
   std::vector<std::string> names;
   for (const auto& word : options.scenes)
     if (word.ends_with(".json"))
-      found.push_back(record_of(word, word));
+      found.push_back(record_of(word, word, {}));
     else
       names.push_back(word);
   if (options.scenes.empty()) names.emplace_back("*");
@@ -45,7 +48,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
   const auto& suite = registry::find_suite(
       configuration, options.suite.empty() ? configuration.defaults.suite : options.suite);
   for (const auto& scene : registry::scenes_of(suite, joined_list(names)))
-    found.push_back(record_of(scene.name, scene.file));
+    found.push_back(record_of(scene.name, scene.file, suite.data));
   return found;
 }
 
@@ -62,7 +65,11 @@ void add_plan_command(CLI::App& command, const Program& program, Action& action)
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto found = records(*options, read_configuration(*configuration, program));
-      fmt::print("{}", options->as_json ? results::scenes_json(found) : report::effects_text(found));
+      if (options->as_json) {
+        print_raw(stdout, results::scenes_json(found));
+      } else {
+        print_clean("{}", report::effects_text(found));
+      }
       return 0;
     };
   });

@@ -1,7 +1,9 @@
 #include "cli/program.h"
 
 #include "base/error.h"
+#include "base/terminal.h"
 #include "base/text.h"
+#include "base/text_table.h"
 #include "cli/action.h"
 #include "cli/command_table.h"
 
@@ -10,13 +12,16 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -51,6 +56,26 @@ class HelpFormatter : public CLI::Formatter {
     return name;
   }
 };
+// Lines of the help that are wider than the terminal, broken between words. What follows starts below the
+// description, which the help puts behind at least two blanks.
+std::string wrapped_help(const std::string& help, std::size_t width) {
+  if (width == 0) return help;
+  std::string text;
+  for (const auto& line : split(std::string_view(help).substr(0, help.find_last_not_of('\n') + 1), '\n')) {
+    const auto begin = std::min(line.find_first_not_of(' '), line.size());
+    const auto gap = line.find("  ", begin);
+    const auto column =
+        gap == std::string::npos ? begin : std::min(line.find_first_not_of(' ', gap), line.size());
+    if (display_width(line) <= width || column + 20 > width) {
+      text += line + '\n';
+      continue;
+    }
+    const auto parts = wrapped(line.substr(column), width - column);
+    text += line.substr(0, column) + parts.front() + '\n';
+    for (std::size_t i = 1; i < parts.size(); ++i) text += std::string(column, ' ') + parts[i] + '\n';
+  }
+  return text;
+}
 
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
@@ -76,7 +101,12 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
+    if (e.get_exit_code() == 0) {
+      std::ostringstream text;
+      const int status = app.exit(e, text, text);
+      print_clean("{}", wrapped_help(text.str(), static_cast<std::size_t>(terminal_width(STDOUT_FILENO))));
+      return status;
+    }
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
     throw InputError(fmt::format("{}; 'orbs {}--help' lists the options", e.what(), command));
@@ -85,7 +115,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
 }
 
 int refuse_output() {
-  fmt::print(stderr, "orbs: standard output cannot be written: {}\n", std::strerror(errno));
+  print_clean(stderr, "orbs: standard output cannot be written: {}\n", std::strerror(errno));
   return kBadInput;
 }
 
@@ -96,12 +126,17 @@ int run_program(int argc, char** argv, const std::string& version) {
     const int status = parse_and_act(argc, argv, version);
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? status : refuse_output();
   } catch (const InputError& e) {
-    fmt::print(stderr, "orbs: {}\n", e.what());
+    print_clean(stderr, "orbs: {}\n", e.what());
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    print_clean(
+        stderr,
+        "orbs: there is not enough memory; fewer renders at a time (-j) or smaller images need less\n");
     return kBadInput;
   } catch (const std::exception& e) {
     // fmt::print throws where a full buffer cannot be written.
     if (std::ferror(stdout) != 0) return refuse_output();
-    fmt::print(stderr, "orbs: internal error: {}\n", e.what());
+    print_clean(stderr, "orbs: internal error: {}\n", e.what());
     return kOurBug;
   }
 }

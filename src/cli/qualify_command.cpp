@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
@@ -81,7 +82,7 @@ int qualify(const registry::Configuration& configuration,
   const auto gates = studies::qualify(plan, run, options.qualify, context);
   if (is_stopped(context)) return kInterrupted;
   write_file(file, results::qualification_json(studies::merged(results::read_qualification(file), gates)));
-  fmt::print("{}{}\n", studies::qualification_text(gates), file.string());
+  print_clean("{}{}\n", studies::qualification_text(gates), file.string());
   return std::all_of(gates.begin(), gates.end(), results::is_qualified) ? 0 : 1;
 }
 

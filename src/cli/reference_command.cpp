@@ -1,8 +1,11 @@
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "references/references.h"
+#include "references/store.h"
+#include "results/image_hashes.h"
 
 #include <cstdio>
 
@@ -32,17 +35,26 @@ void add_reference_command(CLI::App& command, const Program& program, Action& ac
       "--accept", settings->reason,
       "Reason for replacing references that exist. It is kept in the provenance record and, together with "
       "the record of the replaced reference, in <scene>.history.json");
+  const auto note_hashes = std::make_shared<bool>(false);
+  command.add_flag("--note-hashes", *note_hashes,
+                   "Render nothing: note the pixel hashes of references that have none in image-hashes.json");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       auto selection = registry::RunSettings{};
       selection.suite = suite->empty() ? read.defaults.suite : *suite;
+      if (*note_hashes) {
+        const auto folder = registry::find_suite(read, selection.suite).references;
+        print_clean("{}: {} hashes noted\n", (folder / results::kImageHashesFile).string(),
+                    references::note_image_hashes(folder));
+        return 0;
+      }
       if (!cases->empty()) selection.cases = joined_list(*cases);
       if (!scenes->empty()) selection.scenes = joined_list(*scenes);
       const auto& stop = catch_interrupts();
       // A file or a pipe would else get its first line after minutes.
       const auto say = [](const std::string& line) {
-        fmt::print("{}\n", line);
+        print_clean("{}\n", line);
         std::fflush(stdout);
       };
       return references::render_references(read, selection, *settings,

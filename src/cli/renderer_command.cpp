@@ -1,4 +1,6 @@
 #include "adapters/exporters.h"
+#include "adapters/process/programs.h"
+#include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "registry/new_renderer.h"
@@ -18,16 +20,15 @@ int add(const registry::Configuration& configuration,
         const Program& program) {
   const auto entry = registry::add_renderer(configuration, added);
   const auto found = runner::installed_executable(entry, configuration.root, program.folder);
-  fmt::print("added to {}\n", configuration.file.string());
-  fmt::print("  name        {}\n", entry.name);
-  fmt::print("  executable  {}\n",
-             found ? found->string()
-                   : fmt::format("{}, which is not there yet",
-                                 runner::program_name(entry, configuration.root, program.folder)));
-  fmt::print("  reads       {}\n", entry.scene_format);
-  fmt::print("  declares    {}\n", registry::format_features(entry.declares));
-  fmt::print("  command     {}\n", fmt::join(entry.command, " "));
-  fmt::print(
+  print_clean("added to {}\n", configuration.file.string());
+  print_clean("  name        {}\n", entry.name);
+  print_clean("  executable  {}\n", found ? found->string()
+                                          : adapters::program_problem(runner::program_name(
+                                                entry, configuration.root, program.folder)));
+  print_clean("  reads       {}\n", entry.scene_format);
+  print_clean("  declares    {}\n", registry::format_features(entry.declares));
+  print_clean("  command     {}\n", fmt::join(entry.command, " "));
+  print_clean(
       "next, in that file:\n"
       "  \"command\"   as its command line is; it may use {{{}}}\n"
       "  \"declares\"  what it can do; what it cannot goes to \"known_limits\", with the reason\n"

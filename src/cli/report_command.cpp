@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
@@ -29,12 +30,12 @@ int write_report(const ReportOptions& options, const Program& program) {
   const auto view = results::read_run_folder(folder);
   const auto page = report::page_file(view, settings);
   write_file(options.output, page.text);
-  fmt::print("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
-             page.images);
+  print_clean("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
+              page.images);
   if (!page.left_out.empty())
-    fmt::print("{} images are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
-               page.left_out.size());
-  for (const auto& file : page.left_out) fmt::print("  {}\n", file);
+    print_clean("{} images are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
+                page.left_out.size());
+  for (const auto& file : page.left_out) print_clean("  {}\n", file);
   return 0;
 }
 

@@ -1,10 +1,14 @@
 #include "adapters/process/isolation.h"
 #include "base/error.h"
 #include "base/local_time.h"
+#include "base/shell.h"
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
+#include "cli/recorded_times.h"
+#include "cli/run_progress.h"
 #include "cli/show_runs.h"
 #include "registry/image_size.h"
 #include "report/files.h"
@@ -19,6 +23,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 namespace orbs::cli {
@@ -79,7 +84,7 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
   command.add_flag("-l,--log,!--no-log", options.log,
                    "Keep log.txt of every render; --no-log keeps only those of failures");
-  command.add_flag("-v,--view", options.view,
+  command.add_flag("-v,--view,--visualize,!--no-view", options.view,
                    "At the end, serve the results as a page and open it in the browser");
   command.add_flag(
       "--sandbox,!--no-sandbox", options.sandbox,
@@ -128,33 +133,10 @@ registry::RunSettings settings_of(const CLI::App& command,
   take(command, "--log", options.log, settings.log);
   take(command, "--sandbox", options.sandbox, settings.sandbox);
   take(command, "--dry-run", options.dry_run, settings.dry_run);
+  take(command, "--view", options.view, settings.view);
   if (command.count("--exec") > 0 && settings.executable.empty())
     throw InputError("-e/--exec needs a program");
   return settings;
-}
-
-// "[ 3/28] cycles    101           pass           39.87 dB     12.3 s"
-std::string progress_line(std::size_t done,
-                          std::size_t count,
-                          const results::JobRecord& job,
-                          const std::vector<results::TargetRecord>& targets) {
-  // What was rendered and not judged for any case has no worse verdict than a pass.
-  auto verdict = results::verdict_without_image(job.end.outcome).value_or(results::Verdict::Pass);
-  std::string reason = job.end.reason;
-  std::optional<double> psnr;
-  for (const auto& target : targets) {
-    if (results::worse(verdict, target.verdict) != verdict) reason = target.reason;
-    verdict = results::worse(verdict, target.verdict);
-    for (const auto& measure : target.measures)
-      if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
-  }
-  const bool good = verdict == results::Verdict::Pass;
-  auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
-                          fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
-                          good && targets.empty() ? "rendered" : verdict_name(verdict),
-                          report::decibels(psnr), job.cost.wall_seconds);
-  if (!good) line += fmt::format("  {}", reason);
-  return line;
 }
 
 // The run file of the folder that is resumed, or of a new folder, which is made.
@@ -175,33 +157,80 @@ runner::RunFile run_file_of(const registry::Configuration& configuration,
   return file;
 }
 
+// Before anything starts: a configuration that was found above may not be the one that was meant.
+void announce(const registry::Configuration& configuration,
+              const runner::Plan& plan,
+              const std::map<std::string, double>& seconds,
+              const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& renderer : plan.renderers) names.push_back(renderer.entry.name);
+  const bool is_here = configuration.file.parent_path() == std::filesystem::current_path();
+  print_clean(stderr, "configuration: {}{}\n", configuration.file.string(),
+              is_here ? "" : ", which is not in this folder");
+  print_clean(stderr, "suite {} with {}: {}\n", plan.suite.name, fmt::join(names, ", "),
+              amount_text(plan, seconds));
+  for (const auto& left : plan.left_out)
+    print_clean(stderr, "left out: {}: {}\n", left.renderer, left.reason);
+  print_clean(stderr, "results: {}\n", folder.string());
+}
+
+void print_end(const results::RunRecord& record, const std::filesystem::path& folder) {
+  print_clean("\n{}\n{:.1f} s in all; results: {}\n",
+              report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
+              folder.string());
+  if (results::judged_nothing(record))
+    print_clean(stderr, "orbs: nothing was judged: every target is unsupported, for the reasons above\n");
+  const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
+  const std::vector<std::string> argv = record.interrupted
+                                            ? std::vector<std::string>{"orbs", "run", "--resume", relative}
+                                            : std::vector<std::string>{"orbs", "serve", relative};
+  print_clean("next: {}   ({})\n", shell_text(argv),
+              record.interrupted ? "continues this run" : "shows the images in the browser");
+}
+
+// InputError with a note where the run was; says how it can be continued if there is anything to continue.
+results::RunRecord render_with_progress(const runner::Plan& plan,
+                                        const std::filesystem::path& folder,
+                                        const std::map<std::string, double>& seconds,
+                                        runner::RunContext& context) {
+  std::vector<std::string> ids;
+  for (const auto& job : plan.jobs) ids.push_back(job.id);
+  const auto run = [&] {
+    RunProgress progress(seconds, ids, plan.settings.jobs);
+    context.rendering.started = [&](const auto& job) { progress.started(job); };
+    context.rendering.progress = [&](std::size_t done, std::size_t count, const auto& job,
+                                     const auto& targets) { progress.finished(done, count, job, targets); };
+    context.rendering.say = [&](const std::string& line) { progress.say(line); };
+    auto made = runner::run(plan, folder, context);
+    report::write_reports(made, folder);
+    return made;
+  };
+  try {
+    return with_note(fmt::format("running in {}", folder.string()), run);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    if (std::filesystem::exists(folder / "run.json", ignored))
+      print_clean(stderr, "{} continues the run\n", shell_text({"orbs", "run", "--resume", folder.string()}));
+    throw;
+  }
+}
+
 int run_plan(const registry::Configuration& configuration,
              const runner::Plan& plan,
              const Program& program,
              const RunOptions& options) {
-  for (const auto& left : plan.left_out) fmt::print(stderr, "left out: {}: {}\n", left.renderer, left.reason);
+  std::filesystem::path folder;
   runner::RunContext context;
+  context.file = run_file_of(configuration, plan, options.resume, folder);
+  const auto seconds = recorded_seconds(plan, std::filesystem::current_path(),
+                                        options.resume.empty() ? std::filesystem::path() : folder);
+  announce(configuration, plan, seconds, folder);
   context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;
   context.rendering.stop = &catch_interrupts();
-  context.rendering.progress = [](std::size_t done, std::size_t count, const auto& job, const auto& targets) {
-    fmt::print(stderr, "{}\n", progress_line(done, count, job, targets));
-  };
-  context.rendering.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  std::filesystem::path folder;
-  context.file = run_file_of(configuration, plan, options.resume, folder);
-  const auto record =
-      with_note(fmt::format("running in {0}; 'orbs run --resume {0}' continues it", folder.string()), [&] {
-        auto made = runner::run(plan, folder, context);
-        report::write_reports(made, folder);
-        return made;
-      });
-  fmt::print("\n{}\n{:.1f} s in all; results: {}\n",
-             report::summary_text(record, report::style_for(STDOUT_FILENO)), record.wall_seconds,
-             folder.string());
-  if (results::judged_nothing(record))
-    fmt::print(stderr, "orbs: nothing was judged: every target is unsupported, for the reasons above\n");
-  if (options.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
+  const auto record = render_with_progress(plan, folder, seconds, context);
+  print_end(record, folder);
+  if (plan.settings.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
 
@@ -231,7 +260,7 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
       if (settings.sandbox)
         if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
       if (!settings.dry_run) return run_plan(read, plan, program, *options);
-      fmt::print("{}", runner::plan_text(plan));
+      print_clean("{}", runner::plan_text(plan));
       return 0;
     };
   });

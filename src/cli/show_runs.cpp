@@ -1,6 +1,7 @@
 #include "cli/show_runs.h"
 
 #include "base/error.h"
+#include "base/terminal.h"
 #include "cli/interrupt.h"
 #include "server/serve.h"
 
@@ -22,7 +23,7 @@ void open_in_browser(const std::string& url) {
   std::array<char*, 3> argv{program.data(), address.data(), nullptr};
   pid_t child = 0;
   if (::posix_spawnp(&child, "xdg-open", nullptr, nullptr, argv.data(), environ) == 0) return;
-  fmt::print(stderr, "there is no xdg-open; open the address in a browser\n");
+  print_clean(stderr, "there is no xdg-open; open the address in a browser\n");
 }
 
 }  // namespace
@@ -45,13 +46,13 @@ void show_runs(const std::vector<std::filesystem::path>& runs,
                const Program& program,
                const ShowSettings& settings) {
   if (!server::is_loopback_address(settings.address))
-    fmt::print(stderr,
-               "warning: other machines can reach {}: everybody there can read these runs, and nothing is "
-               "encrypted\n",
-               settings.address);
+    print_clean(stderr,
+                "warning: other machines can reach {}: everybody there can read these runs, and nothing is "
+                "encrypted\n",
+                settings.address);
   server::serve({runs, program.folder / "web", settings.address, settings.port}, catch_interrupts(),
                 [&](const std::string& url) {
-                  fmt::print("the page is at {}  (Ctrl-C ends it)\n", url);
+                  print_clean("the page is at {}  (Ctrl-C ends it)\n", url);
                   std::fflush(stdout);
                   if (settings.open) open_in_browser(url);
                 });

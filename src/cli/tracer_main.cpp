@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
 #include "image/image_io.h"
 #include "scene/effects.h"
 #include "scene/load_scene.h"
@@ -105,19 +106,20 @@ class ProgressLine {
     if (progress.seconds < last_seconds_ + kInterval) return;
     last_seconds_ = progress.seconds;
     if (as_json_) {
-      fmt::print("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done,
-                 progress.samples_per_pixel, progress.seconds);
+      orbs::print_clean("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done,
+                        progress.samples_per_pixel, progress.seconds);
       std::fflush(stdout);
     } else if (on_terminal_) {
       constexpr int kWidth = 40;
       const auto full = static_cast<std::size_t>(progress.done * kWidth);
       const double left = progress.seconds / progress.done - progress.seconds;
-      fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:.0f} s, {:.0f} s left ", std::string(full, '#'),
-                 std::string(kWidth - full, '.'), 100 * progress.done, progress.seconds, left);
+      orbs::print_raw(
+          stderr, fmt::format("\r[{}{}] {:3.0f} %  {:.0f} s, {:.0f} s left ", std::string(full, '#'),
+                              std::string(kWidth - full, '.'), 100 * progress.done, progress.seconds, left));
     }
   }
   void finish() const {
-    if (on_terminal_ && !as_json_ && last_seconds_ > 0) fmt::print(stderr, "\r{:79}\r", "");
+    if (on_terminal_ && !as_json_ && last_seconds_ > 0) orbs::print_raw(stderr, fmt::format("\r{:79}\r", ""));
   }
 
  private:
@@ -151,21 +153,22 @@ void stamp(orbs::tracer::Rendering& rendering,
 
 void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
   if (r.bad_samples.count > 0)
-    fmt::print(stderr,
-               "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
-               r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
+    orbs::print_clean(
+        stderr, "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
+        r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
   if (as_json)
-    fmt::print(
+    orbs::print_clean(
         "{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
         "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
         r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
-  fmt::print("orbs: render_seconds {:.4f}\n", r.seconds);
+  orbs::print_clean("orbs: render_seconds {:.4f}\n", r.seconds);
 }
 
 int run(const Options& options) {
   using namespace orbs;
   auto scene = scene::load_scene(options.scene);
-  for (const auto& warning : scene.notes.warnings) fmt::print(stderr, "orbs-tracer: warning: {}\n", warning);
+  for (const auto& warning : scene.notes.warnings)
+    orbs::print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
   auto world = tracer::make_world(scene, {.transport = options.transport,
@@ -183,8 +186,9 @@ int run(const Options& options) {
   image::write_exr(rendering.image, options.output);
   print_summary(rendering, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
-  fmt::print(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
-             rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);
+  orbs::print_clean(stderr,
+                    "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
+                    rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);
   return kInterrupted;
 }
 
@@ -194,10 +198,10 @@ int main(int argc, char** argv) {
   try {
     return run(parse_options(argc, argv));
   } catch (const orbs::InputError& e) {
-    fmt::print(stderr, "orbs-tracer: {}\n", e.what());
+    orbs::print_clean(stderr, "orbs-tracer: {}\n", e.what());
     return 2;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "orbs-tracer: internal error: {}\n", e.what());
+    orbs::print_clean(stderr, "orbs-tracer: internal error: {}\n", e.what());
     return 3;
   }
 }

@@ -6,6 +6,7 @@
 #include "judge/difference.h"
 #include "judge/provenance.h"
 #include "judge/reduced_reference.h"
+#include "results/image_hashes.h"
 
 #include <algorithm>
 
@@ -24,12 +25,13 @@ std::filesystem::path reference_file(const registry::Case& one_case,
   return references / ((scene == one_case.scenes.end() ? name : registry::reference_name(*scene)) + ".exr");
 }
 
-// Why the provenance record contradicts the image or today's scene; "" when it does not. What the record does
-// not state is not checked.
+// Why the provenance record, or the file of image hashes, contradicts the image or today's scene; "" when
+// neither does. What they do not state is not checked.
 std::string provenance_problem(const image::Image& image,
                                const std::filesystem::path& file,
                                const std::string& scene,
-                               const std::map<std::string, std::string>& scene_hashes) {
+                               const std::map<std::string, std::string>& scene_hashes,
+                               const std::map<std::string, std::string>& image_hashes) {
   const auto provenance = provenance_of(image);
   const auto name = file.stem().string();
   const auto differs = [&](const std::string& what, const std::string& now, const std::string& said) {
@@ -45,11 +47,17 @@ std::string provenance_problem(const image::Image& image,
     return differs(fmt::format("scene '{}' has changed since its reference was rendered", name),
                    scene_now->second, scene_said->second);
   const auto image_said = provenance.find("image_hash");
-  if (image_said == provenance.end()) return "";
+  const auto listed = image_hashes.find(name);
+  if (image_said == provenance.end() && listed == image_hashes.end()) return "";
   const auto image_now = image_hash(image);
-  return image_now == image_said->second
-             ? ""
-             : differs("the reference is not the image that was accepted", image_now, image_said->second);
+  const std::string problem = "the reference is not the image that was accepted";
+  if (image_said != provenance.end() && image_now != image_said->second)
+    return differs(problem, image_now, image_said->second);
+  if (listed == image_hashes.end() || image_now == listed->second) return "";
+  return fmt::format(
+      "{}: its hash is now {}, {} says {}; 'orbs reference --scene {} --accept \"why it has changed\"' renders "
+      "it again",
+      problem, image_now, (file.parent_path() / results::kImageHashesFile).string(), listed->second, name);
 }
 
 // Whoever can write into the folder of the run, such as a renderer, could change what it is judged by.
@@ -82,7 +90,9 @@ std::string read_reference(const std::filesystem::path& file,
     image = copies.folder.empty() ? image::read_image(file)
                                   : read_copy(file, copies.folder / file.filename(), copied->second.hash);
     image::select_rgb(*image, "");
-    problem = provenance_problem(*image, file, scene, scene_hashes);
+    problem = provenance_problem(
+        *image, file, scene, scene_hashes,
+        copies.folder.empty() ? results::read_image_hashes(file.parent_path()) : copies.image_hashes);
     if (problem.empty() && copies.folder.empty()) image = reduced_reference(*image, size_divisor);
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
@@ -137,6 +147,7 @@ namespace {
 CopiedReference copy_reference(const std::filesystem::path& file,
                                const std::string& scene,
                                const std::map<std::string, std::string>& scene_hashes,
+                               const std::map<std::string, std::string>& image_hashes,
                                const std::filesystem::path& folder,
                                int size_divisor) {
   CopiedReference copied;
@@ -158,8 +169,9 @@ CopiedReference copy_reference(const std::filesystem::path& file,
     copied.problem = fmt::format("the reference cannot be used: {}", e.what());
     return copied;
   }
-  copied.problem = read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}},
-                                  size_divisor, image);
+  copied.problem =
+      read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}, image_hashes},
+                     size_divisor, image);
   std::error_code ignored;
   if (!copied.problem.empty()) std::filesystem::remove(folder / file.filename(), ignored);
   return copied;
@@ -172,7 +184,7 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
                                 const std::map<std::string, std::string>& scene_hashes,
                                 const std::filesystem::path& folder,
                                 int size_divisor) {
-  ReferenceCopies copies{folder, {}};
+  ReferenceCopies copies{folder, {}, results::read_image_hashes(references)};
   make_folder(folder);
   std::error_code ignored;
   for (const auto& one_case : cases)
@@ -180,7 +192,8 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
       const auto file = reference_file(one_case, scene.name, references);
       const auto name = file.filename().string();
       if (!copies.copied.contains(name) && std::filesystem::exists(file, ignored))
-        copies.copied[name] = copy_reference(file, scene.name, scene_hashes, folder, size_divisor);
+        copies.copied[name] =
+            copy_reference(file, scene.name, scene_hashes, copies.image_hashes, folder, size_divisor);
     }
   for (const auto& one_case : cases)
     for (const auto& target : registry::target_names(one_case)) {

@@ -27,8 +27,9 @@ struct CopiedReference {
 /// Copies that a run makes of its references when it starts: it is judged by them, whatever becomes of the
 /// originals meanwhile.
 struct ReferenceCopies {
-  std::filesystem::path folder;                   // "": there are no copies, the originals are read
-  std::map<std::string, CopiedReference> copied;  // by file name
+  std::filesystem::path folder;                       // "": there are no copies, the originals are read
+  std::map<std::string, CopiedReference> copied;      // by file name
+  std::map<std::string, std::string> image_hashes{};  // of the file beside the originals, see results
 };
 
 /// Reads the reference of a target of the case from the folder `references`, or from its copy if there are

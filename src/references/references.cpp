@@ -53,7 +53,7 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
       }
       WantedReference wanted{scene.name, scene.file, suite.references / (scene.name + ".exr"), scene.spp};
       const auto read = with_note(fmt::format("reading scene '{}'", scene.name),
-                                  [&] { return scene::load_scene(scene.file); });
+                                  [&] { return scene::load_scene(scene.file, suite.data); });
       wanted.pixels =
           static_cast<std::size_t>(read.camera.width_px) * static_cast<std::size_t>(read.camera.height_px);
       raise_to_needs(cases, wanted);

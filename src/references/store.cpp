@@ -8,6 +8,7 @@
 #include "image/reduced_precision.h"
 #include "judge/provenance.h"
 #include "references/history.h"
+#include "results/image_hashes.h"
 #include "runner/execute.h"
 #include "runner/host.h"
 #include "runner/scene_hash.h"
@@ -129,6 +130,23 @@ void store_reference(const RenderedReference& rendered,
   std::error_code ignored;
   if (std::filesystem::exists(wanted.target, ignored)) note_replaced(wanted.target, reason);
   image::write_exr(image, wanted.target, precision);
+  auto hashes = results::read_image_hashes(wanted.target.parent_path());
+  hashes[wanted.target.stem().string()] = image.attributes["orbs.image_hash"];
+  results::write_image_hashes(hashes, wanted.target.parent_path());
+}
+
+int note_image_hashes(const std::filesystem::path& references) {
+  auto hashes = results::read_image_hashes(references);
+  int noted = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(references)) {
+    if (entry.path().extension() != ".exr") continue;
+    auto& hash = hashes[entry.path().stem().string()];
+    if (!hash.empty()) continue;
+    hash = judge::image_hash(image::read_image(entry.path()));
+    ++noted;
+  }
+  if (noted > 0) results::write_image_hashes(hashes, references);
+  return noted;
 }
 
 }  // namespace orbs::references

@@ -3,6 +3,7 @@
 #include "image/image.h"
 #include "references/render.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -23,5 +24,9 @@ image::Image shortened_image(const image::Image& image);
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason);
+
+/// Adds the pixel hash of every reference that the file of image hashes does not name. Returns how many these
+/// are. InputError when one cannot be read.
+int note_image_hashes(const std::filesystem::path& references);
 
 }  // namespace orbs::references

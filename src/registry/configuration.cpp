@@ -43,6 +43,9 @@ Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
   suite.name = plain_name(in, "name");
   suite.cases = resolve_path(root, in.system_text("cases"));
   suite.references = resolve_path(root, in.system_text("references"));
+  suite.data = {suite.cases, root / "data/common"};
+  if (in.has("data"))
+    for (const auto& folder : in.system_texts("data")) suite.data.push_back(resolve_path(root, folder));
   in.finish();
   return suite;
 }

@@ -18,6 +18,9 @@ struct Suite {
   std::string name;
   std::filesystem::path cases;       // absolute
   std::filesystem::path references;  // absolute
+  /// Where the files that its scenes name may lie, beside a scene's own folder: its cases, the common data,
+  /// and what its entry names under "data". Absolute.
+  std::vector<std::filesystem::path> data{};
 };
 
 /// Words of "scene_format". Neutral: scenes as the suite holds them. Native: a format of the renderer's own,

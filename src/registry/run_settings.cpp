@@ -27,6 +27,7 @@ RunSettings read_run_settings(json::ObjectReader in) {
   s.log = in.boolean_or("log", s.log);
   s.sandbox = in.boolean_or("sandbox", s.sandbox);
   s.dry_run = in.boolean_or("dry_run", s.dry_run);
+  s.view = in.boolean_or("view", s.view);
   in.finish();
   return s;
 }
@@ -37,7 +38,7 @@ void write_run_settings(json::Writer& out, const RunSettings& s) {
   out.member("output", s.output).member("jobs", s.jobs).member("threads", s.threads);
   out.member("seed", s.seed).member("spp_scale", s.spp_scale);
   out.member("size", size_text(s.size_divisor)).member("log", s.log).member("sandbox", s.sandbox);
-  out.member("dry_run", s.dry_run).end_object();
+  out.member("dry_run", s.dry_run).member("view", s.view).end_object();
 }
 
 }  // namespace orbs::registry

@@ -30,6 +30,7 @@ struct RunSettings {
   bool log = true;       // keep log.txt of renders that passed, too
   bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
+  bool view = false;  // serve the page at the end and open it in the browser
 };
 
 /// Reads an object of settings; an absent one keeps its value here. InputError for one that is unknown or out

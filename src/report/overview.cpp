@@ -147,7 +147,7 @@ void write_columns(Writer& out,
 void write_run(Writer& out, const RunView& view) {
   const auto& run = view.run;
   out.key("run").begin_object();
-  out.member("name", std::filesystem::path(run.folder).filename().string()).member("suite", run.suite);
+  out.member("name", run.name).member("suite", run.suite);
   out.member("size", run.size);
   out.member("started", run.started).member("wall_seconds", run.wall_seconds);
   out.member("orbs_version", run.orbs_version).member("command", shell_text(run.command_line));

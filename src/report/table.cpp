@@ -1,5 +1,7 @@
 #include "report/table.h"
 
+#include "base/terminal.h"
+#include "base/text.h"
 #include "base/text_table.h"
 #include "report/probe_hint.h"
 #include "report/size_note.h"
@@ -24,31 +26,73 @@ using results::RunRecord;
 using results::Verdict;
 
 std::string_view ansi_colour(Verdict verdict) {
-  if (verdict == Verdict::Pass) return "\x1b[32m";
-  if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return "\x1b[2m";
-  return verdict == Verdict::Inconclusive ? "\x1b[33m" : "\x1b[31m";
+  if (verdict == Verdict::Pass) return colour::kGreen;
+  if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return colour::kFaint;
+  return verdict == Verdict::Inconclusive ? colour::kYellow : colour::kRed;
 }
 
-std::string painted(std::string text, Verdict verdict, const TableStyle& style) {
-  return style.colour ? fmt::format("{}{}\x1b[0m", ansi_colour(verdict), text) : std::move(text);
+// Rows with the verdict's colour of some cells.
+struct PaintedRows {
+  std::vector<TableRow> rows;
+  TableLook look;
+
+  explicit PaintedRows(const TableStyle& style) : look{style.width, {}}, has_colour(style.colour) {}
+  void add(std::string cell, Verdict verdict) {
+    rows.back().push_back(std::move(cell));
+    if (has_colour) look.colours[{rows.size() - 1, rows.back().size() - 1}] = ansi_colour(verdict);
+  }
+  std::string text() const { return text_table(rows, {}, look); }
+
+  bool has_colour;
+};
+
+std::string cell_text(const Cell& cell) {
+  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), verdict_name(cell.verdict));
 }
 
-std::string cell_text(const Cell& cell, const TableStyle& style) {
-  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db),
-                     painted(std::string(verdict_name(cell.verdict)), cell.verdict, style));
-}
-
-std::string requirement_table(const RunRecord& run, const TableStyle& style) {
-  std::vector<TableRow> rows{{"", "requirement"}};
-  for (const auto& renderer : run.renderers) rows[0].push_back(fmt::format("    dB {}", renderer.name));
+// The columns of `renderers`.
+std::string requirement_table(const RunRecord& run,
+                              const std::vector<results::RendererRecord>& renderers,
+                              const TableStyle& style) {
+  PaintedRows table(style);
+  auto& head = table.rows.emplace_back(TableRow{"", "requirement"});
+  for (const auto& renderer : renderers) head.push_back(fmt::format("    dB {}", renderer.name));
   for (const auto& requirement : run.requirements) {
-    auto& row = rows.emplace_back(TableRow{requirement.code, requirement.title});
-    for (const auto& renderer : run.renderers) {
+    table.rows.push_back({requirement.code, requirement.title});
+    for (const auto& renderer : renderers) {
       const auto cell = requirement.cells.find(renderer.name);
-      row.push_back(cell == requirement.cells.end() ? "" : cell_text(cell->second, style));
+      if (cell == requirement.cells.end()) {
+        table.rows.back().emplace_back();
+      } else {
+        table.add(cell_text(cell->second), cell->second.verdict);
+      }
     }
   }
-  return text_table(rows);
+  return table.text();
+}
+
+std::size_t widest_line(const std::string& text) {
+  std::size_t widest = 0;
+  for (const auto& line : split(text, '\n')) widest = std::max(widest, display_width(line));
+  return widest;
+}
+
+// As many renderers side by side as the terminal has room for, the next ones below.
+std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
+  std::string text;
+  for (std::size_t from = 0; from < run.renderers.size() || text.empty();) {
+    auto count = run.renderers.size() - from;
+    const auto table_of = [&](int width) {
+      const auto first = run.renderers.begin() + static_cast<std::ptrdiff_t>(from);
+      return requirement_table(run, {first, first + static_cast<std::ptrdiff_t>(count)},
+                               {style.colour, width});
+    };
+    while (style.width > 0 && count > 1 && widest_line(table_of(0)) > static_cast<std::size_t>(style.width))
+      --count;
+    text += fmt::format("{}{}", text.empty() ? "" : "\n", table_of(0));
+    from += std::max<std::size_t>(count, 1);
+  }
+  return text;
 }
 
 std::string counts_text(const results::RendererRecord& renderer) {
@@ -60,7 +104,7 @@ std::string counts_text(const results::RendererRecord& renderer) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string renderer_lines(const RunRecord& run) {
+std::string renderer_lines(const RunRecord& run, const TableStyle& style) {
   std::vector<TableRow> rows;
   for (const auto& renderer : run.renderers) {
     rows.push_back({renderer.name, fmt::format("declared {} \u00b7 measured{} {}", renderer.declared,
@@ -71,41 +115,56 @@ std::string renderer_lines(const RunRecord& run) {
                          renderer.wall_seconds, renderer.cpu_seconds,
                          renderer.version.empty() ? "" : fmt::format(" \u00b7 {}", renderer.version))});
   }
-  return text_table(rows);
+  return text_table(rows, {}, {style.width, {}});
 }
 
-// One line for all targets of a renderer and requirement that share verdict and reason; failures come before
-// unsupported targets. Skipped targets are left out: the counts of the renderers mention them.
+// What several targets of a renderer have in common.
+struct SharedVerdict {
+  const results::TargetRecord* first;
+  std::vector<std::string> requirements;
+  std::vector<std::string> targets;
+};
+
+// Takes the target in where all else is the same: a target that fails for several requirements is told once,
+// as are the targets of one requirement that fail for the same reason.
+bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
+  const auto& first = *shared.first;
+  if (first.renderer != target.renderer || first.verdict != target.verdict || first.reason != target.reason)
+    return false;
+  if (shared.targets == std::vector{target.target}) {
+    shared.requirements.push_back(target.requirement);
+  } else if (shared.requirements == std::vector{target.requirement}) {
+    shared.targets.push_back(target.target);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// Failures come before unsupported targets. Skipped targets are left out: their number stands below.
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
-  struct Remark {
-    const results::TargetRecord* first;
-    std::string targets;
-  };
-  std::vector<Remark> remarks;
+  std::vector<SharedVerdict> told;
   for (const auto& target : run.targets) {
     if (target.verdict == Verdict::Pass || target.verdict == Verdict::Skipped) continue;
-    const auto same = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& remark) {
-      const auto& first = *remark.first;
-      return first.renderer == target.renderer && first.requirement == target.requirement &&
-             first.verdict == target.verdict && first.reason == target.reason;
-    });
-    if (same == remarks.end()) {
-      remarks.push_back({&target, target.target});
-    } else {
-      same->targets += fmt::format(", {}", target.target);
-    }
+    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target); }))
+      told.push_back({&target, {target.requirement}, {target.target}});
   }
-  std::stable_partition(remarks.begin(), remarks.end(),
-                        [](const Remark& remark) { return remark.first->verdict != Verdict::Unsupported; });
-  std::vector<TableRow> rows;
-  for (const auto& [first, targets] : remarks)
-    rows.push_back({painted(std::string(verdict_name(first->verdict)), first->verdict, style),
-                    first->renderer, first->requirement, targets, first->reason});
-  return text_table(rows);
+  std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
+    return shared.first->verdict != Verdict::Unsupported;
+  });
+  PaintedRows table(style);
+  for (const auto& [first, requirements, targets] : told) {
+    table.rows.emplace_back();
+    table.add(std::string(verdict_name(first->verdict)), first->verdict);
+    for (auto cell : {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")),
+                      fmt::format("{}", fmt::join(targets, ", ")), first->reason})
+      table.rows.back().push_back(std::move(cell));
+  }
+  return table.text();
 }
 
 // Remarks beside the verdicts. A target that several cases use is mentioned once.
-std::string remark_lines(const RunRecord& run) {
+std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   std::set<std::pair<std::string, std::string>> told;
   std::vector<TableRow> rows;
   for (const auto& target : run.targets) {
@@ -113,7 +172,7 @@ std::string remark_lines(const RunRecord& run) {
     for (const auto& remark : target.remarks)
       rows.push_back({"remark", target.renderer, target.requirement, target.target, remark});
   }
-  return text_table(rows);
+  return text_table(rows, {}, {style.width, {}});
 }
 
 }  // namespace
@@ -123,7 +182,7 @@ TableStyle style_for(int descriptor) {
   const char* terminal = std::getenv("TERM");
   const bool wanted = no_colour == nullptr || *no_colour == '\0';
   const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
-  return {wanted && able};
+  return {wanted && able, terminal_width(descriptor)};
 }
 
 std::string decibels(const std::optional<double>& value) {
@@ -131,15 +190,36 @@ std::string decibels(const std::optional<double>& value) {
   return std::isinf(*value) ? "inf" : fmt::format("{:.2f}", *value);
 }
 
+namespace {
+
+std::string interrupt_line(const RunRecord& run) {
+  const auto skipped = std::count_if(run.jobs.begin(), run.jobs.end(), [](const auto& job) {
+    return job.end.outcome == results::JobOutcome::Skipped;
+  });
+  return fmt::format(
+      "The run was interrupted: {} of {} renders were skipped; what was finished stands above.", skipped,
+      run.jobs.size());
+}
+
+}  // namespace
+
 std::string summary_text(const RunRecord& run, const TableStyle& style) {
-  std::string text = requirement_table(run, style);
+  std::string text = requirement_tables(run, style);
   text += '\n';
-  text += renderer_lines(run);
+  text += renderer_lines(run, style);
+  const auto add_lines = [&](const std::string& lines) {
+    for (const auto& line : split(trim(lines), '\n'))
+      text += fmt::format("{}\n", fmt::join(wrapped(line, static_cast<std::size_t>(style.width)), "\n"));
+  };
   for (const auto& left : run.left_out)
-    text += fmt::format("{} was left out: {}\n", left.renderer, left.reason);
-  for (const auto& lines : {verdict_lines(run, style), remark_lines(run), probe_hints(run), size_note(run)})
+    add_lines(fmt::format("{} was left out: {}", left.renderer, left.reason));
+  for (const auto& lines : {verdict_lines(run, style), remark_lines(run, style)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
-  if (run.interrupted) text += "\nThe run was interrupted; what was finished stands above.\n";
+  for (const auto& lines : {probe_hints(run), size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
+    if (lines.empty()) continue;
+    text += '\n';
+    add_lines(lines);
+  }
   return text;
 }
 

@@ -9,10 +9,11 @@ namespace orbs::report {
 
 struct TableStyle {
   bool colour = false;  // ANSI escapes
+  int width = 0;        // columns of the terminal, see terminal_width; 0: no limit
 };
 
 /// Colour if `descriptor` is a terminal that supports it and the user did not set NO_COLOR
-/// (https://no-color.org).
+/// (https://no-color.org), and the width of that terminal.
 TableStyle style_for(int descriptor);
 
 /// The summary at the end of a run: one line per requirement with a column per renderer (lowest PSNR and

@@ -150,6 +150,7 @@ RunRecord read_results_file(const std::filesystem::path& file) {
   FieldReader read(in);
   fields(read, run);
   run.folder = std::filesystem::absolute(file).parent_path().string();
+  run.name = std::filesystem::path(run.folder).filename().string();
   for (auto& job : run.jobs)
     if (job.cost.host == Host{}) job.cost.host = run.host;
   return run;

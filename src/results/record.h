@@ -81,6 +81,7 @@ struct RunRecord {
   std::string suite;
   std::string size = "1";  // of the images: "1/4" for a quarter of the scenes' width and height
   std::string folder;      // absolute; not stored, because the folder may be moved
+  std::string name;        // of the folder, for people; not stored either
   std::string started;
   double wall_seconds = 0;
   std::string orbs_version;

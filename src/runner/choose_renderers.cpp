@@ -18,9 +18,8 @@ namespace {
 void take_executable(ChosenRenderer& chosen, const std::string& given) {
   auto found = adapters::find_program(given);
   if (!found)
-    throw InputError(
-        fmt::format("{}: is not there or cannot be executed; -e needs the program of renderer '{}'", given,
-                    chosen.entry.name));
+    throw InputError(fmt::format("{}; -e needs the program of renderer '{}'",
+                                 adapters::program_problem(given), chosen.entry.name));
   chosen.executable = *found;
 }
 
@@ -58,12 +57,12 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
     } else if (const auto found = installed_executable(renderer, plan.root, plan.build)) {
       chosen.executable = *found;
     } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end()) {
-      throw InputError(
-          fmt::format("renderer '{}': there is no program '{}' here; install it, or name another with -e",
-                      renderer.name, program_name(renderer, plan.root, plan.build)));
+      throw InputError(fmt::format("renderer '{}': {}; install it, or name another program with -e",
+                                   renderer.name,
+                                   adapters::program_problem(program_name(renderer, plan.root, plan.build))));
     } else {
-      plan.left_out.push_back({renderer.name, fmt::format("there is no program '{}' here",
-                                                          program_name(renderer, plan.root, plan.build))});
+      plan.left_out.push_back(
+          {renderer.name, adapters::program_problem(program_name(renderer, plan.root, plan.build))});
       continue;
     }
     plan.renderers.push_back(std::move(chosen));

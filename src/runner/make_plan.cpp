@@ -28,22 +28,26 @@ namespace {
 
 using ScenesByFile = std::map<std::string, std::shared_ptr<const scene::Scene>>;
 
-const scene::Scene& loaded(const registry::CaseScene& wanted, ScenesByFile& by_file) {
+const scene::Scene& loaded(const registry::CaseScene& wanted,
+                           const registry::Suite& suite,
+                           ScenesByFile& by_file) {
   auto& scene = by_file[wanted.file.string()];
   if (!scene)
-    scene = with_note(fmt::format("reading scene '{}'", wanted.name),
-                      [&] { return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file)); });
+    scene = with_note(fmt::format("reading scene '{}'", wanted.name), [&] {
+      return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file, suite.data));
+    });
   return *scene;
 }
 
 // `all` holds the scenes of cases that are not chosen, too: a scene may be judged by the reference of one.
 std::string reference_hash(const registry::CaseScene& judged,
+                           const registry::Suite& suite,
                            const std::vector<registry::Case>& all,
                            ScenesByFile& by_file) {
   for (const auto& one_case : all)
     for (const auto& scene : one_case.scenes)
       if (scene.name == registry::reference_name(judged))
-        return hash_text(scene_content_hash(loaded(scene, by_file), scene.file));
+        return hash_text(scene_content_hash(loaded(scene, suite, by_file), scene.file));
   return "";  // load_cases has seen to it that there is one
 }
 
@@ -54,9 +58,10 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
       const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
                                      [&](const auto& scene) { return scene.name == wanted.name; });
       if (known) continue;
-      with_note(fmt::format("reading {}", one_case.file.string()), [&] { loaded(wanted, by_file); });
+      with_note(fmt::format("reading {}", one_case.file.string()),
+                [&] { loaded(wanted, plan.suite, by_file); });
       plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()]});
-      plan.reference_hashes[wanted.name] = reference_hash(wanted, all, by_file);
+      plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
     }
 }
 

@@ -2,13 +2,13 @@
 
 #include "adapters/process/programs.h"
 #include "base/error.h"
+#include "base/file_state.h"
 #include "base/files.h"
 #include "registry/placeholders.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 namespace orbs::runner {
 
@@ -21,14 +21,6 @@ bool is_fixed(const std::string& text) {
   return std::none_of(all.begin(), all.end(), [&](const std::string& name) {
     return !fixed.contains(name) && registry::uses_placeholder(text, name);
   });
-}
-
-std::string state_of(const std::filesystem::path& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return "";
-  return fmt::format("{} {} {} {}.{} {}.{}", status.st_dev, status.st_ino, status.st_size,
-                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ctim.tv_sec,
-                     status.st_ctim.tv_nsec);
 }
 
 }  // namespace
@@ -57,7 +49,7 @@ std::vector<std::filesystem::path> program_files(const ChosenRenderer& renderer,
 
 std::string FileHashes::of(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
-  auto state = state_of(file);
+  auto state = file_state(file);
   auto& entry = known_[file];
   if (entry.state == state) return entry.hash;
   entry.state = std::move(state);

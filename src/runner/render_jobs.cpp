@@ -151,6 +151,8 @@ class JobRunner {
   }
 
   Execution render(const PlannedJob& job) {
+    if (const std::lock_guard lock(mutex_); context_.started)
+      context_.started(skipped_record(plan_, job).identity);
     auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
     execution.record.cost.host = host_;
     execution.record.hashes.program = programs_[job.renderer];
@@ -175,7 +177,6 @@ class JobRunner {
   void skip(std::size_t index, const JobRecord& record) {
     judged_.targets[index] = judge_scene(plan_, index, {record, {}}, folders_);
     judged_.jobs[index] = record;
-    report(index);
   }
 
   void finish(std::size_t index, Execution execution, const JobRecord& now) {

@@ -11,14 +11,18 @@
 
 namespace orbs::runner {
 
-/// Called after each render, one at a time: how many are done, of how many, the render, and the images
-/// judged from it.
+/// Called after each render that was not skipped, one at a time: how many are done, of how many, the render,
+/// and the images judged from it.
 using Progress = std::function<void(
     std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::TargetRecord>&)>;
 
+/// Called when a render starts, one at a time.
+using Started = std::function<void(const results::JobIdentity&)>;
+
 struct RenderContext {
   std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;           // set when the user interrupts
+  const std::atomic<bool>* stop = nullptr;  // set when the user interrupts
+  Started started = {};
   Progress progress;                                 // not called for jobs that an earlier run has finished
   std::function<void(const std::string&)> say = {};  // why something is rendered again
 };

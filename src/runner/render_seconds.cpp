@@ -7,6 +7,7 @@
 #include "json/document.h"
 #include "json/object_reader.h"
 
+#include <algorithm>
 #include <map>
 
 namespace orbs::runner {
@@ -40,6 +41,12 @@ std::optional<double> in_output(const std::string& pattern, const std::string& o
   return sum;
 }
 
+// The library of regular expressions reads no further than to a NUL.
+std::string without_nul(std::string output) {
+  std::replace(output.begin(), output.end(), '\0', ' ');
+  return output;
+}
+
 std::optional<double> in_file(const registry::RenderSeconds& place, const std::filesystem::path& folder) {
   constexpr std::size_t kMost_bytes = std::size_t{16} << 20;
   const auto file = open_inside(folder, place.file);
@@ -61,10 +68,12 @@ std::optional<double> in_file(const registry::RenderSeconds& place, const std::f
 std::optional<double> render_seconds(const registry::RenderSeconds& place,
                                      const std::string& output,
                                      const std::filesystem::path& folder) {
-  auto number = place.pattern.empty() ? std::nullopt : in_output(place.pattern, output);
+  auto number = place.pattern.empty() ? std::nullopt : in_output(place.pattern, without_nul(output));
   if (!place.file.empty()) number = in_file(place, folder);
   if (number) *number *= place.unit_seconds;
-  return number;
+  // No render took less than no time, or 30 years: what says so is no time.
+  constexpr double kMost_seconds = 1e9;
+  return number && *number >= 0 && *number <= kMost_seconds ? number : std::nullopt;
 }
 
 void forget_render_seconds(const registry::RenderSeconds& place, const std::filesystem::path& folder) {

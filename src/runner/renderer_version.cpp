@@ -12,6 +12,12 @@ namespace orbs::runner {
 
 namespace {
 
+std::string how_it_ended(const adapters::ProcessResult& process) {
+  if (!process.start_error.empty()) return fmt::format("cannot be started: {}", process.start_error);
+  return process.signal != 0 ? fmt::format("was killed by {}", adapters::signal_name(process.signal))
+                             : fmt::format("ended with exit code {}", process.exit_code);
+}
+
 // "" where the line says no version.
 std::string version_in(const std::string& line, const std::string& pattern) {
   if (pattern.empty()) return line;
@@ -22,7 +28,7 @@ std::string version_in(const std::string& line, const std::string& pattern) {
 }  // namespace
 
 std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
-  constexpr double kLimit_seconds = 30;
+  constexpr double kLimit_seconds = 5;
   if (renderer.entry.version_command.empty()) return "";
   adapters::ProcessRequest request;
   request.argv = registry::fill_placeholders(renderer.entry.version_command,
@@ -37,10 +43,13 @@ std::string renderer_version(const ChosenRenderer& renderer, const Plan& plan) {
   const auto process = adapters::run_process(request);
   if (process.cause == supervisor::Cause::WallTime)
     return fmt::format("unknown: '{}' did not end within {} s", request.argv[0], kLimit_seconds);
+  // Some programs have no such command and say their version in a complaint: then the pattern recognises it.
   const auto& pattern = renderer.entry.version_pattern;
-  for (const auto& line : split(process.output, '\n'))
+  const bool has_failed = process.signal != 0 || process.exit_code != 0 || !process.start_error.empty();
+  for (const auto& line : split(has_failed && pattern.empty() ? "" : process.output, '\n'))
     if (const auto version = version_in(std::string(trim(line)), pattern); !version.empty())
       return clean_text(version);
+  if (has_failed) return fmt::format("unknown: '{}' {}", request.argv[0], how_it_ended(process));
   return pattern.empty()
              ? "unknown: its version command prints nothing"
              : fmt::format("unknown: its version command prints no line that matches '{}'", pattern);

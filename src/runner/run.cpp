@@ -109,7 +109,11 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   put_in_place(folders.unfinished / kReferenceFolder, folder / kReferenceFolder);
   folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;
-  for (const auto& renderer : plan.renderers) versions.push_back(renderer_version(renderer, plan));
+  for (const auto& renderer : plan.renderers) {
+    versions.push_back(renderer_version(renderer, plan));
+    if (versions.back().starts_with("unknown") && context.rendering.say)
+      context.rendering.say(fmt::format("{}: version {}", renderer.entry.name, versions.back()));
+  }
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
   auto judged = render_jobs(plan, versions, folders, context.rendering);

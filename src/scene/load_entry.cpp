@@ -3,9 +3,11 @@
 #include "base/files.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::scene {
 
@@ -43,10 +45,34 @@ int Names::find_at(const json::ObjectReader& in,
   return found;
 }
 
+namespace {
+
+bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const auto canonical = std::filesystem::weakly_canonical(folder);
+  const auto [end, _] = std::mismatch(canonical.begin(), canonical.end(), file.begin(), file.end());
+  return end == canonical.end();
+}
+
+std::vector<std::string> folder_names(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const auto& folder : folders) names.push_back(folder.string());
+  return names;
+}
+
+}  // namespace
+
 std::filesystem::path existing_file(json::ObjectReader& in,
                                     const std::string& key,
-                                    const std::filesystem::path& folder) {
-  const auto path = resolve_path(folder, in.system_text(key));
+                                    const DataFolders& folders) {
+  const auto path = resolve_path(folders.own, in.system_text(key));
+  const auto meant = std::filesystem::weakly_canonical(path);
+  auto allowed = folders.allowed;
+  if (!allowed.empty()) allowed.push_back(folders.own);
+  if (!allowed.empty() && std::none_of(allowed.begin(), allowed.end(),
+                                       [&](const auto& folder) { return lies_in(meant, folder); }))
+    in.fail(key, fmt::format("leads to {}, outside of the folders in which files of a scene may lie: {}; add "
+                             "its folder to \"data\" of the suite in configuration.json",
+                             meant.string(), fmt::join(folder_names(allowed), ", ")));
   if (const auto problem = no_file_problem(path); !problem.empty()) in.fail(key, problem);
   return path;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// What the entries of a scene file have in common: names, files, matrices, and the bounds of numbers. All
 /// functions throw InputError at the key that is wrong.
@@ -56,10 +57,18 @@ void spend(const json::ObjectReader& in,
            std::size_t wanted,
            std::size_t& left);
 
-/// The file under `key`, resolved against `folder`; it must exist and be a regular file.
+/// Where the files that a scene names may lie.
+struct DataFolders {
+  std::filesystem::path own;  // of the scene; relative paths start here
+  /// Scenes come from strangers: files must lie in these folders or in `own`, wherever `..` and symbolic
+  /// links lead. Empty: anywhere.
+  std::vector<std::filesystem::path> allowed{};
+};
+
+/// The file under `key`; it must exist, be a regular file and lie in one of the folders.
 std::filesystem::path existing_file(json::ObjectReader& in,
                                     const std::string& key,
-                                    const std::filesystem::path& folder);
+                                    const DataFolders& folders);
 
 /// "matrix": 16 numbers row-major, or steps {"translate"|"rotate_x"|"rotate_y"|"rotate_z"|"scale": ...}
 /// multiplied in written order. Identity when absent. Must be affine and invertible.

@@ -14,9 +14,9 @@ LightShape load_shape(json::ObjectReader& in) {
   return SphereShape{in.number("radius", kLength)};
 }
 
-IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) {
+IesUse load_ies_use(json::ObjectReader in, const DataFolders& folders) {
   IesUse use;
-  use.file = existing_file(in, "file", folder);
+  use.file = existing_file(in, "file", folders);
   use.profile = std::make_shared<const IesProfile>(
       with_note("loading the profile that " + in.place("file") + " names",
                 [&] { return parse_ies(use.file.string(), read_file(use.file)); }));
@@ -28,7 +28,7 @@ IesUse load_ies_use(json::ObjectReader in, const std::filesystem::path& folder) 
 
 }  // namespace
 
-Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& spectra) {
+Light load_light(json::ObjectReader in, const DataFolders& folders, const SpectralData& spectra) {
   Light light;
   light.name = in.text_or("name", "");
   light.shape = load_shape(in);
@@ -42,7 +42,7 @@ Light load_light(json::ObjectReader in, const std::filesystem::path& folder, con
     if (!inverse(light.matrix * scaling({r, r, r})))
       in.fail("radius", "times the matrix is too small a sphere");
   }
-  if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folder);
+  if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folders);
   in.finish();
   return light;
 }

@@ -5,7 +5,7 @@
 
 namespace orbs::scene {
 
-/// One entry of "lights"; paths in it are relative to `folder`. InputError at the key that is wrong.
-Light load_light(json::ObjectReader in, const std::filesystem::path& folder, const SpectralData& spectra);
+/// One entry of "lights"; paths in it are relative to `folders.own`. InputError at the key that is wrong.
+Light load_light(json::ObjectReader in, const DataFolders& folders, const SpectralData& spectra);
 
 }  // namespace orbs::scene

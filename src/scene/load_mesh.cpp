@@ -49,8 +49,8 @@ Mesh inline_mesh(json::ObjectReader& in) {
   return mesh;
 }
 
-MeshFile mesh_of_file(json::ObjectReader& in, const std::filesystem::path& folder) {
-  const auto file = existing_file(in, "file", folder);
+MeshFile mesh_of_file(json::ObjectReader& in, const DataFolders& folders) {
+  const auto file = existing_file(in, "file", folders);
   const auto extension = file.extension();
   if (extension != ".obj" && extension != ".ply") in.fail("file", "must end in .obj or .ply");
   return with_note("loading the mesh that " + in.place("file") + " names",
@@ -126,13 +126,13 @@ void append_moved(Mesh& whole, const Mesh& part, const Mat4& matrix) {
 }
 
 Mesh load_source(json::ObjectReader& in,
-                 const std::filesystem::path& folder,
+                 const DataFolders& folders,
                  const Names& materials,
                  SceneBudget& left) {
   MeshFile file;
   const bool from_file = in.has("file");
   if (from_file)
-    file = mesh_of_file(in, folder);
+    file = mesh_of_file(in, folders);
   else if (in.has("generator"))
     file.mesh = load_generated(in, left);
   else if (in.has("positions"))
@@ -146,20 +146,17 @@ Mesh load_source(json::ObjectReader& in,
 
 }  // namespace
 
-Mesh load_mesh(json::ObjectReader in,
-               const std::filesystem::path& folder,
-               const Names& materials,
-               SceneBudget& left) {
+Mesh load_mesh(json::ObjectReader in, const DataFolders& folders, const Names& materials, SceneBudget& left) {
   Mesh mesh;
   const std::string name = in.text("name");
   if (in.has("parts")) {
     for (auto& part : in.objects("parts")) {
       const Mat4 matrix = load_matrix(part, "matrix");
-      append_moved(mesh, load_source(part, folder, materials, left), matrix);
+      append_moved(mesh, load_source(part, folders, materials, left), matrix);
       part.finish();
     }
   } else {
-    mesh = load_source(in, folder, materials, left);
+    mesh = load_source(in, folders, materials, left);
   }
   in.finish();
   mesh.name = name;

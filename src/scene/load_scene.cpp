@@ -28,6 +28,7 @@ void check_pixels(json::ObjectReader& in, const Camera& camera) {
 
 Camera load_camera(json::ObjectReader in) {
   constexpr int kLargestSide = 65536;
+  constexpr long long kMostPixels = 1LL << 26;
   Camera camera;
   camera.position_m = in.vec3("position", kPlace);
   camera.look_at_m = in.vec3("look_at", kPlace);
@@ -35,6 +36,11 @@ Camera load_camera(json::ObjectReader in) {
   camera.fov_y_deg = in.number_or("fov_y", camera.fov_y_deg, {1e-3, 179.0});
   camera.width_px = in.integer_or("width", camera.width_px, 1, kLargestSide);
   camera.height_px = in.integer_or("height", camera.height_px, 1, kLargestSide);
+  // The images of a render, with variances and in double, take some 100 bytes for each pixel.
+  if (const auto pixels = static_cast<long long>(camera.width_px) * camera.height_px; pixels > kMostPixels)
+    in.fail(in.has("height") ? "height" : "width",
+            fmt::format("{} x {} are {} pixels; an image may have at most {} (8192 x 8192)", camera.width_px,
+                        camera.height_px, pixels, kMostPixels));
   camera.near_m = in.number_or("near", camera.near_m, json::kPositive);
   camera.far_m = in.number_or("far", camera.far_m, json::kPositive);
   if (in.has("focus_distance")) camera.focus_distance_m = in.number("focus_distance", json::kPositive);
@@ -52,10 +58,10 @@ Camera load_camera(json::ObjectReader in) {
   return camera;
 }
 
-Texture load_texture(json::ObjectReader in, const std::filesystem::path& folder) {
+Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
   Texture texture;
   texture.name = in.text("name");
-  texture.file = existing_file(in, "file", folder);
+  texture.file = existing_file(in, "file", folders);
   const auto wrap = [&](const char* key) {
     return in.one_of_or(key, "repeat", {"repeat", "clamp"}) == "clamp" ? Wrap::Clamp : Wrap::Repeat;
   };
@@ -106,19 +112,19 @@ Sphere load_shape(json::ObjectReader in, const Names& materials) {
   return sphere;
 }
 
-Scene load_document(const json::Document& document, const std::filesystem::path& folder, SceneBudget left) {
+Scene load_document(const json::Document& document, const DataFolders& folders, SceneBudget left) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-scene/1"});
   Scene scene;
   scene.name = in.text("name");
   scene.camera = load_camera(in.object("camera"));
-  SpectralData data{.folder = folder};
+  SpectralData data{.folders = folders};
   for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
   load_environment(in, data, scene);
   Names textures("texture");
   for (auto& entry : in.objects_or_none("textures")) {
     textures.add(entry, "name");
-    scene.textures.push_back(load_texture(entry, folder));
+    scene.textures.push_back(load_texture(entry, folders));
   }
   Names materials("material");
   auto material_readers = in.objects("materials");
@@ -129,12 +135,12 @@ Scene load_document(const json::Document& document, const std::filesystem::path&
   Names meshes("mesh");
   for (auto& entry : in.objects_or_none("meshes")) {
     meshes.add(entry, "name");
-    scene.meshes.push_back(load_mesh(entry, folder, materials, left));
+    scene.meshes.push_back(load_mesh(entry, folders, materials, left));
   }
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
   for (auto& entry : in.objects_or_none("shapes")) scene.spheres.push_back(load_shape(entry, materials));
-  for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folder, data));
+  for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
   if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
   if (in.has("outputs")) scene.outputs = load_outputs(in.object("outputs"));
   in.finish();
@@ -151,11 +157,12 @@ Scene load_scene_text(const std::string& name,
                       const std::filesystem::path& folder,
                       SceneBudget budget) {
   const auto document = json::parse(name, text);
-  return load_document(document, folder, budget);
+  return load_document(document, {folder}, budget);
 }
 
-Scene load_scene(const std::filesystem::path& file) {
-  return load_scene_text(file.string(), read_file(file), std::filesystem::absolute(file).parent_path());
+Scene load_scene(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data_folders) {
+  const auto document = json::parse(file.string(), read_file(file));
+  return load_document(document, {std::filesystem::absolute(file).parent_path(), data_folders}, {});
 }
 
 }  // namespace orbs::scene

@@ -4,13 +4,16 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace orbs::scene {
 
-/// Reads and checks an orbs-scene/1 file. Paths in it are relative to the file's folder. InputError with
-/// file, line and key for whatever is wrong: unknown keys, types, ranges, dangling names, files that are not
-/// there, singular matrices.
-Scene load_scene(const std::filesystem::path& file);
+/// Reads and checks an orbs-scene/1 file. Paths in it are relative to the file's folder, and must lead into
+/// that folder or one of `data_folders`; if there are none, they may lead anywhere. InputError with file,
+/// line and key for whatever is wrong: unknown keys, types, ranges, dangling names, files that are not there,
+/// singular matrices.
+Scene load_scene(const std::filesystem::path& file,
+                 const std::vector<std::filesystem::path>& data_folders = {});
 
 /// As load_scene, for a text that has no file yet; `folder` is what paths are relative to.
 Scene load_scene_text(const std::string& name,

@@ -139,7 +139,7 @@ const spectra::Spectrum& find_spectrum(json::ObjectReader& in, const SpectralDat
 }
 
 spectra::TableFile load_table(json::ObjectReader& in, SpectralData& data) {
-  const auto file = existing_file(in, "file", data.folder);
+  const auto file = existing_file(in, "file", data.folders);
   if (std::find(data.files.begin(), data.files.end(), file) == data.files.end()) data.files.push_back(file);
   return with_note("reading the table that " + in.place("file") + " names",
                    [&] { return spectra::read_table_file(file); });

@@ -20,7 +20,7 @@ constexpr json::Range kRadiance{0, std::numeric_limits<float>::max()};
 
 /// The spectra of a scene file, and what reading it has found besides.
 struct SpectralData {
-  std::filesystem::path folder;  // paths in the file are relative to it
+  DataFolders folders;
   Names names = Names("spectrum");
   SpectrumList spectra = {};
   std::vector<std::filesystem::path> files = {};  // tables that have been read

@@ -57,7 +57,7 @@ void serve(const ServeSettings& settings,
   std::vector<std::filesystem::path> folders;
   for (const auto& folder : settings.runs) {
     site.runs.push_back(std::make_unique<ServedRun>(folder));
-    folders.push_back(site.runs.back()->folder());
+    folders.push_back(site.runs.back()->named());
   }
   site.names = run_names(folders);
   ConnectionLimits limits;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/files_inside.h"
 #include "results/run_folder.h"
 
 #include <chrono>
@@ -11,15 +12,19 @@
 
 namespace orbs::server {
 
-/// One run in the server's memory: read once, and updated as long as the run goes on and its folder exists.
+/// One run in the server's memory: read again when it goes on, when it is resumed, and whenever its
+/// results.json is another file. Its folder is kept open, so that what takes its name later leads nowhere.
 /// All members may be called from any thread.
 class ServedRun {
  public:
   /// InputError if the folder holds no run.
   explicit ServedRun(const std::filesystem::path& folder);
 
-  const std::filesystem::path& folder() const { return folder_; }
-  std::string started() const;
+  /// The folder as it was named, for people.
+  const std::filesystem::path& named() const { return named_; }
+  /// Where its files are read: leads to the same folder whatever becomes of the name.
+  std::filesystem::path folder() const { return opened_.path(); }
+  std::string started();
 
   /// The texts of report::overview_json, target_json and progress_json.
   std::shared_ptr<const std::string> overview();
@@ -32,11 +37,15 @@ class ServedRun {
 
  private:
   void look();
+  // Reads the whole folder.
+  void read();
 
   static constexpr std::chrono::milliseconds kPollInterval{400};
-  std::filesystem::path folder_;
-  mutable std::mutex mutex_;
+  std::filesystem::path named_;
+  std::mutex mutex_;
   results::RunView view_;
+  OpenFolder opened_;
+  std::string results_state_;  // file_state of the results.json that was read
   std::uint64_t version_ = 1;
   std::chrono::steady_clock::time_point last_look_;
   std::shared_ptr<const std::string> overview_;  // of the current version; null until requested

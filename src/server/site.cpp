@@ -90,8 +90,8 @@ void send_image(Site& site,
   if (!file) return refuse(response, 404, "there is no such image in this run");
   constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
   if (file->size() > kMostBytes) return refuse(response, 422, "the image is larger than 2 GiB");
-  // The size is part of the key because a run that goes on may write the image again.
-  const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->size());
+  // A run that goes on or is resumed may write the image again, even with the same size.
+  const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->state());
   const auto bytes = site.images.get(key, [&] {
     const auto image = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
     return report::packed_image(image, layer, report::Rounding::Exact, kFast);

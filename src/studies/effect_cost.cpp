@@ -30,8 +30,8 @@ struct Variant {
   std::vector<image::Image> images{};
 };
 
-scene::Scene scaled_scene(const std::filesystem::path& file, int size_px) {
-  auto scene = scene::load_scene(file);
+scene::Scene scaled_scene(const std::filesystem::path& file, const registry::Suite& suite, int size_px) {
+  auto scene = scene::load_scene(file, suite.data);
   auto& camera = scene.camera;
   const double scale = static_cast<double>(size_px) / std::max(camera.width_px, camera.height_px);
   if (scale < 1) {
@@ -132,11 +132,12 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
   EffectCosts list{
       settings, context.orbs_version, suite, local_time_now(), runner::this_host(), runner::load_average(),
       {}};
-  const auto chosen = registry::scenes_of(registry::find_suite(configuration, suite), scenes);
+  const auto& chosen_suite = registry::find_suite(configuration, suite);
+  const auto chosen = registry::scenes_of(chosen_suite, scenes);
   for (const auto& one : chosen) {
     const ScratchFolder scratch("orbs-effects");
     const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
-                                 [&] { return scaled_scene(one.file, settings.size_px); });
+                                 [&] { return scaled_scene(one.file, chosen_suite, settings.size_px); });
     auto variants = variants_of(scene, plan, scratch.path());
     if (!render_rounds(variants, settings, context)) return std::nullopt;
     list.scenes.push_back(effect_costs_of(one.name, variants, settings));

@@ -62,8 +62,8 @@ TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
   const Sandbox sandbox;
   sandbox.add_to_good(R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2})");
   const auto answer = sandbox.orbs({"doctor"});
-  EXPECT_TRUE(
-      contains(answer.text, "  spp_scale_of_scenes  no suite has a scene 'gray' (did you mean 'grey'?)"))
+  EXPECT_TRUE(contains(answer.text,
+                       "  warning   spp_scale_of_scenes: no suite has a scene 'gray' (did you mean 'grey'?)"))
       << answer.text;
   EXPECT_FALSE(contains(answer.text, "scene 'mirror'")) << answer.text;
 }

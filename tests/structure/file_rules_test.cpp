@@ -83,6 +83,20 @@ TEST(FileRules, NoFileNamesAFolderOfOneMachine) {
   EXPECT_TRUE(found.empty()) << orbs::structure::joined(found);
 }
 
+// Text of strangers reaches the terminal through print_clean alone.
+TEST(FileRules, CommandsPrintThroughTheFunctionThatCleans) {
+  std::vector<std::string> found;
+  for (const auto& file :
+       orbs::structure::files_below(fs::path(ORBS_SOURCE_DIR) / "src/cli", {".cpp", ".h"})) {
+    const auto lines = orbs::structure::lines_of(file);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const char* direct : {"fmt::print(", "std::cout", "std::cerr", "std::printf("})
+        if (lines[i].find(direct) != std::string::npos)
+          found.push_back(orbs::structure::place(ORBS_SOURCE_DIR, file, i + 1) + "prints past print_clean");
+  }
+  EXPECT_TRUE(found.empty()) << orbs::structure::joined(found);
+}
+
 TEST(FileRules, AFileOfFiveHundredAndOneLinesIsNamed) {
   const TestFolder scratch("file-rules-long");
   std::string text;

@@ -5,6 +5,7 @@
 #include "judge/provenance.h"
 #include "references/references.h"
 #include "registry/cases.h"
+#include "results/image_hashes.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
 #include "structure/source_files.h"
@@ -95,6 +96,21 @@ TEST(References, BelongToAScene) {
       for (const auto& scene : one_case.scenes) names.insert(registry::reference_name(scene));
     for (const auto& file : structure::files_below(suite.references, {".exr"}))
       if (!names.contains(file.stem().string())) complaints.push_back(file.string() + " is of no scene");
+  }
+  EXPECT_TRUE(complaints.empty()) << structure::joined(complaints);
+}
+
+TEST(References, HaveThePixelsThatTheFileOfTheirHashesNames) {
+  std::vector<std::string> complaints;
+  for (const auto& suite : suites()) {
+    const auto hashes = results::read_image_hashes(suite.references);
+    for (const auto& file : structure::files_below(suite.references, {".exr"})) {
+      const auto listed = hashes.find(file.stem().string());
+      const auto now = judge::image_hash(image::read_image(file));
+      if (listed == hashes.end() || listed->second != now)
+        complaints.push_back(fmt::format("{}: its hash is {}, image-hashes.json says {}", file.string(), now,
+                                         listed == hashes.end() ? "nothing" : listed->second));
+    }
   }
   EXPECT_TRUE(complaints.empty()) << structure::joined(complaints);
 }

@@ -81,7 +81,7 @@ TEST(Configuration, EveryFlagHasADefaultThatMayStandInTheFile) {
   const auto text =
       R"({"format": "orbs-configuration/1", "suites": [], "renderers": [], "defaults": {"suite": "x", "case": "c*",
     "scene": "1", "requirement": "M*", "renderer": "r", "exec": "/bin/true", "output": "out", "jobs": 3, "threads": 2,
-    "seed": 9, "spp_scale": 0.5, "size": "1/4", "log": false, "dry_run": true}})";
+    "seed": 9, "spp_scale": 0.5, "size": "1/4", "log": false, "dry_run": true, "view": true}})";
   const auto defaults = load(text).defaults;
   EXPECT_EQ(defaults.suite, "x");
   EXPECT_EQ(defaults.cases, "c*");
@@ -97,6 +97,7 @@ TEST(Configuration, EveryFlagHasADefaultThatMayStandInTheFile) {
   EXPECT_EQ(defaults.size_divisor, 4);
   EXPECT_FALSE(defaults.log);
   EXPECT_TRUE(defaults.dry_run);
+  EXPECT_TRUE(defaults.view);
 }
 
 // The seeds that follow it must be numbers of the same kind.

@@ -86,6 +86,38 @@ TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
   EXPECT_EQ(text.find("before its turn"), std::string::npos) << text;
 }
 
+TEST(Table, ATargetThatFailsForSeveralRequirementsIsToldOnce) {
+  auto run = small_run();
+  for (const char* requirement : {"G1", "L1"}) {
+    auto same = run.targets[2];
+    same.requirement = requirement;
+    run.targets.push_back(same);
+  }
+  EXPECT_NE(summary_text(run, {}).find("fail         bb  M1, G1, L1  101       psnr_srgb8 is"),
+            std::string::npos)
+      << summary_text(run, {});
+}
+
+TEST(Table, IsNoWiderThanTheTerminal) {
+  auto run = small_run();
+  run.targets[2].reason =
+      "one word after the other until the line is much longer than any terminal is wide, and on";
+  for (const char* more : {"a-longer-name", "another-one", "the-last"}) {
+    run.renderers.push_back(run.renderers[0]);
+    run.renderers.back().name = more;
+    for (auto& requirement : run.requirements) requirement.cells[more] = requirement.cells["a"];
+  }
+  std::string line;
+  for (const char c : summary_text(run, {false, 60})) {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    EXPECT_LE(orbs::display_width(line), 60U) << line;
+    line.clear();
+  }
+}
+
 TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   auto run = small_run();
   auto& bad = run.targets[2];

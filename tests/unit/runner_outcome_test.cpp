@@ -233,6 +233,23 @@ TEST_F(OutcomeTest, AnotherSizeIsAnOutcomeOfItsOwn) {
   EXPECT_EQ(outcome().reason, "result.exr is 4 x 2 pixels, expected 4 x 3");
 }
 
+// Two megabytes can stand for two gigabytes of pixels. A file that ends behind its header has no pixel:
+// whoever tried to decode one would call it unreadable, as the second half of the test does.
+TEST_F(OutcomeTest, AnotherSizeIsFoundInTheHeaderAndNoPixelIsDecoded) {
+  constexpr std::size_t kHeader_bytes =
+      1000;  // more than the header and its table of lines, less than the whole
+  for (const auto& [width, expected] : {std::pair{400, JobOutcome::WrongSize}, {4, JobOutcome::Unreadable}}) {
+    auto image = orbs::image::make_image(width, width == 4 ? 3 : 300, {"R", "G", "B"});
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = static_cast<float>(i % 1009) * 0.37F;  // hard to compress
+    orbs::image::write_exr(image, job_.image);
+    const auto whole = std::filesystem::file_size(job_.image);
+    std::filesystem::resize_file(job_.image,
+                                 width == 4 ? whole - 8 : std::min<std::uintmax_t>(kHeader_bytes, whole));
+    EXPECT_EQ(outcome().kind, expected) << outcome().reason;
+  }
+}
+
 TEST_F(OutcomeTest, MissingChannelsAreNamed) {
   write(4, 3, {"Y"});
   EXPECT_EQ(outcome().kind, JobOutcome::WrongChannels);

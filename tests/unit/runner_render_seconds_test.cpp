@@ -22,6 +22,19 @@ TEST(RenderSeconds, AreTheNumberOfTheLastMatch) {
   EXPECT_EQ(in_output("", "t: 1\n"), std::nullopt);
 }
 
+TEST(RenderSeconds, ThatNoRenderCanTakeAreNone) {
+  EXPECT_EQ(in_output("^t: (.*)", "t: -5\n"), std::nullopt);
+  EXPECT_EQ(in_output("^t: (.*)", "t: 1e308\n"), std::nullopt);
+  EXPECT_EQ(in_output("^t: (.*)", "t: inf\n"), std::nullopt);
+  EXPECT_EQ(in_output("^t: (.*)", "t: nan\n"), std::nullopt);
+  EXPECT_EQ(in_output("^t: (.*)", "t: 0\n"), 0);
+}
+
+TEST(RenderSeconds, AreReadBehindANul) {
+  using namespace std::string_literals;
+  EXPECT_EQ(in_output("^t: ([0-9.]+)", "noise \0 more\nt: 2.5\n"s), 2.5);
+}
+
 TEST(RenderSeconds, MayBeMinutesAndHoursToo) {
   EXPECT_EQ(in_output("Time: ([0-9]+):([0-9.]+)", "Time: 02:03.50 (Saving)\n"), 123.5);
   EXPECT_EQ(

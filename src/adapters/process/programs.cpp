@@ -1,5 +1,6 @@
 #include "adapters/process/programs.h"
 
+#include "base/shell.h"
 #include "base/text.h"
 
 #include <cstdlib>
@@ -39,6 +40,14 @@ std::optional<std::filesystem::path> find_program(const std::string& program) {
     if (!program.empty() && !folder.empty() && usable(std::filesystem::path(folder) / program))
       return std::filesystem::absolute(std::filesystem::path(folder) / program).lexically_normal();
   return std::nullopt;
+}
+
+std::string program_problem(const std::string& program) {
+  std::error_code ignored;
+  if (program.find('/') == std::string::npos || !std::filesystem::is_regular_file(program, ignored))
+    return fmt::format("'{}' was not found", program);
+  return fmt::format("'{0}' is there, but it may not be executed; chmod +x {1} permits it", program,
+                     shell_text({program}));
 }
 
 }  // namespace orbs::adapters

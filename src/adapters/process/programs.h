@@ -16,4 +16,8 @@ std::vector<std::string> child_environment(const std::vector<std::string>& allow
 /// when it is not there or not executable.
 std::optional<std::filesystem::path> find_program(const std::string& program);
 
+/// Why find_program finds nothing: "'x' was not found", or that the file is there and may not be executed,
+/// with the command that changes it.
+std::string program_problem(const std::string& program);
+
 }  // namespace orbs::adapters

@@ -1,0 +1,83 @@
+#include "cli/recorded_times.h"
+
+#include "base/error.h"
+#include "results/read_record.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The newest first: their names hold the date and time.
+std::vector<fs::path> earlier_runs(const fs::path& folder, const fs::path& resumed) {
+  constexpr std::size_t kMost = 8;  // each takes some milliseconds to read
+  std::vector<fs::path> runs;
+  std::error_code failed;
+  for (auto entry = fs::directory_iterator(folder, failed); !failed && entry != fs::directory_iterator();
+       entry.increment(failed))
+    if (entry->path().filename().string().starts_with("outputs-")) runs.push_back(entry->path());
+  std::sort(runs.rbegin(), runs.rend());
+  if (runs.size() > kMost) runs.resize(kMost);
+  if (!resumed.empty()) runs.insert(runs.begin(), resumed);
+  return runs;
+}
+
+void take_times(const results::RunRecord& run,
+                const runner::Plan& plan,
+                std::map<std::string, double>& seconds) {
+  for (const auto& job : run.jobs) {
+    const auto& was = job.identity;
+    if (!has_image(job) || was.spp <= 0 || was.suite != plan.suite.name) continue;
+    for (const auto& planned : plan.jobs)
+      if (plan.scenes[planned.scene].name == was.scene &&
+          plan.renderers[planned.renderer].entry.name == was.renderer)
+        seconds.emplace(planned.id, job.cost.wall_seconds * planned.spp / was.spp);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, double> recorded_seconds(const runner::Plan& plan,
+                                               const fs::path& folder,
+                                               const fs::path& resumed) {
+  std::map<std::string, double> seconds;
+  for (const auto& run : earlier_runs(folder, resumed)) {
+    if (seconds.size() == plan.jobs.size()) break;
+    std::error_code ignored;
+    if (!fs::exists(run / "results.json", ignored)) continue;
+    try {
+      take_times(results::read_results_file(run / "results.json"), plan, seconds);
+    } catch (const InputError&) {
+      continue;  // it has no times that could be used, and this is no place to complain about it
+    }
+  }
+  return seconds;
+}
+
+std::string duration_text(double seconds) {
+  constexpr double kMinute = 60;
+  constexpr double kHour = 3600;
+  if (seconds < 1.5 * kMinute) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
+  if (seconds < 1.5 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  return fmt::format("{:.1f} h", seconds / kHour);
+}
+
+std::string amount_text(const runner::Plan& plan, const std::map<std::string, double>& seconds) {
+  const auto count = plan.jobs.size();
+  auto text = fmt::format("{} render{}", count, count == 1 ? "" : "s");
+  double sum = 0;
+  for (const auto& [id, time] : seconds) sum += time;
+  if (seconds.empty()) return text + "; no earlier run here says how long they take";
+  text += fmt::format(", about {}", duration_text(sum / plan.settings.jobs));
+  if (seconds.size() < count)
+    text += fmt::format(" for {} of them, the others have no recorded time", seconds.size());
+  return text;
+}
+
+}  // namespace orbs::cli

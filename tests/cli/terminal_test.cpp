@@ -1,0 +1,151 @@
+// What a user sees on the terminal while a run goes on, and what programs read instead.
+#include "base/text.h"
+#include "base/text_table.h"
+#include "cli/sandbox.h"
+#include "image/image_io.h"
+#include "json/object_reader.h"
+#include "results/read_record.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+using namespace orbs;
+using cli_tests::Sandbox;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+constexpr const char* kOrbs = ORBS_BINARY_DIR "/orbs";
+
+}  // namespace
+
+TEST(Terminal, ARunSaysWhatItWillDoAndEndsWithTheNextCommand) {
+  const Sandbox sandbox;
+  const auto first = sandbox.orbs({"run", "-r", "good", "-s", "grey"});
+  EXPECT_TRUE(
+      contains(first.text, "configuration: " + (sandbox.folder() / "configuration.json").string() + "\n"))
+      << first.text;
+  EXPECT_TRUE(
+      contains(first.text, "suite t with good: 1 render; no earlier run here says how long they take"))
+      << first.text;
+  EXPECT_TRUE(contains(first.text, "next: orbs serve outputs-")) << first.text;
+  const auto second = sandbox.orbs({"run", "-r", "good", "-s", "grey,mirror"});
+  EXPECT_TRUE(contains(second.text, "2 renders, about ")) << second.text;
+  EXPECT_TRUE(contains(second.text, " s for 1 of them, the others have no recorded time")) << second.text;
+}
+
+TEST(Terminal, AConfigurationThatWasFoundElsewhereIsSaid) {
+  const Sandbox sandbox;
+  sandbox.write("deep/below/keep", "");
+  const auto answer = sandbox.shell(fmt::format("cd deep/below && {} run -r good -s grey", kOrbs));
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "configuration.json, which is not in this folder\n")) << answer.text;
+}
+
+TEST(Terminal, AnInterruptIsToldInOneLine) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "interrupt,good", "-o", "out"});
+  EXPECT_EQ(answer.status, 130);
+  EXPECT_EQ(count_of(answer.text, "skipped;"), 1U) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "before its turn")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "renders were skipped; what was finished stands above.")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "next: orbs run --resume out")) << answer.text;
+}
+
+TEST(Terminal, HasABarWithWhatIsRunning) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.shell(
+      fmt::format("TERM=xterm COLUMNS=80 script -qec '{} run -r good -s grey' /dev/null", kOrbs));
+  EXPECT_TRUE(contains(answer.text, "[....................] 0/1: good grey (0 s)")) << answer.text;
+  EXPECT_FALSE(contains(sandbox.orbs({"run", "-r", "good", "-s", "grey"}).text, "[...."))
+      << "no terminal, no bar";
+}
+
+TEST(Terminal, NoLineOfTheHelpIsWiderThanTheTerminal) {
+  const Sandbox sandbox;
+  for (const char* command : {"", "run", "serve", "compare", "reference", "qualify"})
+    for (const auto& line :
+         split(sandbox.shell(fmt::format("COLUMNS=80 {} {} --help", kOrbs, command)).text, '\n'))
+      EXPECT_LE(display_width(line), 80U) << command << ": " << line;
+}
+
+TEST(Version, OfACommandThatFailsIsUnknownAndSaidOnce) {
+  const Sandbox sandbox;
+  sandbox.write("render", fmt::format("#!/bin/sh\n[ \"$1\" = --version ] || exec {} \"$@\"\n"
+                                      "echo 'Traceback (most recent call last):'; exit 1\n",
+                                      ORBS_BINARY_DIR "/orbs-fake-renderer"));
+  ::chmod((sandbox.folder() / "render").c_str(), 0755);
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-e", "./render", "-o", "out"});
+  EXPECT_EQ(count_of(answer.text, "good: version unknown: "), 1U) << answer.text;
+  const auto version =
+      results::read_job_file(sandbox.folder() / "out/good/grey/job.json").job.program.version;
+  EXPECT_TRUE(version.starts_with("unknown: ") && version.ends_with("ended with exit code 1")) << version;
+}
+
+TEST(Visualize, IsTheLongNameOfView) {
+  const Sandbox sandbox;
+  EXPECT_EQ(sandbox.orbs({"run", "--visualize", "--dry-run", "-r", "good"}).status, 0);
+  sandbox.write("configuration.json", cli_tests::configuration_with(R"("view": true)"));
+  EXPECT_EQ(sandbox.orbs({"run", "--no-view", "-r", "good", "-s", "grey", "-o", "out"}).status, 0);
+  EXPECT_TRUE(contains(sandbox.read("out/run.json"), "\"view\": false"));
+}
+
+TEST(AsJson, ListDoctorAndCompareAreReadByPrograms) {
+  const Sandbox sandbox;
+  const auto list = json::parse("list", sandbox.orbs({"list", "cases", "--json"}).text);
+  json::ObjectReader in(list);
+  EXPECT_EQ(in.text("format"), "orbs-list/1");
+  auto cases = in.objects("cases");
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(cases[1].texts("targets"), (std::vector<std::string>{"mirror", "grey", "rest"}));
+
+  const auto doctor = json::parse("doctor", sandbox.orbs({"doctor", "--json"}).text);
+  json::ObjectReader report(doctor);
+  EXPECT_EQ(report.text("format"), "orbs-doctor/1");
+  EXPECT_EQ(report.objects("renderers")[0].text("version"), "fake renderer 7.8");
+
+  const auto answer = sandbox.orbs({"compare", "references/grey.exr", "references/grey.exr", "--json"});
+  EXPECT_EQ(answer.status, 0);
+  const auto comparison = json::parse("compare", answer.text);
+  json::ObjectReader numbers(comparison);
+  EXPECT_EQ(numbers.text("format"), "orbs-comparison/1");
+  EXPECT_GE(numbers.objects("metrics").size(), 5U);
+}
+
+TEST(Completion, OffersCommandsTheirOptionsAndTheirWords) {
+  const Sandbox sandbox;
+  const auto completed = [&](const std::string& words, int at) {
+    return sandbox
+        .shell(
+            fmt::format("{0} completion bash > c.sh && bash -c '. ./c.sh; COMP_WORDS=({1}); COMP_CWORD={2}; "
+                        "_orbs; echo ${{COMPREPLY[*]}}'",
+                        kOrbs, words, at))
+        .text;
+  };
+  EXPECT_EQ(completed("orbs ru", 1), "run\n");
+  EXPECT_EQ(completed("orbs run --res", 2), "--resume\n");
+  EXPECT_EQ(completed("orbs list sc", 2), "scenes\n");
+  EXPECT_TRUE(contains(sandbox.orbs({"completion", "fish"}).text,
+                       "complete -c orbs -n '__fish_seen_subcommand_from run' -l resume -d "));
+  EXPECT_TRUE(sandbox.orbs({"completion", "zsh"}).text.starts_with("#compdef orbs\n"));
+}
+
+TEST(Bootstrap, HelpOfRunBuildsNothing) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.shell(ORBS_SOURCE_DIR "/bootstrap run --help");
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "--resume")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "bootstrap: ")) << answer.text;
+}
