@@ -50,8 +50,8 @@ std::string padded(const std::string& cell, std::size_t width, Align align) {
   return align == Align::Right ? spaces + cell : cell + spaces;
 }
 
-std::string painted(std::string text, std::string_view colour) {
-  return colour.empty() ? text : std::string(colour) + text + std::string(colour::kNone);
+std::string painted(const std::string& text, std::string_view colour) {
+  return std::string(colour) + text + std::string(colour::kNone);
 }
 
 // The lines of a cell of the last column behind `line`, what stands left of it.
@@ -110,10 +110,10 @@ std::string text_table(const std::vector<TableRow>& dirty,
       if (i > 0) line += std::string(kGap, ' ');
       const auto colour = look.colours.find({r, i});
       const auto align = i < columns.size() ? columns[i] : Align::Left;
-      auto cell =
-          i + 1 == widths.size() && last.width > 0 ? rows[r][i] : padded(rows[r][i], widths[i], align);
-      if (colour != look.colours.end()) cell = painted(std::move(cell), colour->second);
-      line = i + 1 == widths.size() ? with_last_cell(std::move(line), cell, last) : line + cell;
+      const auto cell = colour == look.colours.end() ? rows[r][i] : painted(rows[r][i], colour->second);
+      const bool is_broken = i + 1 == widths.size() && last.width > 0;
+      const auto shown = is_broken ? cell : padded(cell, widths[i], align);
+      line = i + 1 == widths.size() ? with_last_cell(std::move(line), shown, last) : line + shown;
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';

@@ -46,16 +46,6 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
                                  closest(argv[1], names), fmt::join(names, ", ")));
 }
 
-// CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
-    constexpr std::string_view kValue = "{false}";
-    auto name = CLI::Formatter::make_option_name(option, is_positional);
-    if (const auto at = name.find(kValue); at != std::string::npos) name.erase(at, kValue.size());
-    return name;
-  }
-};
 // Lines of the help that are wider than the terminal, broken between words. What follows starts below the
 // description, which the help puts behind at least two blanks.
 std::string wrapped_help(const std::string& help, std::size_t width) {
@@ -76,6 +66,17 @@ std::string wrapped_help(const std::string& help, std::size_t width) {
   }
   return text;
 }
+
+// CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::string_view kValue = "{false}";
+    auto name = CLI::Formatter::make_option_name(option, is_positional);
+    if (const auto at = name.find(kValue); at != std::string::npos) name.erase(at, kValue.size());
+    return name;
+  }
+};
 
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};

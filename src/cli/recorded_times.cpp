@@ -1,6 +1,7 @@
 #include "cli/recorded_times.h"
 
 #include "base/error.h"
+#include "registry/image_size.h"
 #include "results/read_record.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ void take_times(const results::RunRecord& run,
                 std::map<std::string, double>& seconds) {
   for (const auto& job : run.jobs) {
     const auto& was = job.identity;
+    if (run.size != registry::size_text(plan.settings.size_divisor)) return;
     if (!has_image(job) || was.spp <= 0 || was.suite != plan.suite.name) continue;
     for (const auto& planned : plan.jobs)
       if (plan.scenes[planned.scene].name == was.scene &&

@@ -1,3 +1,4 @@
+#include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
@@ -60,7 +61,7 @@ int measure(const registry::Configuration& configuration,
   settings.jobs = 1;
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
-  fmt::print("{}", studies::sensitivity_text(studies::measure_sensitivity(plan, options.study, context)));
+  print_clean("{}", studies::sensitivity_text(studies::measure_sensitivity(plan, options.study, context)));
   return is_stopped(context) ? kInterrupted : 0;
 }
 

@@ -57,13 +57,14 @@ TEST(Strangers, AFileThatASceneNamesMustLieInTheFoldersOfTheSuite) {
 
 TEST(Strangers, ALinkLeadsASceneNoFurtherThanAPath) {
   const Sandbox sandbox;
-  sandbox.write("shared/t.png", "no image, but nobody decodes it here");
-  std::filesystem::create_symlink("../../shared/t.png", sandbox.folder() / "cases/m1_grey/t.png");
+  sandbox.write("pictures/t.png", "no image, but nobody decodes it here");
+  std::filesystem::create_symlink("../../pictures/t.png", sandbox.folder() / "cases/m1_grey/t.png");
   add_texture(sandbox, "t.png");
   const auto answer = sandbox.orbs({"run", "-r", "good", "--dry-run"});
   EXPECT_EQ(answer.status, 2);
-  EXPECT_TRUE(contains(answer.text, "shared/t.png, outside of the folders")) << answer.text;
-  replace_in(sandbox, "configuration.json", R"("cases": "cases")", R"("cases": "cases", "data": ["shared"])");
+  EXPECT_TRUE(contains(answer.text, "pictures/t.png, outside of the folders")) << answer.text;
+  replace_in(sandbox, "configuration.json", R"("cases": "cases")",
+             R"("cases": "cases", "data": ["pictures"])");
   const auto allowed = sandbox.orbs({"run", "-r", "good", "--dry-run"});
   EXPECT_EQ(allowed.status, 0) << allowed.text;
 }

@@ -45,7 +45,7 @@ TEST(TextTable, LinesWiderThanTheTerminalAreBrokenBetweenWordsOfTheLastColumn) {
 
 TEST(TextTable, ColoursAreAroundTheTextAndCountForNothing) {
   EXPECT_EQ(text_table({{"pass", "a"}, {"failed", "b"}}, {}, {0, {{{0, 0}, colour::kGreen}}}),
-            "\x1b[32mpass  \x1b[0m  a\nfailed  b\n");
+            "\x1b[32mpass\x1b[0m    a\nfailed  b\n");
 }
 
 TEST(TerminalWidth, IsNoneWhereThereIsNoTerminal) {

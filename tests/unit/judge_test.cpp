@@ -8,7 +8,6 @@
 #include "judge/provenance.h"
 #include "judge/qualified.h"
 #include "metrics/table.h"
-#include "results/image_hashes.h"
 #include "structure/source_files.h"
 #include "unit/judge_images.h"
 
@@ -366,18 +365,6 @@ TEST(Reference, WhosePixelsAreNotThoseOfItsProvenanceIsNone) {
   const auto changed = judge::load_reference(one_case(), "a", scratch.path());
   EXPECT_FALSE(changed.image);
   EXPECT_NE(changed.problem.find("is not the image that was accepted"), std::string::npos) << changed.problem;
-}
-
-TEST(Reference, WhosePixelsAreNotThoseOfTheFileOfHashesIsNone) {
-  const structure::TestFolder scratch("judge-image-hashes");
-  scratch.write("keep", "");
-  image::write_exr(grey(0.75F), scratch.path() / "a.exr");
-  results::write_image_hashes({{"a", judge::image_hash(grey(0.75F))}}, scratch.path());
-  EXPECT_TRUE(judge::load_reference(one_case(), "a", scratch.path()).image);
-  image::write_exr(grey(0.5F), scratch.path() / "a.exr");
-  const auto changed = judge::load_reference(one_case(), "a", scratch.path());
-  EXPECT_FALSE(changed.image);
-  EXPECT_NE(changed.problem.find("image-hashes.json says"), std::string::npos) << changed.problem;
 }
 
 TEST(ImageHash, IsOfThePixelsAndTheirNamesWhateverTheirOrder) {
