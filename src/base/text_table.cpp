@@ -97,20 +97,20 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   return lines;
 }
 
-std::string text_table(const std::vector<TableRow>& dirty,
+std::string text_table(const std::vector<TableRow>& rows,
                        const std::vector<Align>& columns,
                        const TableLook& look) {
-  const auto rows = cleaned(dirty);
-  const auto widths = column_widths(rows);
+  const auto clean = cleaned(rows);
+  const auto widths = column_widths(clean);
   const auto last = last_column(widths, static_cast<std::size_t>(look.width));
   std::string text;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
+  for (std::size_t r = 0; r < clean.size(); ++r) {
     std::string line;
-    for (std::size_t i = 0; i < rows[r].size(); ++i) {
+    for (std::size_t i = 0; i < clean[r].size(); ++i) {
       if (i > 0) line += std::string(kGap, ' ');
       const auto colour = look.colours.find({r, i});
       const auto align = i < columns.size() ? columns[i] : Align::Left;
-      const auto cell = colour == look.colours.end() ? rows[r][i] : painted(rows[r][i], colour->second);
+      const auto cell = colour == look.colours.end() ? clean[r][i] : painted(clean[r][i], colour->second);
       const bool is_broken = i + 1 == widths.size() && last.width > 0;
       const auto shown = is_broken ? cell : padded(cell, widths[i], align);
       line = i + 1 == widths.size() ? with_last_cell(std::move(line), shown, last) : line + shown;

@@ -104,25 +104,27 @@ void print(const std::vector<Table>& tables) {
 }
 
 // Names hold no comma, so the targets of a case can be told apart.
+void write_row(json::Writer& out, const Table& table, const TableRow& row) {
+  out.begin_object();
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto& key = table.keys[i];
+    if (key == "targets") {
+      std::vector<std::string> targets;
+      for (const auto& target : split(row[i], ',')) targets.emplace_back(trim(target));
+      out.member(key, targets);
+    } else if (!row[i].empty()) {
+      out.member(key, row[i]);
+    }
+  }
+  out.end_object();
+}
+
 void print_json(const std::vector<Table>& tables) {
   json::Writer out;
   out.begin_object().member("format", "orbs-list/1");
   for (const auto& table : tables) {
     out.key(table.name).begin_array();
-    for (const auto& row : table.rows) {
-      out.begin_object();
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const auto& key = table.keys[i];
-        if (key == "targets") {
-          std::vector<std::string> targets;
-          for (const auto& target : split(row[i], ',')) targets.emplace_back(trim(target));
-          out.member(key, targets);
-        } else if (!row[i].empty()) {
-          out.member(key, row[i]);
-        }
-      }
-      out.end_object();
-    }
+    for (const auto& row : table.rows) write_row(out, table, row);
     out.end_array();
   }
   print_raw(stdout, out.end_object().text());

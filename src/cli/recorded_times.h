@@ -10,7 +10,8 @@ namespace orbs::cli {
 
 /// Seconds that the jobs of a plan will take, by job id, as far as earlier runs tell: those in `folder` whose
 /// name starts with "outputs-", and the run in `resumed` if it is not "". Times of other sample counts are
-/// scaled; runs with images of another size tell nothing. What was never timed has no entry; runs that cannot be read tell nothing.
+/// scaled; runs with images of another size tell nothing. What was never timed has no entry; runs that cannot
+/// be read tell nothing.
 std::map<std::string, double> recorded_seconds(const runner::Plan& plan,
                                                const std::filesystem::path& folder,
                                                const std::filesystem::path& resumed);

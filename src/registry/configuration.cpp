@@ -43,8 +43,10 @@ Suite load_suite_entry(ObjectReader in, const std::filesystem::path& root) {
   suite.name = plain_name(in, "name");
   suite.cases = resolve_path(root, in.system_text("cases"));
   suite.references = resolve_path(root, in.system_text("references"));
-  // A suite may lie elsewhere than its configuration; its common files then lie beside its folder of suites.
-  suite.data = {suite.cases, root / "data/common", suite.cases.parent_path().parent_path() / "common"};
+  suite.data = {suite.cases, root / "data/common"};
+  // A configuration may name the cases of another place, whose common data lies as in this repository.
+  if (const auto cases = suite.cases.parent_path(); cases.filename() == "cases")
+    suite.data.push_back(cases.parent_path() / "common");
   if (in.has("data"))
     for (const auto& folder : in.system_texts("data")) suite.data.push_back(resolve_path(root, folder));
   in.finish();

@@ -21,7 +21,7 @@ using Started = std::function<void(const results::JobIdentity&)>;
 
 struct RenderContext {
   std::string orbs_version;
-  const std::atomic<bool>* stop = nullptr;           // set when the user interrupts
+  const std::atomic<bool>* stop = nullptr;  // set when the user interrupts
   Started started = {};
   Progress progress;                                 // not called for jobs that an earlier run has finished
   std::function<void(const std::string&)> say = {};  // why something is rendered again

@@ -108,8 +108,9 @@ TEST(References, HaveThePixelsThatTheFileOfTheirHashesNames) {
       const auto listed = hashes.find(file.stem().string());
       const auto now = judge::image_hash(image::read_image(file));
       if (listed == hashes.end() || listed->second != now)
-        complaints.push_back(fmt::format("{}: its hash is {}, image-hashes.json says {}", file.string(), now,
-                                         listed == hashes.end() ? "nothing" : listed->second));
+        complaints.push_back(fmt::format(
+            "{}: its hash is {}, image-hashes.json says {}; 'orbs reference --note-hashes' adds new ones",
+            file.string(), now, listed == hashes.end() ? "nothing" : listed->second));
     }
   }
   EXPECT_TRUE(complaints.empty()) << structure::joined(complaints);
