@@ -38,6 +38,21 @@ registry::Configuration read_configuration(const std::string& named, const Progr
                                std::filesystem::current_path().string()));
 }
 
+void add_filter_options(CLI::App& command, TargetFilters& filters) {
+  command.add_option("--suite", filters.suite, "The suite (default: that of the configuration)");
+  command.add_option("-c,--case", filters.cases, "Only these cases");
+  command.add_option("-s,--scene", filters.scenes, "Only these scenes");
+}
+
+registry::RunSettings filtered_settings(const registry::Configuration& configuration,
+                                        const TargetFilters& filters) {
+  auto settings = configuration.defaults;
+  if (!filters.suite.empty()) settings.suite = filters.suite;
+  if (!filters.cases.empty()) settings.cases = joined_list(filters.cases);
+  if (!filters.scenes.empty()) settings.scenes = joined_list(filters.scenes);
+  return settings;
+}
+
 std::string joined_list(const std::vector<std::string>& values) {
   return fmt::format("{}", fmt::join(values, ","));
 }

@@ -21,6 +21,19 @@ std::shared_ptr<std::string> add_configuration_option(CLI::App& command);
 /// failing that, above the program. InputError if there is none.
 registry::Configuration read_configuration(const std::string& named, const Program& program);
 
+/// Which targets a study is of.
+struct TargetFilters {
+  std::string suite;  // "" for that of the configuration
+  std::vector<std::string> cases, scenes;
+};
+
+/// Adds --suite, -c/--case and -s/--scene. `filters` must live as long as the command.
+void add_filter_options(CLI::App& command, TargetFilters& filters);
+
+/// The configuration's defaults with these filters in place of its own.
+registry::RunSettings filtered_settings(const registry::Configuration& configuration,
+                                        const TargetFilters& filters);
+
 /// The values of a repeatable option as one comma-separated list.
 std::string joined_list(const std::vector<std::string>& values);
 

@@ -18,8 +18,8 @@ namespace orbs::cli {
 namespace {
 
 struct ProbeOptions {
-  std::string suite;
-  std::vector<std::string> cases, scenes, renderers;
+  TargetFilters filters;
+  std::vector<std::string> renderers;
   std::string executable;
   std::string output;
   studies::ProbeSettings probe;
@@ -27,9 +27,7 @@ struct ProbeOptions {
 
 void add_options(CLI::App& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", options.cases, "Only the scenes of these cases");
-  command.add_option("-s,--scene", options.scenes, "Only these scenes");
+  add_filter_options(command, options.filters);
   command.add_option("-r,--renderer", options.renderers,
                      "Only these renderers (default: all that are installed)");
   command.add_option("-e,--exec", options.executable,
@@ -63,10 +61,7 @@ std::string summary(const std::vector<studies::ProbeRecord>& records) {
 
 int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
   if (!options.output.empty()) check_output_file(options.output);
-  auto settings = configuration.defaults;
-  if (!options.suite.empty()) settings.suite = options.suite;
-  if (!options.cases.empty()) settings.cases = joined_list(options.cases);
-  if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
+  auto settings = filtered_settings(configuration, options.filters);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
   settings.size_divisor = 1;  // a probe has a size of its own

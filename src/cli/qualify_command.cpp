@@ -23,8 +23,7 @@ namespace {
 
 struct QualifyOptions {
   std::string run;
-  std::string suite;
-  std::vector<std::string> cases, scenes;
+  TargetFilters filters;
   int threads = 0;
   std::string output;
   studies::QualifySettings qualify;
@@ -36,9 +35,7 @@ void add_options(CLI::App& command, QualifyOptions& options) {
       "run", options.run,
       "Folder of a run with the control images, whose seed differs from the references' (default: "
       "the newest outputs-*)");
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", options.cases, "Only the gates of these cases");
-  command.add_option("-s,--scene", options.scenes, "Only the gates of these scenes");
+  add_filter_options(command, options.filters);
   command
       .add_option(
           "-r,--renderer", options.qualify.renderer,
@@ -62,10 +59,7 @@ void add_options(CLI::App& command, QualifyOptions& options) {
 int qualify(const registry::Configuration& configuration,
             const QualifyOptions& options,
             const Program& program) {
-  auto settings = configuration.defaults;
-  if (!options.suite.empty()) settings.suite = options.suite;
-  if (!options.cases.empty()) settings.cases = joined_list(options.cases);
-  if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
+  auto settings = filtered_settings(configuration, options.filters);
   settings.renderers = options.qualify.renderer;
   settings.threads = options.threads;
   settings.jobs = 1;

@@ -15,9 +15,8 @@ namespace orbs::cli {
 namespace {
 
 struct SensitivityOptions {
-  std::string suite;
+  TargetFilters filters;
   std::string renderer = "orbs";
-  std::vector<std::string> cases, scenes;
   int threads = 0;
   std::string size;
   studies::SensitivitySettings study;
@@ -26,9 +25,7 @@ struct SensitivityOptions {
 void add_options(CLI::App& command, SensitivityOptions& options) {
   constexpr int kMostThreads = 1024;
   constexpr int kMostControls = 10000;
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", options.cases, "Only these cases");
-  command.add_option("-s,--scene", options.scenes, "Only these scenes");
+  add_filter_options(command, options.filters);
   command.add_option("-r,--renderer", options.renderer, "Renderer of the control images")
       ->capture_default_str();
   command
@@ -50,12 +47,8 @@ void add_options(CLI::App& command, SensitivityOptions& options) {
 int measure(const registry::Configuration& configuration,
             const SensitivityOptions& options,
             const Program& program) {
-  auto settings = configuration.defaults;
-  if (!options.suite.empty()) settings.suite = options.suite;
-  if (!options.cases.empty()) settings.cases = joined_list(options.cases);
-  if (!options.scenes.empty()) settings.scenes = joined_list(options.scenes);
+  auto settings = filtered_settings(configuration, options.filters);
   settings.renderers = options.renderer;
-  settings.size_divisor = 1;  // the sensitivity is that of the full size
   settings.threads = options.threads;
   settings.size_divisor = options.size.empty() ? 1 : registry::size_divisor(options.size);
   settings.jobs = 1;

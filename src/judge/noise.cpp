@@ -1,13 +1,14 @@
 #include "judge/noise.h"
 
+#include "base/student_t.h"
 #include "image/colour.h"
 #include "metrics/psnr.h"
-#include "metrics/residual.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -32,14 +33,23 @@ double expected_square(double linear, double variance) {
   return std::min(slope * slope * variance, largest * largest);
 }
 
-// The variance of what differs by these steps, were it normally distributed: by the median, so that single
-// pixels that are wrong do not pass for noise. |step| of two has the median 0.6745 sqrt(2) standard
-// deviations.
+// The variance of each of two pixels that differ by these steps (absolute values), without the largest 5 %,
+// and the three channels of one pixel at least, so that single pixels that are wrong do not pass for noise.
+// What is missing of normally distributed steps then is that beyond the z with P(|x| < z) = q: their second
+// moment within is q - 2 z phi(z).
 double variance_of_half_steps(std::vector<double>& steps) {
-  constexpr double kMedian = 0.6744897501960817;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle * *middle / (2 * kMedian * kMedian);
+  constexpr std::size_t kOnePixel = 3;
+  constexpr double kNormal = 1e9;  // degrees of freedom
+  if (steps.size() <= 2 * kOnePixel) return 0;
+  const auto kept = steps.size() - std::max(kOnePixel, steps.size() / 20);
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(kept), steps.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < kept; ++i) sum += steps[i] * steps[i];
+  const auto count = static_cast<double>(steps.size());
+  const double q = static_cast<double>(kept) / count;
+  const double z = student_quantile(1 - q, kNormal);
+  const double density = std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+  return sum / (count * (q - 2 * z * density)) / 2;
 }
 
 }  // namespace
@@ -64,10 +74,10 @@ std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Im
   return noise_mse_srgb8(samples.result_variance, samples.reference, samples.included);
 }
 
-std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair) {
+std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair,
+                                        const std::vector<std::uint8_t>& chosen) {
   constexpr int kApart_px = 4;
   constexpr double kFewest = 0.1;
-  const auto smooth = metrics::smooth_pixels(pair);
   const auto difference = [&](std::size_t i) {
     return static_cast<double>(pair.result_display[i]) - static_cast<double>(pair.reference_display[i]);
   };
@@ -79,7 +89,7 @@ std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair) {
       for (int x = block.x0; x < std::min(block.x0 + kApart_px, block.x1 - kApart_px); ++x) {
         const auto a = pair.pixel_at(x, y);
         const auto b = pair.pixel_at(x + kApart_px, y);
-        if (smooth[a] == 0 || smooth[b] == 0) continue;
+        if (chosen[a] == 0 || chosen[b] == 0) continue;
         for (std::size_t c = 0; c < 3; ++c)
           steps.push_back(255 * std::fabs(difference(3 * a + c) - difference(3 * b + c)));
       }

@@ -27,11 +27,11 @@ std::optional<double> noise_mse_srgb8(const std::vector<float>& variances,
 std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Image& values);
 
 /// The same of result and reference together where the result does not state its noise: from the steps of
-/// their difference between pixels 4 px apart, beyond the reach of a pixel's filter, where the reference is
-/// smooth; by the median of each block, as for normally distributed noise. What goes wrong at edges, in
-/// textures or in single pixels so does not pass for noise. Nothing when less than a tenth of the pixels is
-/// smooth.
-std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair);
+/// their difference between pixels 4 px apart, beyond the reach of a pixel's filter, both of which are
+/// `chosen` (1); by the median of each block, as for normally distributed noise, so that single wrong pixels
+/// do not pass for it. Nothing when less than a tenth of the pixels is left.
+std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair,
+                                        const std::vector<std::uint8_t>& chosen);
 
 /// Why the variances in an image cannot be true: a channel is missing beside the others, or a value is
 /// negative, infinite or NaN. "" when they can be, or there are none.

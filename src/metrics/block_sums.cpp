@@ -21,16 +21,13 @@ void add_variances(const PairSamples& samples, std::size_t pixel, Block& block) 
 // The pairs do not overlap. The sum is scaled up for pixels without a partner.
 void add_scatter(const PairSamples& samples, Block& block) {
   int pairs = 0;
-  for (int y = block.where.y0; y < block.where.y1; ++y)
-    for (int x = block.where.x0; x + 1 < block.where.x1; x += 2) {
-      const std::size_t pixel = samples.pixel_at(x, y);
-      if (samples.included[pixel] == 0 || samples.included[pixel + 1] == 0) continue;
-      ++pairs;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double step = samples.difference(3 * pixel + c) - samples.difference(3 * pixel + 3 + c);
-        block.channels.at(c).own.add(step * step);
-      }
+  for_each_pair(samples, block.where, [&](std::size_t a, std::size_t b) {
+    ++pairs;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double step = samples.difference(3 * a + c) - samples.difference(3 * b + c);
+      block.channels.at(c).own.add(step * step);
     }
+  });
   if (4 * pairs < block.pixels) {  // too few to speak for the rest
     block.pixels = 0;
     return;

@@ -91,7 +91,7 @@ Estimate mean_of(const std::vector<double>& values) {
 // The variances of both images over all channels; which of the two estimates of the result's is chosen as
 // in DifferenceVariance, for the same reason.
 struct PixelVariances {
-  std::vector<double> own, expected;  // sums of the three channels of the chosen pixels
+  std::vector<double> reference, own, expected;  // sums of the three channels of the chosen pixels
   double own_sum = 0, expected_sum = 0;
 };
 
@@ -99,13 +99,16 @@ PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std
   PixelVariances all;
   for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
     if (chosen[pixel] == 0) continue;
+    double reference = 0;
     double own = 0;
     double expected = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double of_reference = variance_at(samples.reference_variance, 3 * pixel + c);
+      reference += of_reference;
       own += variance_at(samples.result_variance, 3 * pixel + c) + of_reference;
       expected += (samples.variance_ratio.at(c) + 1) * of_reference;
     }
+    all.reference.push_back(reference);
     all.own.push_back(own);
     all.expected.push_back(expected);
     all.own_sum += own;
@@ -144,14 +147,13 @@ double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& 
 }
 
 void split_by_variances(const PairSamples& samples,
+                        const PixelVariances& all,
                         const std::vector<std::uint8_t>& smooth,
                         NoiseTest& test) {
-  const PixelVariances all = pixel_variances(samples, samples.included);
   const bool is_own = all.own_sum >= all.expected_sum;
   test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(all.own.size()));
   test.bias_squared = mean_excess(samples, samples.included, is_own ? all.own : all.expected);
-  constexpr std::ptrdiff_t kFewestPixels = 1000;
-  if (std::count(smooth.begin(), smooth.end(), 1) < kFewestPixels) return;
+  if (std::count(smooth.begin(), smooth.end(), 1) < kFewestSmoothPixels) return;
   const PixelVariances there = pixel_variances(samples, smooth);
   const auto& variances = there.own_sum >= there.expected_sum ? there.own : there.expected;
   test.smooth = {mean_excess(samples, smooth, variances), mean_square(samples, smooth)};
@@ -168,21 +170,9 @@ bool is_less_than_half(const PairSamples& samples, std::vector<double> variances
   return sum > 0 && mean_excess(samples, samples.included, variances).high < 0;
 }
 
-StatedNoise check_stated_noise(const PairSamples& samples) {
-  const auto sums = [&](bool with_result) {
-    std::vector<double> variances;
-    for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-      if (samples.included[pixel] == 0) continue;
-      double sum = 0;
-      for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
-        sum += variance_at(samples.reference_variance, i) +
-               (with_result ? variance_at(samples.result_variance, i) : 0.0);
-      variances.push_back(sum);
-    }
-    return variances;
-  };
-  if (is_less_than_half(samples, sums(false))) return StatedNoise::NearerThanReference;
-  if (is_less_than_half(samples, sums(true))) return StatedNoise::OverstatedByResult;
+StatedNoise check_stated_noise(const PairSamples& samples, const PixelVariances& all) {
+  if (is_less_than_half(samples, all.reference)) return StatedNoise::NearerThanReference;
+  if (is_less_than_half(samples, all.own)) return StatedNoise::OverstatedByResult;
   return StatedNoise::Plausible;
 }
 
@@ -191,19 +181,17 @@ StatedNoise check_stated_noise(const PairSamples& samples) {
 void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
   std::vector<double> products;
   double noise = 0;
-  for (int y = 0; y < samples.height; ++y)
-    for (int x = 0; x + 1 < samples.width; x += 2) {
-      const auto pixel = samples.pixel_at(x, y);
-      if (samples.included[pixel] == 0 || samples.included[pixel + 1] == 0) continue;
-      double product = 0;
-      for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-        const double a = samples.difference(i);
-        const double b = samples.difference(i + 3);
-        product += a * b / 3;
-        noise += (a - b) * (a - b) / 6;
-      }
-      products.push_back(product);
-    }
+  for_each_pair(samples, {0, 0, samples.width, samples.height},
+                [&](std::size_t pixel, std::size_t neighbour) {
+                  double product = 0;
+                  for (std::size_t c = 0; c < 3; ++c) {
+                    const double a = samples.difference(3 * pixel + c);
+                    const double b = samples.difference(3 * neighbour + c);
+                    product += a * b / 3;
+                    noise += (a - b) * (a - b) / 6;
+                  }
+                  products.push_back(product);
+                });
   if (products.empty()) return;
   test.noise_squared = noise / static_cast<double>(products.size());
   test.bias_squared = mean_of(products);
@@ -214,7 +202,8 @@ void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
 NoiseTest test_noise(const PairSamples& samples) {
   NoiseTest test;
   test.source = samples.noise_source;
-  test.stated = check_stated_noise(samples);
+  const PixelVariances variances = pixel_variances(samples, samples.included);
+  test.stated = check_stated_noise(samples, variances);
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
   test.reference_squared = mean_square(samples, samples.included);
@@ -222,7 +211,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   if (test.source == NoiseSource::Scatter) {
     split_by_scatter(samples, test);
   } else {
-    split_by_variances(samples, smooth, test);
+    split_by_variances(samples, variances, smooth, test);
   }
   test.blocks = score_blocks(samples, kPerTest);
   test.pattern = strongest_pattern(samples, kPerTest);

@@ -37,12 +37,10 @@ double noise_of_block(const PairSamples& samples,
     });
     return sum;
   }
-  for (int y = block.y0; y < block.y1; ++y)
-    for (int x = block.x0; x + 1 < block.x1; x += 2) {
-      const std::size_t i = 3 * samples.pixel_at(x, y) + channel;
-      const double step = samples.difference(i) - samples.difference(i + 3);
-      sum += step * step;
-    }
+  for_each_pair(samples, block, [&](std::size_t a, std::size_t b) {
+    const double step = samples.difference(3 * a + channel) - samples.difference(3 * b + channel);
+    sum += step * step;
+  });
   return std::max(0.0, sum - reference);
 }
 

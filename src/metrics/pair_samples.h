@@ -80,6 +80,16 @@ void for_each_block_pixel(const PairSamples& samples, const Rectangle& block, Vi
       if (const auto pixel = samples.pixel_at(x, y); samples.included[pixel] != 0) visit(pixel);
 }
 
+/// Calls visit(pixel, right neighbour) for pairs of counted pixels of the rectangle; no pixel is in two.
+template <typename Visit>
+void for_each_pair(const PairSamples& samples, const Rectangle& rectangle, Visit visit) {
+  for (int y = rectangle.y0; y < rectangle.y1; ++y)
+    for (int x = rectangle.x0; x + 1 < rectangle.x1; x += 2)
+      if (const auto pixel = samples.pixel_at(x, y);
+          samples.included[pixel] != 0 && samples.included[pixel + 1] != 0)
+        visit(pixel, pixel + 1);
+}
+
 /// Blocks of kBlock_px by rows, counted from the upper left corner; those at the right and lower edge may be
 /// smaller.
 std::vector<Rectangle> blocks_of(const PairSamples& samples);

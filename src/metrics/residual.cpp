@@ -11,8 +11,6 @@ namespace orbs::metrics {
 
 namespace {
 
-constexpr std::size_t kFewestPixels = 1000;
-
 double brightness_at(const PairSamples& samples, std::size_t pixel) {
   const float* rgb = &samples.reference[3 * pixel];
   return (static_cast<double>(rgb[0]) + static_cast<double>(rgb[1]) + static_cast<double>(rgb[2])) / 3;
@@ -109,8 +107,7 @@ std::optional<Correlation> strongest_correlation(const PairSamples& samples,
                                                  double false_alarms) {
   constexpr double kNegligibleCorrelation = 0.05;
   constexpr std::array<std::array<int, 2>, 5> kLags{{{1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}};
-  if (static_cast<std::size_t>(std::count(smooth.begin(), smooth.end(), 1)) < kFewestPixels)
-    return std::nullopt;
+  if (std::count(smooth.begin(), smooth.end(), 1) < kFewestSmoothPixels) return std::nullopt;
   const auto differences = relative_differences(samples, smooth);
   std::optional<Correlation> strongest;
   for (const auto& [dx, dy] : kLags) {

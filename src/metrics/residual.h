@@ -2,6 +2,7 @@
 
 #include "metrics/pair_samples.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,6 +12,9 @@ namespace orbs::metrics {
 /// 1 where a pixel counts, and the reference changes by less than a tenth over the 3 x 3 px around it, beyond
 /// its own noise. Correct renderers differ at edges, where each has its own antialiasing, and nowhere else.
 std::vector<std::uint8_t> smooth_pixels(const PairSamples& samples);
+
+/// Fewer smooth pixels speak for no image.
+constexpr std::ptrdiff_t kFewestSmoothPixels = 1000;
 
 /// How alike the differences of pixels that lie (dx, dy) apart are. Noise of a box filter of one pixel is not
 /// alike at all.

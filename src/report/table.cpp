@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -175,6 +176,19 @@ std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   return text_table(rows, {}, {style.width, {}});
 }
 
+// One line for each renderer: at 35 dB most images have such noise, and their records hold the numbers.
+std::string hidden_lines(const RunRecord& run, const TableStyle& style) {
+  std::map<std::string, std::set<std::string>> targets;
+  for (const auto& target : run.targets)
+    if (!target.hidden.empty()) targets[target.renderer].insert(target.target);
+  std::vector<TableRow> rows;
+  for (const auto& [renderer, names] : targets)
+    rows.push_back({"noise", renderer,
+                    fmt::format("hides errors of 2 % over 64 x 64 px or of 5 % over 16 x 16 px in {}",
+                                fmt::join(names, ", "))});
+  return text_table(rows, {}, {style.width, {}});
+}
+
 }  // namespace
 
 TableStyle style_for(int descriptor) {
@@ -213,7 +227,7 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   };
   for (const auto& left : run.left_out)
     add_lines(fmt::format("{} was left out: {}", left.renderer, left.reason));
-  for (const auto& lines : {verdict_lines(run, style), remark_lines(run, style)})
+  for (const auto& lines : {verdict_lines(run, style), remark_lines(run, style), hidden_lines(run, style)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
   for (const auto& lines : {probe_hints(run), size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
     if (lines.empty()) continue;

@@ -13,6 +13,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -93,13 +94,23 @@ void note_open_files(MemoryFiles& known, pid_t task, std::set<FileId>& open) {
   ::closedir(folder);
 }
 
-}  // namespace
-
-MemoryFiles begin_memory_files() {
-  MemoryFiles none;
+std::int64_t now_of_time_stamps_ns() {
   timespec now{};
   ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
-  none.begin_ns = now.tv_sec * kSecond_ns + now.tv_nsec;
+  return now.tv_sec * kSecond_ns + now.tv_nsec;
+}
+
+}  // namespace
+
+// The kernel stamps files with a clock that stands still for a tick (4 ms). A file written in the tick of the
+// call would bear the stamp of one that the job writes, so the job begins with the next tick.
+MemoryFiles begin_memory_files() {
+  const auto called_ns = now_of_time_stamps_ns();
+  MemoryFiles none;
+  do {
+    ::sched_yield();
+    none.begin_ns = now_of_time_stamps_ns();
+  } while (none.begin_ns == called_ns);
   return none;
 }
 

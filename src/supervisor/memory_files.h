@@ -36,7 +36,7 @@ struct MemoryFiles {
   std::map<std::pair<unsigned, unsigned>, bool> is_tmpfs;  // by major and minor number of the device
 };
 
-/// None yet, for a job that begins now.
+/// None yet, for a job that begins when this returns, at most some milliseconds later.
 MemoryFiles begin_memory_files();
 
 /// Looks at the open files of these tasks (processes or threads of them). Never asks a server, so that a

@@ -13,15 +13,12 @@
 
 using namespace orbs;
 using cli_tests::Answer;
+using cli_tests::contains;
 using cli_tests::Sandbox;
 
 namespace {
 
 constexpr const char* kFake = ORBS_BINARY_DIR "/orbs-fake-renderer";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void write_program(const Sandbox& sandbox, const std::string& name, const std::string& text) {
   sandbox.write(name, text);

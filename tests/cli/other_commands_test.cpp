@@ -6,13 +6,10 @@
 #include <gtest/gtest.h>
 
 using namespace orbs;
+using cli_tests::contains;
 using cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void write_grey(
     const Sandbox& sandbox, const std::string& file, float value, int width = 16, int height = 12) {

@@ -8,14 +8,12 @@
 
 using namespace orbs;
 using cli_tests::configuration_with;
+using cli_tests::contains;
+using cli_tests::replace_in;
 using cli_tests::Sandbox;
 using results::Verdict;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 image::Image image_in(const Sandbox& sandbox, const std::string& file) {
   return image::read_image(sandbox.folder() / file);
@@ -23,15 +21,6 @@ image::Image image_in(const Sandbox& sandbox, const std::string& file) {
 
 results::RunRecord record_of(const Sandbox& sandbox, const std::string& run) {
   return results::read_results_file(sandbox.folder() / run / "results.json");
-}
-
-void replace_in(const Sandbox& sandbox,
-                const std::string& file,
-                const std::string& old,
-                const std::string& with) {
-  auto text = sandbox.read(file);
-  ASSERT_NE(text.find(old), std::string::npos) << file;
-  sandbox.write(file, text.replace(text.find(old), old.size(), with));
 }
 
 }  // namespace

@@ -15,15 +15,8 @@
 #include <unistd.h>
 
 using namespace orbs;
+using cli_tests::contains;
 using cli_tests::Sandbox;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST(Reference, IsNotReplacedWithoutAReason) {
   const Sandbox sandbox;

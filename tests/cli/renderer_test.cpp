@@ -6,13 +6,10 @@
 #include <gtest/gtest.h>
 
 using namespace orbs;
+using cli_tests::contains;
 using cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Two emitting triangles halves of the view: what is left of the middle is orange, what is right of it blue.
 // They lie 1 m ahead of a camera with tan(fov_y / 2) = 1/2, so that the image is 1 m high and 1.5 m wide

@@ -8,13 +8,11 @@
 
 using namespace orbs;
 using cli_tests::Answer;
+using cli_tests::contains;
+using cli_tests::replace_in;
 using cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Answer first_run(const Sandbox& sandbox, const std::string& renderers = "good") {
   return sandbox.orbs({"run", "-r", renderers, "-o", "out"});
@@ -25,15 +23,6 @@ Answer resume(const Sandbox& sandbox) { return sandbox.orbs({"run", "--resume", 
 // Changes with every render: the time that the file was written.
 std::filesystem::file_time_type rendered_at(const Sandbox& sandbox, const std::string& job) {
   return std::filesystem::last_write_time(sandbox.folder() / "out" / job / "result.exr");
-}
-
-void replace_in(const Sandbox& sandbox,
-                const std::string& file,
-                const std::string& old,
-                const std::string& with) {
-  auto text = sandbox.read(file);
-  ASSERT_NE(text.find(old), std::string::npos) << file;
-  sandbox.write(file, text.replace(text.find(old), old.size(), with));
 }
 
 }  // namespace

@@ -11,13 +11,10 @@
 #include <sys/stat.h>
 
 using orbs::cli_tests::configuration_with;
+using orbs::cli_tests::contains;
 using orbs::cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Text of the member of results.json's first image, or of any other object that has it first.
 std::string member(const std::string& text, const std::string& name) {

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -218,5 +219,18 @@ Answer Sandbox::orbs_with_small_files(const std::vector<std::string>& arguments,
 }
 
 Answer Sandbox::shell(const std::string& line) const { return answer_of({"/bin/sh", "-c", line}, folder_); }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void replace_in(const Sandbox& sandbox,
+                const std::string& file,
+                const std::string& old,
+                const std::string& with) {
+  auto text = sandbox.read(file);
+  ASSERT_NE(text.find(old), std::string::npos) << file;
+  sandbox.write(file, text.replace(text.find(old), old.size(), with));
+}
 
 }  // namespace orbs::cli_tests

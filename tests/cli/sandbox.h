@@ -44,6 +44,14 @@ class Sandbox {
   std::filesystem::path folder_;
 };
 
+bool contains(const std::string& text, const std::string& part);
+
+/// Puts `with` in place of the first `old` in a file of the sandbox; the test fails when there is none.
+void replace_in(const Sandbox& sandbox,
+                const std::string& file,
+                const std::string& old,
+                const std::string& with);
+
 /// configuration.json of the sandbox: one renderer per mode of the fake renderer, called as its mode, and
 /// "absent", whose program is not there. `defaults` are the members of "defaults".
 std::string configuration_with(const std::string& defaults);

@@ -8,13 +8,10 @@
 #include <gtest/gtest.h>
 
 using namespace orbs;
+using cli_tests::contains;
 using cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 results::JobRecord job_of(const Sandbox& sandbox, const std::string& renderer) {
   return results::read_job_file(sandbox.folder() / "out" / renderer / "grey" / "job.json").job;

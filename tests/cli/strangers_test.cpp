@@ -5,22 +5,11 @@
 
 #include <gtest/gtest.h>
 
+using orbs::cli_tests::contains;
+using orbs::cli_tests::replace_in;
 using orbs::cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-void replace_in(const Sandbox& sandbox,
-                const std::string& file,
-                const std::string& old,
-                const std::string& with) {
-  auto text = sandbox.read(file);
-  ASSERT_NE(text.find(old), std::string::npos) << file;
-  sandbox.write(file, text.replace(text.find(old), old.size(), with));
-}
 
 // Names this file as a texture of the scene "grey".
 void add_texture(const Sandbox& sandbox, const std::string& file) {

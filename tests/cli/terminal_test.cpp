@@ -13,13 +13,10 @@
 #include <sys/stat.h>
 
 using namespace orbs;
+using cli_tests::contains;
 using cli_tests::Sandbox;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;

@@ -45,9 +45,24 @@ std::string with_orphan(const std::string& rest) {
   return "(setsid sh -c 'echo $$ > id; exec sleep 600' &); while [ ! -s id ]; do :; done; cat id; " + rest;
 }
 
+// The user interrupts as soon as the log says something.
+orbs::adapters::ProcessResult interrupted_at_first_output(orbs::adapters::ProcessRequest request) {
+  std::atomic<bool> stop{false};
+  request.stop = &stop;
+  std::thread user([&] {
+    while (!std::filesystem::exists(request.log) || std::filesystem::file_size(request.log) == 0)
+      std::this_thread::yield();
+    stop = true;
+  });
+  auto result = run_process(request);
+  user.join();
+  return result;
+}
+
 }  // namespace
 
-// Each of the two is below the limit, and the first is closed when the second is written.
+// Each of the two is below the limit, and the first is closed when the second is written. It stays open for a
+// second because the supervisor learns whose a file is from a process that holds it open while it looks.
 TEST(ProcessLimits, FilesInMemoryCountUntilTheyAreRemoved) {
   if (!has_memory_folder()) GTEST_SKIP() << "there is no room in /dev/shm";
   const FilesInMemory files;
@@ -106,17 +121,9 @@ TEST(ProcessLimits, AStoppedSupervisorIsGivenUpWithAllThatItRan) {
 // Its 60 s are far away.
 TEST(ProcessLimits, AnInterruptWakesAStoppedSupervisor) {
   const TestFolder scratch("process-interrupt-stopped");
-  std::atomic<bool> stop{false};
   auto request = shell("kill -STOP $PPID; echo stopped; sleep 600");
   request.log = scratch.path() / "log.txt";
-  request.stop = &stop;
-  std::thread user([&] {
-    while (!std::filesystem::exists(request.log) || std::filesystem::file_size(request.log) == 0)
-      std::this_thread::yield();
-    stop = true;
-  });
-  const auto result = run_process(request);
-  user.join();
+  const auto result = interrupted_at_first_output(std::move(request));
   EXPECT_EQ(result.cause, Cause::Stopped);
   EXPECT_EQ(result.orphaned, "");
   EXPECT_LT(result.wall_seconds, 60);
@@ -141,18 +148,10 @@ TEST(ProcessLimits, TheEndOfTheHarnessWakesAStoppedSupervisor) {
 // It is stopped again and again.
 TEST(ProcessLimits, AnInterruptEndsAlsoWhatKeepsItsSupervisorStopped) {
   const TestFolder scratch("process-interrupt-again");
-  std::atomic<bool> stop{false};
   auto request = shell("trap '' TERM; kill -STOP $PPID; echo stopped; while :; do kill -STOP $PPID; done");
   request.log = scratch.path() / "log.txt";
   request.answer_seconds = 0.2;
-  request.stop = &stop;
-  std::thread user([&] {
-    while (!std::filesystem::exists(request.log) || std::filesystem::file_size(request.log) == 0)
-      std::this_thread::yield();
-    stop = true;
-  });
-  const auto result = run_process(request);
-  user.join();
+  const auto result = interrupted_at_first_output(std::move(request));
   EXPECT_EQ(result.cause, Cause::Stopped);
   EXPECT_LT(result.wall_seconds, 60);
 }

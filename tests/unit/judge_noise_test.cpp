@@ -73,6 +73,21 @@ TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusiveWithoutVariancesToo) {
   EXPECT_EQ(judged(one_case(), far_off, grey_32(0.25F)).verdict, Verdict::Fail);
 }
 
+// A reference without a smooth place: its edges tell nothing of the noise where nothing is wrong with them.
+TEST(Judge, TheNoiseOfATexturedImageIsKnownWithoutVariancesToo) {
+  auto reference = grey_32(0.25F);
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i)
+    if ((i / 3 / 2 + i / 3 / 64) % 2 == 0) reference.pixels[i] = 0.4F;
+  auto noisy = reference;
+  for (std::size_t i = 0; i < noisy.pixels.size(); ++i)
+    noisy.pixels[i] += 0.2F * static_cast<float>(unit_random(mix(1, i / 3)) - 0.5);
+  const auto record = judged(one_case(), noisy, reference);
+  EXPECT_EQ(record.verdict, Verdict::Inconclusive) << record.reason;
+  auto wrong = reference;
+  for (float& value : wrong.pixels) value = 0.65F - value;  // dark and bright are exchanged
+  EXPECT_EQ(judged(one_case(), wrong, reference).verdict, Verdict::Fail);
+}
+
 // A copy has no noise of its own, whatever it states.
 TEST(Judge, ACopyOfTheReferenceFails) {
   const auto reference = noisy_grey(0.25F, 0.01F);

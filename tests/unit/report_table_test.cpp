@@ -155,4 +155,14 @@ TEST(Table, ARemarkIsToldOnceForAllCasesOfTheImage) {
   EXPECT_EQ(text.find("bias: darker", first + 1), std::string::npos) << text;
 }
 
+TEST(Table, WhatNoiseHidesIsToldInOneLineOfTheRenderer) {
+  auto run = small_run();
+  for (auto& target : run.targets) target.hidden = "noise hides errors below 7 % over 16 x 16 px";
+  EXPECT_NE(summary_text(run, {}).find(
+                "noise  bb  hides errors of 2 % over 64 x 64 px or of 5 % over 16 x 16 px in "
+                "101, 102\n"),
+            std::string::npos)
+      << summary_text(run, {});
+}
+
 TEST(Table, NoColourGoesToWhatIsNoTerminal) { EXPECT_FALSE(orbs::report::style_for(-1).colour); }
