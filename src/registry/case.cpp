@@ -20,6 +20,7 @@ namespace {
 using json::ObjectReader;
 
 constexpr int kMostSpp = 1 << 24;
+constexpr int kMostCameraPaths = 1 << 30;
 constexpr int kLargestPixel = 1 << 20;
 
 std::string target_name(ObjectReader& in, std::set<std::string>& names) {
@@ -45,6 +46,7 @@ CaseScene load_case_scene(ObjectReader in,
   scene.file = resolve_path(folder, in.system_text("file"));
   if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
+  scene.camera_paths = in.integer_or("camera_paths", scene.camera_paths, 1, kMostCameraPaths);
   if (in.has("reference")) scene.reference = in.text("reference");
   if (scene.reference == scene.name) in.fail("reference", "is the scene itself; leave it out");
   in.finish();

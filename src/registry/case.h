@@ -15,6 +15,7 @@ struct CaseScene {
   std::string name;  // unique in the suite
   std::filesystem::path file;
   int spp = 64;
+  int camera_paths = 0;  // that the mean of the image needs, over all pixels; a reduced run makes up for them
   std::string reference = {};  // the scene of the suite whose image this one is by definition; "": its own
 };
 

@@ -60,7 +60,8 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
       if (known) continue;
       with_note(fmt::format("reading {}", one_case.file.string()),
                 [&] { loaded(wanted, plan.suite, by_file); });
-      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()]});
+      plan.scenes.push_back(
+          {wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()], "", wanted.camera_paths});
       plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
     }
 }

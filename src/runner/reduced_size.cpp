@@ -28,6 +28,8 @@ void reduce_camera(PlannedScene& planned, int divisor) {
   auto reduced = *planned.scene;
   reduced.camera.width_px /= divisor;
   reduced.camera.height_px /= divisor;
+  const int pixels = reduced.camera.width_px * reduced.camera.height_px;
+  planned.spp = std::max(planned.spp, (planned.camera_paths + pixels - 1) / pixels);
   planned.scene = std::make_shared<const scene::Scene>(std::move(reduced));
 }
 
