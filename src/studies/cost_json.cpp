@@ -28,14 +28,6 @@ void put(Writer& out, std::string_view name, const std::optional<Interval>& inte
       .end_object();
 }
 
-std::string image_file(const CostRecord& record,
-                       const CostLadder& ladder,
-                       std::size_t rung,
-                       const char* ending) {
-  return fmt::format("images/{}/{}/{}.{}", record.renderers[ladder.renderer].name,
-                     record.targets[ladder.target].name, rung, ending);
-}
-
 void put_point(Writer& out, const CostRecord& record, const CostLadder& ladder, const CostPoint& point) {
   const auto& rung = ladder.rungs[point.rung];
   out.begin_object().member("rung", rung.name).member("spp", rung.spp).member("renders", point.renders);
@@ -53,7 +45,7 @@ void put_point(Writer& out, const CostRecord& record, const CostLadder& ladder, 
       .end_object();
 }
 
-void put_fit(Writer& out, const std::optional<ErrorFit>& fit) {
+void put_fit(Writer& out, const std::optional<ErrorFit>& fit, const std::string& finding) {
   out.key("fit");
   if (!fit) {
     out.null();
@@ -65,7 +57,7 @@ void put_fit(Writer& out, const std::optional<ErrorFit>& fit) {
   put(out, "exponent", fit->exponent);
   out.member("misfit", fit->misfit)
       .member("has_floor", fit->has_floor)
-      .member("floor_named", "")
+      .member("floor_named", fit->has_floor ? finding : "")
       .end_object();
 }
 
@@ -86,7 +78,7 @@ void put_curve(Writer& out, const CostRecord& record, const CostCurve& curve) {
   out.key("points").begin_array();
   for (const auto& point : curve.points) put_point(out, record, ladder, point);
   out.end_array();
-  put_fit(out, curve.fit);
+  put_fit(out, curve.fit, ladder.finding);
   out.key("prices").begin_array();
   for (const auto& price : curve.prices) put_price(out, price);
   out.end_array();

@@ -39,7 +39,7 @@ void set_rungs(CostLadder& ladder, const CostPilot& pilot, int last_spp, int cou
 }
 
 CostLadder settings_ladder(const CostPilot& pilot) {
-  CostLadder ladder{pilot.target, pilot.renderer, pilot.settings, ""};
+  CostLadder ladder{pilot.target, pilot.renderer, pilot.settings, "", ""};
   return ladder;
 }
 

@@ -101,7 +101,8 @@ struct CostLadder {
   std::size_t target = 0;
   std::size_t renderer = 0;
   std::vector<CostRung> rungs;
-  std::string note;  // "the budget ends at 256 spp; 35 dB would need about 40 s"
+  std::string note;     // "the budget ends at 256 spp; 35 dB would need about 40 s"
+  std::string finding;  // what the gates of the case say of the last rung's first image, unless it is right
 };
 
 template <class Visitor, results::RecordOf<CostLadder> Record>
@@ -110,6 +111,7 @@ void fields(Visitor& visit, Record& ladder) {
   visit.required("renderer", ladder.renderer);
   visit("rungs", ladder.rungs);
   visit("note", ladder.note);
+  visit("finding", ladder.finding);
 }
 
 /// What a render was made for. Fixed: 4 x 4 px (Blender renders no
@@ -185,5 +187,11 @@ void fields(Visitor& visit, Record& record) {
   visit("ladders", record.ladders);
   visit("renders", record.renders);
 }
+
+/// The image of the first seed of a rung, relative to the study's folder; `ending`: "exr" or "png".
+std::string image_file(const CostRecord& record,
+                       const CostLadder& ladder,
+                       std::size_t rung,
+                       const char* ending);
 
 }  // namespace orbs::studies

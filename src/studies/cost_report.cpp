@@ -116,9 +116,9 @@ std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
     if (!curve.fit || !curve.fit->has_floor) continue;
     const auto& ladder = record.ladders[curve.ladder];
     const auto& bias = curve.fit->bias_squared;
-    text += fmt::format("{} on {}: no time brings the relMSE below {:.2g} ({:.2g} to {:.2g})\n",
+    text += fmt::format("{} on {}: no time brings the relMSE below {:.2g} ({:.2g} to {:.2g}){}{}\n",
                         record.renderers[ladder.renderer].name, record.targets[ladder.target].name,
-                        bias.value, bias.low, bias.high);
+                        bias.value, bias.low, bias.high, ladder.finding.empty() ? "" : ": ", ladder.finding);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include "base/scratch_folder.h"
 #include "image/colour.h"
 #include "image/image_io.h"
+#include "judge/judge.h"
 #include "metrics/compare.h"
 #include "registry/image_size.h"
 #include "runner/host.h"
@@ -90,11 +91,12 @@ std::optional<CostRender> render(Study& study, CostRender wanted, bool keep_imag
   wanted.psnr_srgb8 = metrics::value_of(comparison, "psnr_srgb8");
   wanted.flip = metrics::value_of(comparison, "flip");
   if (keep_image) {
-    const auto stem =
-        study.request.folder / "images" / chosen.entry.name / study.record.targets[wanted.target].name;
-    make_folder(stem);
-    image::write_exr(made->image, stem / fmt::format("{}.exr", rung), image::Precision::Half);
-    image::write_png(image::display_image(made->image), stem / fmt::format("{}.png", rung));
+    const CostLadder ladder{wanted.target, wanted.renderer, {}, "", ""};
+    const auto exr = study.request.folder / image_file(study.record, ladder, rung, "exr");
+    make_folder(exr.parent_path());
+    image::write_exr(made->image, exr, image::Precision::Half);
+    image::write_png(image::display_image(made->image),
+                     study.request.folder / image_file(study.record, ladder, rung, "png"));
   }
   return wanted;
 }
@@ -150,7 +152,7 @@ bool choose_rungs(Study& study) {
       if (!found) return false;
       pilots.push_back(*found);
     } catch (const InputError& e) {
-      unrendered.push_back({index, planned.renderer, {}, e.what()});
+      unrendered.push_back({index, planned.renderer, {}, e.what(), ""});
     }
   }
   const auto& settings = study.record.settings;
@@ -275,6 +277,26 @@ bool render_rounds(Study& study) {
   return true;
 }
 
+// What can be named of an error that more time may not cure.
+void judge_last_rungs(Study& study) {
+  for (auto& ladder : study.record.ladders) {
+    if (ladder.rungs.empty()) continue;
+    const auto& subject = study.subjects[ladder.target];
+    const auto& entry = study.plan.renderers[ladder.renderer].entry;
+    const auto file = study.request.folder / image_file(study.record, ladder, ladder.rungs.size() - 1, "exr");
+    if (!no_file_problem(file).empty()) continue;
+    results::TargetRecord judged;
+    judged.target = subject.target.name;
+    judge::JudgeSettings settings;
+    settings.measured = judge::Measured::ForTheVerdict;
+    if (entry.is_noise_free) settings.result_noise = metrics::ResultNoise::NoiseFree;
+    judge::judge_image(*subject.one_case, image::read_image(file), {{}, subject.reference, ""}, settings,
+                       judged);
+    ladder.finding = judged.verdict == results::Verdict::Pass ? "" : judged.reason;
+    for (const auto& remark : judged.remarks) ladder.finding += (ladder.finding.empty() ? "" : "; ") + remark;
+  }
+}
+
 void describe_renderers(Study& study) {
   for (const auto& chosen : study.plan.renderers)
     study.record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, study.plan),
@@ -315,6 +337,7 @@ CostRecord measure_cost(const runner::Plan& plan,
     if (!choose_rungs(study)) return study.record;
   }
   study.record.is_finished = render_rounds(study);
+  judge_last_rungs(study);
   study.record.load_end = runner::load_average();
   store(study);
   return study.record;

@@ -25,7 +25,7 @@ constexpr int kSeeds = 4;
 
 void add_curve(CostRecord& record, std::size_t renderer, const MadeUp& truth, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  CostLadder ladder{0, renderer, {}, ""};
+  CostLadder ladder{0, renderer, {}, "", ""};
   for (const int spp : {16, 32, 64, 128, 256, 512}) {
     ladder.rungs.push_back({std::to_string(spp) + " spp", spp});
     for (int seed = 0; seed < kSeeds; ++seed) {
@@ -131,7 +131,7 @@ TEST(Cost, TheSelfComparisonRarelyFindsADifferenceWhereThereIsNone) {
     CostRecord record;
     record.targets.push_back({"t", "M1", "", 8, 8, "", {}});
     record.renderers.push_back({"r", "1", kSampleLadder, ""});
-    record.ladders.push_back({0, 0, {{"64 spp", 64}}, ""});
+    record.ladders.push_back({0, 0, {{"64 spp", 64}}, "", ""});
     for (int i = 0; i < 2 * kSeeds; ++i) {
       CostRender render{.rung = "64 spp", .spp = 64};
       if (i >= kSeeds) render.purpose = kAgain;
