@@ -17,7 +17,7 @@ interface SideChoiceProps {
 }
 
 function SideChoice({ label, session, side, runParam, rendererParam }: SideChoiceProps) {
-  const { runs } = session.source;
+  const { runs, kinds } = session.source;
   return (
     <span>
       <b>{label}</b>{" "}
@@ -27,9 +27,11 @@ function SideChoice({ label, session, side, runParam, rendererParam }: SideChoic
           value={runs[side.run]}
           onChange={(e) => note({ [runParam]: e.currentTarget.value })}
         >
-          {runs.map((name) => (
-            <option key={name}>{name}</option>
-          ))}
+          {runs
+            .filter((_, i) => kinds[i] === "run")
+            .map((name) => (
+              <option key={name}>{name}</option>
+            ))}
         </select>
       ) : null}{" "}
       <select
