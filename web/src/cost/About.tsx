@@ -1,6 +1,6 @@
 import { number, seconds } from "../common/format";
 import { metricName, ratioText } from "./quantities";
-import type { CostStudy } from "./types";
+import type { CostRenderer, CostStudy } from "./types";
 
 function selfText(study: CostStudy): string {
   const self = study.self_comparison;
@@ -8,14 +8,18 @@ function selfText(study: CostStudy): string {
   const what = `${study.renderers[self.renderer]?.name} on ${study.targets[self.target]?.name}`;
   const ratios = `time ${ratioText(self.time_ratio)}, error ${ratioText(self.error_ratio)}`;
   const verdict = self.passed ? "no difference shown" : "a difference was found";
-  return `${verdict}: ${what}, ${self.pairs} pairs, ${ratios}. ${self.note}`;
+  return `${verdict}: ${what}, ${self.pairs} pairs, ${ratios}; ${self.note}.`;
 }
+
+// Many programs begin their version with their name.
+const rendererText = ({ name, version }: CostRenderer): string =>
+  version.toLowerCase().startsWith(name.toLowerCase()) ? version : `${name} ${version}`;
 
 function rows(study: CostStudy): [string, string][] {
   const { settings, host } = study;
   const load = [study.load, study.load_end].map((one) => number(one)).join(" at the start, ");
   return [
-    ["Renderers", study.renderers.map(({ name, version }) => `${name} ${version}`).join("; ")],
+    ["Renderers", study.renderers.map(rendererText).join("; ")],
     ["Seeds per rung", String(settings.seeds)],
     ["Threads", String(settings.threads)],
     ["Order of the renders", `shuffled by the seed ${settings.order_seed}`],

@@ -19,6 +19,7 @@ function ratioSentence(name: string, ratio: MeanRatio | undefined): string {
 export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
   const at = `At ${levelText(study, answer.metric, answer.level)}`;
   const { leader, targets, unreached } = answer;
+  const reached = targets - unreached;
   if (unreached === targets) return `${at}: no renderer reached it.`;
   if (leader === undefined)
     return `${at} no renderer is shown to be cheapest more often than others.`;
@@ -26,7 +27,9 @@ export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
   const others = study.renderers.flatMap((other, i) =>
     i === leader ? [] : [ratioSentence(other.name, answer.ratios[i])],
   );
-  const wins = `${name} is cheapest on ${answer.cheapest[leader]} of ${plural(targets, "target")}`;
+  const all = plural(reached, "target");
+  const of = unreached > 0 ? `the ${all} on which anybody reaches it` : all;
+  const wins = `${name} is cheapest on ${answer.cheapest[leader]} of ${of}`;
   return `${at} ${wins}${others.length > 0 ? `; ${others.join(", ")}` : ""}.`;
 }
 
@@ -48,24 +51,31 @@ function partsOf(study: CostStudy, answer: LevelAnswer, colourOf: (i: number) =>
       kind,
     }));
   return [
-    ...each(answer.cheapest, "cheapest", (name) => `${name} cheapest`),
-    ...each(answer.only, "only", (name) => `only ${name} reached it`),
+    ...each(answer.cheapest, "cheapest", (name) => name),
+    ...each(answer.only, "only", (name) => `only ${name}`),
     {
       key: "open",
       count: answer.open,
-      text: "no difference shown",
+      text: "no difference",
       colour: undefined,
       kind: "open",
     },
     {
       key: "unreached",
       count: answer.unreached,
-      text: "nobody reached it",
+      text: "not reached",
       colour: undefined,
       kind: "unreached",
     },
   ].filter(({ count }) => count > 0);
 }
+
+const kMeanings: Record<string, string> = {
+  cheapest: "shown to be cheaper than all others that reach this quality",
+  only: "no other renderer reached this quality",
+  open: "no renderer is shown to be cheaper than all others",
+  unreached: "no renderer reached this quality",
+};
 
 function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
   const theme = useTheme();
@@ -76,7 +86,7 @@ function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
         <span
           key={key}
           class={`win ${kind}`}
-          title={`${text}: ${count} of ${answer.targets}`}
+          title={`${kMeanings[kind]}: ${count} of ${plural(answer.targets, "target")}`}
           style={{ flexGrow: count, ...(colour ? { borderColor: colour, color: colour } : {}) }}
         >
           <span>
@@ -140,7 +150,7 @@ export function Answer({ study, metric }: { study: CostStudy; metric: string }) 
           <tr>
             <th scope="col">{metricName(metric)}</th>
             <th scope="col">Cheapest in CPU seconds, number of targets</th>
-            <th scope="col">Time of the others, × that of the one cheapest most often</th>
+            <th scope="col">Time, × that of the renderer that is cheapest most often</th>
           </tr>
         </thead>
         <tbody>

@@ -3,6 +3,7 @@ import type { ChartOfTarget, Placed, Ranges } from "./chart_data";
 import {
   AxesPart,
   CurvesPart,
+  FrontierPart,
   LevelsPart,
   placeOf,
   PointMark,
@@ -13,7 +14,7 @@ import {
 } from "./Drawing";
 import { kLegendRow_px, Legend, legendRows, lineItem, rendererItems } from "./Legend";
 import { Marker } from "./Marker";
-import { numbersOf } from "./quantities";
+import { numbersOf, short } from "./quantities";
 import { useTheme, type Theme } from "./theme";
 import type { CostStudy } from "./types";
 import { useWidth } from "./use_width";
@@ -29,7 +30,13 @@ interface Props {
 const kMargin = { left: 66, right: 12, top: 8, axis: 46 };
 const kReach_px = 28; // points farther from the pointer are ignored
 
-function lineItems(chart: ChartOfTarget, theme: Theme) {
+/** The noise of the reference with its value, which may lie outside the chart. */
+function noiseText({ referenceNoise: noise }: ChartOfTarget, { y }: Ranges): string {
+  const outside = noise !== null && (noise < y[0] || noise > y[1]);
+  return `noise of the reference ${short(noise)}${outside ? ", outside the chart" : ""}`;
+}
+
+function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
   const { axes, curves } = chart;
   const isFitted = axes.x === "cpu_seconds" && axes.y.name === "relmse";
   const has = (what: boolean, text: string, attributes: Record<string, string | number>) =>
@@ -39,16 +46,16 @@ function lineItems(chart: ChartOfTarget, theme: Theme) {
   return [
     ...has(isFitted, "fit b² + v / tᵖ", { stroke: theme.text }),
     ...has(true, "95 % band", { "stroke-width": 12, "stroke-opacity": 0.3 }),
-    ...has(true, "frontier: none cheaper and better", {
+    ...has(true, "frontier: no point is cheaper and better", {
       stroke: theme.text,
-      "stroke-width": 8,
-      "stroke-opacity": 0.22,
+      "stroke-width": 1,
+      "stroke-opacity": 0.55,
     }),
     ...has(isFitted && curves.some(({ curve }) => curve.fit?.has_floor), "floor of the bias", {
       "stroke-dasharray": "9 3 2 3",
     }),
     ...has(chart.levels.length > 0, "levels with a price", { "stroke-dasharray": "5 4" }),
-    ...has(chart.referenceNoise !== null, "noise of the reference", { "stroke-dasharray": "1 3" }),
+    ...has(chart.referenceNoise !== null, noiseText(chart, ranges), { "stroke-dasharray": "1 3" }),
     ...(hollow
       ? [
           {
@@ -169,7 +176,7 @@ export function CostChart(props: Props) {
   const [hovered, setHovered] = useState<Placed>();
   const shown = new Set(chart.curves.map(({ curve }) => curve.renderer));
   const renderers = rendererItems(study.renderers, theme).filter((_, i) => shown.has(i));
-  const lines = lineItems(chart, theme);
+  const lines = lineItems(chart, ranges, theme);
   const room = Math.max(200, width - 16);
   const top = kMargin.top + legendRows(renderers, room).rows * kLegendRow_px + 6;
   const plot = width < 500 ? 270 : 350;
@@ -204,6 +211,7 @@ export function CostChart(props: Props) {
           <Legend items={renderers} y={kMargin.top} {...legend} />
           <AxesPart {...parts} />
           <LevelsPart {...parts} />
+          <FrontierPart {...parts} />
           <CurvesPart {...parts} />
           <Points {...props} scales={scales} theme={theme} onHover={setHovered} />
           <Legend items={lines} y={box.bottom + kMargin.axis} {...legend} />

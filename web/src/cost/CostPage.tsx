@@ -1,4 +1,4 @@
-import { useMemo, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { Choice } from "../common/Choice";
 import { useActions } from "../common/keys";
 import type { Source } from "../data/source";
@@ -79,6 +79,11 @@ function TargetPanel({
       point: `${study.renderers[curve.renderer]?.name}/${rung}`,
     });
   const title = titleOf(study, target);
+  const last = useRef(target);
+  useEffect(() => {
+    if (last.current !== target) panel.current?.scrollIntoView({ block: "start" });
+    last.current = target;
+  }, [target]);
   const sheet = (): SVGSVGElement | undefined => {
     const drawing = panel.current?.querySelector<SVGSVGElement>(".cost-plot svg");
     return drawing ? sheetOf([drawing], currentTheme(), [title]) : undefined;
@@ -120,15 +125,25 @@ function Choices({
   study,
   axes,
   metric,
+  target,
   route,
 }: {
   study: CostStudy;
   axes: Axes;
   metric: string;
+  target: number;
   route: Route;
 }) {
   const filter = useRef<HTMLInputElement>(null);
-  useActions([{ key: "/", label: "filter", group: "Cost", run: () => filter.current?.focus() }]);
+  const step = (by: number) => () => {
+    const next = study.targets[target + by];
+    if (next) note({ target: next.name, point: "" });
+  };
+  useActions([
+    { key: "/", label: "filter", group: "Cost", run: () => filter.current?.focus() },
+    { key: "[", label: "previous target", group: "Cost", run: step(-1) },
+    { key: "]", label: "next target", group: "Cost", run: step(1) },
+  ]);
   const metrics = study.metrics.map(({ name }) => ({ name, label: metricName(name) }));
   return (
     <section class="cost-choices" aria-label="Choices">
@@ -174,7 +189,7 @@ export function CostPage(props: Props) {
         <h1>Who is cheapest?</h1>
         <Answer study={study} metric={metric} />
       </section>
-      <Choices study={study} axes={axes} metric={metric} route={route} />
+      <Choices study={study} axes={axes} metric={metric} target={target} route={route} />
       <TargetPanel {...props} axes={axes} target={target} />
       <Multiples study={study} axes={axes} targets={targets} chosen={target} route={route} />
       <PriceTable study={study} metric={metric} targets={targets} route={route} />

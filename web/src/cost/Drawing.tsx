@@ -54,7 +54,7 @@ interface PartProps {
 export const yLabel = ({ y }: Axes): string =>
   `${metricName(y.name)}${y.unit ? ` (${y.unit})` : ""}, ${y.lower_is_better ? "lower" : "higher"} is better`;
 
-const xLabel = ({ x }: Axes): string => kTimes.find(({ name }) => name === x)?.label ?? x;
+export const xLabel = ({ x }: Axes): string => kTimes.find(({ name }) => name === x)?.label ?? x;
 
 function AxisLabels({ chart: { axes }, box, theme }: PartProps) {
   const middle = (box.top + box.bottom) / 2;
@@ -67,6 +67,10 @@ function AxisLabels({ chart: { axes }, box, theme }: PartProps) {
     </g>
   );
 }
+
+// Below these, the labels of the axes are powers of ten.
+const kPlainTime = 0.001;
+const kPlainError = 0.1;
 
 /** The grid, its numbers, and the names of the axes. */
 export function AxesPart(props: PartProps) {
@@ -85,7 +89,7 @@ export function AxesPart(props: PartProps) {
           />
           {i % every === 0 ? (
             <text x={scales.x.at(tick)} y={box.bottom + (small ? 12 : 16)} text-anchor="middle">
-              {tickText(tick)}
+              {tickText(tick, kPlainTime)}
             </text>
           ) : null}
         </g>
@@ -101,7 +105,7 @@ export function AxesPart(props: PartProps) {
           />
           {i % every === 0 ? (
             <text x={box.left - 5} y={scales.y.at(tick) + 4} text-anchor="end">
-              {tickText(tick)}
+              {tickText(tick, kPlainError)}
             </text>
           ) : null}
         </g>
@@ -136,7 +140,7 @@ export function LevelsPart({ chart, scales, box, theme, small }: PartProps) {
             {line(level, "5 4")}
             {small ? null : (
               <text x={box.right - 3} y={scales.y.at(level) - 4} text-anchor="end">
-                {tickText(level)}
+                {tickText(level, kPlainError)}
                 {axes.y.unit ? ` ${axes.y.unit}` : ""}
               </text>
             )}
@@ -146,6 +150,31 @@ export function LevelsPart({ chart, scales, box, theme, small }: PartProps) {
         <g class="reference-noise">{line(noise, "1 3")}</g>
       ) : null}
     </g>
+  );
+}
+
+/**
+ * The frontier as steps: from each point on, its error is the best one until the next point. To the
+ * left of the steps and below them (above, if higher is better) is nothing.
+ */
+export function FrontierPart({ chart, scales, box, theme, small }: PartProps) {
+  const { frontier, axes } = chart;
+  const [first] = frontier;
+  const worst = axes.y.lower_is_better ? box.top : box.bottom;
+  if (!first) return null;
+  const steps = frontier.map((point) => {
+    const [x, y] = placeOf(scales, point);
+    return `H${x.toFixed(1)}V${y.toFixed(1)}`;
+  });
+  return (
+    <path
+      class="frontier"
+      d={`M${scales.x.at(first.x)},${worst}${steps.join("")}H${box.right}`}
+      fill="none"
+      stroke={theme.text}
+      stroke-opacity={0.55}
+      stroke-width={small ? 0.8 : 1}
+    />
   );
 }
 
@@ -193,15 +222,6 @@ export function CurvesPart({ chart, scales, box, theme, small }: PartProps) {
           </g>
         );
       })}
-      <path
-        class="frontier"
-        d={pathOf(scales, chart.frontier)}
-        stroke={theme.text}
-        stroke-opacity={0.22}
-        stroke-width={small ? 5 : 9}
-        stroke-linecap="round"
-        stroke-linejoin="round"
-      />
     </g>
   );
 }

@@ -1,4 +1,4 @@
-import { number, seconds } from "../common/format";
+import { seconds } from "../common/format";
 import { TableHead, type Column } from "../common/TableHead";
 import { withEnds } from "./quantities";
 import type { CostStudy, Curve } from "./types";
@@ -29,9 +29,9 @@ export function FitTable({ study, curves }: { study: CostStudy; curves: Curve[] 
             <tr key={curve.renderer}>
               <th scope="row">{study.renderers[curve.renderer]?.name}</th>
               <td>{withEnds(curve.fixed_cpu_seconds, seconds)}</td>
-              <td>{withEnds(curve.fit?.variance ?? null, number)}</td>
-              <td>{withEnds(curve.fit?.exponent ?? null, number)}</td>
-              <td>{withEnds(curve.fit?.bias_squared ?? null, number)}</td>
+              <td>{withEnds(curve.fit?.variance ?? null)}</td>
+              <td>{withEnds(curve.fit?.exponent ?? null)}</td>
+              <td>{withEnds(curve.fit?.bias_squared ?? null)}</td>
               <td>{floorText(curve)}</td>
             </tr>
           ))}

@@ -36,6 +36,9 @@ const kShapes: ([number, number][] | undefined)[] = [
   ],
 ];
 
+/** The shape as a letter of a text. */
+export const markerLetter = (shape: number): string => "●■▲◆▼"[shape % kShapes.length] ?? "●";
+
 export function Marker({ shape, x, y, size, colour, hollow }: MarkerProps) {
   const corners = kShapes[shape % kShapes.length];
   const paint = { fill: hollow ?? colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1 };

@@ -2,9 +2,19 @@ import { useMemo, useRef } from "preact/hooks";
 import { routeText, type Route } from "../route";
 import { chartOf, rangesOf, type Axes, type ChartOfTarget, type Ranges } from "./chart_data";
 import { titleOf } from "./CostChart";
-import { AxesPart, CurvesPart, LevelsPart, PointMark, scalesOf, type Box } from "./Drawing";
+import {
+  AxesPart,
+  CurvesPart,
+  FrontierPart,
+  LevelsPart,
+  xLabel,
+  yLabel,
+  PointMark,
+  scalesOf,
+  type Box,
+} from "./Drawing";
 import { pointRows } from "./csv_rows";
-import { Marker } from "./Marker";
+import { Marker, markerLetter } from "./Marker";
 import { SaveButtons } from "./SaveButtons";
 import { sheetOf } from "./save";
 import { useTheme, type Theme } from "./theme";
@@ -32,6 +42,7 @@ function SmallChart({ chart, ranges, theme }: SmallProps) {
     >
       <AxesPart {...parts} />
       <LevelsPart {...parts} />
+      <FrontierPart {...parts} />
       <CurvesPart {...parts} />
       {chart.curves.flatMap(({ points }) =>
         points.map((placed) => (
@@ -88,6 +99,13 @@ export function Multiples({ study, axes, targets, chosen, route }: Props) {
       [...(list.current?.querySelectorAll("svg") ?? [])],
       theme,
       targets.map((target) => titleOf(study, target)),
+      [
+        { text: `${yLabel(axes)}, against ${xLabel(axes)}`, colour: theme.text },
+        ...study.renderers.map(({ name }, i) => ({
+          text: `${markerLetter(i)} ${name}`,
+          colour: theme.series(i),
+        })),
+      ],
     );
   if (!ranges) return null;
   return (

@@ -1,10 +1,10 @@
 import { useMemo } from "preact/hooks";
-import { number, seconds } from "../common/format";
+import { seconds } from "../common/format";
 import { note, routeText, type Route } from "../route";
 import { levelsOf } from "./cheapest";
 import { priceRows } from "./csv_rows";
 import { priceTable, sortedRows, type PriceRow, type Sorting } from "./prices";
-import { levelText, withEnds } from "./quantities";
+import { levelText, short, withEnds } from "./quantities";
 import { SaveButtons } from "./SaveButtons";
 import type { CostStudy, Price } from "./types";
 
@@ -66,11 +66,11 @@ function Row({ row, route }: { row: PriceRow; route: Route }) {
         <PriceCell key={i} price={price} isCheapest={row.isCheapest[i] ?? false} />
       ))}
       <td class="number" title={withEnds(curve.efficiency)}>
-        {number(curve.efficiency?.value)}
+        {short(curve.efficiency?.value ?? null)}
       </td>
       <td class="number">{perDb == null ? "–" : `+${(100 * perDb).toFixed(0)} %`}</td>
       <td class="number" title={`${withEnds(floor)} ${curve.fit?.floor_named ?? ""}`}>
-        {floor ? number(floor.value) : "–"}
+        {short(floor?.value ?? null)}
       </td>
     </tr>
   );

@@ -6,7 +6,7 @@ export type TimeName = "cpu_seconds" | "wall_seconds" | "render_seconds";
 export const kTimes: { name: TimeName; label: string }[] = [
   { name: "cpu_seconds", label: "CPU seconds" },
   { name: "wall_seconds", label: "wall seconds" },
-  { name: "render_seconds", label: "render seconds, as the renderer says" },
+  { name: "render_seconds", label: "render seconds (renderer's own)" },
 ];
 
 const kMetricNames: Record<string, string> = {
@@ -32,10 +32,18 @@ export const metricOf = (study: CostStudy, name: string | undefined): CostMetric
 export const errorOf = (point: CostPoint, metric: string): MaybeInterval =>
   point.errors[metric] ?? null;
 
+/** Three significant digits: more than an interval of four seeds can carry. */
+export function short(value: number | null): string {
+  if (value === null) return "–";
+  const size = Math.abs(value);
+  if (value === 0 || (size >= 1e-3 && size < 1e5)) return String(Number(value.toPrecision(3)));
+  return Number(value.toPrecision(3)).toExponential();
+}
+
 /** The value with its ends: "0.12 (0.10–0.14)". */
 export function withEnds(
   interval: MaybeInterval,
-  text: (value: number | null) => string = number,
+  text: (value: number | null) => string = short,
 ): string {
   if (!interval || interval.value === null) return "–";
   const { value, low, high } = interval;
@@ -44,12 +52,9 @@ export function withEnds(
     : `${text(value)} (${text(low)} to ${text(high)})`;
 }
 
-const short = (value: number | null): string =>
-  value === null ? "–" : String(Number(value.toPrecision(3)));
-
 /** "× 2.4 (2.2 to 2.6)" */
 export const ratioText = (interval: MaybeInterval): string =>
-  interval?.value == null ? "–" : `× ${withEnds(interval, short)}`;
+  interval?.value == null ? "–" : `× ${withEnds(interval)}`;
 
 /** Every number of a point, as the hover and the panel beside the chart show it. */
 export function numbersOf(study: CostStudy, point: CostPoint): { label: string; text: string }[] {

@@ -30,40 +30,58 @@ export const saveCsv = (name: string, rows: (string | number | boolean | null)[]
 
 const kSvg = "http://www.w3.org/2000/svg";
 
-/** A drawing of its own with a background: copies of the drawings at their places on the page. */
+const set = (element: Element, values: Record<string, string | number>): void =>
+  Object.entries(values).forEach(([name, value]) => element.setAttribute(name, String(value)));
+
+function textAt(x: number, y: number, text: string, fill: string): SVGTextElement {
+  const element = document.createElementNS(kSvg, "text");
+  set(element, { x, y, fill, "font-size": 12, "font-family": "system-ui, sans-serif" });
+  element.textContent = text;
+  return element;
+}
+
+const kTitle_px = 18;
+const kLetter_px = 7;
+
+/**
+ * A drawing of its own with a background: copies of the drawings at their places on the page, each
+ * with its title, below a line of `head`.
+ */
 export function sheetOf(
   drawings: SVGSVGElement[],
   { panel, text }: Pick<Theme, "panel" | "text">,
-  titles: string[] = [],
+  titles: string[],
+  head: { text: string; colour: string }[] = [],
 ): SVGSVGElement {
   const boxes = drawings.map((drawing) => drawing.getBoundingClientRect());
   const left = Math.min(...boxes.map((box) => box.left));
-  const titleHeight_px = titles.length > 0 ? 18 : 0;
-  const top = Math.min(...boxes.map((box) => box.top)) - titleHeight_px;
+  const top = Math.min(...boxes.map((box) => box.top)) - kTitle_px * (head.length > 0 ? 2 : 1);
   const width = Math.ceil(Math.max(...boxes.map((box) => box.right)) - left);
   const height = Math.ceil(Math.max(...boxes.map((box) => box.bottom)) - top);
   const sheet = document.createElementNS(kSvg, "svg");
-  const set = (element: Element, values: Record<string, string | number>): void =>
-    Object.entries(values).forEach(([name, value]) => element.setAttribute(name, String(value)));
   set(sheet, { xmlns: kSvg, width, height, viewBox: `0 0 ${width} ${height}` });
   const ground = document.createElementNS(kSvg, "rect");
   set(ground, { width, height, fill: panel });
   sheet.append(ground);
+  let x = 4;
+  for (const part of head) {
+    sheet.append(textAt(x, 13, part.text, part.colour));
+    x += kLetter_px * (part.text.length + 2);
+  }
   drawings.forEach((drawing, i) => {
     const box = boxes[i];
-    const copy = drawing.cloneNode(true) as SVGSVGElement;
     if (!box) return;
-    set(copy, { x: box.left - left, y: box.top - top, width: box.width, height: box.height });
-    sheet.append(copy);
-    if (titles[i] === undefined) return;
-    const title = document.createElementNS(kSvg, "text");
-    set(title, { x: box.left - left + 4, y: box.top - top - 5, "font-size": 12 });
-    set(title, { "font-family": "sans-serif", fill: text });
-    title.textContent = titles[i] ?? "";
-    sheet.append(title);
+    const copy = drawing.cloneNode(true) as SVGSVGElement;
+    const [dx, dy] = [box.left - left, box.top - top];
+    set(copy, { x: dx, y: dy, width: box.width, height: box.height });
+    sheet.append(copy, textAt(dx + 4, dy - 5, shortened(titles[i] ?? "", box.width), text));
   });
   return sheet;
 }
+
+/** As much of the text as fits into the width. */
+const shortened = (text: string, width: number): string =>
+  text.length * kLetter_px <= width ? text : `${text.slice(0, width / kLetter_px - 1)}…`;
 
 const svgBlob = (sheet: SVGSVGElement): Blob =>
   new Blob([new XMLSerializer().serializeToString(sheet)], { type: "image/svg+xml" });

@@ -69,11 +69,11 @@ export function scaleOf(
 const kRaised: Record<string, string> = { "-": "⁻" };
 "⁰¹²³⁴⁵⁶⁷⁸⁹".split("").forEach((digit, i) => (kRaised[String(i)] = digit));
 
-/** 0.001 as "10⁻³" where decimals would be long. */
-export function tickText(value: number): string {
+/** 0.001 as "10⁻³"; decimals from `plainFrom` on. */
+export function tickText(value: number, plainFrom: number): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 0.01 && size < 1e5) return String(Number(value.toPrecision(3)));
+  if (size >= plainFrom && size < 1e5) return String(Number(value.toPrecision(3)));
   const power = Math.floor(Math.log10(size) + 1e-9);
   const factor = Number((value / 10 ** power).toPrecision(2));
   const raised = [...String(power)].map((c) => kRaised[c] ?? c).join("");
