@@ -4,7 +4,11 @@
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
+#include "report/cost_page_file.h"
 #include "report/page_file.h"
+#include "results/cost_study.h"
+
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,19 +20,24 @@ namespace {
 struct ReportOptions {
   std::string run;
   std::string output;
-  double most_megabytes = 100;
+  std::optional<double> most_megabytes;
   bool exact = false;
 };
 
 int write_report(const ReportOptions& options, const Program& program) {
   constexpr double kMegabyte = 1e6;
+  constexpr double kRunMegabytes = 100;
+  constexpr double kStudyMegabytes = 5;  // small enough for a mail
   report::PageFileSettings settings;
   settings.bundle = program.folder / "web";
-  settings.most_bytes = static_cast<std::size_t>(options.most_megabytes * kMegabyte);
   settings.exact = options.exact;
-  const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
-  const auto view = results::read_run_folder(folder);
-  const auto page = report::page_file(view, settings);
+  const auto folder =
+      options.run.empty() ? newest_runs_and_studies().front() : std::filesystem::path(options.run);
+  const bool is_study = results::holds_cost_study(folder);
+  settings.most_bytes = static_cast<std::size_t>(
+      options.most_megabytes.value_or(is_study ? kStudyMegabytes : kRunMegabytes) * kMegabyte);
+  const auto page = is_study ? report::cost_page_file(folder, settings)
+                             : report::page_file(results::read_run_folder(folder), settings);
   write_file(options.output, page.text);
   print_clean("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
               page.images);
@@ -43,14 +52,15 @@ int write_report(const ReportOptions& options, const Program& program) {
 
 void add_report_command(CLI::App& command, const Program& program, Action& action) {
   const auto options = std::make_shared<ReportOptions>();
-  command.add_option("run", options->run,
-                     "Folder of the run (default: the newest outputs-* in the working folder)");
+  command.add_option(
+      "run", options->run,
+      "Folder of the run or cost study (default: the newest outputs-* or cost-* in the working folder)");
   command.add_option("-o,--output", options->output, "The file to write")
       ->required()
       ->check(not_empty("a file"));
   command
       .add_option("--most-megabytes", options->most_megabytes,
-                  "Room for images; those of failures come first")
+                  "Room for images; those of failures come first (default: 100, of a cost study 5)")
       ->check(zero_or_more());
   command.add_flag("--exact", options->exact, "Store images with all digits instead of as 16-bit floats");
   command.callback(

@@ -25,7 +25,8 @@ int serve(const ServeOptions& options, const Program& program) {
                     "run; add --allow-network if that is wanted",
                     options.address));
   std::vector<std::filesystem::path> runs(options.runs.begin(), options.runs.end());
-  show_runs(runs.empty() ? newest_runs() : runs, program, {options.address, options.port, options.open});
+  show_runs(runs.empty() ? newest_runs_and_studies() : runs, program,
+            {options.address, options.port, options.open});
   return 0;
 }
 
@@ -33,8 +34,9 @@ int serve(const ServeOptions& options, const Program& program) {
 
 void add_serve_command(CLI::App& command, const Program& program, Action& action) {
   const auto options = std::make_shared<ServeOptions>();
-  command.add_option("runs", options->runs,
-                     "Folders of runs (default: all outputs-* in the working folder, the newest first)");
+  command.add_option(
+      "runs", options->runs,
+      "Folders of runs and cost studies (default: all outputs-* and cost-* in the working folder, the newest first)");
   command.add_option("--port", options->port, "Port to listen on; 0: any free port")
       ->check(CLI::Range(0, 65535));
   command.add_option("--address", options->address,

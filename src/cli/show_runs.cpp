@@ -3,10 +3,12 @@
 #include "base/error.h"
 #include "base/terminal.h"
 #include "cli/interrupt.h"
+#include "results/cost_study.h"
 #include "server/serve.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include <fmt/format.h>
 #include <spawn.h>
@@ -15,6 +17,8 @@
 namespace orbs::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Starts the desktop's browser. Without one the user opens the address that stands on the terminal.
 void open_in_browser(const std::string& url) {
@@ -26,20 +30,38 @@ void open_in_browser(const std::string& url) {
   print_clean(stderr, "there is no xdg-open; open the address in a browser\n");
 }
 
+// The folders of the working folder that hold a result, the newest first.
+std::vector<fs::path> newest_folders(const std::function<bool(const fs::path&)>& holds_result) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(fs::current_path()))
+    if (holds_result(entry.path())) found.push_back(entry.path());
+  // The names hold the date and time after the first hyphen.
+  const auto time_of = [](const fs::path& folder) {
+    const auto name = folder.filename().string();
+    return name.substr(name.find('-'));
+  };
+  std::sort(found.begin(), found.end(),
+            [&](const fs::path& a, const fs::path& b) { return time_of(a) > time_of(b); });
+  if (found.empty())
+    throw InputError(
+        fmt::format("there is no outputs-* folder of a run in {}; name one", fs::current_path().string()));
+  return found;
+}
+
 }  // namespace
 
-std::vector<std::filesystem::path> newest_runs() {
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::current_path()))
-    if (entry.path().filename().string().starts_with("outputs-") &&
-        std::filesystem::exists(entry.path() / "results.json"))
-      found.push_back(entry.path());
-  // The names hold the date and time.
-  std::sort(found.rbegin(), found.rend());
-  if (found.empty())
-    throw InputError(fmt::format("there is no outputs-* folder of a run in {}; name one",
-                                 std::filesystem::current_path().string()));
-  return found;
+std::vector<fs::path> newest_runs() {
+  return newest_folders([](const fs::path& folder) {
+    return folder.filename().string().starts_with("outputs-") && fs::exists(folder / "results.json");
+  });
+}
+
+std::vector<fs::path> newest_runs_and_studies() {
+  return newest_folders([](const fs::path& folder) {
+    const auto name = folder.filename().string();
+    return (name.starts_with("outputs-") && fs::exists(folder / "results.json")) ||
+           ((name.starts_with("outputs-") || name.starts_with("cost-")) && results::holds_cost_study(folder));
+  });
 }
 
 void show_runs(const std::vector<std::filesystem::path>& runs,

@@ -1,13 +1,13 @@
 #include "report/page_file.h"
 
 #include "base/error.h"
-#include "base/files.h"
 #include "base/files_inside.h"
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/gzip.h"
 #include "report/overview.h"
 #include "report/packed_image.h"
+#include "report/page_template.h"
 #include "report/target_data.h"
 
 #include <algorithm>
@@ -42,24 +42,6 @@ std::vector<std::string> wanted_images(const RunView& view) {
         }
       }
   return files;
-}
-
-// `json` escaped for the inside of an HTML script element, so that nothing in it can end the element.
-std::string script_text(std::string_view json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-std::string data_element(const std::string& id, const std::string& type, const std::string& content) {
-  return fmt::format("<script type=\"{}\" id=\"{}\">{}</script>\n", type, id, content);
 }
 
 // The contents of a file of the run. InputError if it does not lie in the run's folder, whatever results.json
@@ -109,26 +91,10 @@ void add_thumbnails(const RunView& view, PageFile& page) {
   }
 }
 
-// Splits the template at its placeholder.
-std::pair<std::string, std::string> template_of(const fs::path& bundle) {
-  constexpr std::string_view kMark = "<!--orbs-data-->";
-  const auto file = bundle / "single.html";
-  if (!fs::exists(file))
-    throw InputError(
-        fmt::format("{}: is missing: the results page has not been built; './bootstrap build' makes it "
-                    "and says what it needs (Node.js 18 or newer and npm)",
-                    file.string()));
-  const auto text = read_file(file);
-  const auto at = text.find(kMark);
-  if (at == std::string::npos)
-    throw InputError(fmt::format("{}: has no {}; build it again", file.string(), kMark));
-  return {text.substr(0, at), text.substr(at + kMark.size())};
-}
-
 }  // namespace
 
 PageFile page_file(const RunView& view, const PageFileSettings& settings) {
-  const auto [before, after] = template_of(settings.bundle);
+  const auto [before, after] = page_template(settings.bundle);
   PageFile page;
   page.text = before;
   page.text += data_element("orbs-overview", "application/json", script_text(overview_json(view)));

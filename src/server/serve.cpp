@@ -56,8 +56,8 @@ void serve(const ServeSettings& settings,
   site.bundle = load_bundle(settings.bundle);
   std::vector<std::filesystem::path> folders;
   for (const auto& folder : settings.runs) {
-    site.runs.push_back(std::make_unique<ServedRun>(folder));
-    folders.push_back(site.runs.back()->named());
+    site.runs.push_back(open_served(folder));
+    folders.push_back(named(site.runs.back()));
   }
   site.names = run_names(folders);
   ConnectionLimits limits;

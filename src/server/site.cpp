@@ -7,6 +7,7 @@
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
+#include "results/cost_study.h"
 #include "server/refuse.h"
 #include "server/request_gate.h"
 
@@ -18,6 +19,8 @@
 namespace orbs::server {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Content security policy of the page: only the files of the bundle run, only this server is contacted, and
 // nothing may frame the page.
@@ -53,8 +56,13 @@ bool send_bundle_file(const Site& site, std::string_view path, httplib::Response
 std::string runs_json(Site& site) {
   json::Writer out;
   out.begin_object().member("format", "orbs-runs/1").key("runs").begin_array();
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    out.begin_object().member("name", site.names[i]).member("started", site.runs[i]->started()).end_object();
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    const auto& served = site.runs[i];
+    out.begin_object().member("name", site.names[i]);
+    out.member("kind", std::holds_alternative<std::unique_ptr<ServedStudy>>(served) ? "cost" : "run");
+    out.member("started", std::visit([](const auto& one) { return std::string(one->started()); }, served));
+    out.end_object();
+  }
   return out.end_array().end_object().text();
 }
 
@@ -65,8 +73,8 @@ std::string type_of(std::string_view path) {
   return kText;
 }
 
-void send_file(const ServedRun& run, const std::string& path, httplib::Response& response) {
-  auto file = open_inside(run.folder(), path);
+void send_file(const fs::path& folder, const std::string& path, httplib::Response& response) {
+  auto file = open_inside(folder, path);
   if (!file) return refuse(response, 404, "there is no such file in this run");
   response.set_header("Content-Security-Policy", kFilePolicy);
   const auto size = static_cast<std::size_t>(file->size());
@@ -80,18 +88,18 @@ void send_file(const ServedRun& run, const std::string& path, httplib::Response&
 }
 
 void send_image(Site& site,
-                const ServedRun& run,
+                const fs::path& folder,
                 const std::string& path,
                 const std::string& layer,
                 httplib::Response& response) {
   constexpr int kFast = 1;
   if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR images are packed");
-  const auto file = open_inside(run.folder(), path);
+  const auto file = open_inside(folder, path);
   if (!file) return refuse(response, 404, "there is no such image in this run");
   constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
   if (file->size() > kMostBytes) return refuse(response, 422, "the image is larger than 2 GiB");
   // A run that goes on or is resumed may write the image again, even with the same size.
-  const auto key = fmt::format("{}\n{}\n{}\n{}", run.folder().string(), path, layer, file->state());
+  const auto key = fmt::format("{}\n{}\n{}\n{}", folder.string(), path, layer, file->state());
   const auto bytes = site.images.get(key, [&] {
     const auto image = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
     return report::packed_image(image, layer, report::Rounding::Exact, kFast);
@@ -119,18 +127,31 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
   if (slash == std::string::npos || !number || *number < 0 ||
       static_cast<std::size_t>(*number) >= site.runs.size())
     return refuse(response, 404, "there is no such run");
-  auto& run = *site.runs[static_cast<std::size_t>(*number)];
+  const auto& served = site.runs[static_cast<std::size_t>(*number)];
   const auto rest = path.substr(slash + 1);
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
+  const auto folder = std::visit([](const auto& one) { return one->folder(); }, served);
+  if (rest.starts_with("image/")) return send_image(site, folder, after("image/"), layer, response);
+  if (rest.starts_with("file/")) return send_file(folder, after("file/"), response);
+  const auto* owner = std::get_if<std::unique_ptr<ServedRun>>(&served);
+  if (owner == nullptr) return refuse(response, 404, "a cost study has only images and files");
+  auto& run = **owner;
   if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
   if (rest == "events") return send_events(site.listeners, run, response);
   if (rest.starts_with("target/")) return send_target(run, after("target/"), response);
-  if (rest.starts_with("image/")) return send_image(site, run, after("image/"), layer, response);
-  if (rest.starts_with("file/")) return send_file(run, after("file/"), response);
   refuse(response, 404, "there is nothing here");
 }
 
 }  // namespace
+
+Served open_served(const fs::path& folder) {
+  if (results::holds_cost_study(folder)) return std::make_unique<ServedStudy>(folder);
+  return std::make_unique<ServedRun>(folder);
+}
+
+const fs::path& named(const Served& served) {
+  return std::visit([](const auto& one) -> const fs::path& { return one->named(); }, served);
+}
 
 std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
   std::vector<BundleFile> files;

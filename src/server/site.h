@@ -3,23 +3,26 @@
 #include "server/events.h"
 #include "server/image_cache.h"
 #include "server/served_run.h"
+#include "server/served_study.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <httplib.h>
 
 /// The addresses of the server:
 ///   /, /page.js, /page.css ...              the bundle
-///   /data/runs.json                          the runs that are served
+///   /data/runs.json                          the runs and cost studies that are served
 ///   /data/<run>/overview.json                report::overview_json
 ///   /data/<run>/target/<index>.json          report::target_json
 ///   /data/<run>/image/<path>.exr?layer=...   an image of the run's folder, packed (report::packed_image)
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
-/// <run> counts from 0.
+/// <run> counts from 0, over runs and cost studies. A cost study has only image/ and file/; the page reads
+/// file/cost.json.
 namespace orbs::server {
 
 struct BundleFile {
@@ -28,8 +31,14 @@ struct BundleFile {
   std::string bytes;
 };
 
+using Served = std::variant<std::unique_ptr<ServedRun>, std::unique_ptr<ServedStudy>>;
+
+/// A run or a cost study, whichever the folder holds. InputError if it holds neither.
+Served open_served(const std::filesystem::path& folder);
+const std::filesystem::path& named(const Served& served);
+
 struct Site {
-  std::vector<std::unique_ptr<ServedRun>> runs;
+  std::vector<Served> runs;
   std::vector<std::string> names;  // of the runs
   std::vector<BundleFile> bundle;
   ImageCache images{std::size_t{256} << 20U, 2};

@@ -1,8 +1,10 @@
 // Makes the runs that the browser tests look at:
 //   orbs-page-fixture small|before|many|huge <folder>   a finished run
+//   orbs-page-fixture cost <folder>                      a cost study
 //   orbs-page-fixture live <folder>                      a live run: each line on stdin completes a
 //                                                        render, the end of stdin the run
 #include "base/error.h"
+#include "page/fixture_cost.h"
 #include "page/fixture_runs.h"
 
 #include <cstdio>
@@ -19,6 +21,7 @@ int main(int argc, char** argv) {
     if (what == "before") write_earlier_run(folder);
     if (what == "many") write_run_of_many_cells(folder);
     if (what == "huge") write_run_of_huge_images(folder);
+    if (what == "cost") write_cost_study(folder);
     if (what == "live") play_live_run(folder);
   } catch (const orbs::InputError& e) {
     std::fputs(e.what(), stderr);

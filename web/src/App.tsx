@@ -4,19 +4,25 @@ import { ChartsPage } from "./charts/ChartsPage";
 import { Help } from "./common/Help";
 import { useActions, type Action } from "./common/keys";
 import { NoSuchRun } from "./common/NoSuchRun";
+import type { Received } from "./common/request";
 import { runNamed, runQuery, type Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
+import { CostPage } from "./cost/CostPage";
+import type { CostStudy } from "./cost/types";
+import { useStudy } from "./cost/use_study";
 import type { Source } from "./data/source";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
-import { go, note, useRoute } from "./route";
+import { go, note, useRoute, type Route } from "./route";
 import { useSession } from "./use_session";
 
 export function App({ source }: { source: Source }) {
   const route = useRoute();
   const [help, setHelp] = useState(false);
   const run = runNamed(source, route.query["run"], 0);
-  const session = useSession(source, run);
+  const isStudy = source.kinds[run] === "cost";
+  const session = useSession(source, isStudy ? -1 : run);
+  const study = useStudy(source, isStudy ? run : -1);
   const query = runQuery(source, run);
   useEffect(() => {
     if (source.runs.length > 1 && !route.query["run"]) note(query);
@@ -35,8 +41,9 @@ export function App({ source }: { source: Source }) {
   useActions(actions);
   const [view = ""] = route.path;
   useEffect(() => {
-    const name = typeof session === "object" ? session.overview.run.name : "";
-    document.title = [...route.path.slice(1).reverse(), view || "overview", name, "orbs"]
+    const name = source.runs[run] ?? "";
+    const shown = isStudy ? "cost" : view || "overview";
+    document.title = [...route.path.slice(1).reverse(), shown, name, "orbs"]
       .filter(Boolean)
       .join(" · ");
   });
@@ -49,12 +56,16 @@ export function App({ source }: { source: Source }) {
         source={source}
         run={run}
         session={session}
+        study={study.value}
         route={route}
         onHelp={() => setHelp(true)}
       />
-      <main id="content" tabIndex={-1} class={`view-${view || "overview"}`}>
+      <main id="content" tabIndex={-1} class={`view-${isStudy ? "cost" : view || "overview"}`}>
         {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
-        {run >= 0 && session === undefined ? <p class="loading">Reading the run …</p> : null}
+        {isStudy ? <StudyView source={source} run={run} received={study} route={route} /> : null}
+        {run >= 0 && !isStudy && session === undefined ? (
+          <p class="loading">Reading the run …</p>
+        ) : null}
         {typeof session === "string" ? (
           <p role="alert">The run cannot be shown: {session}</p>
         ) : null}
@@ -63,6 +74,22 @@ export function App({ source }: { source: Source }) {
       {help ? <Help onClose={() => setHelp(false)} /> : null}
     </>
   );
+}
+
+function StudyView({
+  source,
+  run,
+  received: { value, problem },
+  route,
+}: {
+  source: Source;
+  run: number;
+  received: Received<CostStudy>;
+  route: Route;
+}) {
+  if (value) return <CostPage source={source} run={run} study={value} route={route} />;
+  if (problem !== undefined) return <p role="alert">The cost study cannot be shown: {problem}</p>;
+  return <p class="loading">Reading the cost study …</p>;
 }
 
 function View({ session, view }: { session: Session; view: string }) {

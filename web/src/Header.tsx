@@ -1,5 +1,6 @@
 import { seconds } from "./common/format";
 import { runQuery, type Session } from "./common/session";
+import type { CostStudy } from "./cost/types";
 import type { Source } from "./data/source";
 import { go, routeText, type Route } from "./route";
 
@@ -8,12 +9,15 @@ interface Props {
   /** Index of the run; -1 if the address names a run that does not exist. */
   run: number;
   session: Session | string | undefined;
+  /** The cost study, if the index is that of one. */
+  study: CostStudy | undefined;
   route: Route;
   onHelp: () => void;
 }
 
-export function Header({ source, run: index, session, route, onHelp }: Props) {
-  const [view = ""] = route.path;
+export function Header({ source, run: index, session, study, route, onHelp }: Props) {
+  const isStudy = source.kinds[index] === "cost";
+  const [view = ""] = isStudy ? [] : route.path;
   const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
     <a
@@ -28,9 +32,15 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
     <header class="top">
       <nav aria-label="Views">
         <span class="brand">orbs</span>
-        {link([], "Overview")}
-        {link(["charts"], "Time and memory")}
-        {link(["compare"], "Compare")}
+        {isStudy ? (
+          link([], "Cost")
+        ) : (
+          <>
+            {link([], "Overview")}
+            {link(["charts"], "Time and memory")}
+            {link(["compare"], "Compare")}
+          </>
+        )}
       </nav>
       <div class="run">
         {source.runs.length > 1 ? (
@@ -38,26 +48,52 @@ export function Header({ source, run: index, session, route, onHelp }: Props) {
             <span class="unseen">Run</span>
             <select
               value={source.runs[index] ?? ""}
-              onChange={(event) =>
-                go({ path: route.path, query: { ...route.query, run: event.currentTarget.value } })
-              }
+              onChange={(event) => go(routeTo(source, index, event.currentTarget.value, route))}
             >
-              {source.runs.map((name) => (
-                <option key={name}>{name}</option>
+              {source.runs.map((name, i) => (
+                <option key={name} value={name}>
+                  {source.kinds[i] === "cost" ? `${name} (cost)` : name}
+                </option>
               ))}
             </select>
           </label>
         ) : (
-          <strong>{run?.name}</strong>
+          <strong>{source.runs[index]}</strong>
         )}
         {run ? <span class="quiet">{runText(session as Session)}</span> : null}
+        {study ? <span class="quiet">{studyText(study)}</span> : null}
         <button onClick={onHelp} title="Keys (?)" aria-label="Keys">
           ?
         </button>
       </div>
+      {study && !study.finished ? (
+        <p class="live ended" role="status">
+          This study is not finished. The page shows what it has measured.
+        </p>
+      ) : null}
       {run && (run.live || !run.finished) ? <LiveBar session={session as Session} /> : null}
     </header>
   );
+}
+
+/** The address of another run: the same view, unless it is of the other kind. */
+function routeTo(source: Source, from: number, name: string, route: Route): Route {
+  const isSameKind = source.kinds[source.runs.indexOf(name)] === source.kinds[from];
+  return isSameKind
+    ? { path: route.path, query: { ...route.query, run: name } }
+    : { path: [], query: { run: name } };
+}
+
+function studyText(study: CostStudy): string {
+  const size = study.size === "1" ? [] : [`measured at ${study.size}`];
+  const { host } = study;
+  return [
+    ...size,
+    study.suite,
+    study.started.replace("T", " "),
+    `${host.name} (${host.cores} cores)`,
+    `orbs ${study.orbs_version}`,
+  ].join(" · ");
 }
 
 function runText({ overview: { run } }: Session): string {

@@ -8,6 +8,7 @@ import "./style/overview.css";
 import "./style/case.css";
 import "./style/viewer.css";
 import "./style/charts.css";
+import "./style/cost.css";
 
 const root = document.getElementById("page");
 if (root)

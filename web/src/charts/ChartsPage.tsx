@@ -1,36 +1,12 @@
 import { useMemo } from "preact/hooks";
+import { Choice } from "../common/Choice";
 import type { Session } from "../common/session";
 import type { Chart } from "../data/types";
 import { cellLink } from "../overview/Grid";
-import { go, note, parseRoute, type Route } from "../route";
+import { go, parseRoute, type Route } from "../route";
 import { chartByTarget, chartOfTwo, quantitiesOf, type Quantity } from "./from_run";
 import { hasPoints, leftOutText } from "./drawable";
 import { Plot } from "./Plot";
-
-interface ChoiceProps {
-  label: string;
-  param: string;
-  chosen: Quantity;
-  quantities: Quantity[];
-}
-
-function Choice({ label, param, chosen, quantities }: ChoiceProps) {
-  return (
-    <label>
-      {label}{" "}
-      <select
-        value={chosen.name}
-        onChange={(event) => note({ [param]: event.currentTarget.value })}
-      >
-        {quantities.map(({ name, label: text }) => (
-          <option key={name} value={name}>
-            {text}
-          </option>
-        ))}
-      </select>
-    </label>
-  );
-}
 
 interface ChartSectionProps {
   chart: Chart;
@@ -79,11 +55,11 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
         </p>
       ) : null}
       <ChartSection chart={byTarget} onOpen={open}>
-        <Choice label="Show" param="of" chosen={one} quantities={quantities} />
+        <Choice label="Show" param="of" chosen={one.name} options={quantities} />
       </ChartSection>
       <ChartSection chart={ofTwo} onOpen={open}>
-        <Choice label="y axis" param="cy" chosen={y} quantities={quantities} />
-        <Choice label="x axis" param="cx" chosen={x} quantities={quantities} />
+        <Choice label="y axis" param="cy" chosen={y.name} options={quantities} />
+        <Choice label="x axis" param="cx" chosen={x.name} options={quantities} />
       </ChartSection>
       {(overview.charts ?? []).map((chart) => (
         <ChartSection key={chart.title} chart={chart} onOpen={open} />

@@ -17,17 +17,18 @@ interface SideChoiceProps {
 }
 
 function SideChoice({ label, session, side, runParam, rendererParam }: SideChoiceProps) {
-  const { runs } = session.source;
+  const { runs, kinds } = session.source;
+  const comparable = runs.filter((_, i) => kinds[i] === "run");
   return (
     <span>
       <b>{label}</b>{" "}
-      {runs.length > 1 ? (
+      {comparable.length > 1 ? (
         <select
           aria-label={`${label}: run`}
           value={runs[side.run]}
           onChange={(e) => note({ [runParam]: e.currentTarget.value })}
         >
-          {runs.map((name) => (
+          {comparable.map((name) => (
             <option key={name}>{name}</option>
           ))}
         </select>

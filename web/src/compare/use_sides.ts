@@ -32,14 +32,15 @@ function useOverview(session: Session, run: number): Received<Overview> {
 export function useSides(session: Session, route: Route): Sides {
   const { source, overview } = session;
   // The newest run is the first, and the run before it the second.
-  const before = runNamed(source, route.query["before"], Math.min(1, source.runs.length - 1));
-  const after = runNamed(source, route.query["after"], 0);
+  const runs = source.runs.flatMap((_, i) => (source.kinds[i] === "run" ? [i] : []));
+  const before = runNamed(source, route.query["before"], runs[1] ?? runs[0] ?? -1);
+  const after = runNamed(source, route.query["after"], runs[0] ?? -1);
   useEffect(() => {
     if (source.runs.length > 1 && (!route.query["before"] || !route.query["after"]))
       note({ ...runQuery(source, before, "before"), ...runQuery(source, after, "after") });
   }, [route]);
   const { renderers } = overview;
-  const compareRenderers = source.runs.length < 2 && renderers.length > 1;
+  const compareRenderers = runs.length < 2 && renderers.length > 1;
   const usual = (i: number): string => (compareRenderers ? (renderers[i]?.name ?? "") : "");
   return {
     before: {

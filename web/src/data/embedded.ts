@@ -2,7 +2,7 @@ import { unpack } from "./raster";
 import type { Source } from "./source";
 import type { Overview, TargetDetail } from "./types";
 
-function textOf(id: string): string {
+export function textOf(id: string): string {
   const element = document.getElementById(id);
   if (!element) throw new Error("this file was written without it");
   return element.textContent ?? "";
@@ -24,6 +24,8 @@ export function embeddedSource(): Source {
   let targets: TargetDetail[] | undefined;
   return {
     runs: [overview.run.name],
+    kinds: ["run"],
+    isServed: false,
     overview: async () => overview,
     target: async (_run, index) => {
       targets ??= JSON.parse(textOf("orbs-targets")) as TargetDetail[];
@@ -46,6 +48,8 @@ export function embeddedSource(): Source {
       const element = document.getElementById(`thumbnail-${index}`);
       return element ? `data:image/png;base64,${element.textContent ?? ""}` : undefined;
     },
+    study: () => Promise.reject(new Error("this file holds a run, no cost study")),
+    picture: () => Promise.reject(new Error("this file holds a run, no cost study")),
     fileAddress: () => undefined,
     follow: () => () => undefined,
   };

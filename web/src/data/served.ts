@@ -1,5 +1,7 @@
-import { unpack } from "./raster";
-import type { Source } from "./source";
+import type { CostStudy } from "../cost/types";
+import { pngAddress } from "./display";
+import { unpack, type Raster } from "./raster";
+import type { Kind, Source } from "./source";
 import type { Overview, TargetDetail, Progress } from "./types";
 
 async function get(address: string, signal?: AbortSignal): Promise<Response> {
@@ -15,10 +17,25 @@ async function get(address: string, signal?: AbortSignal): Promise<Response> {
 const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
 
 export async function servedSource(): Promise<Source> {
-  const { runs } = (await (await get("/data/runs.json")).json()) as { runs: { name: string }[] };
+  const { runs } = (await (await get("/data/runs.json")).json()) as {
+    runs: { name: string; kind: Kind }[];
+  };
   const fileAddress = (run: number, file: string): string => `/data/${run}/file/${encoded(file)}`;
+  const raster = async (
+    run: number,
+    file: string,
+    layer: string,
+    signal?: AbortSignal,
+  ): Promise<Raster> => {
+    const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
+    const response = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
+    if (!response.body) throw new Error("the server sent an empty response");
+    return unpack(response.body);
+  };
   return {
     runs: runs.map((run) => run.name),
+    kinds: runs.map((run) => run.kind),
+    isServed: true,
     overview: async (run) => {
       const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
       const expected = runs[run]?.name ?? "";
@@ -30,12 +47,10 @@ export async function servedSource(): Promise<Source> {
     },
     target: async (run, index) =>
       (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
-    raster: async (run, file, layer, signal) => {
-      const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
-      const response = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
-      if (!response.body) throw new Error("the server sent an empty response");
-      return unpack(response.body);
-    },
+    raster,
+    study: async (run) => (await (await get(fileAddress(run, "cost.json"))).json()) as CostStudy,
+    picture: async (run, file) =>
+      file.endsWith(".exr") ? pngAddress(await raster(run, file, "")) : fileAddress(run, file),
     thumbnail: async (run, _index, detail) => {
       const result = (await detail()).images.find((image) => image.kind === "result");
       return result ? fileAddress(run, result.file.replace(/[^/]*$/, "result.png")) : undefined;

@@ -1,4 +1,6 @@
+import type { CostStudy } from "../cost/types";
 import { embeddedSource } from "./embedded";
+import { embeddedStudy } from "./embedded_study";
 import type { Raster } from "./raster";
 import { servedSource } from "./served";
 import type { Overview, TargetDetail, Progress } from "./types";
@@ -6,10 +8,16 @@ import type { Overview, TargetDetail, Progress } from "./types";
 /** "disconnected" while the browser reconnects, "closed" if the server sends no more updates. */
 export type Update = Progress | "disconnected" | "closed";
 
+/** What a folder holds. */
+export type Kind = "run" | "cost";
+
 /** Where the page gets its data from: a server, or the page's own file. */
 export interface Source {
-  /** Names of the runs; the page opens with the first. */
+  /** Names of the runs and cost studies; the page opens with the first. */
   runs: string[];
+  kinds: Kind[];
+  /** False for a page in one file, whose data never changes. */
+  isServed: boolean;
   overview(run: number): Promise<Overview>;
   target(run: number, index: number): Promise<TargetDetail>;
   /** One layer of an image; rejects with an Error that says why. */
@@ -20,6 +28,10 @@ export interface Source {
     index: number,
     target: () => Promise<TargetDetail>,
   ): Promise<string | undefined>;
+  /** A cost study as it is now. */
+  study(run: number): Promise<CostStudy>;
+  /** Address of an image of a cost study, ready to be shown; rejects with an Error that says why. */
+  picture(run: number, file: string): Promise<string>;
   /** Address of a file of the run; undefined if the source has no files. */
   fileAddress(run: number, file: string): string | undefined;
   /** Reports updates of a live run; the function that is returned stops that. */
@@ -27,5 +39,6 @@ export interface Source {
 }
 
 export async function openSource(): Promise<Source> {
+  if (document.getElementById("orbs-cost")) return embeddedStudy();
   return document.getElementById("orbs-overview") ? embeddedSource() : servedSource();
 }

@@ -1,0 +1,284 @@
+// The page of a cost study. fixture_cost.h says what is known of it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { launch, open } from "./browser";
+import { report, Scratch, serve, type Served } from "./runs";
+
+const scratch = new Scratch();
+let browser: Browser;
+let served: Served;
+
+before(async () => {
+  browser = await launch();
+  served = await serve(scratch.run("cost"), scratch.run("small"));
+});
+
+after(async () => {
+  await browser?.close();
+  served?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+/** The members of cost.json that tests change. */
+interface SomeStudy {
+  finished: boolean;
+  comparisons: unknown[];
+  self_comparison: { passed: boolean; time_ratio: unknown } | null;
+  curves: { points: { below_reference_noise: boolean }[] }[];
+}
+
+/** The page of the study, with changes to the cost.json that the server sends. */
+async function openStudy(
+  hash = "",
+  change: (study: SomeStudy) => void = () => undefined,
+): Promise<{ page: Page; errors: string[] }> {
+  const { page, errors } = await open(browser, "about:blank");
+  await page.route("**/cost.json", async (route) => {
+    const study = (await (await route.fetch()).json()) as SomeStudy;
+    change(study);
+    await route.fulfill({ json: study });
+  });
+  await page.goto(`${served.url}#/${hash}`);
+  await page.locator(".cost-plot svg").waitFor();
+  return { page, errors };
+}
+
+const shownImage = (page: Page): Promise<string | null> =>
+  page.locator(".pictures img").first().getAttribute("data-file");
+
+const rowsOf = (page: Page): Promise<string[]> => page.locator(".prices tbody tr").allInnerTexts();
+
+test("a sentence and a bar per level say who is cheapest", async () => {
+  const { page, errors } = await openStudy();
+  // Of six targets two are too noisy for 35 dB, and on 205 orbs and cycles are too alike.
+  assert.equal(
+    await page.locator(".answer").innerText(),
+    "At 35 dB orbs is cheapest on 3 of the 4 targets on which anybody reaches it; " +
+      "cycles takes 2.1 times as long, povray takes 5.5 times as long.",
+  );
+  const level = page.locator("tr[data-level='40']");
+  assert.deepEqual(await level.locator(".win").allInnerTexts(), [
+    "2 orbs",
+    "1 no difference",
+    "3 not reached",
+  ]);
+  assert.match(await level.locator(".ratios").innerText(), /povray × 12\.9 .*on 1 target/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a failed comparison of a renderer with itself hides the ranking", async () => {
+  const { page } = await openStudy("", (study) => {
+    study.comparisons = [];
+    study.self_comparison = {
+      passed: false,
+      time_ratio: { value: 1.2, low: 1.1, high: 1.3 },
+    };
+  });
+  const text = await page.locator(".who").innerText();
+  assert.match(text, /Nobody is ranked.*time × 1\.2 \(1\.1 to 1\.3\)/s);
+  assert.equal(await page.locator(".answer, .wins").count(), 0);
+  assert.ok(!(await page.locator(".prices tbody").innerText()).includes("★"));
+  await page.close();
+});
+
+test("the chart has a point per rung, fits, a floor, levels and a frontier", async () => {
+  const { page, errors } = await openStudy("?target=101");
+  const plot = page.locator(".cost-plot");
+  assert.equal(await plot.locator(".point").count(), 3 * 6);
+  assert.equal(await plot.locator(".fit").count(), 3);
+  assert.equal(await plot.locator(".band").count(), 3);
+  assert.equal(await plot.locator(".floor").count(), 1);
+  assert.equal(await plot.locator(".level").count(), 3);
+  assert.equal(await plot.locator(".frontier").count(), 1);
+  assert.equal(await page.locator(".multiples a svg").count(), 6);
+  // The fit describes only relMSE over CPU seconds.
+  await page.getByLabel("Time").selectOption("render_seconds");
+  await page.waitForFunction(() => !document.querySelector(".cost-plot .fit"));
+  assert.equal(await plot.locator(".point").count(), 2 * 6, "povray says no render time");
+  await page.getByLabel("Error").selectOption("psnr_srgb8");
+  await page.waitForFunction(() => document.querySelectorAll(".cost-plot .level").length === 4);
+  assert.match(page.url(), /x=render_seconds&y=psnr_srgb8|y=psnr_srgb8.*x=render_seconds/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the reference's noise is a line, and points near it are hollow", async () => {
+  const { page } = await openStudy("", (study) => {
+    const last = study.curves[0]?.points[5];
+    if (last) last.below_reference_noise = true;
+    Object.assign((study as unknown as { targets: object[] }).targets[0]!, {
+      reference_noise: { relmse: 1e-3 },
+    });
+  });
+  assert.equal(await page.locator(".cost-plot .reference-noise").count(), 1);
+  const panel = await page.evaluate(() =>
+    getComputedStyle(document.documentElement).getPropertyValue("--panel").trim(),
+  );
+  const disc = page.locator("[data-point='0/5'] circle").last();
+  assert.equal(await disc.getAttribute("fill"), panel);
+  await page.close();
+});
+
+test("hover and focus say all numbers of a point", async () => {
+  const { page } = await openStudy("?target=101");
+  const expected = [
+    "cycles, 256 spp",
+    "1.17 s (1.11 s to 1.23 s)",
+    "0.701 s",
+    "0.584 s",
+    "0.00286 (0.00243 to 0.00329)",
+    "2.86e-4",
+    "35.4 (34.9 to 36) dB",
+    "0.0535",
+  ];
+  const point = page.locator("[data-point='1/3']");
+  const check = async (): Promise<void> => {
+    const tip = await page.locator(".point-tip").innerText();
+    for (const part of expected) assert.ok(tip.includes(part), `${part} in ${tip}`);
+  };
+  await point.hover();
+  await check();
+  await page.mouse.move(0, 0);
+  await page.waitForFunction(() => !document.querySelector(".point-tip"));
+  await point.focus();
+  await check();
+  await page.close();
+});
+
+test("a click or Enter on a point opens its image beside the reference", async () => {
+  const { page, errors } = await openStudy("?target=101");
+  await page.locator("[data-point='2/4']").click();
+  await page.locator("img[data-file='images/povray/101/4.png']").waitFor();
+  await page.locator("img[data-file='images/reference/101.exr']").waitFor();
+  const sizes = await page
+    .locator(".pictures img")
+    .evaluateAll((images) => images.map((one) => (one as HTMLImageElement).naturalWidth));
+  assert.deepEqual(sizes, [64, 64]);
+  assert.match(page.url(), /point=povray%2F4/);
+  await page.locator("[data-point='0/1']").focus();
+  await page.keyboard.press("Enter");
+  await page.locator("img[data-file='images/orbs/101/1.png']").waitFor();
+  await page.getByRole("button", { name: "Next rung" }).click();
+  await page.locator("img[data-file='images/orbs/101/2.png']").waitFor();
+  await page.keyboard.down("Shift");
+  await page.waitForFunction(
+    () => document.querySelectorAll("img[data-file='images/reference/101.exr']").length === 2,
+  );
+  await page.keyboard.up("Shift");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a small chart opens its target, and text of the study is never markup", async () => {
+  const { page } = await openStudy();
+  await page.locator(".multiples a", { hasText: "Furnace <b>test</b>" }).click();
+  await page.getByRole("region", { name: "M6 g4-lambert: Furnace <b>test</b>" }).waitFor();
+  assert.match((await shownImage(page)) ?? "", /g4-lambert/);
+  await page.keyboard.press("[");
+  await page.getByRole("region", { name: "M5 301: Depth of field" }).waitFor();
+  await page.close();
+});
+
+test("the table of prices sorts by each column, without a price last", async () => {
+  const { page } = await openStudy();
+  assert.match((await rowsOf(page))[0] ?? "", /^101\s+orbs\s+★ 0\.150 s/);
+  const head = page.locator(".prices thead th", { hasText: "30 dB" });
+  await head.getByRole("button").click();
+  assert.equal(await head.getAttribute("aria-sort"), "ascending");
+  let rows = await rowsOf(page);
+  assert.match(rows[1] ?? "", /^110\s+orbs\s+★ 0\.300 s/);
+  assert.match(rows.at(-1) ?? "", /not reached/);
+  await head.getByRole("button").click();
+  assert.equal(await head.getAttribute("aria-sort"), "descending");
+  rows = await rowsOf(page);
+  assert.match(rows[0] ?? "", /^248\s+povray\s+10\.6 s/);
+  assert.match(rows.at(-1) ?? "", /not reached/);
+  await page.locator("input[type=search]").fill("glass");
+  await page.waitForFunction(() => document.querySelectorAll(".prices tbody tr").length === 3);
+  assert.equal(await page.locator(".multiples a svg").count(), 1);
+  await page.close();
+});
+
+/** Saves by a button of a panel; the name and the text of the file. */
+async function saved(page: Page, region: string, button: string) {
+  const panel = page.getByRole("region", { name: region, exact: true });
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    panel.getByRole("button", { name: button, exact: true }).click(),
+  ]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+test("charts are saved as SVG, PNG and CSV", async () => {
+  const { page, errors } = await openStudy("?target=101");
+  const title = "M1 101: Lambertian reflection";
+  const svg = await saved(page, title, "SVG");
+  assert.equal(svg.name, "M1-101-Lambertian-reflection.svg");
+  assert.match(svg.bytes.toString(), /^<svg xmlns.*Lambertian reflection<\/text>/s);
+  assert.ok(
+    !/ class="[^"]*"[^>]*style=|var\(--/.test(svg.bytes.toString()),
+    "needs no style sheet",
+  );
+  const png = await saved(page, "All targets", "PNG");
+  assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
+  const csv = (await saved(page, title, "CSV")).bytes.toString().trim().split("\r\n");
+  assert.equal(csv.length, 1 + 3 * 6);
+  assert.match(csv[1] ?? "", /^101,orbs,4 spp,4,4,0\.058,/);
+  const prices = (await saved(page, "Prices", "CSV")).bytes.toString().trim().split("\r\n");
+  assert.equal(prices.length, 1 + 6 * 3 * 7);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a study stands beside runs, and comparisons of runs do not offer it", async () => {
+  const { page, errors } = await openStudy();
+  const choice = page.locator("header select");
+  assert.deepEqual(await choice.locator("option").allInnerTexts(), ["cost (cost)", "small"]);
+  await choice.selectOption("small");
+  await page.locator(".grid").waitFor();
+  await page.goto(`${served.url}#/compare?run=small`);
+  await page.locator(".compare section").first().waitFor();
+  assert.equal(await page.getByRole("combobox", { name: "Before: run" }).count(), 0);
+  await page.locator("header select").selectOption("cost");
+  await page.locator(".cost-plot svg").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("an unfinished study says so", async () => {
+  const { page } = await openStudy("", (study) => (study.finished = false));
+  assert.match(await page.locator("header [role=status]").innerText(), /not finished/);
+  await page.close();
+});
+
+test("the page fits a narrow screen", async () => {
+  const { page } = await openStudy();
+  await page.setViewportSize({ width: 390, height: 800 });
+  await page.waitForFunction(
+    () => (document.querySelector(".cost-plot svg")?.getBoundingClientRect().width ?? 999) < 390,
+  );
+  const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(over <= 0, `${over} px too wide`);
+  await page.close();
+});
+
+test("the one-file page of a study works from file:// and requests nothing", async () => {
+  const file = join(scratch.folder, "cost.html");
+  report(join(scratch.folder, "cost"), file);
+  const { page, errors } = await open(browser, `file://${file}#/?target=110`);
+  await page.locator("[data-point='1/2']").click();
+  await page.locator("img[data-file='images/cycles/110/2.png']").waitFor();
+  await page.locator("img[data-file='images/reference/110.exr']").waitFor();
+  const sizes = await page
+    .locator(".pictures img")
+    .evaluateAll((images) => images.map((one) => (one as HTMLImageElement).naturalWidth));
+  assert.deepEqual(sizes, [64, 64]);
+  assert.match(await page.locator(".answer").innerText(), /At 35 dB orbs is cheapest/);
+  assert.equal((await saved(page, "M2 110: Glass", "PNG")).bytes.subarray(1, 4).toString(), "PNG");
+  assert.deepEqual(errors, []);
+  await page.close();
+});

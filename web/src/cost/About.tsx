@@ -1,0 +1,48 @@
+import { number, seconds } from "../common/format";
+import { metricName, ratioText } from "./quantities";
+import type { CostRenderer, CostStudy } from "./types";
+
+function selfText(study: CostStudy): string {
+  const self = study.self_comparison;
+  if (!self) return "not made";
+  const what = `${study.renderers[self.renderer]?.name} on ${study.targets[self.target]?.name}`;
+  const ratios = `time ${ratioText(self.time_ratio)}, error ${ratioText(self.error_ratio)}`;
+  const verdict = self.passed ? "no difference shown" : "a difference was found";
+  return `${verdict}: ${what}, ${self.pairs} pairs, ${ratios}; ${self.note}.`;
+}
+
+// Many programs begin their version with their name.
+const rendererText = ({ name, version }: CostRenderer): string =>
+  version.toLowerCase().startsWith(name.toLowerCase()) ? version : `${name} ${version}`;
+
+function rows(study: CostStudy): [string, string][] {
+  const { settings, host } = study;
+  const load = [study.load, study.load_end].map((one) => number(one)).join(" at the start, ");
+  return [
+    ["Renderers", study.renderers.map(rendererText).join("; ")],
+    ["Seeds per rung", String(settings.seeds)],
+    ["Threads", String(settings.threads)],
+    ["Order of the renders", `shuffled by the seed ${settings.order_seed}`],
+    ["Budget", settings.budget_seconds === null ? "none" : seconds(settings.budget_seconds)],
+    ["Machine", `${host.name}: ${host.cpu}, ${host.cores} cores; load ${load} at the end`],
+    ["A renderer compared with itself", selfText(study)],
+    ...study.definitions.map(({ name, text }): [string, string] => [metricName(name), text]),
+  ];
+}
+
+/** How it was measured, and what each number means. */
+export function About({ study }: { study: CostStudy }) {
+  return (
+    <section class="cost-panel about" aria-label="How it was measured">
+      <h2>How it was measured</h2>
+      <dl>
+        {rows(study).map(([name, text]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  );
+}

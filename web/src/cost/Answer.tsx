@@ -1,0 +1,179 @@
+import { number } from "../common/format";
+import { answerAt, levelsOf, mayRank, type LevelAnswer, type MeanRatio } from "./cheapest";
+import { RendererKey } from "./Multiples";
+import { levelText, metricName, ratioText } from "./quantities";
+import { useTheme } from "./theme";
+import type { CostStudy } from "./types";
+
+const excludesOne = ({ low, high }: MeanRatio): boolean => low > 1 || high < 1;
+const short = (value: number): string => String(Number(value.toPrecision(2)));
+const plural = (count: number, what: string): string => `${count} ${what}${count === 1 ? "" : "s"}`;
+
+function ratioSentence(name: string, ratio: MeanRatio | undefined): string {
+  if (!ratio) return `${name} cannot be compared there`;
+  if (!excludesOne(ratio)) return `no difference is shown to ${name} on average`;
+  return `${name} takes ${short(ratio.value)} times as long`;
+}
+
+/** The answer at one level in plain words. */
+export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
+  const at = `At ${levelText(study, answer.metric, answer.level)}`;
+  const { leader, targets, unreached } = answer;
+  const reached = targets - unreached;
+  if (unreached === targets) return `${at}: no renderer reached it.`;
+  if (leader === undefined)
+    return `${at} no renderer is shown to be cheapest more often than others.`;
+  const name = study.renderers[leader]?.name ?? "";
+  const others = study.renderers.flatMap((other, i) =>
+    i === leader ? [] : [ratioSentence(other.name, answer.ratios[i])],
+  );
+  const all = plural(reached, "target");
+  const of = unreached > 0 ? `the ${all} on which anybody reaches it` : all;
+  const wins = `${name} is cheapest on ${answer.cheapest[leader]} of ${of}`;
+  return `${at} ${wins}${others.length > 0 ? `; ${others.join(", ")}` : ""}.`;
+}
+
+interface Part {
+  key: string;
+  count: number;
+  text: string;
+  colour: string | undefined;
+  kind: string;
+}
+
+function partsOf(study: CostStudy, answer: LevelAnswer, colourOf: (i: number) => string): Part[] {
+  const each = (counts: number[], kind: string, text: (name: string) => string): Part[] =>
+    study.renderers.map(({ name }, i) => ({
+      key: `${kind} ${name}`,
+      count: counts[i] ?? 0,
+      text: text(name),
+      colour: colourOf(i),
+      kind,
+    }));
+  return [
+    ...each(answer.cheapest, "cheapest", (name) => name),
+    ...each(answer.only, "only", (name) => `only ${name}`),
+    {
+      key: "open",
+      count: answer.open,
+      text: "no difference",
+      colour: undefined,
+      kind: "open",
+    },
+    {
+      key: "unreached",
+      count: answer.unreached,
+      text: "not reached",
+      colour: undefined,
+      kind: "unreached",
+    },
+  ].filter(({ count }) => count > 0);
+}
+
+const kMeanings: Record<string, string> = {
+  cheapest: "shown to be cheaper than all others that reach this quality",
+  only: "no other renderer reached this quality",
+  open: "no renderer is shown to be cheaper than all others",
+  unreached: "no renderer reached this quality",
+};
+
+function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
+  const theme = useTheme();
+  const parts = partsOf(study, answer, theme.series);
+  return (
+    <div class="wins">
+      {parts.map(({ key, count, text, colour, kind }) => (
+        <span
+          key={key}
+          class={`win ${kind}`}
+          title={`${kMeanings[kind]}: ${count} of ${plural(answer.targets, "target")}`}
+          style={{ flexGrow: count, ...(colour ? { borderColor: colour, color: colour } : {}) }}
+        >
+          <span>
+            <b>{count}</b> {text}
+          </span>
+        </span>
+      ))}
+    </div>
+  );
+}
+
+function Ratios({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
+  const { leader } = answer;
+  if (leader === undefined) return null;
+  return (
+    <ul class="ratios">
+      {study.renderers.map(({ name }, i) => {
+        const ratio = answer.ratios[i];
+        return i === leader || !ratio ? null : (
+          <li key={name}>
+            {name} <b>{ratioText({ ...ratio })}</b>{" "}
+            <span class="quiet">
+              on {plural(ratio.count, "target")}
+              {excludesOne(ratio) ? "" : ", no difference shown"}
+            </span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
+
+function NotRanked({ study }: { study: CostStudy }) {
+  const self = study.self_comparison;
+  return (
+    <div class="not-ranked" role="alert">
+      <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and the study
+      found a difference: time {ratioText(self?.time_ratio ?? null)}, error{" "}
+      {ratioText(self?.error_ratio ?? null)}. Times of different renderers would not be believable
+      either. Measure again on a quiet machine.
+    </div>
+  );
+}
+
+/** Who is cheapest at which quality: a sentence, then one bar per level. */
+export function Answer({ study, metric }: { study: CostStudy; metric: string }) {
+  const theme = useTheme();
+  if (!mayRank(study)) return <NotRanked study={study} />;
+  const answers = levelsOf(study, metric).map((level) => answerAt(study, metric, level));
+  const wanted =
+    answers.find(({ level }) => metric === "psnr_srgb8" && level === study.settings.target_db) ??
+    answers[Math.floor(answers.length / 2)];
+  if (!wanted || study.renderers.length < 2)
+    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
+  return (
+    <>
+      <p class="answer">{answerSentence(study, wanted)}</p>
+      <RendererKey study={study} theme={theme} />
+      <table class="answer-table">
+        <thead>
+          <tr>
+            <th scope="col">{metricName(metric)}</th>
+            <th scope="col">Cheapest in CPU seconds, number of targets</th>
+            <th scope="col">Time, × that of the renderer that is cheapest most often</th>
+          </tr>
+        </thead>
+        <tbody>
+          {answers.map((answer) => (
+            <tr key={answer.level} data-level={answer.level}>
+              <th scope="row">
+                {metric === "psnr_srgb8" ? `${answer.level} dB` : number(answer.level)}
+              </th>
+              <td>
+                <Bar study={study} answer={answer} />
+              </td>
+              <td>
+                <Ratios study={study} answer={answer} />
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p class="quiet">
+        Ratios are geometric means over the targets that both reach, with the 95 % interval that
+        follows from the intervals of the targets.
+        {study.self_comparison ? "" : " The study did not compare a renderer with itself."}
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,49 @@
+import { seconds } from "../common/format";
+import { TableHead, type Column } from "../common/TableHead";
+import { withEnds } from "./quantities";
+import type { CostStudy, Curve } from "./types";
+
+const kColumns: Column[] = [
+  { label: "Renderer" },
+  { label: "Fixed cost", title: "CPU seconds of an image of one pixel: start, reading, building" },
+  { label: "v", title: "relMSE(t) = b² + v / tᵖ, t in CPU seconds above the fixed cost" },
+  { label: "p", title: "1 for independent samples; larger is faster" },
+  { label: "b²", title: "the part of the relMSE that no time removes" },
+  { label: "Floor" },
+];
+
+function floorText({ fit }: Curve): string {
+  if (!fit) return "not fitted";
+  if (!fit.has_floor) return "none shown";
+  return fit.floor_named ? `yes: ${fit.floor_named}` : "yes";
+}
+
+/** The fitted curves of one target in numbers. */
+export function FitTable({ study, curves }: { study: CostStudy; curves: Curve[] }) {
+  return (
+    <div class="scroll">
+      <table class="fits">
+        <TableHead columns={kColumns} />
+        <tbody>
+          {curves.map((curve) => (
+            <tr key={curve.renderer}>
+              <th scope="row">{study.renderers[curve.renderer]?.name}</th>
+              <td>{withEnds(curve.fixed_cpu_seconds, seconds)}</td>
+              <td>{withEnds(curve.fit?.variance ?? null)}</td>
+              <td>{withEnds(curve.fit?.exponent ?? null)}</td>
+              <td>{withEnds(curve.fit?.bias_squared ?? null)}</td>
+              <td>{floorText(curve)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {curves
+        .filter(({ note }) => note)
+        .map(({ renderer, note }) => (
+          <p class="quiet" key={renderer}>
+            {study.renderers[renderer]?.name}: {note}
+          </p>
+        ))}
+    </div>
+  );
+}

@@ -1,0 +1,94 @@
+import { useState } from "preact/hooks";
+import { useRequest } from "../common/request";
+import type { Source } from "../data/source";
+import { useHeldKey } from "../viewer/held_key";
+import { numbersOf } from "./quantities";
+import type { CostStudy, Curve } from "./types";
+
+interface PictureProps {
+  source: Source;
+  run: number;
+  file: string;
+  label: string;
+  width: number;
+  height: number;
+}
+
+function Picture({ source, run, file, label, width, height }: PictureProps) {
+  const { value, problem } = useRequest(
+    `${run} ${file}`,
+    "",
+    file ? () => source.picture(run, file) : undefined,
+  );
+  return (
+    <figure>
+      {value ? (
+        <img src={value} alt={label} width={width} height={height} data-file={file} />
+      ) : (
+        <div class="no-picture quiet" style={{ aspectRatio: `${width} / ${height}` }}>
+          {problem ?? (file ? "Reading …" : "There is no image.")}
+        </div>
+      )}
+      <figcaption>{label}</figcaption>
+    </figure>
+  );
+}
+
+interface Props {
+  source: Source;
+  run: number;
+  study: CostStudy;
+  curve: Curve;
+  rung: number;
+  onRung: (rung: number) => void;
+}
+
+/** The image of a rung beside the reference, and all its numbers. */
+export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
+  const [held, setHeld] = useState(false);
+  useHeldKey("shift", setHeld);
+  const target = study.targets[curve.target];
+  const point = curve.points[rung];
+  if (!target || !point) return null;
+  const name = study.renderers[curve.renderer]?.name ?? "";
+  const common = { source, run, width: target.width, height: target.height };
+  const step = (by: number, label: string, sign: string) => (
+    <button
+      aria-label={label}
+      title={label}
+      disabled={!curve.points[rung + by]}
+      onClick={() => onRung(rung + by)}
+    >
+      {sign}
+    </button>
+  );
+  return (
+    <section class="pictures" aria-label="Image and reference">
+      <h3>
+        {step(-1, "Rung before", "‹")} {name}, {point.rung} {step(1, "Next rung", "›")}
+      </h3>
+      <div class="pair">
+        <Picture
+          {...common}
+          file={held ? target.reference : point.image}
+          label={held ? "reference" : `${name}, ${point.rung}`}
+        />
+        <Picture {...common} file={target.reference} label="reference" />
+      </div>
+      <p class="quiet">
+        Hold Shift to see the reference in place of the image.
+        {point.below_reference_noise
+          ? " This error is not above twice the noise of the reference."
+          : ""}
+      </p>
+      <dl class="numbers">
+        {numbersOf(study, point).map(({ label, text }) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  );
+}

@@ -1,0 +1,164 @@
+// Who is cheapest at which quality. Only comparisons whose verdict says so rank anybody.
+import type { Comparison, CostStudy, Interval } from "./types";
+
+/** The standing of all renderers on one target at one level. */
+export type Standing =
+  | { kind: "cheapest"; renderer: number }
+  | { kind: "only"; renderer: number }
+  | { kind: "open" }
+  | { kind: "unreached" };
+
+const priceOf = (
+  study: CostStudy,
+  target: number,
+  renderer: number,
+  metric: string,
+  level: number,
+) =>
+  study.curves
+    .find((curve) => curve.target === target && curve.renderer === renderer)
+    ?.prices.find((price) => price.metric === metric && price.level === level);
+
+/** True if the comparison shows that `renderer` is the cheaper of its two. */
+function showsCheaper({ first, second, time_ratio: ratio, verdict }: Comparison, renderer: number) {
+  if (verdict !== "cheaper" && verdict !== "dearer") return false;
+  if (ratio?.value == null) return false;
+  return renderer === (ratio.value > 1 ? first : second);
+}
+
+export function standingAt(
+  study: CostStudy,
+  target: number,
+  metric: string,
+  level: number,
+): Standing {
+  const reached = study.renderers
+    .map((_, renderer) => renderer)
+    .filter((renderer) => {
+      const value = priceOf(study, target, renderer, metric, level)?.cpu_seconds?.value;
+      return value !== null && value !== undefined;
+    });
+  const [only] = reached;
+  if (only === undefined) return { kind: "unreached" };
+  if (reached.length === 1) return { kind: "only", renderer: only };
+  const own = study.comparisons.filter(
+    (one) => one.target === target && one.metric === metric && one.level === level,
+  );
+  const between = (a: number, b: number): Comparison | undefined =>
+    own.find(({ first, second }) => (first === a && second === b) || (first === b && second === a));
+  const winner = reached.find((renderer) =>
+    reached.every((other) => {
+      const comparison = between(renderer, other);
+      return other === renderer || (comparison && showsCheaper(comparison, renderer));
+    }),
+  );
+  return winner === undefined ? { kind: "open" } : { kind: "cheapest", renderer: winner };
+}
+
+export interface MeanRatio extends Interval {
+  value: number;
+  low: number;
+  high: number;
+  /** Number of targets. */
+  count: number;
+}
+
+const kNormal95 = 1.96;
+
+/**
+ * Geometric mean over targets of the time of `other` divided by that of `base`, at one level. Its
+ * interval holds what the intervals of the targets allow, taken as independent and normal in the
+ * logarithm; it says nothing about targets that were not measured.
+ */
+export function meanRatio(
+  study: CostStudy,
+  base: number,
+  other: number,
+  metric: string,
+  level: number,
+): MeanRatio | undefined {
+  let [sum, variance, count] = [0, 0, 0];
+  for (const one of study.comparisons) {
+    const { first, second, time_ratio: ratio } = one;
+    const isPair = (first === base && second === other) || (first === other && second === base);
+    if (!isPair || one.metric !== metric || one.level !== level || !ratio?.value) continue;
+    sum += (first === base ? 1 : -1) * Math.log(ratio.value);
+    const [low, high] = [ratio.low || ratio.value, ratio.high || ratio.value];
+    variance += (Math.log(high / low) / (2 * kNormal95)) ** 2;
+    ++count;
+  }
+  if (count === 0) return undefined;
+  const [mean, half] = [sum / count, (kNormal95 * Math.sqrt(variance)) / count];
+  return { value: Math.exp(mean), low: Math.exp(mean - half), high: Math.exp(mean + half), count };
+}
+
+export interface LevelAnswer {
+  metric: string;
+  level: number;
+  targets: number;
+  /** Number of targets of each renderer. */
+  cheapest: number[];
+  only: number[];
+  open: number;
+  unreached: number;
+  /** The renderer that is shown to be the cheapest on the most targets, if there is one. */
+  leader: number | undefined;
+  /** Time of each renderer divided by the leader's. */
+  ratios: (MeanRatio | undefined)[];
+}
+
+export function answerAt(study: CostStudy, metric: string, level: number): LevelAnswer {
+  const count = (): number[] => study.renderers.map(() => 0);
+  const [cheapest, only] = [count(), count()];
+  let [open, unreached] = [0, 0];
+  study.targets.forEach((_, target) => {
+    const standing = standingAt(study, target, metric, level);
+    if (standing.kind === "open") ++open;
+    else if (standing.kind === "unreached") ++unreached;
+    else {
+      const list = standing.kind === "cheapest" ? cheapest : only;
+      list[standing.renderer] = (list[standing.renderer] ?? 0) + 1;
+    }
+  });
+  const most = Math.max(...cheapest);
+  const leaders = cheapest.flatMap((wins, renderer) =>
+    wins === most && most > 0 ? [renderer] : [],
+  );
+  const leader = leaders.length === 1 ? leaders[0] : undefined;
+  const ratios = study.renderers.map((_, other) =>
+    leader === undefined || other === leader
+      ? undefined
+      : meanRatio(study, leader, other, metric, level),
+  );
+  return {
+    metric,
+    level,
+    targets: study.targets.length,
+    cheapest,
+    only,
+    open,
+    unreached,
+    leader,
+    ratios,
+  };
+}
+
+/** The levels of a metric that have prices, the lowest quality first. */
+export function levelsOf(study: CostStudy, metric: string): number[] {
+  const levels = new Set(
+    study.curves.flatMap(({ prices }) =>
+      prices.filter((price) => price.metric === metric).map(({ level }) => level),
+    ),
+  );
+  const lowerIsBetter = study.metrics.find(({ name }) => name === metric)?.lower_is_better;
+  return [...levels].sort((a, b) => (lowerIsBetter ? b - a : a - b));
+}
+
+/** The metrics that have prices, PSNR first. */
+export function pricedMetrics(study: CostStudy): string[] {
+  const metrics = new Set(study.curves.flatMap(({ prices }) => prices.map(({ metric }) => metric)));
+  return [...metrics].sort((a, b) => Number(b === "psnr_srgb8") - Number(a === "psnr_srgb8"));
+}
+
+/** False if the same renderer under two names was found to differ: then nothing may be ranked. */
+export const mayRank = (study: CostStudy): boolean => study.self_comparison?.passed !== false;

@@ -1,0 +1,53 @@
+import { errorOf, kTimes } from "./quantities";
+import type { CostStudy, MaybeInterval } from "./types";
+
+type Row = (string | number | boolean | null)[];
+
+const heads = (name: string): string[] => [name, `${name}_low`, `${name}_high`];
+const cells = (interval: MaybeInterval): (number | null)[] => [
+  interval?.value ?? null,
+  interval?.low ?? null,
+  interval?.high ?? null,
+];
+
+/** One row per point of these targets, with all its numbers. */
+export function pointRows(study: CostStudy, targets: number[]): Row[] {
+  const head: Row = [
+    ...["target", "renderer", "rung", "spp", "renders"],
+    ...kTimes.flatMap(({ name }) => heads(name)),
+    ...study.metrics.flatMap(({ name }) => heads(name)),
+    ...["below_reference_noise", "on_frontier"],
+  ];
+  const rows = study.curves
+    .filter(({ target }) => targets.includes(target))
+    .flatMap((curve) =>
+      curve.points.map((point): Row => [
+        study.targets[curve.target]?.name ?? "",
+        study.renderers[curve.renderer]?.name ?? "",
+        point.rung,
+        point.spp,
+        point.renders,
+        ...kTimes.flatMap(({ name }) => cells(point[name])),
+        ...study.metrics.flatMap(({ name }) => cells(errorOf(point, name))),
+        point.below_reference_noise,
+        point.on_frontier,
+      ]),
+    );
+  return [head, ...rows];
+}
+
+/** One row per target, renderer and level. */
+export function priceRows(study: CostStudy): Row[] {
+  const head: Row = ["target", "renderer", "metric", "level", ...heads("cpu_seconds"), "note"];
+  const rows = study.curves.flatMap((curve) =>
+    curve.prices.map((price): Row => [
+      study.targets[curve.target]?.name ?? "",
+      study.renderers[curve.renderer]?.name ?? "",
+      price.metric,
+      price.level,
+      ...cells(price.cpu_seconds),
+      price.note,
+    ]),
+  );
+  return [head, ...rows];
+}

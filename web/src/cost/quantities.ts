@@ -1,0 +1,71 @@
+import { number, seconds } from "../common/format";
+import type { CostMetric, CostPoint, CostStudy, MaybeInterval } from "./types";
+
+export type TimeName = "cpu_seconds" | "wall_seconds" | "render_seconds";
+
+export const kTimes: { name: TimeName; label: string }[] = [
+  { name: "cpu_seconds", label: "CPU seconds" },
+  { name: "wall_seconds", label: "wall seconds" },
+  { name: "render_seconds", label: "render seconds (renderer's own)" },
+];
+
+const kMetricNames: Record<string, string> = {
+  relmse: "relMSE",
+  mse: "MSE",
+  flip: "FLIP",
+  psnr_srgb8: "PSNR",
+};
+
+export const metricName = (name: string): string => kMetricNames[name] ?? name;
+
+/** "35 dB", "relMSE 0.001". */
+export function levelText(study: CostStudy, metric: string, level: number): string {
+  const unit = study.metrics.find(({ name }) => name === metric)?.unit ?? "";
+  return unit ? `${level} ${unit}` : `${metricName(metric)} ${number(level)}`;
+}
+
+export const metricOf = (study: CostStudy, name: string | undefined): CostMetric | undefined =>
+  study.metrics.find((metric) => metric.name === name) ??
+  study.metrics.find((metric) => metric.name === "relmse") ??
+  study.metrics[0];
+
+export const errorOf = (point: CostPoint, metric: string): MaybeInterval =>
+  point.errors[metric] ?? null;
+
+/** Three significant digits: more than an interval of four seeds can carry. */
+export function short(value: number | null): string {
+  if (value === null) return "–";
+  const size = Math.abs(value);
+  if (value === 0 || (size >= 1e-3 && size < 1e5)) return String(Number(value.toPrecision(3)));
+  return Number(value.toPrecision(3)).toExponential();
+}
+
+/** The value with its ends: "0.12 (0.10–0.14)". */
+export function withEnds(
+  interval: MaybeInterval,
+  text: (value: number | null) => string = short,
+): string {
+  if (!interval || interval.value === null) return "–";
+  const { value, low, high } = interval;
+  return low === null || high === null
+    ? text(value)
+    : `${text(value)} (${text(low)} to ${text(high)})`;
+}
+
+/** "× 2.4 (2.2 to 2.6)" */
+export const ratioText = (interval: MaybeInterval): string =>
+  interval?.value == null ? "–" : `× ${withEnds(interval)}`;
+
+/** Every number of a point, as the hover and the panel beside the chart show it. */
+export function numbersOf(study: CostStudy, point: CostPoint): { label: string; text: string }[] {
+  return [
+    { label: "CPU", text: withEnds(point.cpu_seconds, seconds) },
+    { label: "wall", text: withEnds(point.wall_seconds, seconds) },
+    { label: "render", text: withEnds(point.render_seconds, seconds) },
+    ...study.metrics.map(({ name, unit }) => ({
+      label: metricName(name),
+      text: `${withEnds(errorOf(point, name))}${unit ? ` ${unit}` : ""}`,
+    })),
+    { label: "renders", text: String(point.renders) },
+  ];
+}
