@@ -66,7 +66,7 @@ std::vector<TableRow> price_rows(const CostRecord& record, const CostNumbers& nu
 // ratios 3.1".
 std::string ranking(const CostRecord& record, const CostNumbers& numbers, std::size_t goal) {
   struct Tally {
-    int cheaper = 0, dearer = 0, equal = 0;
+    int cheaper = 0, dearer = 0, equal = 0, unknown = 0;
     std::vector<double> logs;
   };
   std::map<std::pair<std::size_t, std::size_t>, Tally> tallies;
@@ -77,13 +77,15 @@ std::string ranking(const CostRecord& record, const CostNumbers& numbers, std::s
     tally.cheaper += one.verdict == "dearer" ? 1 : 0;  // the verdict is of the second
     tally.dearer += one.verdict == "cheaper" ? 1 : 0;
     tally.equal += one.verdict == "no difference shown" ? 1 : 0;
+    tally.unknown += one.verdict == "not comparable" ? 1 : 0;
     if (one.time_ratio) tally.logs.push_back(std::log(one.time_ratio->value));
   }
   std::string text;
   for (const auto& [pair, tally] : tallies) {
-    text += fmt::format("{} is cheaper than {} to {} on {} scenes, dearer on {}, no difference shown on {}",
-                        record.renderers[pair.first].name, record.renderers[pair.second].name,
-                        goal_text(wanted), tally.cheaper, tally.dearer, tally.equal);
+    text += fmt::format(
+        "{} is cheaper than {} to {} on {} scenes, dearer on {}, no difference shown on {}, not comparable on {}",
+        record.renderers[pair.first].name, record.renderers[pair.second].name, goal_text(wanted),
+        tally.cheaper, tally.dearer, tally.equal, tally.unknown);
     if (tally.logs.size() >= 2) {
       const auto mean = mean_interval(tally.logs);
       text += fmt::format("; {} takes {:.2f} times as long ({:.2f} to {:.2f}; geometric mean of {})",

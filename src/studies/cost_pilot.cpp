@@ -1,0 +1,95 @@
+#include "studies/cost_pilot.h"
+
+#include "base/error.h"
+#include "studies/cost_ladder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+std::vector<CostRung> settings_rungs(const registry::Renderer& entry) {
+  std::vector<CostRung> rungs;
+  for (const auto& quality : entry.cost_ladder) rungs.push_back({quality.name, quality.spp});
+  return rungs;
+}
+
+// Every pilot is also the warm-up of its renderer and scene: file caches are filled when the rounds begin.
+// Nothing when the user interrupts.
+std::optional<CostPilot> pilot(const CostStudy& study, std::size_t target, std::size_t renderer) {
+  constexpr int kPilotSpp = 8;  // enough: the error of an image is a mean over all its pixels
+  const auto& entry = study.plan.renderers[renderer].entry;
+  CostPilot found{target, renderer, 0, kPilotSpp, 0, 0, 1, settings_rungs(entry)};
+  CostRender wanted{.target = target, .renderer = renderer, .purpose = kFixed};
+  const auto fixed = measured_render(study, wanted);
+  if (!fixed) return std::nullopt;
+  found.fixed_seconds = fixed->wall_seconds;
+  if (!found.settings.empty()) return found;
+  wanted.purpose = kOfRung;
+  wanted.spp = found.spp;
+  constexpr int kPilotSeed = 900;  // of no rung
+  wanted.seed = kPilotSeed;
+  const auto made = measured_render(study, wanted);
+  if (!made) return std::nullopt;
+  // Not its wall clock: other work on the machine would count for every sample of every rung.
+  found.seconds = found.fixed_seconds +
+                  std::max(0.0, made->cpu_seconds - fixed->cpu_seconds) / study.record.settings.threads;
+  found.psnr_srgb8 = made->psnr_srgb8.value_or(0);
+  study.context.say(fmt::format("pilot  {:<10} {:<18} {:>6} spp  {:5.2f} dB  {:6.2f} s", entry.name,
+                                study.record.targets[target].name, found.spp, found.psnr_srgb8,
+                                found.seconds));
+  return found;
+}
+
+}  // namespace
+
+bool choose_rungs(CostStudy& study, double budget_seconds) {
+  std::vector<CostPilot> pilots;
+  std::vector<CostLadder> unrendered;
+  std::set<std::pair<std::size_t, std::size_t>> seen;
+  const auto begin = std::chrono::steady_clock::now();
+  for (const auto& planned : study.plan.targets) {
+    if (planned.jobs.size() != 1) continue;
+    const auto& targets = study.record.targets;
+    const auto target =
+        std::find_if(targets.begin(), targets.end(), [&](const auto& t) { return t.name == planned.target; });
+    if (target == targets.end()) continue;
+    const auto index = static_cast<std::size_t>(target - targets.begin());
+    if (!seen.insert({index, planned.renderer}).second) continue;
+    try {
+      const auto found = pilot(study, index, planned.renderer);
+      if (!found) return false;
+      pilots.push_back(*found);
+    } catch (const InputError& e) {
+      unrendered.push_back({index, planned.renderer, {}, e.what(), ""});
+    }
+  }
+  const auto& settings = study.record.settings;
+  const auto say_expected = [&](const char* what, const std::vector<CostLadder>& ladders) {
+    double seconds = 0;
+    for (std::size_t i = 0; i < pilots.size(); ++i)
+      seconds += expected_seconds(pilots[i], ladders[i], settings).value_or(0);
+    study.context.say(fmt::format(
+        "{}: about {:.0f} s (ladders of settings, which have no estimate, not counted)", what, seconds));
+  };
+  if (study.request.rungs.empty()) {
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+    say_expected(fmt::format("all {} curves to {:g} dB", pilots.size(), settings.target_db).c_str(),
+                 choose_ladders(pilots, settings, kUnlimited));
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    study.record.ladders = choose_ladders(pilots, settings, budget_seconds - spent.count());
+  } else {
+    study.record.ladders = given_ladders(pilots, study.request.rungs);
+  }
+  say_expected("the rungs of this study", study.record.ladders);
+  study.record.ladders.insert(study.record.ladders.end(), unrendered.begin(), unrendered.end());
+  return true;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/scratch_folder.h"
+#include "runner/plan.h"
+#include "studies/context.h"
+#include "studies/cost_record.h"
+#include "studies/cost_study.h"
+#include "studies/cost_subject.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace orbs::studies {
+
+/// A study of cost while it goes on.
+struct CostStudy {
+  const runner::Plan& plan;
+  const CostRequest& request;
+  const StudyContext& context;
+  CostRecord record;
+  std::vector<CostSubject> subjects;  // by target of the record
+  ScratchFolder scratch{"orbs-cost"};
+};
+
+/// Makes the render that `wanted` names (target, renderer, purpose, rung, samples, seed), and fills in what
+/// it cost and, unless it is of the fixed cost, its errors. `kept_rung`: the index of the rung as whose image
+/// it is kept in the study's folder. Nothing when the user interrupts; InputError when there is no image.
+std::optional<CostRender> measured_render(const CostStudy& study,
+                                          CostRender wanted,
+                                          std::optional<std::size_t> kept_rung = {});
+
+}  // namespace orbs::studies
