@@ -66,6 +66,9 @@ test("a sentence and a bar per level say who is cheapest", async () => {
     "3 not reached",
   ]);
   assert.match(await level.locator(".ratios").innerText(), /povray × 12\.9 .*on 1 target/);
+  await page.getByLabel("Time, × that of").selectOption("povray");
+  await page.waitForFunction(() => location.hash.includes("base=povray"));
+  assert.match(await level.locator(".ratios").innerText(), /orbs × 0\.077\d? .*on 1 target/);
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -96,10 +99,10 @@ test("the chart has a point per rung, fits, a floor, levels and a frontier", asy
   assert.equal(await plot.locator(".frontier").count(), 1);
   assert.equal(await page.locator(".multiples a svg").count(), 6);
   // The fit describes only relMSE over CPU seconds.
-  await page.getByLabel("Time").selectOption("render_seconds");
+  await page.getByLabel("x axis").selectOption("render_seconds");
   await page.waitForFunction(() => !document.querySelector(".cost-plot .fit"));
   assert.equal(await plot.locator(".point").count(), 2 * 6, "povray says no render time");
-  await page.getByLabel("Error").selectOption("psnr_srgb8");
+  await page.getByLabel("y axis").selectOption("psnr_srgb8");
   await page.waitForFunction(() => document.querySelectorAll(".cost-plot .level").length === 4);
   assert.match(page.url(), /x=render_seconds&y=psnr_srgb8|y=psnr_srgb8.*x=render_seconds/);
   assert.deepEqual(errors, []);

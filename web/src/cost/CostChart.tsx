@@ -44,7 +44,9 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
   const points = curves.flatMap((one) => one.points);
   const hollow = points.some(({ point }) => point.below_reference_noise);
   return [
-    ...has(isFitted, "fit b² + v / tᵖ", { stroke: theme.text }),
+    ...has(isFitted && curves.some(({ curve }) => curve.fit), "fit b² + v / tᵖ", {
+      stroke: theme.text,
+    }),
     ...has(true, "95 % band", { "stroke-width": 12, "stroke-opacity": 0.3 }),
     ...has(true, "frontier: no point is cheaper and better", {
       stroke: theme.text,

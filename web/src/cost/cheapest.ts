@@ -103,8 +103,6 @@ export interface LevelAnswer {
   unreached: number;
   /** The renderer that is shown to be the cheapest on the most targets, if there is one. */
   leader: number | undefined;
-  /** Time of each renderer divided by the leader's. */
-  ratios: (MeanRatio | undefined)[];
 }
 
 export function answerAt(study: CostStudy, metric: string, level: number): LevelAnswer {
@@ -125,22 +123,8 @@ export function answerAt(study: CostStudy, metric: string, level: number): Level
     wins === most && most > 0 ? [renderer] : [],
   );
   const leader = leaders.length === 1 ? leaders[0] : undefined;
-  const ratios = study.renderers.map((_, other) =>
-    leader === undefined || other === leader
-      ? undefined
-      : meanRatio(study, leader, other, metric, level),
-  );
-  return {
-    metric,
-    level,
-    targets: study.targets.length,
-    cheapest,
-    only,
-    open,
-    unreached,
-    leader,
-    ratios,
-  };
+  const targets = study.targets.length;
+  return { metric, level, targets, cheapest, only, open, unreached, leader };
 }
 
 /** The levels of a metric that have prices, the lowest quality first. */
