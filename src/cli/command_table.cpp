@@ -10,7 +10,7 @@ AddCommand add_run_command, add_serve_command, add_report_command, add_compare_c
 AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
-AddCommand add_sensitivity_command;
+AddCommand add_sensitivity_command, add_cost_command;
 
 namespace {
 
@@ -41,6 +41,7 @@ constexpr std::array kCommands{
     Command{"sensitivity", kStudies,
             "Measure which slight faults pass silently, and the rate of false alarms",
             add_sensitivity_command},
+    Command{"cost", kStudies, "Measure how long each renderer takes to a given error", add_cost_command},
     Command{"bench", kStudies, "Measure speed and noise of renderers side by side", add_bench_command},
     Command{"effect-cost", kStudies,
             "Measure what each effect of light costs, and what leaving it out changes",

@@ -20,6 +20,8 @@ namespace {
 
 using json::ObjectReader;
 
+constexpr int kMostRungSpp = 1 << 24;
+
 // `known`: what may stand in braces.
 std::string template_text(ObjectReader& in, const std::string& key, const std::set<std::string>& known) {
   auto text = in.system_text(key);
@@ -152,6 +154,27 @@ RenderSeconds load_render_seconds(ObjectReader in) {
   return place;
 }
 
+std::map<std::string, double> load_scene_settings(ObjectReader settings) {
+  std::map<std::string, double> numbers;
+  for (const auto& key : settings.keys()) numbers[key] = settings.number(key);
+  return numbers;
+}
+
+std::vector<QualityRung> load_cost_ladder(ObjectReader& in) {
+  std::vector<QualityRung> ladder;
+  std::set<std::string> names;
+  for (auto& entry : in.objects_or_none("cost_ladder")) {
+    QualityRung rung;
+    rung.name = plain_name(entry, "name");
+    if (!names.insert(rung.name).second) entry.fail("name", "is the name of an earlier rung");
+    rung.spp = entry.integer_or("spp", rung.spp, 1, kMostRungSpp);
+    if (entry.has("scene_settings")) rung.scene_settings = load_scene_settings(entry.object("scene_settings"));
+    entry.finish();
+    ladder.push_back(std::move(rung));
+  }
+  return ladder;
+}
+
 Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
@@ -165,10 +188,7 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
     check_pattern(in, "version_pattern", renderer.version_pattern, 1, "1, which holds the version");
   }
   renderer.scene_format = in.text_or("scene_format", kNeutralFormat);
-  if (in.has("scene_settings")) {
-    auto settings = in.object("scene_settings");
-    for (const auto& key : settings.keys()) renderer.scene_settings[key] = settings.number(key);
-  }
+  if (in.has("scene_settings")) renderer.scene_settings = load_scene_settings(in.object("scene_settings"));
   if (in.has("transports")) {
     auto words = in.object("transports");
     for (const auto& name : words.keys()) {
@@ -201,6 +221,7 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");
   renderer.has_box_filter = in.boolean_or("box_filter", renderer.has_box_filter);
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
+  renderer.cost_ladder = load_cost_ladder(in);
   renderer.environment = load_environment(in);
   in.finish();
   return renderer;

@@ -45,6 +45,13 @@ struct RenderSeconds {
   double unit_seconds = 1;  // 0.001 for a number of milliseconds
 };
 
+/// One quality of a renderer whose accuracy does not follow from its samples alone.
+struct QualityRung {
+  std::string name;
+  int spp = 1;                                   // that the renderer gets
+  std::map<std::string, double> scene_settings;  // in place of those of the entry
+};
+
 struct Renderer {
   std::string name;
   std::string place;       // file:line of the entry, for messages; "" when it comes from no file
@@ -77,6 +84,7 @@ struct Renderer {
   /// one.
   bool has_box_filter = true;
   RenderSeconds render_seconds;
+  std::vector<QualityRung> cost_ladder;  // from cheap to accurate; none: orbs cost takes more and more samples
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };
 

@@ -112,7 +112,7 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   const auto& chosen = plan.renderers[renderer];
   const auto& own_scales = chosen.entry.spp_scale_of_scenes;
   const auto own_scale = own_scales.find(scene.name);
-  job.spp = adapters::scaled_spp(scene.spp,
+  job.spp = adapters::scaled_spp(enough_spp(plan, scene, chosen.entry),
                                  own_scale == own_scales.end() ? chosen.entry.spp_scale : own_scale->second,
                                  plan.settings.spp_scale);
   job.id = job_id(plan, scene, chosen, job.spp);

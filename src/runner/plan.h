@@ -22,10 +22,10 @@ struct ChosenRenderer {
 struct PlannedScene {
   std::string name;
   std::filesystem::path file;
-  int spp = 64;                               // of the case, at the run's size
+  int spp = 64;                               // of the case
   std::shared_ptr<const scene::Scene> scene;  // with the camera of the run's size
   std::string size_problem{};                 // why it cannot be rendered at that size; "" if it can
-  int camera_paths = 0;                       // of the whole image that the case asks for at a reduced size
+  int camera_paths = 0;                       // of the whole image that its means need, see enough_spp
 };
 
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.

@@ -28,8 +28,6 @@ void reduce_camera(PlannedScene& planned, int divisor) {
   auto reduced = *planned.scene;
   reduced.camera.width_px /= divisor;
   reduced.camera.height_px /= divisor;
-  const int pixels = reduced.camera.width_px * reduced.camera.height_px;
-  planned.spp = std::max(planned.spp, (planned.camera_paths + pixels - 1) / pixels);
   planned.scene = std::make_shared<const scene::Scene>(std::move(reduced));
 }
 
@@ -51,6 +49,12 @@ void reduce_size(Plan& plan) {
   if (divisor == 1) return;
   for (auto& scene : plan.scenes) reduce_camera(scene, divisor);
   for (auto& one_case : plan.cases) one_case = registry::reduced_case(std::move(one_case), divisor);
+}
+
+int enough_spp(const Plan& plan, const PlannedScene& scene, const registry::Renderer& renderer) {
+  if (plan.settings.size_divisor == 1 || renderer.is_noise_free) return scene.spp;
+  const int pixels = scene.scene->camera.width_px * scene.scene->camera.height_px;
+  return std::max(scene.spp, (scene.camera_paths + pixels - 1) / pixels);
 }
 
 std::string why_not_at_size(const Plan& plan,

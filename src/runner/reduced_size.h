@@ -13,6 +13,10 @@ namespace orbs::runner {
 /// that cannot be divided keeps its camera and says so in size_problem; nothing may render it.
 void reduce_size(Plan& plan);
 
+/// The samples per pixel of the scene's case, or more where at a reduced size its few pixels would get fewer
+/// camera paths than their means need. A renderer without noise has no use for more.
+int enough_spp(const Plan& plan, const PlannedScene& scene, const registry::Renderer& renderer);
+
 /// Why the renderer's image of a target of the case, made from `scenes`, cannot be measured at the size of
 /// the run; "" if it can. To be asked after reduce_size.
 std::string why_not_at_size(const Plan& plan,

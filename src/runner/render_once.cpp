@@ -9,6 +9,7 @@
 #include "json/document.h"
 #include "json/object_reader.h"
 #include "runner/outcome.h"
+#include "runner/render_seconds.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,7 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
   auto job = adapters::make_job(entry, prepared.scene, job_settings, prepared.folder);
   job.may_be_negative = settings.may_be_negative;
   std::filesystem::remove(job.image);
+  forget_render_seconds(entry.render_seconds, job.folder);
   adapters::ProcessRequest request;
   request.argv = job.argv;
   request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
@@ -88,7 +90,8 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
   const auto report = prepared.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
   made.cost = {settings.spp,           process.user_seconds + process.system_seconds,
                process.wall_seconds,   process.supervisor_cpu_seconds,
-               report.traversal_share, report.samples_cpu_seconds};
+               report.traversal_share, report.samples_cpu_seconds,
+               render_seconds(entry.render_seconds, process.output, job.folder)};
   made.image = std::move(*outcome.image);
   return made;
 }

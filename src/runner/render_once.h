@@ -20,6 +20,7 @@ struct RenderCost {
   double supervisor_cpu_seconds = 0;               // of the supervisor, beside that
   std::optional<double> traversal_share;           // of its threads' time; only the built-in tracer says it
   std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
+  std::optional<double> render_seconds = {};       // that the renderer states, see registry::RenderSeconds
 };
 
 /// A renderer and the scene file that has been written for it.

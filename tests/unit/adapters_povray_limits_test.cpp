@@ -102,11 +102,10 @@ TEST(PovrayLimits, NamesImagesThatPovrayCannotReadOrClamp) {
 
 // 2^n x 2^n cells of a pixel for spp = 4^n.
 TEST(PovrayLimits, AntialiasingDepthFollowsTheSamples) {
-  EXPECT_EQ(adapters::povray_aa_grid(1), 3);  // fewer would soften edges
-  EXPECT_EQ(adapters::povray_aa_grid(64), 3);
-  EXPECT_EQ(adapters::povray_aa_grid(65), 4);
+  EXPECT_EQ(adapters::povray_aa_grid(1), 4);  // fewer would soften and move edges
   EXPECT_EQ(adapters::povray_aa_grid(128), 4);
   EXPECT_EQ(adapters::povray_aa_grid(256), 4);
+  EXPECT_EQ(adapters::povray_aa_grid(257), 5);
   EXPECT_EQ(adapters::povray_aa_grid(1 << 30), 9);
 }
 

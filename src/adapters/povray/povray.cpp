@@ -156,7 +156,7 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
 }  // namespace
 
 int povray_aa_grid(int spp) {
-  int depth = 3;  // POV-Ray takes 1 to 9
+  int depth = 4;  // POV-Ray takes 1 to 9
   while (depth < 9 && spp > 1 << (2 * depth)) ++depth;
   return depth;
 }

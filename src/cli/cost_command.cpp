@@ -1,0 +1,175 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "base/local_time.h"
+#include "base/terminal.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
+#include "registry/image_size.h"
+#include "results/host_record.h"
+#include "runner/host.h"
+#include "runner/make_plan.h"
+#include "studies/cost_json.h"
+#include "studies/cost_report.h"
+#include "studies/cost_study.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct CostOptions {
+  TargetFilters filters;
+  std::vector<std::string> requirements, renderers;
+  std::string size, output, resume, show;
+  std::string time = "20m", target = "35dB";
+  studies::CostRequest request;
+  bool as_markdown = false;
+};
+
+// "90", "30s", "20m", "1.5h"; "35", "35dB".
+double number_with_unit(const std::string& text, const std::vector<std::pair<std::string, double>>& units) {
+  std::size_t used = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const auto unit = text.substr(used);
+  for (const auto& [name, factor] : units)
+    if (used > 0 && unit == name && number > 0) return number * factor;
+  std::string known;
+  for (const auto& [name, factor] : units)
+    if (!name.empty()) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+  throw InputError(fmt::format("'{}' is no number above 0 with one of the units {}", text, known));
+}
+
+void add_options(CLI::App& command, CostOptions& options) {
+  constexpr int kMost = 1024;
+  add_filter_options(command, options.filters);
+  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
+  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
+  command
+      .add_option("--size", options.size,
+                  "Width and height of all images, as a share of the scenes' (default: 1)")
+      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
+  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h")
+      ->capture_default_str();
+  command.add_option("--target", options.target, "PSNR that the curves are to cross")->capture_default_str();
+  command
+      .add_option(
+          "--rungs", options.request.rungs,
+          "Samples per pixel of the rungs: 16,64,256 (default: chosen by a pilot render of each curve)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1 << 24));
+  command.add_option("--seeds", options.request.settings.seeds, "Renders of each rung")
+      ->check(CLI::Range(2, kMost))
+      ->capture_default_str();
+  command.add_option("--order-seed", options.request.settings.order_seed, "Seed of the order of the renders")
+      ->check(CLI::Range(0, 1 << 20))
+      ->capture_default_str();
+  command.add_option("--threads", options.request.settings.threads, "Threads of each render; 0: all cores")
+      ->check(CLI::Range(0, kMost));
+  auto* output =
+      command
+          .add_option("-o,--output", options.output, "New folder of the study (default: cost-YYMMDD-HHMMSS)")
+          ->check(not_empty("a folder"));
+  auto* resume =
+      command
+          .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
+          ->check(not_empty("a folder"));
+  auto* show = command
+                   .add_option("--show", options.show,
+                               "Print the tables of a study (its folder or cost.json) and measure nothing")
+                   ->check(not_empty("a folder or a file"));
+  resume->excludes(output);
+  show->excludes(output)->excludes(resume);
+  command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every goal");
+}
+
+std::filesystem::path cost_file(const std::string& place) {
+  const std::filesystem::path path(place);
+  return std::filesystem::is_directory(path) ? path / studies::kCostFile : path;
+}
+
+void print(const studies::CostRecord& record, bool as_markdown) {
+  print_clean("{}", as_markdown ? studies::cost_markdown(record) : studies::cost_table(record));
+}
+
+// What an interrupted study had measured. Times of another machine are no part of the same study.
+studies::CostRecord earlier_record(const std::string& folder) {
+  auto record = studies::read_cost_file(cost_file(folder));
+  const auto there = results::timing_machine(record.host);
+  const auto here = results::timing_machine(runner::this_host());
+  if (there != here)
+    throw InputError(
+        fmt::format("{} was measured on another machine ({}), so its times and those of this one ({}) "
+                    "cannot be compared; begin a new study",
+                    folder, there, here));
+  return record;
+}
+
+std::filesystem::path new_folder(const std::string& named) {
+  auto stamp = local_time_now();  // YYYY-MM-DDThh:mm:ss
+  std::erase_if(stamp, [](char c) { return c == '-' || c == ':'; });
+  std::filesystem::path folder =
+      named.empty() ? fmt::format("cost-{}-{}", stamp.substr(2, 6), stamp.substr(9)) : named;
+  if (std::filesystem::exists(folder))
+    throw InputError(fmt::format("{} is there already; --resume goes on with it", folder.string()));
+  make_folder(folder);
+  return folder;
+}
+
+int measure(const registry::Configuration& configuration, CostOptions options, const Program& program) {
+  auto settings = filtered_settings(configuration, options.filters);
+  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
+  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
+  if (!options.size.empty()) settings.size_divisor = registry::size_divisor(options.size);
+  settings.threads = options.request.settings.threads;
+  settings.jobs = 1;
+  auto& request = options.request;
+  request.settings.budget_seconds =
+      number_with_unit(options.time, {{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}});
+  request.settings.target_db = number_with_unit(options.target, {{"dB", 1}, {"", 1}});
+  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto context = study_context(program, stderr);
+  studies::CostRecord record;
+  if (options.resume.empty()) {
+    request.folder = new_folder(options.output);
+  } else {
+    request.folder = options.resume;
+    record = earlier_record(options.resume);
+  }
+  record = studies::measure_cost(plan, request, std::move(record), context);
+  write_file(request.folder / "cost.csv", studies::cost_csv(record));
+  print(record, options.as_markdown);
+  print_clean("all numbers: {}\nnext: orbs serve {}   (shows the curves in the browser)\n",
+              (request.folder / studies::kCostFile).string(), request.folder.string());
+  return record.is_finished ? 0 : kInterrupted;
+}
+
+}  // namespace
+
+void add_cost_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<CostOptions>();
+  add_options(command, *options);
+  command.footer(
+      "Renders each scene with more and more samples and shows error against time: how long each renderer takes\n"
+      "to a given error, what one more decibel costs, and whether a bias remains. Run it on an idle machine.");
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      if (!options->show.empty()) {
+        print(studies::read_cost_file(cost_file(options->show)), options->as_markdown);
+        return 0;
+      }
+      return measure(read_configuration(*configuration, program), *options, program);
+    };
+  });
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,106 @@
+#include "studies/cost_ladder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+constexpr int kMostSpp = 1 << 22;
+
+CostRung sample_rung(int spp) { return {fmt::format("{} spp", spp), spp}; }
+
+double seconds_per_sample(const CostPilot& pilot) {
+  return std::max(0.0, pilot.seconds - pilot.fixed_seconds) / pilot.spp;
+}
+
+// Powers of two, at which low-discrepancy samples are best.
+int power_of_two_from(double samples) {
+  int spp = 1;
+  while (spp < samples && spp < kMostSpp) spp *= 2;
+  return spp;
+}
+
+// The samples that reach the target, by the pilot, with half as many again, since its error is noisy.
+double wanted_samples(const CostPilot& pilot, const CostSettings& settings) {
+  constexpr double kMargin = 1.5;
+  return kMargin * pilot.spp * std::pow(10, (settings.target_db - pilot.psnr_srgb8) / 10);
+}
+
+void set_rungs(CostLadder& ladder, const CostPilot& pilot, int last_spp, int count) {
+  ladder.rungs.clear();
+  for (int i = count - 1; i >= 0; --i)
+    if (const int spp = last_spp >> i; spp >= std::max(1, pilot.least_spp))
+      ladder.rungs.push_back(sample_rung(spp));
+  if (ladder.rungs.empty()) ladder.rungs.push_back(sample_rung(std::max(1, pilot.least_spp)));
+}
+
+CostLadder settings_ladder(const CostPilot& pilot) {
+  CostLadder ladder{pilot.target, pilot.renderer, pilot.settings, "", ""};
+  return ladder;
+}
+
+}  // namespace
+
+std::optional<double> expected_seconds(const CostPilot& pilot,
+                                       const CostLadder& ladder,
+                                       const CostSettings& settings) {
+  if (!pilot.settings.empty()) return std::nullopt;
+  double seconds = settings.seeds * pilot.fixed_seconds;
+  for (const auto& rung : ladder.rungs)
+    seconds += settings.seeds * (pilot.fixed_seconds + seconds_per_sample(pilot) * rung.spp);
+  return seconds;
+}
+
+std::vector<CostLadder> choose_ladders(const std::vector<CostPilot>& pilots,
+                                       const CostSettings& settings,
+                                       double budget_seconds) {
+  std::vector<CostLadder> ladders;
+  double sum = 0;
+  for (const auto& pilot : pilots) {
+    ladders.push_back(settings_ladder(pilot));
+    if (!pilot.settings.empty()) continue;
+    set_rungs(ladders.back(), pilot, power_of_two_from(wanted_samples(pilot, settings)), settings.rungs);
+    sum += *expected_seconds(pilot, ladders.back(), settings);
+  }
+  while (sum > budget_seconds) {
+    std::size_t dearest = pilots.size();
+    double most = 0;
+    for (std::size_t i = 0; i < pilots.size(); ++i) {
+      const auto seconds = expected_seconds(pilots[i], ladders[i], settings);
+      if (!seconds || ladders[i].rungs.size() < 2 || *seconds <= most) continue;
+      most = *seconds;
+      dearest = i;
+    }
+    if (dearest == pilots.size()) break;  // nothing is left to be saved
+    const auto& pilot = pilots[dearest];
+    auto& ladder = ladders[dearest];
+    sum -= most;
+    set_rungs(ladder, pilot, ladder.rungs.back().spp / 2, settings.rungs);
+    sum += *expected_seconds(pilot, ladder, settings);
+    const double wanted = wanted_samples(pilot, settings);
+    if (ladder.rungs.back().spp < wanted)
+      ladder.note = fmt::format("the budget ends at {} spp; {:g} dB may need {:.0f} spp, {:.3g} s a render",
+                                ladder.rungs.back().spp, settings.target_db, wanted,
+                                pilot.fixed_seconds + seconds_per_sample(pilot) * wanted);
+  }
+  return ladders;
+}
+
+std::vector<CostLadder> given_ladders(const std::vector<CostPilot>& pilots, const std::vector<int>& samples) {
+  auto sorted = samples;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<CostLadder> ladders;
+  for (const auto& pilot : pilots) {
+    ladders.push_back(settings_ladder(pilot));
+    if (pilot.settings.empty())
+      for (const int spp : sorted) ladders.back().rungs.push_back(sample_rung(spp));
+  }
+  return ladders;
+}
+
+}  // namespace orbs::studies

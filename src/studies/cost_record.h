@@ -1,0 +1,197 @@
+#pragma once
+
+#include "results/fields.h"
+#include "results/host_record.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a study of cost measured, before anything is computed from it. Each member is also listed in the
+/// struct's fields(), see results/fields.h, so that a study is stored and resumed.
+namespace orbs::studies {
+
+struct CostSettings {
+  double target_db = 35;         // of psnr_srgb8, that the curves are to cross
+  double budget_seconds = 1200;  // wall clock of the whole study
+  int seeds = 4;                 // renders of each rung
+  int rungs = 5;                 // of each curve, each with twice the samples of the one before
+  int threads = 0;               // of each render; 0: all cores
+  int order_seed = 1;            // of the order of the renders
+};
+
+template <class Visitor, results::RecordOf<CostSettings> Record>
+void fields(Visitor& visit, Record& settings) {
+  visit("target_db", settings.target_db);
+  visit("budget_seconds", settings.budget_seconds);
+  visit.at_least("seeds", settings.seeds, 1);
+  visit.at_least("rungs", settings.rungs, 1);
+  visit.at_least("threads", settings.threads, 0);
+  visit("order_seed", settings.order_seed);
+}
+
+/// The two kinds of ladder: more and more samples, or the settings that the configuration lists.
+inline constexpr const char* kSampleLadder = "samples";
+inline constexpr const char* kSettingsLadder = "settings";
+
+struct CostRenderer {
+  std::string name;
+  std::string version;
+  std::string ladder;  // kSampleLadder or kSettingsLadder
+  std::string biased;  // why no time makes it right; "" where nothing is known
+};
+
+template <class Visitor, results::RecordOf<CostRenderer> Record>
+void fields(Visitor& visit, Record& renderer) {
+  visit.required("name", renderer.name);
+  visit("version", renderer.version);
+  visit("ladder", renderer.ladder);
+  visit("biased", renderer.biased);
+}
+
+/// The expectation of the errors that the noise of the reference makes alone.
+struct ReferenceNoise {
+  double relmse = 0;
+  double mse = 0;
+  std::optional<double> psnr_srgb8;
+};
+
+template <class Visitor, results::RecordOf<ReferenceNoise> Record>
+void fields(Visitor& visit, Record& noise) {
+  visit("relmse", noise.relmse);
+  visit("mse", noise.mse);
+  visit("psnr_srgb8", noise.psnr_srgb8);
+}
+
+struct CostTarget {
+  std::string name;
+  std::string requirement;
+  std::string title;
+  int width_px = 0;
+  int height_px = 0;
+  std::string reference;  // file, relative to the study's folder
+  ReferenceNoise reference_noise;
+};
+
+template <class Visitor, results::RecordOf<CostTarget> Record>
+void fields(Visitor& visit, Record& target) {
+  visit.required("name", target.name);
+  visit("requirement", target.requirement);
+  visit("title", target.title);
+  visit.at_least("width", target.width_px, 0);
+  visit.at_least("height", target.height_px, 0);
+  visit("reference", target.reference);
+  visit("reference_noise", target.reference_noise);
+}
+
+struct CostRung {
+  std::string name;  // "64 spp", or that of the setting
+  int spp = 1;
+};
+
+template <class Visitor, results::RecordOf<CostRung> Record>
+void fields(Visitor& visit, Record& rung) {
+  visit.required("rung", rung.name);
+  visit.at_least("spp", rung.spp, 1);
+}
+
+/// The rungs that one renderer climbs on one target.
+struct CostLadder {
+  std::size_t target = 0;
+  std::size_t renderer = 0;
+  std::vector<CostRung> rungs;
+  std::string note;     // "the budget ends at 256 spp; 35 dB would need about 40 s"
+  std::string finding;  // what the gates of the case say of the last rung's first image, unless it is right
+};
+
+template <class Visitor, results::RecordOf<CostLadder> Record>
+void fields(Visitor& visit, Record& ladder) {
+  visit.required("target", ladder.target);
+  visit.required("renderer", ladder.renderer);
+  visit("rungs", ladder.rungs);
+  visit("note", ladder.note);
+  visit("finding", ladder.finding);
+}
+
+/// What a render was made for. Fixed: 4 x 4 px (Blender renders no
+/// fewer) with one sample, so what is left is the cost of starting, reading and building. Again: the rung
+/// once more, for the comparison of the renderer with itself.
+inline constexpr const char* kOfRung = "rung";
+inline constexpr const char* kFixed = "fixed";
+inline constexpr const char* kAgain = "again";
+
+struct CostRender {
+  std::size_t target = 0;
+  std::size_t renderer = 0;
+  std::string purpose = kOfRung;
+  std::string rung = {};  // its name; "" for the fixed cost
+  int spp = 1;
+  int seed = 1;
+  int order = 0;  // counts the renders of the study as they were made
+  double cpu_seconds = 0;
+  double wall_seconds = 0;
+  std::optional<double> render_seconds = {};  // that the renderer states
+  double load = 0;                            // of the machine when it started
+  std::optional<double> relmse = {}, mse = {}, psnr_srgb8 = {}, flip = {};
+};
+
+template <class Visitor, results::RecordOf<CostRender> Record>
+void fields(Visitor& visit, Record& render) {
+  visit.required("target", render.target);
+  visit.required("renderer", render.renderer);
+  visit("purpose", render.purpose);
+  visit("rung", render.rung);
+  visit("spp", render.spp);
+  visit("seed", render.seed);
+  visit("order", render.order);
+  visit("cpu_seconds", render.cpu_seconds);
+  visit("wall_seconds", render.wall_seconds);
+  visit("render_seconds", render.render_seconds);
+  visit("load", render.load);
+  visit("relmse", render.relmse);
+  visit("mse", render.mse);
+  visit("psnr_srgb8", render.psnr_srgb8);
+  visit("flip", render.flip);
+}
+
+struct CostRecord {
+  std::string orbs_version;
+  std::string started;  // local time, ISO 8601
+  bool is_finished = false;
+  std::string suite;
+  std::string size;  // "1", "1/4"
+  CostSettings settings;
+  results::Host host;
+  double load = 0;      // when it started
+  double load_end = 0;  // when it ended
+  std::vector<CostRenderer> renderers;
+  std::vector<CostTarget> targets;
+  std::vector<CostLadder> ladders;
+  std::vector<CostRender> renders;
+};
+
+template <class Visitor, results::RecordOf<CostRecord> Record>
+void fields(Visitor& visit, Record& record) {
+  visit("orbs_version", record.orbs_version);
+  visit("started", record.started);
+  visit("finished", record.is_finished);
+  visit("suite", record.suite);
+  visit("size", record.size);
+  visit("settings", record.settings);
+  visit("host", record.host);
+  visit("load", record.load);
+  visit("load_end", record.load_end);
+  visit("renderers", record.renderers);
+  visit("targets", record.targets);
+  visit("ladders", record.ladders);
+  visit("renders", record.renders);
+}
+
+/// The image of the first seed of a rung, relative to the study's folder; `ending`: "exr" or "png".
+std::string image_file(const CostRecord& record,
+                       const CostLadder& ladder,
+                       std::size_t rung,
+                       const char* ending);
+
+}  // namespace orbs::studies

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+namespace orbs::studies {
+
+/// A number with the ends of its 95 % confidence interval.
+struct Interval {
+  double value = 0;
+  double low = 0;
+  double high = 0;
+};
+
+inline constexpr double kOutside = 0.05;  // the probability that an interval misses
+
+/// What repeated measurements of one number say of it.
+struct Sample {
+  double mean = 0;
+  double variance = 0;  // unbiased, of one measurement
+  int count = 0;
+};
+
+/// Of at least one value; the variance of a single one is 0.
+Sample sample_of(const std::vector<double>& values);
+
+/// value +- the reach of Student's distribution: `error` is the standard error of the value, `degrees` are
+/// those with which it is known.
+Interval student_interval(double value, double error, double degrees, double outside = kOutside);
+
+/// The mean of the values, which are taken to be normally distributed.
+Interval mean_interval(const std::vector<double>& values);
+
+/// The median of at least one value between two order statistics, whatever the distribution is: the binomial
+/// distribution says how often they enclose it. Fewer than six values cannot reach 95 %; the interval then is
+/// all of them (four: 87.5 %).
+Interval median_interval(std::vector<double> values);
+
+/// The ratio of the geometric means of two samples, second / first, by Welch's test on the logarithms. All
+/// values are above 0, and there are at least two of each.
+Interval ratio_interval(const std::vector<double>& first,
+                        const std::vector<double>& second,
+                        double outside = kOutside);
+
+}  // namespace orbs::studies

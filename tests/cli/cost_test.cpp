@@ -1,0 +1,103 @@
+// orbs cost works from the command line to its files; what its numbers are is for the unit tests.
+#include "cli/sandbox.h"
+#include "studies/cost_json.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using cli_tests::contains;
+using cli_tests::replace_in;
+using cli_tests::Sandbox;
+
+namespace {
+
+studies::CostRecord record_of(const Sandbox& sandbox, const std::string& folder) {
+  return studies::read_cost_file(sandbox.folder() / folder / "cost.json");
+}
+
+std::vector<std::string> cost(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"cost", "-r", "good", "-s", "grey"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+}  // namespace
+
+TEST(Cost, RendersEverySeedOfEveryRungAndTheFixedCost) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto record = record_of(sandbox, "c");
+  EXPECT_TRUE(record.is_finished);
+  ASSERT_EQ(record.ladders.size(), 1);
+  ASSERT_EQ(record.ladders[0].rungs.size(), 2);
+  std::map<std::string, int> counts;
+  for (const auto& render : record.renders) ++counts[render.purpose + " " + render.rung];
+  EXPECT_EQ(counts["fixed "], 3);
+  EXPECT_EQ(counts["rung 2 spp"], 3);
+  EXPECT_EQ(counts["rung 8 spp"], 3);
+  EXPECT_EQ(counts["again 8 spp"], 3);
+  for (const char* file :
+       {"c/cost.csv", "c/images/good/grey/1.png", "c/images/good/grey/1.exr", "c/images/reference/grey.exr"})
+    EXPECT_TRUE(sandbox.has(file)) << file;
+  const auto shown = sandbox.orbs({"cost", "--show", "c", "--markdown"});
+  EXPECT_EQ(shown.status, 0) << shown.text;
+  EXPECT_TRUE(contains(shown.text, "|  | CPU time to 35 dB | good |")) << shown.text;
+}
+
+TEST(Cost, GoesOnWhereItWasInterrupted) {
+  const Sandbox sandbox;
+  ASSERT_EQ(sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "-o", "c"})).status, 0);
+  auto record = record_of(sandbox, "c");
+  const auto all = record.renders.size();
+  const auto kept = record.renders.at(2);
+  record.renders.resize(3);
+  sandbox.write("c/cost.json", studies::cost_json(record));
+  const auto answer = sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "--resume", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  record = record_of(sandbox, "c");
+  EXPECT_EQ(record.renders.size(), all);
+  EXPECT_EQ(record.renders.at(2).cpu_seconds, kept.cpu_seconds) << "rendered once more";
+}
+
+TEST(Cost, RefusesToGoOnOnAnotherMachine) {
+  const Sandbox sandbox;
+  ASSERT_EQ(sandbox.orbs(cost({"--rungs", "2", "--seeds", "2", "-o", "c"})).status, 0);
+  auto record = record_of(sandbox, "c");
+  record.host.cpu = "another processor";
+  sandbox.write("c/cost.json", studies::cost_json(record));
+  const auto answer = sandbox.orbs(cost({"--rungs", "2", "--seeds", "2", "--resume", "c"}));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "was measured on another machine")) << answer.text;
+}
+
+TEST(Cost, ClimbsTheSettingsThatTheConfigurationLists) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "cost_ladder": [{"name": "coarse", "spp": 3}, {"name": "fine", "spp": 9}])");
+  const auto answer = sandbox.orbs(cost({"--seeds", "2", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto record = record_of(sandbox, "c");
+  EXPECT_EQ(record.renderers.at(0).ladder, "settings");
+  ASSERT_EQ(record.ladders.at(0).rungs.size(), 2);
+  EXPECT_EQ(record.ladders[0].rungs[1].name, "fine");
+  EXPECT_EQ(record.ladders[0].rungs[1].spp, 9);
+}
+
+TEST(Cost, ARendererThatFailsEndsItsCurveWithTheReason) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"cost", "-r", "good,exit3", "-s", "grey", "--rungs", "2", "--seeds", "2", "-o", "c"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto record = record_of(sandbox, "c");
+  ASSERT_EQ(record.ladders.size(), 2);
+  EXPECT_TRUE(contains(record.ladders[1].note, "exit")) << record.ladders[1].note;
+}
+
+TEST(Cost, RefusesABudgetWithoutANumber) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(cost({"--time", "soon", "-o", "c"}));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "'soon' is no number above 0 with one of the units s, m, h"))
+      << answer.text;
+  EXPECT_FALSE(sandbox.has("c"));
+}
