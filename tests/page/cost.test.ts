@@ -22,12 +22,26 @@ after(async () => {
   scratch.remove();
 });
 
+interface SomeComparison {
+  target: number;
+  level: number;
+  first: number;
+  second: number;
+  time_ratio: unknown;
+  verdict: string;
+}
+
 /** The members of cost.json that tests change. */
 interface SomeStudy {
   finished: boolean;
-  comparisons: unknown[];
+  comparisons: SomeComparison[];
   self_comparison: { passed: boolean; time_ratio: unknown } | null;
-  curves: { points: { below_reference_noise: boolean }[] }[];
+  curves: {
+    target: number;
+    renderer: number;
+    points: { below_reference_noise: boolean }[];
+    prices: { level: number; cpu_seconds: unknown; note: string }[];
+  }[];
 }
 
 /** The page of the study, with changes to the cost.json that the server sends. */
@@ -70,6 +84,20 @@ test("a sentence and a bar per level say who is cheapest", async () => {
   await page.waitForFunction(() => location.hash.includes("base=povray"));
   assert.match(await level.locator(".ratios").innerText(), /orbs × 0\.077\d? .*on 1 target/);
   assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a price before the first rung counts as reached, and its bound may decide", async () => {
+  // On 101 orbs is said to be cheaper at 45 dB than its first rung: only the verdict says so.
+  const { page } = await openStudy("", (study) => {
+    for (const price of study.curves[0]?.prices ?? [])
+      if (price.level === 45) Object.assign(price, { cpu_seconds: null, note: "at most 0.06 s" });
+    for (const one of study.comparisons)
+      if (one.target === 0 && one.level === 45 && one.first === 0)
+        Object.assign(one, { time_ratio: null, verdict: "dearer" });
+  });
+  const parts = await page.locator("tr[data-level='45'] .win").allInnerTexts();
+  assert.deepEqual(parts.slice(0, 1), ["1 orbs"], String(parts));
   await page.close();
 });
 
@@ -252,8 +280,14 @@ test("a study stands beside runs, and comparisons of runs do not offer it", asyn
   await page.close();
 });
 
-test("an unfinished study says so", async () => {
-  const { page } = await openStudy("", (study) => (study.finished = false));
+test("an unfinished study says so, and ranks nobody before its comparisons", async () => {
+  const { page } = await openStudy("", (study) => {
+    study.finished = false;
+    study.comparisons = [];
+    study.self_comparison = null;
+  });
+  assert.match(await page.locator(".who").innerText(), /Nobody is ranked yet/);
+  assert.equal(await page.locator(".wins").count(), 0);
   assert.match(await page.locator("header [role=status]").innerText(), /not finished/);
   await page.close();
 });

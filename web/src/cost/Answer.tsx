@@ -161,12 +161,19 @@ function Ratios({ study, answer: { metric, level }, base }: RatiosProps) {
 
 function NotRanked({ study }: { study: CostStudy }) {
   const self = study.self_comparison;
+  if (self?.passed !== false)
+    return (
+      <p class="quiet">
+        Nobody is ranked{study.finished ? "" : " yet"}: the study has compared no two renderers.
+      </p>
+    );
   return (
     <div class="not-ranked" role="alert">
-      <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and the study
-      found a difference: time {ratioText(self?.time_ratio ?? null)}, error{" "}
-      {ratioText(self?.error_ratio ?? null)}. Times of different renderers would not be believable
-      either. Measure again on a quiet machine.
+      <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and was not
+      shown to be like itself: time {ratioText(self.time_ratio)}, error{" "}
+      {ratioText(self.error_ratio)}
+      {self.note ? `; ${self.note}` : ""}. Times of different renderers would not be believable
+      either. Measure again on a quiet machine or with more seeds.
     </div>
   );
 }
@@ -181,13 +188,14 @@ interface Props {
 /** Who is cheapest at which quality: a sentence, then one bar per level. */
 export function Answer({ study, metric, base: baseName }: Props) {
   const theme = useTheme();
+  if (study.renderers.length < 2)
+    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
   if (!mayRank(study)) return <NotRanked study={study} />;
   const answers = levelsOf(study, metric).map((level) => answerAt(study, metric, level));
   const wanted =
     answers.find(({ level }) => metric === "psnr_srgb8" && level === study.settings.target_db) ??
     answers[Math.floor(answers.length / 2)];
-  if (!wanted || study.renderers.length < 2)
-    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
+  if (!wanted) return <p class="quiet">The study has no prices.</p>;
   const named = study.renderers.findIndex(({ name }) => name === baseName);
   const base = named >= 0 ? named : (wanted.leader ?? 0);
   return (
