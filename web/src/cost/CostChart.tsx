@@ -61,7 +61,7 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
     ...(hollow
       ? [
           {
-            text: "less than twice that noise",
+            text: "error within that noise",
             sign: (x: number, y: number) => (
               <Marker
                 shape={0}
@@ -106,7 +106,7 @@ function Tip({
         ))}
       </dl>
       {point.on_frontier ? <p>On the frontier.</p> : null}
-      {point.below_reference_noise ? <p>Not above twice the reference's noise.</p> : null}
+      {point.below_reference_noise ? <p>This error is within the noise of the reference.</p> : null}
     </div>
   );
 }

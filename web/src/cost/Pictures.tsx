@@ -85,9 +85,7 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
       </div>
       <p class="quiet">
         Hold Shift to see the reference in place of the image.
-        {point.below_reference_noise
-          ? " This error is not above twice the noise of the reference."
-          : ""}
+        {point.below_reference_noise ? " This error is within the noise of the reference." : ""}
       </p>
       <dl class="numbers">
         {numbersOf(study, point).map(({ label, text }) => (
