@@ -84,7 +84,6 @@ export interface SomeOverview {
   measures: Record<string, (number | null)[]>;
   infinite: Record<string, number[]>;
   targets: string[];
-  charts?: unknown[];
 }
 
 /** Lets `change` modify the overviews that the server sends; `run` is the index of the run. */

@@ -57,24 +57,6 @@ test("a click on a point opens its target", async () => {
   await page.close();
 });
 
-test("curves with bands are drawn if the data has them", async () => {
-  const { page, errors } = await open(browser, "about:blank");
-  await changeOverview(page, (overview) => {
-    const points = [1, 10, 100].map((x) => ({ x, y: 1 / x, low: 0.5 / x, high: 2 / x }));
-    const chart = {
-      title: "error over time",
-      x: { label: "time", log: true },
-      y: { label: "error", log: true },
-      series: [{ name: "one", line: true, points }],
-    };
-    overview.charts = [chart];
-  });
-  await page.goto(`${small.url}#/charts`);
-  await page.getByRole("region", { name: "error over time" }).locator("canvas").waitFor();
-  assert.deepEqual(errors, []);
-  await page.close();
-});
-
 test("quantities without positive values are offered, on a linear axis", async () => {
   const { page } = await charts("of=l1&cx=lean", "l1", { 0: -2, 2: -1, 3: 0 });
   assert.match(await first(page).locator("h2").innerText(), /l1/);

@@ -22,12 +22,26 @@ after(async () => {
   scratch.remove();
 });
 
+interface SomeComparison {
+  target: number;
+  level: number;
+  first: number;
+  second: number;
+  time_ratio: unknown;
+  verdict: string;
+}
+
 /** The members of cost.json that tests change. */
 interface SomeStudy {
   finished: boolean;
-  comparisons: unknown[];
+  comparisons: SomeComparison[];
   self_comparison: { passed: boolean; time_ratio: unknown } | null;
-  curves: { points: { below_reference_noise: boolean }[] }[];
+  curves: {
+    target: number;
+    renderer: number;
+    points: { below_reference_noise: boolean }[];
+    prices: { level: number; cpu_seconds: unknown; note: string }[];
+  }[];
 }
 
 /** The page of the study, with changes to the cost.json that the server sends. */
@@ -66,7 +80,24 @@ test("a sentence and a bar per level say who is cheapest", async () => {
     "3 not reached",
   ]);
   assert.match(await level.locator(".ratios").innerText(), /povray × 12\.9 .*on 1 target/);
+  await page.getByLabel("Time, × that of").selectOption("povray");
+  await page.waitForFunction(() => location.hash.includes("base=povray"));
+  assert.match(await level.locator(".ratios").innerText(), /orbs × 0\.077\d? .*on 1 target/);
   assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a price before the first rung counts as reached, and its bound may decide", async () => {
+  // On 101 orbs is said to be cheaper at 45 dB than its first rung: only the verdict says so.
+  const { page } = await openStudy("", (study) => {
+    for (const price of study.curves[0]?.prices ?? [])
+      if (price.level === 45) Object.assign(price, { cpu_seconds: null, note: "at most 0.06 s" });
+    for (const one of study.comparisons)
+      if (one.target === 0 && one.level === 45 && one.first === 0)
+        Object.assign(one, { time_ratio: null, verdict: "dearer" });
+  });
+  const parts = await page.locator("tr[data-level='45'] .win").allInnerTexts();
+  assert.deepEqual(parts.slice(0, 1), ["1 orbs"], String(parts));
   await page.close();
 });
 
@@ -96,10 +127,10 @@ test("the chart has a point per rung, fits, a floor, levels and a frontier", asy
   assert.equal(await plot.locator(".frontier").count(), 1);
   assert.equal(await page.locator(".multiples a svg").count(), 6);
   // The fit describes only relMSE over CPU seconds.
-  await page.getByLabel("Time").selectOption("render_seconds");
+  await page.getByLabel("x axis").selectOption("render_seconds");
   await page.waitForFunction(() => !document.querySelector(".cost-plot .fit"));
   assert.equal(await plot.locator(".point").count(), 2 * 6, "povray says no render time");
-  await page.getByLabel("Error").selectOption("psnr_srgb8");
+  await page.getByLabel("y axis").selectOption("psnr_srgb8");
   await page.waitForFunction(() => document.querySelectorAll(".cost-plot .level").length === 4);
   assert.match(page.url(), /x=render_seconds&y=psnr_srgb8|y=psnr_srgb8.*x=render_seconds/);
   assert.deepEqual(errors, []);
@@ -249,8 +280,14 @@ test("a study stands beside runs, and comparisons of runs do not offer it", asyn
   await page.close();
 });
 
-test("an unfinished study says so", async () => {
-  const { page } = await openStudy("", (study) => (study.finished = false));
+test("an unfinished study says so, and ranks nobody before its comparisons", async () => {
+  const { page } = await openStudy("", (study) => {
+    study.finished = false;
+    study.comparisons = [];
+    study.self_comparison = null;
+  });
+  assert.match(await page.locator(".who").innerText(), /Nobody is ranked yet/);
+  assert.equal(await page.locator(".wins").count(), 0);
   assert.match(await page.locator("header [role=status]").innerText(), /not finished/);
   await page.close();
 });

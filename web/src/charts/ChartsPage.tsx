@@ -27,7 +27,7 @@ function ChartSection({ chart, onOpen, children }: ChartSectionProps) {
   );
 }
 
-/** Time, memory and error of all targets, and the curves that studies added to the run. */
+/** Time, memory and error of all targets. */
 export function ChartsPage({ session, route }: { session: Session; route: Route }) {
   const { overview } = session;
   const quantities = useMemo(() => quantitiesOf(overview), [overview]);
@@ -61,9 +61,6 @@ export function ChartsPage({ session, route }: { session: Session; route: Route 
         <Choice label="y axis" param="cy" chosen={y.name} options={quantities} />
         <Choice label="x axis" param="cx" chosen={x.name} options={quantities} />
       </ChartSection>
-      {(overview.charts ?? []).map((chart) => (
-        <ChartSection key={chart.title} chart={chart} onOpen={open} />
-      ))}
     </>
   );
 }

@@ -59,7 +59,7 @@ const kHeight_px = 380;
 
 function optionsOf(
   chart: Chart,
-  { series, bands }: Columns,
+  { series }: Columns,
   element: HTMLElement,
   onCursor: (plot: uPlot) => void,
 ): uPlot.Options {
@@ -70,7 +70,6 @@ function optionsOf(
     width: element.clientWidth,
     height: kHeight_px,
     series,
-    bands,
     scales: {
       x: {
         time: false,
@@ -90,7 +89,7 @@ function optionsOf(
   };
 }
 
-/** A chart of any number of series; its data decides about logarithmic axes, lines and bands. */
+/** A chart of any number of series; its data decides about logarithmic axes. */
 export function Plot({ chart, onOpen }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const tip = useRef<HTMLParagraphElement>(null);

@@ -1,5 +1,14 @@
+import { Choice } from "../common/Choice";
 import { number } from "../common/format";
-import { answerAt, levelsOf, mayRank, type LevelAnswer, type MeanRatio } from "./cheapest";
+import {
+  answerAt,
+  levelsOf,
+  mayRank,
+  meanRatio,
+  type LevelAnswer,
+  type MeanRatio,
+} from "./cheapest";
+import { Marker } from "./Marker";
 import { RendererKey } from "./Multiples";
 import { levelText, metricName, ratioText } from "./quantities";
 import { useTheme } from "./theme";
@@ -18,14 +27,14 @@ function ratioSentence(name: string, ratio: MeanRatio | undefined): string {
 /** The answer at one level in plain words. */
 export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
   const at = `At ${levelText(study, answer.metric, answer.level)}`;
-  const { leader, targets, unreached } = answer;
+  const { metric, level, leader, targets, unreached } = answer;
   const reached = targets - unreached;
   if (unreached === targets) return `${at}: no renderer reached it.`;
   if (leader === undefined)
     return `${at} no renderer is shown to be cheapest more often than others.`;
   const name = study.renderers[leader]?.name ?? "";
   const others = study.renderers.flatMap((other, i) =>
-    i === leader ? [] : [ratioSentence(other.name, answer.ratios[i])],
+    i === leader ? [] : [ratioSentence(other.name, meanRatio(study, leader, i, metric, level))],
   );
   const all = plural(reached, "target");
   const of = unreached > 0 ? `the ${all} on which anybody reaches it` : all;
@@ -37,17 +46,17 @@ interface Part {
   key: string;
   count: number;
   text: string;
-  colour: string | undefined;
+  renderer?: number;
   kind: string;
 }
 
-function partsOf(study: CostStudy, answer: LevelAnswer, colourOf: (i: number) => string): Part[] {
+function partsOf(study: CostStudy, answer: LevelAnswer): Part[] {
   const each = (counts: number[], kind: string, text: (name: string) => string): Part[] =>
     study.renderers.map(({ name }, i) => ({
       key: `${kind} ${name}`,
       count: counts[i] ?? 0,
       text: text(name),
-      colour: colourOf(i),
+      renderer: i,
       kind,
     }));
   return [
@@ -57,14 +66,12 @@ function partsOf(study: CostStudy, answer: LevelAnswer, colourOf: (i: number) =>
       key: "open",
       count: answer.open,
       text: "no difference",
-      colour: undefined,
       kind: "open",
     },
     {
       key: "unreached",
       count: answer.unreached,
       text: "not reached",
-      colour: undefined,
       kind: "unreached",
     },
   ].filter(({ count }) => count > 0);
@@ -79,41 +86,74 @@ const kMeanings: Record<string, string> = {
 
 function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
   const theme = useTheme();
-  const parts = partsOf(study, answer, theme.series);
+  const parts = partsOf(study, answer);
   return (
     <div class="wins">
-      {parts.map(({ key, count, text, colour, kind }) => (
+      {parts.map(({ key, count, text, renderer, kind }) => (
         <span
           key={key}
           class={`win ${kind}`}
           title={`${kMeanings[kind]}: ${count} of ${plural(answer.targets, "target")}`}
-          style={{ flexGrow: count, ...(colour ? { borderColor: colour, color: colour } : {}) }}
+          style={{
+            flexGrow: count,
+            ...(renderer === undefined ? {} : { borderColor: theme.series(renderer) }),
+            ...(kind === "cheapest" && renderer !== undefined
+              ? { background: `${theme.series(renderer)}33` }
+              : {}),
+          }}
         >
-          <span>
-            <b>{count}</b> {text}
-          </span>
+          {renderer === undefined ? null : (
+            <svg width={14} height={14} viewBox="0 0 16 16" aria-hidden="true">
+              <Marker shape={renderer} x={8} y={8} size={5} colour={theme.series(renderer)} />
+            </svg>
+          )}
+          <b>{count}</b> <span class="words">{text}</span>
         </span>
       ))}
     </div>
   );
 }
 
-function Ratios({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
-  const { leader } = answer;
-  if (leader === undefined) return null;
+/** What the frames of the parts of a bar mean. */
+function BarKey() {
+  return (
+    <ul class="renderer-key">
+      {[
+        { kind: "cheapest", text: "cheapest" },
+        { kind: "only", text: "the only one that reaches it" },
+        { kind: "open", text: "no difference shown" },
+        { kind: "unreached", text: "not reached" },
+      ].map(({ kind, text }) => (
+        <li key={kind} class="quiet">
+          <span class={`win-sample ${kind}`} aria-hidden="true" />
+          {text}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+interface RatiosProps {
+  study: CostStudy;
+  answer: LevelAnswer;
+  /** The renderer whose time is 1. */
+  base: number;
+}
+
+function Ratios({ study, answer: { metric, level }, base }: RatiosProps) {
   return (
     <ul class="ratios">
       {study.renderers.map(({ name }, i) => {
-        const ratio = answer.ratios[i];
-        return i === leader || !ratio ? null : (
+        const ratio = i === base ? undefined : meanRatio(study, base, i, metric, level);
+        return ratio ? (
           <li key={name}>
-            {name} <b>{ratioText({ ...ratio })}</b>{" "}
+            {name} <b>{ratioText(ratio)}</b>{" "}
             <span class="quiet">
               on {plural(ratio.count, "target")}
               {excludesOne(ratio) ? "" : ", no difference shown"}
             </span>
           </li>
-        );
+        ) : null;
       })}
     </ul>
   );
@@ -121,36 +161,61 @@ function Ratios({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
 
 function NotRanked({ study }: { study: CostStudy }) {
   const self = study.self_comparison;
+  if (self?.passed !== false)
+    return (
+      <p class="quiet">
+        Nobody is ranked{study.finished ? "" : " yet"}: the study has compared no two renderers.
+      </p>
+    );
   return (
     <div class="not-ranked" role="alert">
-      <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and the study
-      found a difference: time {ratioText(self?.time_ratio ?? null)}, error{" "}
-      {ratioText(self?.error_ratio ?? null)}. Times of different renderers would not be believable
-      either. Measure again on a quiet machine.
+      <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and was not
+      shown to be like itself: time {ratioText(self.time_ratio)}, error{" "}
+      {ratioText(self.error_ratio)}
+      {self.note ? `; ${self.note}` : ""}. Times of different renderers would not be believable
+      either. Measure again on a quiet machine or with more seeds.
     </div>
   );
 }
 
+interface Props {
+  study: CostStudy;
+  metric: string;
+  /** Name of the renderer whose time is 1; if it is none, the one that is cheapest most often. */
+  base: string | undefined;
+}
+
 /** Who is cheapest at which quality: a sentence, then one bar per level. */
-export function Answer({ study, metric }: { study: CostStudy; metric: string }) {
+export function Answer({ study, metric, base: baseName }: Props) {
   const theme = useTheme();
+  if (study.renderers.length < 2)
+    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
   if (!mayRank(study)) return <NotRanked study={study} />;
   const answers = levelsOf(study, metric).map((level) => answerAt(study, metric, level));
   const wanted =
     answers.find(({ level }) => metric === "psnr_srgb8" && level === study.settings.target_db) ??
     answers[Math.floor(answers.length / 2)];
-  if (!wanted || study.renderers.length < 2)
-    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
+  if (!wanted) return <p class="quiet">The study has no prices.</p>;
+  const named = study.renderers.findIndex(({ name }) => name === baseName);
+  const base = named >= 0 ? named : (wanted.leader ?? 0);
   return (
     <>
       <p class="answer">{answerSentence(study, wanted)}</p>
       <RendererKey study={study} theme={theme} />
+      <BarKey />
       <table class="answer-table">
         <thead>
           <tr>
             <th scope="col">{metricName(metric)}</th>
             <th scope="col">Cheapest in CPU seconds, number of targets</th>
-            <th scope="col">Time, × that of the renderer that is cheapest most often</th>
+            <th scope="col">
+              <Choice
+                label="Time, × that of"
+                param="base"
+                chosen={study.renderers[base]?.name ?? ""}
+                options={study.renderers.map(({ name }) => ({ name, label: name }))}
+              />
+            </th>
           </tr>
         </thead>
         <tbody>
@@ -163,7 +228,7 @@ export function Answer({ study, metric }: { study: CostStudy; metric: string }) 
                 <Bar study={study} answer={answer} />
               </td>
               <td>
-                <Ratios study={study} answer={answer} />
+                <Ratios study={study} answer={answer} base={base} />
               </td>
             </tr>
           ))}

@@ -44,7 +44,9 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
   const points = curves.flatMap((one) => one.points);
   const hollow = points.some(({ point }) => point.below_reference_noise);
   return [
-    ...has(isFitted, "fit b² + v / tᵖ", { stroke: theme.text }),
+    ...has(isFitted && curves.some(({ curve }) => curve.fit), "fit b² + v / tᵖ", {
+      stroke: theme.text,
+    }),
     ...has(true, "95 % band", { "stroke-width": 12, "stroke-opacity": 0.3 }),
     ...has(true, "frontier: no point is cheaper and better", {
       stroke: theme.text,
@@ -59,7 +61,7 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
     ...(hollow
       ? [
           {
-            text: "less than twice that noise",
+            text: "error within that noise",
             sign: (x: number, y: number) => (
               <Marker
                 shape={0}
@@ -104,7 +106,7 @@ function Tip({
         ))}
       </dl>
       {point.on_frontier ? <p>On the frontier.</p> : null}
-      {point.below_reference_noise ? <p>Not above twice the reference's noise.</p> : null}
+      {point.below_reference_noise ? <p>This error is within the noise of the reference.</p> : null}
     </div>
   );
 }

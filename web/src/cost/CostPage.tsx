@@ -147,8 +147,8 @@ function Choices({
   const metrics = study.metrics.map(({ name }) => ({ name, label: metricName(name) }));
   return (
     <section class="cost-choices" aria-label="Choices">
-      <Choice label="Time" param="x" chosen={axes.x} options={kTimes} />
-      <Choice label="Error" param="y" chosen={axes.y.name} options={metrics} />
+      <Choice label="x axis" param="x" chosen={axes.x} options={kTimes} />
+      <Choice label="y axis" param="y" chosen={axes.y.name} options={metrics} />
       <Choice
         label="Prices by"
         param="by"
@@ -187,7 +187,7 @@ export function CostPage(props: Props) {
     <>
       <section class="cost-panel who" aria-label="Who is cheapest">
         <h1>Who is cheapest?</h1>
-        <Answer study={study} metric={metric} />
+        <Answer study={study} metric={metric} base={query["base"]} />
       </section>
       <Choices study={study} axes={axes} metric={metric} target={target} route={route} />
       <TargetPanel {...props} axes={axes} target={target} />

@@ -68,9 +68,10 @@ function AxisLabels({ chart: { axes }, box, theme }: PartProps) {
   );
 }
 
-// Below these, the labels of the axes are powers of ten.
+// Labels below this are powers of ten.
 const kPlainTime = 0.001;
-const kPlainError = 0.1;
+/** The same for errors: an axis of small ones has powers only. */
+const plainError = ({ y }: Scales): number => (y.min < 0.005 ? 0.1 : 0.001);
 
 /** The grid, its numbers, and the names of the axes. */
 export function AxesPart(props: PartProps) {
@@ -105,7 +106,7 @@ export function AxesPart(props: PartProps) {
           />
           {i % every === 0 ? (
             <text x={box.left - 5} y={scales.y.at(tick) + 4} text-anchor="end">
-              {tickText(tick, kPlainError)}
+              {tickText(tick, plainError(scales))}
             </text>
           ) : null}
         </g>
@@ -140,7 +141,7 @@ export function LevelsPart({ chart, scales, box, theme, small }: PartProps) {
             {line(level, "5 4")}
             {small ? null : (
               <text x={box.right - 3} y={scales.y.at(level) - 4} text-anchor="end">
-                {tickText(level, kPlainError)}
+                {tickText(level, plainError(scales))}
                 {axes.y.unit ? ` ${axes.y.unit}` : ""}
               </text>
             )}

@@ -94,6 +94,14 @@ export function Multiples({ study, axes, targets, chosen, route }: Props) {
     [study, axes.x, axes.y],
   );
   const ranges = useMemo(() => rangesOf(charts), [charts]);
+  // Drawn once: many targets have thousands of marks, and most changes of the page are elsewhere.
+  const drawings = useMemo(
+    () =>
+      charts.map((chart) =>
+        ranges ? <SmallChart chart={chart} ranges={ranges} theme={theme} /> : null,
+      ),
+    [charts, ranges, theme],
+  );
   const sheet = (): SVGSVGElement =>
     sheetOf(
       [...(list.current?.querySelectorAll("svg") ?? [])],
@@ -121,17 +129,16 @@ export function Multiples({ study, axes, targets, chosen, route }: Props) {
       </div>
       <ul ref={list}>
         {targets.map((target) => {
-          const chart = charts[target];
           const name = study.targets[target]?.name ?? "";
           const link = { path: route.path, query: { ...route.query, target: name, point: "" } };
-          return chart ? (
+          return (
             <li key={name}>
               <a href={routeText(link)} aria-current={target === chosen ? "true" : undefined}>
                 <span class="multiple-title">{titleOf(study, target)}</span>
-                <SmallChart chart={chart} ranges={ranges} theme={theme} />
+                {drawings[target]}
               </a>
             </li>
-          ) : null;
+          );
         })}
       </ul>
     </section>

@@ -20,13 +20,21 @@ function Picture({ source, run, file, label, width, height }: PictureProps) {
     "",
     file ? () => source.picture(run, file) : undefined,
   );
+  const [failed, setFailed] = useState("");
   return (
     <figure>
-      {value ? (
-        <img src={value} alt={label} width={width} height={height} data-file={file} />
+      {value && failed !== value ? (
+        <img
+          src={value}
+          alt={label}
+          width={width}
+          height={height}
+          data-file={file}
+          onError={() => setFailed(value)}
+        />
       ) : (
         <div class="no-picture quiet" style={{ aspectRatio: `${width} / ${height}` }}>
-          {problem ?? (file ? "Reading …" : "There is no image.")}
+          {problem ?? (file && !value ? "Reading …" : "There is no such image.")}
         </div>
       )}
       <figcaption>{label}</figcaption>
@@ -77,9 +85,7 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
       </div>
       <p class="quiet">
         Hold Shift to see the reference in place of the image.
-        {point.below_reference_noise
-          ? " This error is not above twice the noise of the reference."
-          : ""}
+        {point.below_reference_noise ? " This error is within the noise of the reference." : ""}
       </p>
       <dl class="numbers">
         {numbersOf(study, point).map(({ label, text }) => (

@@ -1,4 +1,5 @@
 // Who is cheapest at which quality. Only comparisons whose verdict says so rank anybody.
+import { errorOf } from "./quantities";
 import type { Comparison, CostStudy, Interval } from "./types";
 
 /** The standing of all renderers on one target at one level. */
@@ -8,23 +9,28 @@ export type Standing =
   | { kind: "open" }
   | { kind: "unreached" };
 
-const priceOf = (
+/** True if a measured rung is at least that good: its price may still lie before the first rung. */
+function reaches(
   study: CostStudy,
   target: number,
   renderer: number,
   metric: string,
   level: number,
-) =>
-  study.curves
-    .find((curve) => curve.target === target && curve.renderer === renderer)
-    ?.prices.find((price) => price.metric === metric && price.level === level);
-
-/** True if the comparison shows that `renderer` is the cheaper of its two. */
-function showsCheaper({ first, second, time_ratio: ratio, verdict }: Comparison, renderer: number) {
-  if (verdict !== "cheaper" && verdict !== "dearer") return false;
-  if (ratio?.value == null) return false;
-  return renderer === (ratio.value > 1 ? first : second);
+) {
+  const lowerIsBetter = study.metrics.find(({ name }) => name === metric)?.lower_is_better ?? true;
+  const curve = study.curves.find((one) => one.target === target && one.renderer === renderer);
+  return curve?.points.some((point) => {
+    const value = errorOf(point, metric)?.value;
+    return value != null && (lowerIsBetter ? value <= level : value >= level);
+  });
 }
+
+/**
+ * True if the comparison shows that `renderer` is the cheaper of its two: the verdict says what the
+ * second is.
+ */
+const showsCheaper = ({ first, second, verdict }: Comparison, renderer: number): boolean =>
+  (verdict === "dearer" && renderer === first) || (verdict === "cheaper" && renderer === second);
 
 export function standingAt(
   study: CostStudy,
@@ -34,10 +40,7 @@ export function standingAt(
 ): Standing {
   const reached = study.renderers
     .map((_, renderer) => renderer)
-    .filter((renderer) => {
-      const value = priceOf(study, target, renderer, metric, level)?.cpu_seconds?.value;
-      return value !== null && value !== undefined;
-    });
+    .filter((renderer) => reaches(study, target, renderer, metric, level));
   const [only] = reached;
   if (only === undefined) return { kind: "unreached" };
   if (reached.length === 1) return { kind: "only", renderer: only };
@@ -103,8 +106,6 @@ export interface LevelAnswer {
   unreached: number;
   /** The renderer that is shown to be the cheapest on the most targets, if there is one. */
   leader: number | undefined;
-  /** Time of each renderer divided by the leader's. */
-  ratios: (MeanRatio | undefined)[];
 }
 
 export function answerAt(study: CostStudy, metric: string, level: number): LevelAnswer {
@@ -125,22 +126,8 @@ export function answerAt(study: CostStudy, metric: string, level: number): Level
     wins === most && most > 0 ? [renderer] : [],
   );
   const leader = leaders.length === 1 ? leaders[0] : undefined;
-  const ratios = study.renderers.map((_, other) =>
-    leader === undefined || other === leader
-      ? undefined
-      : meanRatio(study, leader, other, metric, level),
-  );
-  return {
-    metric,
-    level,
-    targets: study.targets.length,
-    cheapest,
-    only,
-    open,
-    unreached,
-    leader,
-    ratios,
-  };
+  const targets = study.targets.length;
+  return { metric, level, targets, cheapest, only, open, unreached, leader };
 }
 
 /** The levels of a metric that have prices, the lowest quality first. */
@@ -160,5 +147,9 @@ export function pricedMetrics(study: CostStudy): string[] {
   return [...metrics].sort((a, b) => Number(b === "psnr_srgb8") - Number(a === "psnr_srgb8"));
 }
 
-/** False if the same renderer under two names was found to differ: then nothing may be ranked. */
-export const mayRank = (study: CostStudy): boolean => study.self_comparison?.passed !== false;
+/**
+ * False if the same renderer under two names was not shown to be like itself, and while nothing is
+ * compared yet: then nobody may be ranked.
+ */
+export const mayRank = ({ self_comparison: self, comparisons }: CostStudy): boolean =>
+  self?.passed !== false && comparisons.length > 0;

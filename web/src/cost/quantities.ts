@@ -47,7 +47,8 @@ export function withEnds(
 ): string {
   if (!interval || interval.value === null) return "–";
   const { value, low, high } = interval;
-  return low === null || high === null
+  // One render has no interval.
+  return low === null || high === null || low === high
     ? text(value)
     : `${text(value)} (${text(low)} to ${text(high)})`;
 }

@@ -78,7 +78,11 @@ export interface Curve {
   note: string;
 }
 
-/** `time_ratio` is the second renderer's CPU seconds at that level divided by the first's. */
+/**
+ * `time_ratio` is the second renderer's CPU seconds at that level divided by the first's; `verdict`
+ * says of the second that it is "cheaper", "dearer", that "no difference shown", or that it is "not
+ * comparable". Without a ratio a bound may still decide.
+ */
 export interface Comparison {
   target: number;
   metric: string;

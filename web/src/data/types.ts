@@ -91,8 +91,6 @@ export interface Cells {
 export interface ChartPoint {
   x: number;
   y: number;
-  low?: number;
-  high?: number;
   /** Index of the cell that a click opens. */
   cell?: number;
   label?: string;
@@ -101,8 +99,6 @@ export interface ChartPoint {
 export interface ChartSeries {
   name: string;
   points: ChartPoint[];
-  /** A line joins the points in the order of x. */
-  line?: boolean;
 }
 
 export interface Axis {
@@ -138,8 +134,6 @@ export interface Overview {
   cells: Cells;
   measures: Record<string, Column>;
   infinite: Record<string, number[]>;
-  /** Curves that studies added. */
-  charts?: Chart[];
 }
 
 export interface Measure extends Metric {
