@@ -168,7 +168,8 @@ std::vector<QualityRung> load_cost_ladder(ObjectReader& in) {
     rung.name = plain_name(entry, "name");
     if (!names.insert(rung.name).second) entry.fail("name", "is the name of an earlier rung");
     rung.spp = entry.integer_or("spp", rung.spp, 1, kMostRungSpp);
-    if (entry.has("scene_settings")) rung.scene_settings = load_scene_settings(entry.object("scene_settings"));
+    if (entry.has("scene_settings"))
+      rung.scene_settings = load_scene_settings(entry.object("scene_settings"));
     entry.finish();
     ladder.push_back(std::move(rung));
   }

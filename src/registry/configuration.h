@@ -84,7 +84,8 @@ struct Renderer {
   /// one.
   bool has_box_filter = true;
   RenderSeconds render_seconds;
-  std::vector<QualityRung> cost_ladder;  // from cheap to accurate; none: orbs cost takes more and more samples
+  std::vector<QualityRung>
+      cost_ladder;  // from cheap to accurate; none: orbs cost takes more and more samples
   std::vector<std::string> environment;  // names passed on from ours, or NAME=value
 };
 

@@ -88,9 +88,12 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
                                  process.output.empty() ? "it said nothing" : "it said:\n" + process.output));
   RenderedImage made;
   const auto report = prepared.is_built_in ? read_report(process.output, settings.threads) : TracerReport{};
-  made.cost = {settings.spp,           process.user_seconds + process.system_seconds,
-               process.wall_seconds,   process.supervisor_cpu_seconds,
-               report.traversal_share, report.samples_cpu_seconds,
+  made.cost = {settings.spp,
+               process.user_seconds + process.system_seconds,
+               process.wall_seconds,
+               process.supervisor_cpu_seconds,
+               report.traversal_share,
+               report.samples_cpu_seconds,
                render_seconds(entry.render_seconds, process.output, job.folder)};
   made.image = std::move(*outcome.image);
   return made;

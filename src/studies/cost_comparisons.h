@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/cost_numbers.h"
+#include "studies/cost_curve.h"
 
 #include <optional>
 #include <vector>

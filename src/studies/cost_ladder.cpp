@@ -10,6 +10,7 @@ namespace orbs::studies {
 namespace {
 
 constexpr int kMostSpp = 1 << 22;
+constexpr int kFewestRungs = 4;  // that a fit needs
 
 CostRung sample_rung(int spp) { return {fmt::format("{} spp", spp), spp}; }
 
@@ -43,6 +44,35 @@ CostLadder settings_ladder(const CostPilot& pilot) {
   return ladder;
 }
 
+// Sets so many rungs at every ladder by samples; the seconds of all together.
+double refill(const std::vector<CostPilot>& pilots,
+              const CostSettings& settings,
+              int rungs,
+              std::vector<CostLadder>& ladders) {
+  double sum = 0;
+  for (std::size_t i = 0; i < pilots.size(); ++i) {
+    if (!pilots[i].settings.empty()) continue;
+    set_rungs(ladders[i], pilots[i], power_of_two_from(wanted_samples(pilots[i], settings)), rungs);
+    sum += *expected_seconds(pilots[i], ladders[i], settings);
+  }
+  return sum;
+}
+
+// The ladder whose samples, its fixed cost aside, take the longest. Nothing when no ladder can get shorter.
+std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
+                                        const std::vector<CostLadder>& ladders) {
+  std::optional<std::size_t> dearest;
+  double most = 0;
+  for (std::size_t i = 0; i < pilots.size(); ++i) {
+    if (!pilots[i].settings.empty() || ladders[i].rungs.back().spp <= pilots[i].least_spp) continue;
+    const double seconds = seconds_per_sample(pilots[i]) * ladders[i].rungs.back().spp;
+    if (seconds <= most) continue;
+    most = seconds;
+    dearest = i;
+  }
+  return dearest;
+}
+
 }  // namespace
 
 std::optional<double> expected_seconds(const CostPilot& pilot,
@@ -59,27 +89,19 @@ std::vector<CostLadder> choose_ladders(const std::vector<CostPilot>& pilots,
                                        const CostSettings& settings,
                                        double budget_seconds) {
   std::vector<CostLadder> ladders;
-  double sum = 0;
-  for (const auto& pilot : pilots) {
-    ladders.push_back(settings_ladder(pilot));
-    if (!pilot.settings.empty()) continue;
-    set_rungs(ladders.back(), pilot, power_of_two_from(wanted_samples(pilot, settings)), settings.rungs);
-    sum += *expected_seconds(pilot, ladders.back(), settings);
-  }
+  for (const auto& pilot : pilots) ladders.push_back(settings_ladder(pilot));
+  double sum = refill(pilots, settings, settings.rungs, ladders);
+  // First fewer rungs everywhere: the start of a renderer counts for each of them. Then fewer samples.
+  for (int rungs = settings.rungs - 1; sum > budget_seconds && rungs >= kFewestRungs; --rungs)
+    sum = refill(pilots, settings, rungs, ladders);
+  const int rungs = std::min(settings.rungs, kFewestRungs);
   while (sum > budget_seconds) {
-    std::size_t dearest = pilots.size();
-    double most = 0;
-    for (std::size_t i = 0; i < pilots.size(); ++i) {
-      const auto seconds = expected_seconds(pilots[i], ladders[i], settings);
-      if (!seconds || ladders[i].rungs.size() < 2 || *seconds <= most) continue;
-      most = *seconds;
-      dearest = i;
-    }
-    if (dearest == pilots.size()) break;  // nothing is left to be saved
-    const auto& pilot = pilots[dearest];
-    auto& ladder = ladders[dearest];
-    sum -= most;
-    set_rungs(ladder, pilot, ladder.rungs.back().spp / 2, settings.rungs);
+    const auto dearest = most_samples(pilots, ladders);
+    if (!dearest) break;  // nothing is left to be saved
+    const auto& pilot = pilots[*dearest];
+    auto& ladder = ladders[*dearest];
+    sum -= *expected_seconds(pilot, ladder, settings);
+    set_rungs(ladder, pilot, ladder.rungs.back().spp / 2, rungs);
     sum += *expected_seconds(pilot, ladder, settings);
     const double wanted = wanted_samples(pilot, settings);
     if (ladder.rungs.back().spp < wanted)

@@ -28,8 +28,8 @@ std::optional<double> expected_seconds(const CostPilot& pilot,
 
 /// The ladders of all pilots. The last rung has enough samples to be past the target, for an error whose
 /// square falls as 1 / samples; each has half the samples of the next. Where all together would exceed the
-/// budget, in seconds of wall clock, the most expensive ladder loses its last rung for one before its first,
-/// again and again, and says so in its note.
+/// budget, in seconds of wall clock, all ladders first get fewer rungs, down to the four that a fit needs;
+/// then the one whose samples take the longest gets half of them, again and again, and says so in its note.
 std::vector<CostLadder> choose_ladders(const std::vector<CostPilot>& pilots,
                                        const CostSettings& settings,
                                        double budget_seconds);

@@ -4,10 +4,6 @@
 #include "studies/cost_points.h"
 #include "studies/cost_prices.h"
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 namespace orbs::studies {
 
 namespace {
@@ -30,17 +26,6 @@ void mark_frontier(const CostRecord& record, std::vector<CostCurve>& curves) {
 }
 
 }  // namespace
-
-const std::vector<CostGoal>& cost_goals() {
-  static const std::vector<CostGoal> goals{{kPsnr, 30},     {kPsnr, 35},     {kPsnr, 40},    {kPsnr, 45},
-                                           {kRelmse, 1e-2}, {kRelmse, 1e-3}, {kRelmse, 1e-4}};
-  return goals;
-}
-
-std::string goal_text(const CostGoal& goal) {
-  return goal.metric == kPsnr ? fmt::format("{:g} dB", goal.level)
-                              : fmt::format("relMSE 1e{:.0f}", std::log10(goal.level));
-}
 
 CostNumbers cost_numbers(const CostRecord& record) {
   CostNumbers numbers;

@@ -29,7 +29,8 @@ std::optional<CostPilot> pilot(const CostStudy& study, std::size_t target, std::
   CostRender wanted{.target = target, .renderer = renderer, .purpose = kFixed};
   const auto fixed = measured_render(study, wanted);
   if (!fixed) return std::nullopt;
-  found.fixed_seconds = fixed->wall_seconds;
+  // Not its wall clock where that is longer: other work on the machine would count for every render.
+  found.fixed_seconds = std::min(fixed->wall_seconds, fixed->cpu_seconds);
   if (!found.settings.empty()) return found;
   wanted.purpose = kOfRung;
   wanted.spp = found.spp;

@@ -110,8 +110,6 @@ std::vector<const CostRender*> renders_of(const CostRecord& record,
   return renders;
 }
 
-double mse_of_psnr(double decibels) { return 255 * 255 * std::pow(10, -decibels / 10); }
-
 std::optional<double> seconds_above_fixed(const CostCurve& curve, const CostPoint& point) {
   const double seconds = point.cpu_seconds.value - curve.fixed_cpu_seconds.value;
   return seconds > 0 ? std::optional(seconds) : std::nullopt;

@@ -121,7 +121,8 @@ TEST(ReducedSize, TakesTheCameraPathsThatTheMeansNeed) {
   replace_in(sandbox, "cases/m1_grey/case.json", R"("file": "grey.json")",
              R"("file": "grey.json", "camera_paths": 3001)");
   const auto spp_at = [&](const std::string& size) {
-    sandbox.orbs({"run", "-r", "good", "-s", "grey", "-o", "at" + size.substr(size.size() - 1), "--size", size});
+    sandbox.orbs(
+        {"run", "-r", "good", "-s", "grey", "-o", "at" + size.substr(size.size() - 1), "--size", size});
     return record_of(sandbox, "at" + size.substr(size.size() - 1)).jobs.at(0).identity.spp;
   };
   EXPECT_EQ(spp_at("1"), 8) << "96 px: the samples of the case";
