@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "tracer/render/film.h"
+#include "tracer/sampling/sampler.h"
 
 #include <cstdint>
 
@@ -12,6 +13,8 @@ struct RenderSettings {
   std::uint64_t seed = 1;
   int threads = 0;           // 0: all cores; the image does not depend on it
   bool split_paths = false;  // one layer per class of light path
+  Sampler sampler = Sampler::Sobol;
+  int replicates = 4;  // of each pixel, at least; see plan_passes
 };
 
 struct Progress {
