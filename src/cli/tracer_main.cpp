@@ -37,6 +37,10 @@ struct Options {
   bool as_json = false;
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
+  std::string direct_light = "mis";
+  std::string sampler = "sobol";
+  bool has_no_roulette = false;
+  bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
   std::optional<orbs::scene::LightTransport> transport;
   bool may_lose_effects = false;
@@ -47,6 +51,49 @@ std::vector<std::string> transport_choices() {
   for (const auto transport : orbs::scene::kTransports)
     choices.emplace_back(orbs::scene::transport_name(transport));
   return choices;
+}
+
+// The algorithms, in the order of the help text. Their expected image is the same.
+void add_algorithm_options(CLI::App& app, Options& options) {
+  app.add_option("--sampler", options.sampler,
+                 "random numbers: independent, stratified (jittered) or sobol (Owen-scrambled)")
+      ->check(CLI::IsMember({"independent", "stratified", "sobol"}))
+      ->capture_default_str();
+  app.add_option(
+         "--replicates", options.render.replicates,
+         "least number of independent blocks of points per pixel, from which its variance is estimated; "
+         "1: one block has all points, and the image has no variances")
+      ->check(CLI::Range(1, 1 << 16))
+      ->capture_default_str();
+  app.add_option(
+         "--direct-light", options.direct_light,
+         "light that comes straight from emitters: mis (light and BSDF sampling, multiple importance "
+         "sampling), light (next-event estimation alone, but where it cannot find the light) or bsdf (no "
+         "next-event estimation)")
+      ->check(CLI::IsMember({"mis", "light", "bsdf"}))
+      ->capture_default_str();
+  app.add_option(
+         "--light-paths", options.light_paths,
+         "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
+         "or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
+               "no next-event estimation by way of flat mirrors");
+  app.add_flag("--no-roulette", options.has_no_roulette,
+               "no Russian roulette: paths end at the trace depth or where they carry no light");
+}
+
+orbs::tracer::Sampler sampler_named(const std::string& name) {
+  using orbs::tracer::Sampler;
+  if (name == "independent") return Sampler::Independent;
+  return name == "stratified" ? Sampler::Stratified : Sampler::Sobol;
+}
+
+orbs::tracer::DirectLight direct_light_named(const std::string& name) {
+  using orbs::tracer::DirectLight;
+  if (name == "light") return DirectLight::Light;
+  return name == "bsdf" ? DirectLight::Bsdf : DirectLight::Mis;
 }
 
 Options parse_options(int argc, char** argv) {
@@ -72,12 +119,7 @@ Options parse_options(int argc, char** argv) {
       ->check(CLI::Range(1, 65536));
   app.add_flag("--split-paths", options.render.split_paths,
                "write one layer per class of light path (path.EDSL.R ...)");
-  app.add_option(
-         "--light-paths", options.light_paths,
-         "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
-         "or never; the expected image is the same")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_algorithm_options(app, options);
   std::string transport = "auto";
   app.add_option("--transport", transport,
                  "what light paths carry: auto (the cheapest that has what the scene calls for), or one that "
@@ -89,6 +131,10 @@ Options parse_options(int argc, char** argv) {
   app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
   try {
     app.parse(argc, argv);
+    if (app.count("--replicates") > 0 && options.render.replicates > options.render.samples_per_pixel)
+      throw orbs::InputError(fmt::format(
+          "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
+          options.render.replicates, options.render.samples_per_pixel));
   } catch (const CLI::ParseError& e) {
     std::exit(app.exit(e) == 0 ? 0 : 2);
   }
@@ -142,6 +188,11 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.spp"] = std::to_string(rendering.samples_per_pixel);
   header["orbs.seed"] = std::to_string(options.render.seed);
   header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
+  header["orbs.sampler"] = options.sampler;
+  header["orbs.replicates"] = std::to_string(options.render.replicates);
+  header["orbs.direct_light"] = options.direct_light;
+  header["orbs.roulette"] = world.roulette ? "yes" : "no";
+  header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
@@ -173,12 +224,16 @@ int run(const Options& options) {
   if (options.height > 0) scene.camera.height_px = options.height;
   auto world = tracer::make_world(scene, {.transport = options.transport,
                                           .may_lose_effects = options.may_lose_effects,
-                                          .light_paths = options.light_paths != "never"});
+                                          .light_paths = options.light_paths != "never",
+                                          .mirrored_light = !options.has_no_mirrored_light,
+                                          .direct_light = direct_light_named(options.direct_light),
+                                          .roulette = !options.has_no_roulette});
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);
   auto settings = options.render;
+  settings.sampler = sampler_named(options.sampler);
   settings.split_paths = settings.split_paths || scene.outputs.path_classes;
   auto rendering = tracer::render(world, settings, stop, [&](const tracer::Progress& p) { line.show(p); });
   line.finish();

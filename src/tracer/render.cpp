@@ -38,7 +38,8 @@ Rendering render(const World& world,
   const double cpu_start = cpu_seconds_now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Film film = film_for(world, settings);
-  const auto passes = plan_passes(settings.samples_per_pixel);
+  const auto passes = plan_passes(settings.samples_per_pixel, settings.replicates);
+  film.has_variance = settings.replicates > 1 || passes.back().replicate > 0;
   PassRenderer* const render_pass = kernel_for(world);
   Rendering out;
   for (std::uint32_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {

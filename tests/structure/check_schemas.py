@@ -133,6 +133,9 @@ def changed(document, path, value):
     return document
 
 
+CONFIGURATIONS = {"configuration.json", "algorithms.json"}
+
+
 def main(root):
     checkers = {}
     for format in FORMATS.values():
@@ -152,7 +155,7 @@ def main(root):
     files = [root / "configuration.json", *sorted((root / "data/cases").glob("*/*/*.json")), *sorted((root / "data/bench").glob("*.json"))]
     for file in files:
         document = json.loads(file.read_text())
-        expected = "case" if file.name == "case.json" else "configuration" if file == files[0] else "scene"
+        expected = "case" if file.name == "case.json" else "configuration" if file.name in CONFIGURATIONS else "scene"
         if document.get("format") != FORMATS[expected]:
             problems.append(f"{file.relative_to(root)}: format is {document.get('format')!r}, not {FORMATS[expected]}")
         else:

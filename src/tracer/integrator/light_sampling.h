@@ -33,6 +33,11 @@ struct LightSample {
   std::size_t emitter = 0;
 };
 
+/// Whether there is next-event estimation at all.
+inline bool samples_lights(const World& world) {
+  return !world.emitters.empty() && world.direct_light != DirectLight::Bsdf;
+}
+
 /// Nothing if the sampled emitter does not shine on `from`. pick, u and v in [0, 1).
 std::optional<LightSample> sample_light(const World& world, Vec3f from, float pick, float u, float v);
 

@@ -118,8 +118,8 @@ struct VertexLanes {
   Vec8 shading_normal{};  // flipped to the viewer
   Vec8 to_viewer{};
   Float8 position_error{};
-  Word8 block{};  // seed of the sample block
-  Word8 index{};  // of the sample within the block
+  SampleBlocks blocks;
+  Word8 index{};  // of the sample within its block
   std::array<std::uint32_t, kLanes> path{};
   std::array<typename T::Bsdf, kLanes> bsdf;
   std::array<bool, kLanes> samples_light{};  // next-event estimation is done here

@@ -4,7 +4,7 @@
 #include "tracer/geometry/frame.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"
-#include "tracer/sampling/warps.h"
+#include "tracer/light/direct_light.h"
 
 #include <array>
 
@@ -34,12 +34,12 @@ std::array<Float8, 3> light_numbers(const PathBatch<T>& batch,
                                     int bounce) {
   if (bounce > 0) {
     const auto u =
-        draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce), SampleDimension::Light);
+        draw(vertices.blocks, vertices.index, static_cast<std::uint32_t>(bounce), SampleDimension::Light);
     return {u[0], u[1], u[2]};
   }
   std::array<Float8, 3> out{};
   if (world.emitters.size() > 1)
-    out[0] = draw(vertices.block, vertices.index, 0, SampleDimension::LightPick)[0];
+    out[0] = draw(vertices.blocks, vertices.index, 0, SampleDimension::LightPick)[0];
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     const Vec2f first = batch.paths[vertices.path[lane]].first_light_numbers;
     out[1][lane] = first.x;
@@ -96,7 +96,7 @@ void sample_direct_light(PathBatch<T>& batch,
     f_cos[lane] = value.f_cos;
     bsdf_pdf[lane] = value.pdf;
   }
-  const Float8 weight = mis_weight(light.pdf, bsdf_pdf) / light.pdf;
+  const Float8 weight = light_weight(world.direct_light, light.pdf, bsdf_pdf) / light.pdf;
   const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
   const Vec8 origin =
       offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);

@@ -4,7 +4,7 @@
 #include "tracer/geometry/frame.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"
-#include "tracer/sampling/warps.h"
+#include "tracer/light/direct_light.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ void sample_mirrored_light(PathBatch<T>& batch,
   PathClass events = path.events;
   events.append(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
   events.append(Event::Specular, false);
-  const auto emitted = T::radiance(world, light->radiance, path.lambda) * (mis_weight(pdf, value.pdf) / pdf);
+  const float weight = light_weight(world.direct_light, pdf, value.pdf) / pdf;
+  const auto emitted = T::radiance(world, light->radiance, path.lambda) * weight;
   batch.mirror_rays.push_back(
       {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});
   const auto throughput = T::chain(path.throughput, value.f_cos, [&] {
@@ -60,7 +61,7 @@ void sample_mirrored_light(PathBatch<T>& batch,
                            const FrameOf<Vec8>& frame,
                            int bounce) {
   if (world.mirror_planes.empty() || bounce + 2 > world.trace_depth) return;  // this event and the mirror
-  const auto u = draw(vertices.block, vertices.index, static_cast<std::uint32_t>(bounce),
+  const auto u = draw(vertices.blocks, vertices.index, static_cast<std::uint32_t>(bounce),
                       SampleDimension::MirroredLight);
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (is_delta(vertices.bsdf[lane])) continue;

@@ -3,7 +3,7 @@
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"
-#include "tracer/sampling/warps.h"
+#include "tracer/light/direct_light.h"
 
 /// What happens where the ray of a path ends: emission and environment are added, and a path that continues
 /// becomes a vertex with its BSDF.
@@ -17,7 +17,8 @@ void add_emission(PathBatch<T>& batch, const World& world, PathState<T>& path, c
   if (emission.is_light_sampled && is_left_to_light_paths<T>(world, path) && !path.came_by_mirror) return;
   const float light_pdf =
       path.came_by_mirror ? emission.light_pdf * path.mirror_probability : emission.light_pdf;
-  const float weight = path.bsdf_pdf > 0 ? mis_weight(path.bsdf_pdf, light_pdf) : 1;
+  // A bsdf_pdf of zero: light sampling could not have found the emitter.
+  const float weight = path.bsdf_pdf > 0 ? bsdf_weight(world.direct_light, path.bsdf_pdf, light_pdf) : 1;
   const auto light = T::radiance(world, emission.radiance, path.lambda) * weight;
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
 }
@@ -65,7 +66,7 @@ std::size_t push_vertex(VertexLanes<T>& vertices,
   set_lane(vertices.shading_normal, lane, side > 0 ? point.shading_normal : -point.shading_normal);
   set_lane(vertices.to_viewer, lane, to_viewer);
   vertices.position_error[lane] = point.position_error;
-  vertices.block[lane] = sample.block.seed;
+  vertices.blocks.seeds[lane] = sample.block.seed;
   vertices.index[lane] = sample.index;
   vertices.path[lane] = path;
   vertices.mirror_plane[lane] = -1;
@@ -94,7 +95,7 @@ void shade_light_hit(PathBatch<T>& batch,
   vertices.bsdf[lane] =
       LambertBsdf<typename T::Value>{T::reflectance(world, {light.reflectance}, path.lambda)};
   vertices.own_light[lane] = static_cast<int>(object.light);
-  vertices.samples_light[lane] = !world.emitters.empty();
+  vertices.samples_light[lane] = samples_lights(world);
 }
 
 /// Ends the path at the hit of its ray, or appends a vertex if it is to scatter there.
@@ -135,7 +136,7 @@ void shade_hit(PathBatch<T>& batch,
   make_bsdf<T>(vertices.bsdf[lane],
                {world, surface, side > 0, path.lambda, path.throughput, sample.block, sample.index, bounce});
   vertices.samples_light[lane] =
-      !world.emitters.empty() && !is_delta(vertices.bsdf[lane]) && !is_left_to_light_paths<T>(world, path);
+      samples_lights(world) && !is_delta(vertices.bsdf[lane]) && !is_left_to_light_paths<T>(world, path);
 }
 
 }  // namespace orbs::tracer

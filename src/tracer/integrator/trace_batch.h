@@ -51,6 +51,7 @@ void scatter_vertices(PathBatch<T>& batch, const World& world, const VertexLanes
 template <Transport T>
 void shade_batch(PathBatch<T>& batch, const World& world, std::span<const Sample> samples, int bounce) {
   VertexLanes<T> vertices;
+  vertices.blocks.points = samples.front().block.points;  // the same for all
   for (std::size_t i = 0; i < batch.active.size(); ++i) {
     shade_hit<T>(batch, world, vertices, batch.active[i], samples[batch.active[i]], batch.hits[i]);
     const bool is_last = i + 1 == batch.active.size();

@@ -15,7 +15,8 @@ namespace orbs::tracer {
 /// Russian roulette with the throughput as the survival probability, so that the surviving paths carry as
 /// much light as at their start.
 template <TracesFromLights T>
-bool survives_light_roulette(LightPath<T>& path, float u) {
+bool survives_light_roulette(LightPath<T>& path, const World& world, float u) {
+  if (!world.roulette) return T::magnitude(path.throughput) > 0;
   const float probability = T::magnitude(path.throughput);
   if (probability >= 1) return true;
   if (u >= probability) return false;
@@ -50,7 +51,7 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
   path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
               direction};
   ++path.scatterings;
-  return survives_light_roulette<T>(path, u[3]);  // free: sample() uses three numbers at most
+  return survives_light_roulette<T>(path, world, u[3]);  // free: sample() uses three numbers at most
 }
 
 /// Connects the hit of the path's ray to the camera and scatters; true if the path continues with a new ray.

@@ -50,7 +50,7 @@ void merge(BadSamples& all, const BadSamples& more) {
 }
 
 Film make_film(int width, int height) {
-  Film film{width, height, {}, {}, {}};
+  Film film{width, height, {}, {}, {}, true};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
 }
@@ -75,7 +75,8 @@ image::Image resolve(const Film& film) {
     for (const char* colour : {"R", "G", "B"}) channels.push_back(prefix + colour);
   };
   add_layer("");
-  add_layer("variance.");
+  if (film.has_variance) add_layer("variance.");
+  const std::size_t first_layer = channels.size();
   for (std::size_t c = 0; c < film.class_sums.size(); ++c) {
     if (film.class_sums[c].empty()) continue;
     layers.push_back(&film.class_sums[c]);
@@ -91,10 +92,10 @@ image::Image resolve(const Film& film) {
     const PixelSums& pixel = film.pixels[i];
     const double count = pixel.finished_count + pixel.current_count;
     store(image, i, 0, mean_of(pixel));
-    store(image, i, 3, variance_of_mean(pixel));
+    if (film.has_variance) store(image, i, 3, variance_of_mean(pixel));
     for (std::size_t k = 0; k < layers.size(); ++k)
-      store(image, i, 6 + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
-    if (!film.stokes.empty()) store(image, i, 6 + 3 * layers.size(), mean_of(pixel));
+      store(image, i, first_layer + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
+    if (!film.stokes.empty()) store(image, i, first_layer + 3 * layers.size(), mean_of(pixel));
   }
   return image;
 }

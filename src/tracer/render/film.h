@@ -45,12 +45,13 @@ struct Film {
   std::vector<PixelSums> pixels;
   std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty if the class never occurred
   std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3; empty without Stokes output
+  bool has_variance = true;                    // its samples form more than one replicate
 };
 
 Film make_film(int width, int height);
 
-/// R, G, B and variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which add up to R, G, B;
-/// with Stokes parameters S0.R to S3.B, S0 being R, G, B again.
+/// R, G, B and, where the film has it, variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which
+/// add up to R, G, B; with Stokes parameters S0.R to S3.B, S0 being R, G, B again.
 image::Image resolve(const Film& film);
 
 }  // namespace orbs::tracer

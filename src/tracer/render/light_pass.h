@@ -16,6 +16,7 @@ struct LightPass {
   std::uint32_t number = 0;  // of the pass within the rendering
   int samples_per_pixel = 0;
   int threads = 0;
+  Sampler sampler = Sampler::Sobol;
 };
 
 struct LightPassResult {
@@ -63,11 +64,10 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
     const int count = std::min(kChunksAtOnce, chunks - first);
     for_each_index(count, pass.threads, [&](int i) {
       const auto chunk = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
-      const auto block =
-          sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk), pass.number);
-      const auto left = std::min<std::size_t>(kBlock, paths - chunk * kBlock);
-      done[static_cast<std::size_t>(i)] =
-          trace_light_chunk<T>(world, block, static_cast<std::uint32_t>(left));
+      const auto left = static_cast<std::uint32_t>(std::min<std::size_t>(kBlock, paths - chunk * kBlock));
+      const auto block = sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk),
+                                      pass.number, {pass.sampler, left});
+      done[static_cast<std::size_t>(i)] = trace_light_chunk<T>(world, block, left);
     });
     for (int i = 0; i < count; ++i) {
       const LightChunk& chunk = done[static_cast<std::size_t>(i)];

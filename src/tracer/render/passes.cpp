@@ -10,22 +10,22 @@ namespace orbs::tracer {
 namespace {
 
 constexpr int kTile = 16;            // pixels a side
-constexpr int kReplicates = 4;       // least number of independent replicates for the variance of the image
 constexpr int kSamplesPerPass = 32;  // between two checks of the stop flag
 
 int tiles_across(int length) { return (length + kTile - 1) / kTile; }
 
 }  // namespace
 
-std::vector<Pass> plan_passes(int samples_per_pixel) {
+std::vector<Pass> plan_passes(int samples_per_pixel, int replicates) {
   const auto wanted = static_cast<std::uint32_t>(samples_per_pixel);
-  const std::uint32_t length = std::clamp(std::bit_floor(wanted / kReplicates), 1U, kBlock);
+  const std::uint32_t share = wanted / static_cast<std::uint32_t>(replicates);
+  const std::uint32_t length = std::clamp(replicates == 1 ? share : std::bit_floor(share), 1U, kBlock);
   std::vector<Pass> passes;
   for (std::uint32_t start = 0; start < wanted; start += length) {
     const std::uint32_t end = std::min(length, wanted - start);
     for (std::uint32_t first = 0; first < end; first += kSamplesPerPass) {
       const std::uint32_t count = std::min<std::uint32_t>(kSamplesPerPass, end - first);
-      passes.push_back({start / length, first, count, first + count == end});
+      passes.push_back({start / length, first, count, end, first + count == end});
     }
   }
   return passes;

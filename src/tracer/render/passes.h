@@ -13,6 +13,7 @@ struct Pass {
   std::uint32_t replicate = 0;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  std::uint32_t length = 0;  // of the whole replicate
   bool ends_replicate = false;
 };
 
@@ -22,8 +23,9 @@ struct NumberedPass {
 };
 
 /// Passes of at most 32 samples. The length of a replicate is a power of two, for which the points are
-/// stratified, chosen so that there are at least four replicates.
-std::vector<Pass> plan_passes(int samples_per_pixel);
+/// stratified, chosen so that there are at least `replicates` of them, or as many as samples if those are
+/// fewer. A single replicate has all samples, up to kBlock.
+std::vector<Pass> plan_passes(int samples_per_pixel, int replicates);
 
 struct Tile {
   int x0 = 0;

@@ -27,8 +27,8 @@ class TileWorker {
   void trace(const Tile& tile, const Pass& pass) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
-        const auto block =
-            sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)), pass.replicate);
+        const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)),
+                                        pass.replicate, {settings_.sampler, pass.length});
         for (std::uint32_t i = 0; i < pass.count; ++i) samples_.push_back({x, y, block, pass.first + i});
         if (samples_.size() + pass.count > kPathsPerBatch) flush();
       }
@@ -93,7 +93,9 @@ void render_pass(const World& world,
   // Light paths come first, because the tiles end the replicate that this pass belongs to.
   if constexpr (TracesFromLights<T>) {
     const auto light = add_light_paths<T>(
-        world, {settings.seed, pass.number, static_cast<int>(pass.pass.count), settings.threads}, film);
+        world,
+        {settings.seed, pass.number, static_cast<int>(pass.pass.count), settings.threads, settings.sampler},
+        film);
     merge(out.bad_samples, light.bad_samples);
     out.traversal_seconds += light.traversal_seconds;
     out.light_path_contributions += light.contributions;

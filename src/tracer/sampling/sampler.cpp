@@ -1,6 +1,9 @@
 #include "tracer/sampling/sampler.h"
 
 #include "base/random.h"
+#include "tracer/sampling/hash.h"
+#include "tracer/sampling/independent_points.h"
+#include "tracer/sampling/stratified_points.h"
 
 namespace orbs::tracer {
 
@@ -25,18 +28,6 @@ constexpr Word scramble_reversed(Word x, Word seed) {
   x *= (seed >> 16) | 1U;
   x ^= x * 0x05526c56U;
   x ^= x * 0x53a22864U;
-  return x;
-}
-
-// 32-bit finaliser with low bias (Wellons 2018, "Prospecting for hash functions", triple32 family's two-round
-// form).
-template <typename Word>
-constexpr Word hash(Word x) {
-  x ^= x >> 16;
-  x *= 0x7feb352dU;
-  x ^= x >> 15;
-  x *= 0x846ca68bU;
-  x ^= x >> 16;
   return x;
 }
 
@@ -93,32 +84,25 @@ const Table kTable = make_table();
 
 }  // namespace
 
-SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t replicate) {
-  return {static_cast<std::uint32_t>(mix(seed, (std::uint64_t{pixel} << 32) | replicate))};
+SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t replicate, PointSet points) {
+  return {static_cast<std::uint32_t>(mix(seed, (std::uint64_t{pixel} << 32) | replicate)), points};
 }
 
-std::array<float, 4> draw(SampleBlock block,
-                          std::uint32_t index,
-                          std::uint32_t bounce,
-                          SampleDimension dimension) {
-  const std::uint32_t seed =
-      hash(block.seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(dimension) + 1U));
+namespace {
+
+// Four numbers of 24 bits, because more could round to 1.0f.
+std::array<float, 4> sobol_point(std::uint32_t seed, std::uint32_t index) {
   const std::uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed));
   std::array<std::uint32_t, 4> bits = kTable[shuffled & (kBlock - 1)];
   for (std::uint32_t d = 0; d < 4; ++d)
     bits[d] = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
   std::array<float, 4> out{};
-  // 24 bits, because more could round to 1.0f.
   for (std::uint32_t d = 0; d < 4; ++d)
     out[d] = static_cast<float>(static_cast<std::int32_t>(bits[d] >> 8)) * 0x1p-24F;
   return out;
 }
 
-std::array<Float8, 4> draw(const Word8& block_seeds,
-                           const Word8& indices,
-                           std::uint32_t bounce,
-                           SampleDimension dimension) {
-  const Word8 seed = hash(block_seeds ^ hash(bounce * 4U + static_cast<std::uint32_t>(dimension) + 1U));
+std::array<Float8, 4> sobol_points(const Word8& seed, const Word8& indices) {
   const Word8 shuffled = reverse_bits(scramble_reversed(reverse_bits(indices), seed)) & (kBlock - 1);
   std::array<Word8, 4> bits;
   for (std::size_t lane = 0; lane < kLanes; ++lane)
@@ -128,6 +112,45 @@ std::array<Float8, 4> draw(const Word8& block_seeds,
     const Word8 scrambled = reverse_bits(scramble_reversed(bits[d], seed_of_dimension(seed, d)));
     out[d] =
         __builtin_convertvector(reinterpret_cast<const Mask8&>(scrambled) >> 8 & 0xffffff, Float8) * 0x1p-24F;
+  }
+  return out;
+}
+
+template <typename Word>
+Word seed_of_set(Word block_seed, std::uint32_t bounce, SampleDimension dimension) {
+  return hash(block_seed ^ hash(bounce * 4U + static_cast<std::uint32_t>(dimension) + 1U));
+}
+
+}  // namespace
+
+std::array<float, 4> draw(SampleBlock block,
+                          std::uint32_t index,
+                          std::uint32_t bounce,
+                          SampleDimension dimension) {
+  const std::uint32_t seed = seed_of_set(block.seed, bounce, dimension);
+  switch (block.points.sampler) {
+    case Sampler::Independent:
+      return independent_point(seed, index);
+    case Sampler::Stratified:
+      return stratified_point(seed, index, block.points.count, dimension);
+    case Sampler::Sobol:
+      break;
+  }
+  return sobol_point(seed, index);
+}
+
+std::array<Float8, 4> draw(const SampleBlocks& blocks,
+                           const Word8& indices,
+                           std::uint32_t bounce,
+                           SampleDimension dimension) {
+  const Word8 seeds = seed_of_set(blocks.seeds, bounce, dimension);
+  if (blocks.points.sampler == Sampler::Sobol) return sobol_points(seeds, indices);
+  std::array<Float8, 4> out;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const auto point = blocks.points.sampler == Sampler::Independent
+                           ? independent_point(seeds[lane], indices[lane])
+                           : stratified_point(seeds[lane], indices[lane], blocks.points.count, dimension);
+    for (std::size_t d = 0; d < 4; ++d) out[d][lane] = point[d];
   }
   return out;
 }

@@ -80,7 +80,10 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   add_lights(scene, origin, colours, world);
   build_emitters(world);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
-  if (settings.mirrored_light) find_mirror_planes(world);
+  world.direct_light = settings.direct_light;
+  world.roulette = settings.roulette;
+  // Light paths and camera paths share the light another way if there are no planes, so both work without.
+  if (settings.mirrored_light && settings.direct_light != DirectLight::Bsdf) find_mirror_planes(world);
   if (settings.light_paths && supports_light_paths(world))
     world.caustic_casters = find_caustic_casters(world);
   world.accel =

@@ -21,6 +21,10 @@ struct WorldSettings {
   /// Off: no next-event estimation by way of flat mirrors. The expected image is the same; only its noise
   /// differs.
   bool mirrored_light = true;
+  /// The expected image is the same for all; only its noise differs.
+  DirectLight direct_light = DirectLight::Mis;
+  /// Off: paths end at the trace depth or where they carry nothing, not by Russian roulette.
+  bool roulette = true;
 };
 
 /// Throws InputError if a texture cannot be read, or if the given transport lacks effects that the scene

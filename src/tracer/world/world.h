@@ -7,6 +7,7 @@
 #include "tracer/geometry/mirror_plane.h"
 #include "tracer/geometry/render_object.h"
 #include "tracer/light/caustic_casters.h"
+#include "tracer/light/direct_light.h"
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
 #include "tracer/world/camera.h"
@@ -38,6 +39,8 @@ struct World {
   /// tail of its lobe (kTailPdf); camera paths skip that light.
   std::vector<BoundingSphere> caustic_casters;
   std::vector<MirrorPlane> mirror_planes;
+  DirectLight direct_light = DirectLight::Mis;
+  bool roulette = true;
   std::unique_ptr<Accel> accel;
 };
 

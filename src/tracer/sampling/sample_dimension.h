@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace orbs::tracer {
+
+/// The use of a set of four random numbers. The numbers are a function of (seed, pixel, replicate, sample,
+/// bounce, dimension), so that switching one use on or off does not shift the others. Sets are numbered 4
+/// bounce + dimension: a set drawn at bounce 0 alone needs a dimension that no other has at bounce 0, and a
+/// set drawn at every bounce needs one that is unique modulo 4.
+enum class SampleDimension : std::uint32_t {
+  PixelAndFirstLight,  // at bounce 0 alone
+  LightPick,           // at bounce 0 alone
+  Light,
+  Scatter,
+  MirroredLight,
+  Wavelength,             // at bounce 0 alone
+  Reradiation = 1U << 31  // the four of each bounce are taken; this lies beyond those of 2^29 bounces
+};
+
+}  // namespace orbs::tracer
