@@ -4,14 +4,20 @@
 #include "runner/plan.h"
 #include "studies/context.h"
 #include "studies/cost_record.h"
-#include "studies/cost_study.h"
 #include "studies/cost_subject.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
 namespace orbs::studies {
+
+struct CostRequest {
+  CostSettings settings;
+  std::vector<int> rungs;        // samples per pixel of every rung; none: chosen by pilot renders
+  std::filesystem::path folder;  // of the study; it exists
+};
 
 /// A study of cost while it goes on.
 struct CostStudy {

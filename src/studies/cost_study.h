@@ -3,6 +3,7 @@
 #include "runner/plan.h"
 #include "studies/context.h"
 #include "studies/cost_record.h"
+#include "studies/cost_render.h"
 
 #include <filesystem>
 #include <vector>
@@ -12,12 +13,6 @@ namespace orbs::studies {
 
 /// The files of a study in its folder.
 inline constexpr const char* kCostFile = "cost.json";
-
-struct CostRequest {
-  CostSettings settings;
-  std::vector<int> rungs;        // samples per pixel of every rung; none: chosen by pilot renders
-  std::filesystem::path folder;  // of the study; it exists
-};
 
 /// Renders in rounds, one seed of every rung in each, in an order that is shuffled by a recorded seed so that
 /// drift of the machine hits all alike. One render at a time; all with the same number of threads, and bound
