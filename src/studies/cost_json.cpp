@@ -144,8 +144,9 @@ void put_definitions(Writer& out) {
   put_one("fixed_cpu_seconds", "the scene in 4 x 4 px with one sample: start, reading, building, writing");
   put_one(
       "fit",
-      "relmse(t) = bias_squared + variance / t^exponent, t: CPU seconds above the fixed cost; weighted least "
-      "squares. A floor is called where bias_squared is above 0 at a level of 1 in 1000");
+      "relmse(t) = bias_squared + variance / t^exponent, t: CPU seconds above the fixed cost that the samples "
+      "take at the renderer's mean rate; weighted least squares. A floor is called where bias_squared is above 0 "
+      "at a level of 1 in 1000, the model is not refuted, and a third of the last rung's error is bias");
   put_one("prices",
           "CPU seconds to a level, the fixed cost included: between two rungs, linear in the logarithms; "
           "never beyond the rungs");

@@ -84,16 +84,34 @@ void pool_noise(const CostRecord& record, CostCurve& curve) {
   if (curve.degrees > 0) curve.relative_variance = weighted / curve.degrees;
 }
 
-void fit_curve(const ReferenceNoise& noise, CostCurve& curve) {
-  if (!(curve.relative_variance > 0)) return;
-  std::vector<FitPoint> points;
+// Seconds of CPU time that one sample per pixel takes: of all rungs together, so that mostly the last ones,
+// whose times are least noisy, decide.
+double seconds_per_spp(const CostLadder& ladder, const CostCurve& curve) {
+  double seconds = 0;
+  double samples = 0;
   for (const auto& point : curve.points) {
-    const auto seconds = seconds_above_fixed(curve, point);
-    if (!seconds || !point.errors[kRelmse]) continue;
-    points.push_back(
-        {*seconds, point.errors[kRelmse]->value, noise.relmse, curve.relative_variance / point.renders});
+    seconds += point.cpu_seconds.value - curve.fixed_cpu_seconds.value;
+    samples += ladder.rungs[point.rung].spp;
   }
+  return samples > 0 ? seconds / samples : 0;
+}
+
+// The samples of a rung are known exactly and its time is not. So the times of the fit are those that the
+// samples take at the renderer's mean rate: noise of single times would pass for a bend of the curve.
+void fit_curve(const CostLadder& ladder, const ReferenceNoise& noise, CostCurve& curve) {
+  const double rate = seconds_per_spp(ladder, curve);
+  if (!(curve.relative_variance > 0) || !(rate > 0)) return;
+  std::vector<FitPoint> points;
+  for (const auto& point : curve.points)
+    if (point.errors[kRelmse])
+      points.push_back({rate * ladder.rungs[point.rung].spp, point.errors[kRelmse]->value, noise.relmse,
+                        curve.relative_variance / point.renders});
   curve.fit = fit_error(points, curve.degrees);
+  constexpr double kFloorShare = 3;
+  // A curve that has not begun to flatten may only be bent: low-discrepancy samples converge faster at some
+  // counts than at others.
+  if (curve.fit && !points.empty() && curve.fit->bias_squared.value < points.back().error / kFloorShare)
+    curve.fit->has_floor = false;
 }
 
 }  // namespace
@@ -127,7 +145,7 @@ CostCurve cost_curve(const CostRecord& record, std::size_t index) {
     if (!renders.empty()) curve.points.push_back(point_of(renders, rung, noise));
   }
   pool_noise(record, curve);
-  if (record.renderers.at(ladder.renderer).ladder == kSampleLadder) fit_curve(noise, curve);
+  if (record.renderers.at(ladder.renderer).ladder == kSampleLadder) fit_curve(ladder, noise, curve);
   return curve;
 }
 

@@ -189,7 +189,7 @@ std::optional<ErrorFit> fit_error(const std::vector<FitPoint>& points, double de
   const auto logs = student_interval(log_variance, log_error, degrees);
   fit.variance = {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
   constexpr double kFloorLevel = 0.001;
-  fit.has_floor = student_interval(p[0], error_of(0), degrees, 2 * kFloorLevel).low > 0;
+  fit.has_floor = widened <= 1 && student_interval(p[0], error_of(0), degrees, 2 * kFloorLevel).low > 0;
   return fit;
 }
 

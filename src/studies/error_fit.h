@@ -22,7 +22,7 @@ struct ErrorFit {
   Interval variance;      // the error after one second, above the bias
   Interval exponent;
   double misfit = 0;       // chi^2 per degree of freedom, about 1 where the model holds
-  bool has_floor = false;  // the bias differs from zero at a level of 1 in 1000
+  bool has_floor = false;  // the model holds, and the bias differs from zero at a level of 1 in 1000
 };
 
 /// Least squares by Levenberg-Marquardt, weighted by the variances that the points have if the curve is

@@ -97,6 +97,27 @@ TEST(Cost, ABiasIsAFloorAndItsNumberIsFound) {
   EXPECT_FALSE(price_of(numbers.curves.at(0), kRelmse, 1e-3).cpu_seconds);
 }
 
+// Errors that fall as 1 / samples, with times of the low rungs that other work on the machine made longer.
+TEST(Cost, NoisyTimesAreNoFloor) {
+  auto record = made_up({MadeUp{}});
+  for (auto& render : record.renders)
+    if (render.spp == 16 || render.spp == 64) render.cpu_seconds += 0.3 * (render.cpu_seconds - 0.2);
+  const auto numbers = cost_numbers(record);
+  ASSERT_TRUE(numbers.curves.at(0).fit);
+  EXPECT_FALSE(numbers.curves.at(0).fit->has_floor);
+  EXPECT_NEAR(numbers.curves.at(0).fit->exponent.value, 1, 0.05);
+}
+
+// Samples that converge ever more slowly, as low-discrepancy ones do, have no floor before they are flat.
+TEST(Cost, ABendIsNoFloor) {
+  auto record = made_up({MadeUp{}});
+  for (auto& render : record.renders)
+    if (render.relmse && render.spp < 128) *render.relmse *= 128.0 / render.spp;
+  const auto numbers = cost_numbers(record);
+  ASSERT_TRUE(numbers.curves.at(0).fit);
+  EXPECT_FALSE(numbers.curves.at(0).fit->has_floor);
+}
+
 TEST(Cost, TheFasterOfTwoIsCalledCheaperAndTheFrontierIsIts) {
   const auto numbers = cost_numbers(made_up({MadeUp{}, MadeUp{.variance = 0.02}}));
   ASSERT_TRUE(numbers.self_comparison && numbers.self_comparison->passed);
