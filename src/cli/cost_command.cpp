@@ -1,15 +1,16 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "base/local_time.h"
 #include "base/terminal.h"
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "registry/image_size.h"
+#include "results/cost_study.h"
 #include "results/host_record.h"
 #include "runner/host.h"
 #include "runner/make_plan.h"
+#include "runner/run_file.h"
 #include "studies/cost_json.h"
 #include "studies/cost_report.h"
 #include "studies/cost_study.h"
@@ -53,10 +54,7 @@ void add_options(CLI::App& command, CostOptions& options) {
   add_filter_options(command, options.filters);
   command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
   command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
-  command
-      .add_option("--size", options.size,
-                  "Width and height of all images, as a share of the scenes' (default: 1)")
-      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
+  add_size_option(command, options.size);
   command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h")
       ->capture_default_str();
   command.add_option("--target", options.target, "PSNR that the curves are to cross")->capture_default_str();
@@ -93,7 +91,7 @@ void add_options(CLI::App& command, CostOptions& options) {
 
 std::filesystem::path cost_file(const std::string& place) {
   const std::filesystem::path path(place);
-  return std::filesystem::is_directory(path) ? path / studies::kCostFile : path;
+  return std::filesystem::is_directory(path) ? path / results::kCostFile : path;
 }
 
 void print(const studies::CostRecord& record, bool as_markdown) {
@@ -113,17 +111,6 @@ studies::CostRecord earlier_record(const std::string& folder) {
   return record;
 }
 
-std::filesystem::path new_folder(const std::string& named) {
-  auto stamp = local_time_now();  // YYYY-MM-DDThh:mm:ss
-  std::erase_if(stamp, [](char c) { return c == '-' || c == ':'; });
-  std::filesystem::path folder =
-      named.empty() ? fmt::format("cost-{}-{}", stamp.substr(2, 6), stamp.substr(9)) : named;
-  if (std::filesystem::exists(folder))
-    throw InputError(fmt::format("{} is there already; --resume goes on with it", folder.string()));
-  make_folder(folder);
-  return folder;
-}
-
 int measure(const registry::Configuration& configuration, CostOptions options, const Program& program) {
   auto settings = filtered_settings(configuration, options.filters);
   if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
@@ -139,7 +126,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   const auto context = study_context(program, stderr);
   studies::CostRecord record;
   if (options.resume.empty()) {
-    request.folder = new_folder(options.output);
+    request.folder = runner::make_run_folder(options.output, "cost");
   } else {
     request.folder = options.resume;
     record = earlier_record(options.resume);
@@ -148,7 +135,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   write_file(request.folder / "cost.csv", studies::cost_csv(record));
   print(record, options.as_markdown);
   print_clean("all numbers: {}\nnext: orbs serve {}   (shows the curves in the browser)\n",
-              (request.folder / studies::kCostFile).string(), request.folder.string());
+              (request.folder / results::kCostFile).string(), request.folder.string());
   return record.is_finished ? 0 : kInterrupted;
 }
 

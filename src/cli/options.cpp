@@ -3,6 +3,7 @@
 #include "adapters/export.h"
 #include "base/error.h"
 #include "cli/checks.h"
+#include "registry/image_size.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -42,6 +43,14 @@ void add_filter_options(CLI::App& command, TargetFilters& filters) {
   command.add_option("--suite", filters.suite, "The suite (default: that of the configuration)");
   command.add_option("-c,--case", filters.cases, "Only these cases");
   command.add_option("-s,--scene", filters.scenes, "Only these scenes");
+}
+
+void add_size_option(CLI::App& command, std::string& size) {
+  std::vector<std::string> sizes;
+  for (const int divisor : registry::kSizeDivisors) sizes.push_back(registry::size_text(divisor));
+  command
+      .add_option("--size", size, "Width and height of all images, as a share of the scenes' (default: 1)")
+      ->check(CLI::IsMember(sizes));
 }
 
 registry::RunSettings filtered_settings(const registry::Configuration& configuration,

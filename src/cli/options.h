@@ -34,6 +34,10 @@ void add_filter_options(CLI::App& command, TargetFilters& filters);
 registry::RunSettings filtered_settings(const registry::Configuration& configuration,
                                         const TargetFilters& filters);
 
+/// Adds --size, the share of the width and height of all images: a text that registry::size_divisor knows.
+/// `size` must live as long as the command.
+void add_size_option(CLI::App& command, std::string& size);
+
 /// The values of a repeatable option as one comma-separated list.
 std::string joined_list(const std::vector<std::string>& values);
 

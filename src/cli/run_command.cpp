@@ -78,10 +78,7 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(CLI::Range(0, registry::kLargestSeed));
   command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel (default: 1)")
       ->check(above_zero());
-  command
-      .add_option("--size", options.size,
-                  "Width and height of all images, as a share of the scenes' (default: 1)")
-      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
+  add_size_option(command, options.size);
   command.add_flag("-l,--log,!--no-log", options.log,
                    "Keep log.txt of every render; --no-log keeps only those of failures");
   command.add_flag("-v,--view,--visualize,!--no-view", options.view,

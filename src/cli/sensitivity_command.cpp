@@ -36,10 +36,7 @@ void add_options(CLI::App& command, SensitivityOptions& options) {
   command.add_option("--spp-scale", options.study.spp_scale, "Factor of the cases' samples per pixel")
       ->check(above_zero())
       ->capture_default_str();
-  command
-      .add_option("--size", options.size,
-                  "Part of the width and height of every scene: 1, 1/2, 1/4 or 1/8 (default: 1)")
-      ->check(CLI::IsMember({"1", "1/2", "1/4", "1/8"}));
+  add_size_option(command, options.size);
   command.add_option("--threads", options.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, kMostThreads));
 }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kPerTest = kFalseAlarms / kTests;
 
-Estimate interval(double value, double error, double probability, double degrees) {
-  const double reach = error > 0 ? student_quantile(probability, std::max(1.0, degrees)) * error : 0.0;
-  return {value, value - reach, value + reach};
-}
-
 struct Totals {
   double result = 0;
   double reference = 0;
@@ -62,7 +57,7 @@ PooledVariance from_scatter(const PairSamples& samples, std::size_t channel, dou
   return {pooled.sum * scale, pooled.squares * scale * scale};
 }
 
-std::optional<Estimate> ratio_of(const PairSamples& samples, std::size_t channel, NoiseSource source) {
+std::optional<Interval> ratio_of(const PairSamples& samples, std::size_t channel, NoiseSource source) {
   constexpr double kFirmness = 10;  // the delta method is first order: the divisor must stand firm
   const Totals totals = totals_of(samples, channel);
   double reference_variance = 0;
@@ -74,18 +69,19 @@ std::optional<Estimate> ratio_of(const PairSamples& samples, std::size_t channel
   if (source == NoiseSource::Scatter && blocks_of(samples).size() < 2) return std::nullopt;
   const PooledVariance pooled = source == NoiseSource::Scatter ? from_scatter(samples, channel, ratio)
                                                                : from_variances(samples, channel, ratio);
-  return interval(ratio - 1, std::sqrt(pooled.sum) / totals.reference, kPerTest / 3, pooled.degrees());
+  return student_interval(ratio - 1, std::sqrt(pooled.sum) / totals.reference, pooled.degrees(),
+                          kPerTest / 3);
 }
 
 // Mean of independent numbers; their scatter also holds that of the errors themselves, which only makes the
 // interval wider.
-Estimate mean_of(const std::vector<double>& values) {
+Interval mean_of(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   double mean = 0;
   for (const double value : values) mean += value / count;
   PooledVariance scatter;
   for (const double value : values) scatter.add((value - mean) * (value - mean));
-  return interval(mean, std::sqrt(scatter.sum) / count, kPerTest, scatter.degrees());
+  return student_interval(mean, std::sqrt(scatter.sum) / count, scatter.degrees(), kPerTest);
 }
 
 // The variances of both images over all channels; which of the two estimates of the result's is chosen as
@@ -119,7 +115,7 @@ PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std
 
 // (result - reference)^2 - variances has the expectation bias^2. The mean of its channels, which are far from
 // independent, is one number per pixel.
-Estimate mean_excess(const PairSamples& samples,
+Interval mean_excess(const PairSamples& samples,
                      const std::vector<std::uint8_t>& chosen,
                      const std::vector<double>& variances) {
   std::vector<double> excess;
@@ -227,8 +223,8 @@ NoiseTest test_noise(const image::Image& result,
   return test_noise(pair_samples(result, reference, mask, result_noise));
 }
 
-std::optional<Estimate> mean_error(const NoiseTest& test) {
-  std::optional<Estimate> worst;
+std::optional<Interval> mean_error(const NoiseTest& test) {
+  std::optional<Interval> worst;
   for (const auto& ratio : test.mean_ratio) {
     if (!ratio || (ratio->low <= kNegligible && ratio->high >= -kNegligible)) continue;
     if (!worst || std::fabs(ratio->value) > std::fabs(worst->value)) worst = ratio;

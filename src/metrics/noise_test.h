@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/interval.h"
 #include "image/image.h"
 #include "metrics/block_scores.h"
 #include "metrics/mask.h"
@@ -30,14 +31,8 @@ namespace orbs::metrics {
 /// everywhere and away from edges, patterns, correlation, and the two of the stated noise together.
 constexpr double kFalseAlarms = 1e-3;
 constexpr int kTests = 7;
-
-/// A number and the interval that a right image leaves with the probability kFalseAlarms / kTests at most
-/// (for the three channels of a mean ratio together).
-struct Estimate {
-  double value = 0;
-  double low = 0;
-  double high = 0;
-};
+// Every Interval here leaves out a right image with the probability kFalseAlarms / kTests at most (those of
+// the three channels of a mean ratio together).
 
 /// Whether the noise that the images state is there. NearerThanReference: the squared differences are less
 /// than half of what the noise of the reference alone makes them, so the result shares the reference's
@@ -48,7 +43,7 @@ enum class StatedNoise { Plausible, NearerThanReference, OverstatedByResult };
 
 /// What is left of the squared error away from edges.
 struct SmoothResidual {
-  Estimate bias_squared;
+  Interval bias_squared;
   double reference_squared = 0;  // mean square of the reference at these pixels
 };
 
@@ -57,9 +52,9 @@ struct NoiseTest {
   StatedNoise stated = StatedNoise::Plausible;
   /// mean(result) / mean(reference) - 1 of R, G, B; nothing where the mean of the reference is not above ten
   /// times its own noise (black, or a difference of images), as the ratio then says nothing.
-  std::array<std::optional<Estimate>, 3> mean_ratio;
+  std::array<std::optional<Interval>, 3> mean_ratio;
   double noise_squared = 0;              // the MSE that the noise of both images explains
-  Estimate bias_squared;                 // what is left of the MSE; below zero by chance
+  Interval bias_squared;                 // what is left of the MSE; below zero by chance
   double reference_squared = 0;          // mean square of the reference, the measure of what is negligible
   std::optional<SmoothResidual> smooth;  // by variances only; nothing with fewer than 1000 smooth pixels
   BlockScores blocks;
@@ -84,6 +79,6 @@ bool is_residual(const NoiseTest& test);
 
 /// The mean ratio that is farthest from zero of those whose whole interval lies beyond kNegligible; nothing
 /// when there is none.
-std::optional<Estimate> mean_error(const NoiseTest& test);
+std::optional<Interval> mean_error(const NoiseTest& test);
 
 }  // namespace orbs::metrics

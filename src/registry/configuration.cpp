@@ -217,6 +217,7 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   renderer.seed_stride = in.integer_or("seed_stride", renderer.seed_stride, 1, kLargestSeed);
   if (renderer.seed_stride > 1 && !uses_placeholder(renderer.command, "seed"))
     in.fail("seed_stride", "needs {seed} in the command, which it multiplies");
+  renderer.biased = in.text_or("biased", "");
   renderer.is_noise_free = in.boolean_or("noise_free", renderer.is_noise_free);
   if (renderer.is_noise_free && uses_placeholder(renderer.command, "seed"))
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");

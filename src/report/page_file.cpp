@@ -1,17 +1,13 @@
 #include "report/page_file.h"
 
-#include "base/error.h"
 #include "base/files_inside.h"
 #include "image/image_io.h"
-#include "json/writer.h"
+#include "report/embedded_images.h"
 #include "report/gzip.h"
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_template.h"
 #include "report/target_data.h"
-
-#include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -23,58 +19,21 @@ namespace fs = std::filesystem;
 using results::RunView;
 using results::TargetRecord;
 
-// The image files of the run that the page shows, without repetitions, the most useful ones first.
+// The image files of the run that the page shows, the most useful ones first.
 std::vector<std::string> wanted_images(const RunView& view) {
   std::vector<std::string> files;
-  std::set<std::string> seen;
-  const auto add = [&](const std::string& file) {
-    if (!file.empty() && seen.insert(file).second) files.push_back(file);
-  };
   for (const bool failures : {true, false})
     for (const bool maps : {false, true})
       for (const auto& target : view.run.targets) {
         if (results::counts_as_failure(target.verdict) != failures) continue;
         if (!maps) {
-          add(target.image);
-          add(target.reference_image);
+          files.push_back(target.image);
+          files.push_back(target.reference_image);
         } else {
-          for (const auto& map : target.maps) add(map.image);
+          for (const auto& map : target.maps) files.push_back(map.image);
         }
       }
   return files;
-}
-
-// The contents of a file of the run. InputError if it does not lie in the run's folder, whatever results.json
-// says.
-std::string file_of(const RunView& view, const std::string& name) {
-  const auto file = open_inside(view.run.folder, name);
-  if (!file) throw InputError(fmt::format("{}: there is no such file in the folder of the run", name));
-  return file->read(0, static_cast<std::size_t>(file->size()));
-}
-
-// Puts images into `page` while there is room. Returns which file became which element.
-std::string add_images(const RunView& view, const PageFileSettings& settings, PageFile& page) {
-  constexpr int kSmall = 9;
-  std::size_t used = 0;
-  json::Writer names;
-  names.begin_object();
-  for (const auto& file : wanted_images(view)) {
-    try {
-      const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
-      auto bytes = base64(packed_image(image::read_exr(file, file_of(view, file)), "", rounding, kSmall));
-      if (used + bytes.size() > settings.most_bytes) {
-        page.left_out.push_back(file);
-        continue;
-      }
-      used += bytes.size();
-      const auto id = fmt::format("image-{}", page.images++);
-      names.member(file, id);
-      page.text += data_element(id, "application/octet-stream;base64", bytes);
-    } catch (const InputError& e) {
-      page.left_out.emplace_back(e.what());
-    }
-  }
-  return names.end_object().text();
 }
 
 // Thumbnails are embedded only as long as there are few of them.
@@ -85,8 +44,8 @@ void add_thumbnails(const RunView& view, PageFile& page) {
   for (std::size_t i = 0; i < targets.size() && count < kMost; ++i) {
     const auto name = (fs::path(targets[i].image).parent_path() / "result.png").string();
     if (targets[i].image.empty() || !open_inside(view.run.folder, name)) continue;
-    page.text +=
-        data_element(fmt::format("thumbnail-{}", i), "image/png;base64", base64(file_of(view, name)));
+    page.text += data_element(fmt::format("thumbnail-{}", i), "image/png;base64",
+                              base64(file_of(view.run.folder, name)));
     ++count;
   }
 }
@@ -102,8 +61,15 @@ PageFile page_file(const RunView& view, const PageFileSettings& settings) {
   for (std::size_t i = 0; i < view.run.targets.size(); ++i)
     targets += (i == 0 ? "" : ",\n") + target_json(view, i);
   page.text += data_element("orbs-targets", "application/json", script_text(targets + "]"));
-  const auto names = add_images(view, settings, page);
-  page.text += data_element("orbs-images", "application/json", script_text(names));
+  constexpr int kSmall = 9;
+  const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
+  const auto packed = [&](const std::string& file) {
+    return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, kSmall);
+  };
+  auto images = embed_images(wanted_images(view), "application/octet-stream", packed, settings.most_bytes);
+  page.text += images.elements;
+  page.images = images.count;
+  page.left_out = std::move(images.left_out);
   add_thumbnails(view, page);
   page.text += after;
   return page;

@@ -2,6 +2,7 @@
 
 #include "json/document.h"
 #include "json/object_reader.h"
+#include "results/field_reader.h"
 
 #include <algorithm>
 
@@ -42,7 +43,7 @@ bool holds_cost_study(const std::filesystem::path& folder) {
 CostStudy read_cost_study(const std::filesystem::path& folder) {
   const auto document = json::parse_file(folder / kCostFile);
   json::ObjectReader root(document);
-  root.one_of("format", {"orbs-cost/1"});
+  check_format(root, kCostFormat);
   CostStudy study;
   study.started = root.text_or("started", "");
   for (auto& target : root.objects("targets"))

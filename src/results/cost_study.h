@@ -8,7 +8,8 @@
 /// these parts only say what lies in the folder.
 namespace orbs::results {
 
-constexpr const char* kCostFile = "cost.json";
+inline constexpr const char* kCostFile = "cost.json";
+inline constexpr const char* kCostFormat = "orbs-cost/1";
 
 struct CostImages {
   std::vector<std::string> references;  // EXR, one per target

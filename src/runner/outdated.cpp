@@ -1,5 +1,6 @@
 #include "runner/outdated.h"
 
+#include "adapters/job.h"
 #include "adapters/native_scene.h"
 #include "base/files.h"
 #include "runner/prepare.h"
@@ -9,6 +10,25 @@
 #include <fmt/ranges.h>
 
 namespace orbs::runner {
+
+namespace {
+
+// The words of the command as the job gets them. Not those of the configuration: an exporter of another
+// version may fill the same words with other values. The folder is that of no job, so that a run may be
+// moved.
+std::vector<std::string> command_words(const Plan& plan, const PlannedJob& job) {
+  const auto& chosen = plan.renderers[job.renderer];
+  adapters::JobSettings settings;
+  settings.spp = job.spp;
+  settings.seed = plan.settings.seed;
+  settings.threads = plan.threads;
+  settings.root = plan.root;
+  settings.build = plan.build;
+  settings.executable = chosen.executable;
+  return adapters::make_job(chosen.entry, *plan.scenes[job.scene].scene, settings, "/").argv;
+}
+
+}  // namespace
 
 std::string scene_hash(const Plan& plan, const PlannedJob& job) {
   const auto& scene = plan.scenes[job.scene];
@@ -21,9 +41,9 @@ std::string scene_hash(const Plan& plan, const PlannedJob& job) {
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
   const auto& chosen = plan.renderers[job.renderer];
   const auto& entry = chosen.entry;
-  std::string text = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(),
-                                 fmt::join(entry.command, "\n"), fmt::join(entry.environment, "\n"),
-                                 entry.scene_format, plan.threads, entry.render_seconds.pattern);
+  std::string text = fmt::format(
+      "{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(command_words(plan, job), "\n"),
+      fmt::join(entry.environment, "\n"), entry.scene_format, plan.threads, entry.render_seconds.pattern);
   text += fmt::format("{}\n{}\n{}\n", entry.render_seconds.file, entry.render_seconds.key,
                       entry.render_seconds.unit_seconds);
   for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);

@@ -16,7 +16,7 @@ constexpr const char* kRunFile = "run.json";
 
 }  // namespace
 
-std::filesystem::path make_run_folder(const std::string& wanted) {
+std::filesystem::path make_run_folder(const std::string& wanted, const std::string& kind) {
   std::error_code failed;
   if (!wanted.empty()) {
     const auto folder = std::filesystem::absolute(wanted).lexically_normal();
@@ -29,7 +29,7 @@ std::filesystem::path make_run_folder(const std::string& wanted) {
     make_folder(folder);
     return folder;
   }
-  const auto stamp = local_time_now("outputs-%y%m%d-%H%M%S");
+  const auto stamp = kind + local_time_now("-%y%m%d-%H%M%S");
   for (int number = 1;; ++number) {
     const auto name = number == 1 ? stamp : fmt::format("{}-{}", stamp, number);
     const auto folder = std::filesystem::absolute(name);

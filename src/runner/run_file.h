@@ -14,10 +14,10 @@ struct RunFile {
   std::string started;                  // local time, ISO 8601
 };
 
-/// Makes the folder of a run: `wanted`, which must not exist or be empty, or "" for outputs-YYMMDD-HHMMSS
-/// (local time) in the current folder, with -2, -3, ... behind it where that is taken. Returns the absolute
-/// path.
-std::filesystem::path make_run_folder(const std::string& wanted);
+/// Makes the folder of a run, or of a study: `wanted`, which must not exist or be empty, or "" for
+/// <kind>-YYMMDD-HHMMSS (local time) in the current folder, with -2, -3, ... behind it where that is taken.
+/// Returns the absolute path.
+std::filesystem::path make_run_folder(const std::string& wanted, const std::string& kind = "outputs");
 
 /// InputError when the folder is not that of a run, or its run.json is broken.
 RunFile read_run_file(const std::filesystem::path& folder);

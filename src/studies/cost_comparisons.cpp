@@ -25,13 +25,13 @@ Interval ratio_of(const CostPrice& first, const CostPrice& second) {
   const double squares = a * a / first.degrees + b * b / second.degrees;
   const double degrees = squares > 0 ? (a + b) * (a + b) / squares : 1;
   const auto logs = student_interval(std::log(second.cpu_seconds->value / first.cpu_seconds->value),
-                                     std::sqrt(a + b), degrees);
+                                     std::sqrt(a + b), degrees, kOutside);
   return {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
 }
 
-// One reaches the goal and the other does not: the bound decides where it lies beyond the interval.
-std::string one_sided(const CostPrice& reached, const CostPrice& missed) {
-  return missed.at_least && *missed.at_least > reached.cpu_seconds->high ? "dearer" : "";
+// One reaches the goal and the other does not: whether the bound of the other lies beyond the interval.
+bool is_surely_cheaper(const CostPrice& reached, const CostPrice& missed) {
+  return missed.at_least && *missed.at_least > reached.cpu_seconds->high;
 }
 
 CostComparison compare_prices(const CostPrice& first, const CostPrice& second) {
@@ -45,10 +45,10 @@ CostComparison compare_prices(const CostPrice& first, const CostPrice& second) {
                                               : "cheaper";
   } else if (first.cpu_seconds) {
     out.note = second.note;
-    if (!one_sided(first, second).empty()) out.verdict = "dearer";
+    if (is_surely_cheaper(first, second)) out.verdict = "dearer";
   } else if (second.cpu_seconds) {
     out.note = first.note;
-    if (!one_sided(second, first).empty()) out.verdict = "cheaper";
+    if (is_surely_cheaper(second, first)) out.verdict = "cheaper";
   } else {
     out.note = first.note;
   }

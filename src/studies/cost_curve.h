@@ -1,8 +1,8 @@
 #pragma once
 
+#include "studies/confidence.h"
 #include "studies/cost_record.h"
 #include "studies/error_fit.h"
-#include "studies/interval.h"
 
 #include <array>
 #include <optional>

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "json/document.h"
 #include "json/writer.h"
+#include "results/cost_study.h"
 #include "results/field_reader.h"
 #include "results/field_writer.h"
 #include "studies/cost_numbers.h"
@@ -167,7 +168,7 @@ std::string number_text(const std::optional<double>& number) {
 std::string cost_json(const CostRecord& record) {
   const auto numbers = cost_numbers(record);
   Writer out;
-  out.begin_object().member("format", "orbs-cost/1");
+  out.begin_object().member("format", results::kCostFormat);
   results::write_fields(out, record);
   put_definitions(out);
   put_metrics(out);
@@ -184,7 +185,7 @@ std::string cost_json(const CostRecord& record) {
 CostRecord read_cost_file(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
-  results::check_format(in, "orbs-cost/1");
+  results::check_format(in, results::kCostFormat);
   CostRecord record;
   results::FieldReader read(in);
   fields(read, record);

@@ -40,8 +40,7 @@ void set_rungs(CostLadder& ladder, const CostPilot& pilot, int last_spp, int cou
 }
 
 CostLadder settings_ladder(const CostPilot& pilot) {
-  CostLadder ladder{pilot.target, pilot.renderer, pilot.settings, "", ""};
-  return ladder;
+  return {pilot.target, pilot.renderer, pilot.settings, "", ""};
 }
 
 // Sets so many rungs at every ladder by samples; the seconds of all together.

@@ -44,7 +44,7 @@ std::vector<Step> steps_of(const CostCurve& curve, std::size_t metric) {
 void set_interval(CostPrice& price, double seconds, double log_variance, double degrees) {
   price.log_error = std::sqrt(log_variance);
   price.degrees = std::max(1.0, degrees);
-  const auto logs = student_interval(std::log(seconds), price.log_error, price.degrees);
+  const auto logs = student_interval(std::log(seconds), price.log_error, price.degrees, kOutside);
   price.cpu_seconds = Interval{std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
 }
 
@@ -115,7 +115,7 @@ void set_prices(CostCurve& curve, bool has_samples) {
   const double error_log_variance = curve.relative_variance / best->renders;
   const double log_error = std::sqrt(error_log_variance + log_variance_of(best->cpu_seconds, best->renders));
   const auto efficiency =
-      student_interval(-std::log(error * best->cpu_seconds.value), log_error, curve.degrees);
+      student_interval(-std::log(error * best->cpu_seconds.value), log_error, curve.degrees, kOutside);
   curve.efficiency =
       Interval{std::exp(efficiency.value), std::exp(efficiency.low), std::exp(efficiency.high)};
   if (before == nullptr || !has_samples) return;
@@ -124,8 +124,8 @@ void set_prices(CostCurve& curve, bool has_samples) {
   const double factor = std::log(*seconds_above_fixed(curve, *best) / *seconds_above_fixed(curve, *before));
   const double decibels_error =
       10 / std::log(10.0) * std::sqrt(error_log_variance + curve.relative_variance / before->renders);
-  const auto slope =
-      student_interval(factor / decibels, factor / decibels * decibels_error / decibels, curve.degrees);
+  const auto slope = student_interval(factor / decibels, factor / decibels * decibels_error / decibels,
+                                      curve.degrees, kOutside);
   curve.seconds_per_db = Interval{std::expm1(slope.value), std::expm1(slope.low), std::expm1(slope.high)};
 }
 

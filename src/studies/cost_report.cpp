@@ -51,7 +51,9 @@ std::string price_text(const CostCurve* curve, std::size_t goal) {
 
 std::vector<TableRow> price_rows(const CostRecord& record, const CostNumbers& numbers, std::size_t goal) {
   TableRow head{"", fmt::format("CPU time to {}", goal_text(cost_goals().at(goal)))};
-  for (const auto& renderer : record.renderers) head.push_back(renderer.name);
+  for (const auto& renderer : record.renderers)
+    head.push_back(renderer.biased.empty() ? renderer.name
+                                           : fmt::format("{} ({})", renderer.name, renderer.biased));
   std::vector<TableRow> rows{head};
   for (std::size_t target = 0; target < record.targets.size(); ++target) {
     TableRow row{record.targets[target].requirement, record.targets[target].name};

@@ -7,6 +7,7 @@
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "registry/image_size.h"
+#include "results/cost_study.h"
 #include "runner/host.h"
 #include "runner/renderer_version.h"
 #include "studies/cost_json.h"
@@ -35,7 +36,9 @@ struct Progress {
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 };
 
-void store(const CostStudy& study) { write_file(study.request.folder / kCostFile, cost_json(study.record)); }
+void store(const CostStudy& study) {
+  write_file(study.request.folder / results::kCostFile, cost_json(study.record));
+}
 
 // False when the user interrupts.
 bool do_task(Progress& progress, const CostTask& task) {
@@ -109,7 +112,7 @@ void describe_renderers(CostStudy& study) {
   for (const auto& chosen : study.plan.renderers)
     study.record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, study.plan),
                                       chosen.entry.cost_ladder.empty() ? kSampleLadder : kSettingsLadder,
-                                      ""});
+                                      chosen.entry.biased});
 }
 
 void check_targets(const CostRecord& record, const std::vector<CostTarget>& earlier) {

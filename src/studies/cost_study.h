@@ -11,9 +11,6 @@
 /// What accuracy costs in time: renderers climb ladders of quality on the scenes of a plan.
 namespace orbs::studies {
 
-/// The files of a study in its folder.
-inline constexpr const char* kCostFile = "cost.json";
-
 /// Renders in rounds, one seed of every rung in each, in an order that is shuffled by a recorded seed so that
 /// drift of the machine hits all alike. One render at a time; all with the same number of threads, and bound
 /// to as many cores. Writes the record, and what follows from it, into the folder as it goes on. `record`

@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "judge/noise.h"
+#include "metrics/relmse.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ ReferenceNoise noise_of(const image::Image& reference, const metrics::Mask& mask
         const double of_pixel = static_cast<double>(reference.at(x, y, static_cast<std::size_t>(variance)));
         const double level = static_cast<double>(reference.at(x, y, value));
         noise.mse += of_pixel;
-        noise.relmse += of_pixel / (level * level + 0.01);
+        noise.relmse += of_pixel / (level * level + metrics::relmse::kEpsilon);
         ++count;
       }
   }
@@ -40,6 +41,19 @@ ReferenceNoise noise_of(const image::Image& reference, const metrics::Mask& mask
   if (const auto srgb8 = judge::noise_mse_srgb8(reference, reference); srgb8 && *srgb8 > 0)
     noise.psnr_srgb8 = judge::psnr_srgb8_of(*srgb8);
   return noise;
+}
+
+// The case that a scene is known by: that in whose folder its file lies, if a chosen case has it, for others
+// may look at it as well. Else the first.
+const registry::Case& own_case(const runner::Plan& plan,
+                               const std::string& target,
+                               const registry::Case& first) {
+  for (const auto& one_case : plan.cases)
+    for (const auto& scene : one_case.scenes)
+      if (scene.name == target &&
+          scene.file.lexically_normal().parent_path() == one_case.file.lexically_normal().parent_path())
+        return one_case;
+  return first;
 }
 
 bool is_known(const std::vector<CostSubject>& subjects, const std::string& target) {
@@ -53,9 +67,10 @@ std::vector<CostSubject> load_cost_subjects(const runner::Plan& plan, const std:
   std::vector<CostSubject> subjects;
   make_folder(folder / "images/reference");
   for (const auto& planned : plan.targets) {
-    const auto& one_case = plan.cases[planned.one_case];
     const auto& name = planned.target;
-    if (planned.jobs.empty() || judge::is_difference(one_case, name) || is_known(subjects, name)) continue;
+    if (planned.jobs.empty() || is_known(subjects, name)) continue;
+    if (judge::is_difference(plan.cases[planned.one_case], name)) continue;
+    const auto& one_case = own_case(plan, name, plan.cases[planned.one_case]);
     auto reference = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes, {},
                                            plan.settings.size_divisor);
     if (!reference.image) throw InputError(reference.problem);

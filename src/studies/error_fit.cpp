@@ -179,14 +179,14 @@ std::optional<ErrorFit> fit_error(const std::vector<FitPoint>& points, double de
   fit.misfit = chi_squared(model, p) / left;
   const double widened = fit.misfit > f_quantile_1_percent(left, degrees) ? fit.misfit : 1.0;
   const auto error_of = [&](std::size_t i) { return std::sqrt(widened * covariance->at(i).at(i)); };
-  fit.bias_squared = student_interval(p[0], error_of(0), degrees);
-  fit.exponent = student_interval(p[2], error_of(2), degrees);
+  fit.bias_squared = student_interval(p[0], error_of(0), degrees, kOutside);
+  fit.exponent = student_interval(p[2], error_of(2), degrees, kOutside);
   // log(variance after one second) = p1 + p2 centre.
   const double log_variance = p[1] + p[2] * centre;
   const double log_error =
       std::sqrt(widened * (covariance->at(1).at(1) + 2 * centre * covariance->at(1).at(2) +
                            centre * centre * covariance->at(2).at(2)));
-  const auto logs = student_interval(log_variance, log_error, degrees);
+  const auto logs = student_interval(log_variance, log_error, degrees, kOutside);
   fit.variance = {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
   constexpr double kFloorLevel = 0.001;
   fit.has_floor = widened <= 1 && student_interval(p[0], error_of(0), degrees, 2 * kFloorLevel).low > 0;

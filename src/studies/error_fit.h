@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/interval.h"
+#include "studies/confidence.h"
 
 #include <optional>
 #include <vector>

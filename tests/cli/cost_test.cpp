@@ -93,6 +93,17 @@ TEST(Cost, ARendererThatFailsEndsItsCurveWithTheReason) {
   EXPECT_TRUE(contains(record.ladders[1].note, "exit")) << record.ladders[1].note;
 }
 
+// Scene 101 belongs to M1; G1, G2 and others look at it too.
+TEST(Cost, ASceneIsKnownByTheCaseThatItBelongsTo) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"cost", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "-r", "orbs", "-s",
+                    "101", "--rungs", "1", "--seeds", "2", "--size", "1/8", "-o", "c"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  ASSERT_EQ(record_of(sandbox, "c").targets.size(), 1);
+  EXPECT_EQ(record_of(sandbox, "c").targets[0].requirement, "M1");
+}
+
 TEST(Cost, RefusesABudgetWithoutANumber) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs(cost({"--time", "soon", "-o", "c"}));

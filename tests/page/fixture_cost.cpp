@@ -3,14 +3,13 @@
 #include "base/files.h"
 #include "image/colour.h"
 #include "image/image_io.h"
-#include "json/writer.h"
+#include "results/cost_study.h"
+#include "studies/cost_json.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,21 +28,21 @@ constexpr std::array kRenderers{"orbs", "cycles", "povray"};
 constexpr std::array kTargets{"101", "110", "205", "248", "301", "g4-lambert"};
 constexpr std::array kTitles{"Lambertian reflection", "Glass",          "Area light",
                              "Indirect light",        "Depth of field", "Furnace <b>test</b>"};
-constexpr std::array kDecibels{30.0, 35.0, 40.0, 45.0};
-constexpr std::array kRelativeErrors{1e-2, 1e-3, 1e-4};
 constexpr int kRungs = 6;
-constexpr int kSeeds = 4;
+constexpr std::size_t kSeeds = 4;
+constexpr double kReferenceNoise = 4e-5;  // relMSE
 constexpr int kWidth = 64, kHeight = 48;
 
 Model model_of(std::size_t target, std::size_t renderer) {
   const double scale = std::pow(2.5, static_cast<double>(target));
   if (renderer == 0) return {0.0, 1e-3 * scale, 1.0, 0.05, 2e-3};
   // The two are alike on the third target.
-  if (renderer == 1) return {0.0, (target == 2 ? 1.0 : 2.2) * 1e-3 * scale, 1.0, 0.4, 3e-3};
+  if (renderer == 1 && target != 2) return {0.0, 2.2e-3 * scale, 1.0, 0.4, 3e-3};
+  if (renderer == 1) return {0.0, 1e-3 * scale, 1.0, 0.05, 3e-3};
   return {5e-4, 4e-3 * scale, 0.8, 0.1, 4e-3};
 }
 
-double spp_of(int rung) { return std::pow(4.0, rung + 1); }
+int spp_of(int rung) { return 4 << (2 * rung); }
 double seconds_of(const Model& model, int rung) {
   return model.fixed_seconds + model.seconds_per_sample * spp_of(rung);
 }
@@ -51,158 +50,81 @@ double error_at(const Model& model, double seconds) {
   return model.bias_squared + model.variance / std::pow(seconds - model.fixed_seconds, model.exponent);
 }
 double decibels_of(double error) { return 10.0 - 10.0 * std::log10(error); }
-double error_of_decibels(double decibels) { return std::pow(10.0, (10.0 - decibels) / 10.0); }
 
-// Seconds to this error; none where the rungs do not reach it.
-std::optional<double> price_of(const Model& model, double error) {
-  if (error <= model.bias_squared) return std::nullopt;
-  const double seconds =
-      model.fixed_seconds + std::pow(model.variance / (error - model.bias_squared), 1.0 / model.exponent);
-  if (seconds < seconds_of(model, 0) || seconds > seconds_of(model, kRungs - 1)) return std::nullopt;
-  return seconds;
+// Four values around `value` whose mean and median are it.
+std::array<double, kSeeds> around(double value, double relative) {
+  return {value * (1 - relative), value, value, value * (1 + relative)};
 }
 
-void interval(json::Writer& out, const char* name, double value, double relative) {
-  out.key(name).begin_object().member("value", value);
-  out.member("low", value * (1 - relative)).member("high", value * (1 + relative)).end_object();
-}
-
-void write_head(json::Writer& out) {
-  out.member("format", "orbs-cost/1").member("orbs_version", "0.0").member("started", "2026-01-02T03:04:05");
-  out.member("finished", true).member("suite", "orbs").member("size", "1/4");
-  out.key("settings").begin_object().member("target_db", 35).member("budget_seconds", 1200);
-  out.member("seeds", kSeeds).member("threads", 2).member("order_seed", 1).end_object();
-  out.key("host").begin_object().member("name", "host").member("cpu", "a processor").member("cores", 2);
-  out.member("system", "Linux").end_object().member("load", 0.2).member("load_end", 0.4);
-  out.key("definitions").begin_array();
-  for (const auto& [name, text] : {std::pair("relmse", "mean of squared relative errors <i>made up</i>"),
-                                   std::pair("cpu_seconds", "user and system time of all processes")})
-    out.begin_object().member("name", name).member("text", text).end_object();
-  out.end_array().key("metrics").begin_array();
-  for (const char* name : {"relmse", "mse", "psnr_srgb8", "flip"}) {
-    const bool is_psnr = std::string(name) == "psnr_srgb8";
-    out.begin_object().member("name", name).member("unit", is_psnr ? "dB" : "");
-    out.member("lower_is_better", !is_psnr).member("log", !is_psnr).end_object();
-  }
-  out.end_array().key("renderers").begin_array();
-  for (const char* name : kRenderers) {
-    const bool is_povray = std::string(name) == "povray";
-    out.begin_object().member("name", name).member("version", fmt::format("{} 1.0", name));
-    out.member("ladder", is_povray ? "settings" : "samples").member("biased", is_povray ? "radiosity" : "");
-    out.end_object();
-  }
-  out.end_array();
-}
-
-void write_targets(json::Writer& out) {
-  out.key("targets").begin_array();
-  for (std::size_t t = 0; t < kTargets.size(); ++t) {
-    out.begin_object().member("name", kTargets.at(t)).member("requirement", fmt::format("M{}", t + 1));
-    out.member("title", kTitles.at(t)).member("width", kWidth).member("height", kHeight);
-    out.member("reference", fmt::format("images/reference/{}.exr", kTargets.at(t)));
-    out.key("reference_noise").begin_object().member("relmse", 4e-5).member("mse", 4e-6);
-    out.member("psnr_srgb8", decibels_of(4e-5)).key("flip").null().end_object().end_object();
-  }
-  out.end_array();
-}
-
-bool is_on_frontier(std::size_t target, std::size_t renderer, int rung) {
-  const double seconds = seconds_of(model_of(target, renderer), rung);
-  const double error = error_at(model_of(target, renderer), seconds);
-  for (std::size_t r = 0; r < kRenderers.size(); ++r)
-    for (int k = 0; k < kRungs; ++k) {
-      const double other = seconds_of(model_of(target, r), k);
-      if (other < seconds && error_at(model_of(target, r), other) < error) return false;
+// The renders of one purpose on a rung: the times and errors of the model, with a scatter that is known.
+void add_renders(studies::CostRecord& record, studies::CostRender render, const Model& model, int rung) {
+  const double seconds = render.purpose == studies::kFixed ? model.fixed_seconds : seconds_of(model, rung);
+  const auto times = around(seconds, 0.05);
+  const auto errors = around(render.purpose == studies::kFixed ? 1.0 : error_at(model, seconds), 0.1);
+  for (std::size_t seed = 0; seed < kSeeds; ++seed) {
+    render.seed = static_cast<int>(seed);
+    render.order = static_cast<int>(record.renders.size());
+    render.cpu_seconds = times.at(seed);
+    render.wall_seconds = 0.6 * times.at(seed);
+    // POV-Ray reports no render time here.
+    if (render.renderer != 2) render.render_seconds = 0.5 * times.at(seed);
+    if (render.purpose != studies::kFixed) {
+      render.relmse = errors.at(seed) + kReferenceNoise;
+      render.mse = 0.1 * (errors.at(seed) + kReferenceNoise);
+      render.psnr_srgb8 = decibels_of(errors.at(seed));
+      render.flip = std::sqrt(errors.at(seed));
     }
-  return true;
+    record.renders.push_back(render);
+  }
 }
 
-void write_point(json::Writer& out, std::size_t t, std::size_t r, int rung) {
+void add_ladder(studies::CostRecord& record, std::size_t t, std::size_t r) {
   const auto model = model_of(t, r);
-  const double seconds = seconds_of(model, rung);
-  const double error = error_at(model, seconds);
-  out.begin_object().member("rung", fmt::format("{} spp", spp_of(rung))).member("spp", spp_of(rung));
-  out.member("renders", kSeeds);
-  interval(out, "cpu_seconds", seconds, 0.05);
-  interval(out, "wall_seconds", 0.6 * seconds, 0.06);
-  // POV-Ray reports no render time here.
-  if (r == 2) out.key("render_seconds").null();
-  if (r != 2) interval(out, "render_seconds", 0.5 * seconds, 0.05);
-  out.key("errors").begin_object();
-  interval(out, "relmse", error, 0.15);
-  interval(out, "mse", 0.1 * error, 0.15);
-  interval(out, "psnr_srgb8", decibels_of(error), 0.015);
-  interval(out, "flip", std::sqrt(error), 0.05);
-  out.end_object().member("below_reference_noise", error < 2 * 4e-5);
-  out.member("on_frontier", is_on_frontier(t, r, rung));
-  const auto stem = fmt::format("images/{}/{}/{}", kRenderers.at(r), kTargets.at(t), rung);
-  out.member("image", stem + ".png").member("exr", stem + ".exr").end_object();
+  studies::CostLadder ladder{t, r, {}, "", model.bias_squared > 0 ? "block (8, 16) is too bright" : ""};
+  studies::CostRender render{.target = t, .renderer = r, .purpose = studies::kFixed};
+  add_renders(record, render, model, 0);
+  render.purpose = studies::kOfRung;
+  for (int rung = 0; rung < kRungs; ++rung) {
+    render.spp = spp_of(rung);
+    render.rung = fmt::format("{} spp", render.spp);
+    ladder.rungs.push_back({render.rung, render.spp});
+    add_renders(record, render, model, rung);
+  }
+  if (t == 0 && r == 0) {
+    render.purpose = studies::kAgain;
+    add_renders(record, render, model, kRungs - 1);
+  }
+  record.ladders.push_back(std::move(ladder));
 }
 
-void write_price(json::Writer& out, const Model& model, const char* metric, double level, double error) {
-  const auto seconds = price_of(model, error);
-  out.begin_object().member("metric", metric).member("level", level);
-  if (seconds) interval(out, "cpu_seconds", *seconds, 0.1);
-  if (!seconds) out.key("cpu_seconds").null();
-  const bool is_cheap = error > error_at(model, seconds_of(model, 0));
-  out.member("note", seconds ? std::string()
-                     : is_cheap
-                         ? fmt::format("cheaper than the first rung: at most {:.2g} s", seconds_of(model, 0))
-                         : fmt::format("not reached: at least {:.3g} s", seconds_of(model, kRungs - 1)));
-  out.end_object();
-}
-
-void write_curve(json::Writer& out, std::size_t t, std::size_t r) {
-  const auto model = model_of(t, r);
-  out.begin_object().member("target", static_cast<int>(t)).member("renderer", static_cast<int>(r));
-  interval(out, "fixed_cpu_seconds", model.fixed_seconds, 0.02);
-  out.key("points").begin_array();
-  for (int rung = 0; rung < kRungs; ++rung) write_point(out, t, r, rung);
-  out.end_array().key("fit").begin_object();
-  interval(out, "bias_squared", model.bias_squared, 0.2);
-  interval(out, "variance", model.variance, 0.1);
-  interval(out, "exponent", model.exponent, 0.03);
-  out.member("has_floor", model.bias_squared > 0);
-  out.member("floor_named", model.bias_squared > 0 ? "block (8, 16) is too bright" : "").end_object();
-  out.key("prices").begin_array();
-  for (const double level : kDecibels) write_price(out, model, "psnr_srgb8", level, error_of_decibels(level));
-  for (const double level : kRelativeErrors) write_price(out, model, "relmse", level, level);
-  out.end_array();
-  interval(out, "efficiency", 1 / model.variance, 0.1);
-  interval(out, "seconds_per_db", std::pow(10.0, 0.1 / model.exponent) - 1, 0.02);
-  out.member("note", "").end_object();
-}
-
-struct Level {
-  const char* metric;
-  double level, error;
-};
-
-void write_comparison(json::Writer& out, const Level& level, std::size_t t, std::size_t a, std::size_t b) {
-  const auto first = price_of(model_of(t, a), level.error);
-  const auto second = price_of(model_of(t, b), level.error);
-  out.begin_object().member("target", static_cast<int>(t)).member("metric", level.metric);
-  out.member("level", level.level).member("first", static_cast<int>(a)).member("second", static_cast<int>(b));
-  const double ratio = first && second ? *second / *first : 0.0;
-  if (ratio > 0) interval(out, "time_ratio", ratio, 0.15);
-  if (ratio <= 0) out.key("time_ratio").null();
-  out.member("verdict", ratio <= 0           ? "not comparable"
-                        : ratio * 0.85 > 1.0 ? "dearer"
-                        : ratio * 1.15 < 1.0 ? "cheaper"
-                                             : "no difference shown");
-  out.member("note", "").end_object();
-}
-
-void write_comparisons(json::Writer& out) {
-  std::vector<Level> levels;
-  for (const double db : kDecibels) levels.push_back({"psnr_srgb8", db, error_of_decibels(db)});
-  for (const double error : kRelativeErrors) levels.push_back({"relmse", error, error});
-  out.key("comparisons").begin_array();
-  for (const auto& level : levels)
-    for (std::size_t t = 0; t < kTargets.size(); ++t)
-      for (std::size_t a = 0; a < kRenderers.size(); ++a)
-        for (std::size_t b = a + 1; b < kRenderers.size(); ++b) write_comparison(out, level, t, a, b);
-  out.end_array();
+studies::CostRecord made_up_record() {
+  studies::CostRecord record;
+  record.orbs_version = "0.0";
+  record.started = "2026-01-02T03:04:05";
+  record.is_finished = true;
+  record.suite = "orbs";
+  record.size = "1/4";
+  record.settings.threads = 2;
+  record.host.name = "host";
+  record.host.cpu = "a processor";
+  record.host.cores = 2;
+  record.host.system = "Linux";
+  record.load = 0.2;
+  record.load_end = 0.4;
+  for (const char* name : kRenderers)
+    record.renderers.push_back({name, fmt::format("{} 1.0", name), studies::kSampleLadder,
+                                std::string(name) == "povray" ? "radiosity" : ""});
+  for (std::size_t t = 0; t < kTargets.size(); ++t)
+    record.targets.push_back({kTargets.at(t),
+                              fmt::format("M{}", t + 1),
+                              kTitles.at(t),
+                              kWidth,
+                              kHeight,
+                              fmt::format("images/reference/{}.exr", kTargets.at(t)),
+                              {kReferenceNoise, 0.1 * kReferenceNoise, decibels_of(kReferenceNoise)}});
+  for (std::size_t t = 0; t < kTargets.size(); ++t)
+    for (std::size_t r = 0; r < kRenderers.size(); ++r) add_ladder(record, t, r);
+  return record;
 }
 
 image::Image ramp_with_noise(double error, std::uint64_t seed) {
@@ -238,22 +160,8 @@ void write_images(const fs::path& folder) {
 }  // namespace
 
 void write_cost_study(const fs::path& folder) {
-  json::Writer out;
-  out.begin_object();
-  write_head(out);
-  write_targets(out);
-  out.key("curves").begin_array();
-  for (std::size_t t = 0; t < kTargets.size(); ++t)
-    for (std::size_t r = 0; r < kRenderers.size(); ++r) write_curve(out, t, r);
-  out.end_array();
-  write_comparisons(out);
-  out.key("self_comparison").begin_object().member("renderer", 0).member("target", 0).member("pairs", 4);
-  interval(out, "time_ratio", 1.002, 0.03);
-  interval(out, "error_ratio", 0.998, 0.04);
-  out.member("passed", true).member("note", "the same renderer twice under two names").end_object();
-  out.key("renders").begin_array().end_array().end_object();
   write_images(folder);
-  write_file(folder / "cost.json", out.text());
+  write_file(folder / results::kCostFile, studies::cost_json(made_up_record()));
 }
 
 }  // namespace orbs::page_tests

@@ -1,5 +1,5 @@
 #include "studies/error_fit.h"
-#include "studies/interval.h"
+#include "studies/confidence.h"
 
 #include <cmath>
 #include <random>
@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace orbs::studies;
+using orbs::Interval;
 
 namespace {
 

@@ -1,6 +1,4 @@
-#include "studies/interval.h"
-
-#include "base/student_t.h"
+#include "studies/confidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,14 +36,9 @@ Sample sample_of(const std::vector<double>& values) {
   return sample;
 }
 
-Interval student_interval(double value, double error, double degrees, double outside) {
-  const double reach = error > 0 ? student_quantile(outside, std::max(1.0, degrees)) * error : 0.0;
-  return {value, value - reach, value + reach};
-}
-
 Interval mean_interval(const std::vector<double>& values) {
   const auto sample = sample_of(values);
-  return student_interval(sample.mean, std::sqrt(sample.variance / sample.count), sample.count - 1);
+  return student_interval(sample.mean, std::sqrt(sample.variance / sample.count), sample.count - 1, kOutside);
 }
 
 Interval median_interval(std::vector<double> values) {

@@ -1,4 +1,4 @@
-#include "studies/interval.h"
+#include "studies/confidence.h"
 
 #include <cmath>
 #include <random>

@@ -1,17 +1,13 @@
 #pragma once
 
+#include "base/interval.h"
+
 #include <vector>
 
 namespace orbs::studies {
 
-/// A number with the ends of its 95 % confidence interval.
-struct Interval {
-  double value = 0;
-  double low = 0;
-  double high = 0;
-};
-
-inline constexpr double kOutside = 0.05;  // the probability that an interval misses
+/// Intervals of studies hold 95 %: the probability that one misses.
+inline constexpr double kOutside = 0.05;
 
 /// What repeated measurements of one number say of it.
 struct Sample {
@@ -22,10 +18,6 @@ struct Sample {
 
 /// Of at least one value; the variance of a single one is 0.
 Sample sample_of(const std::vector<double>& values);
-
-/// value +- the reach of Student's distribution: `error` is the standard error of the value, `degrees` are
-/// those with which it is known.
-Interval student_interval(double value, double error, double degrees, double outside = kOutside);
 
 /// The mean of the values, which are taken to be normally distributed.
 Interval mean_interval(const std::vector<double>& values);
