@@ -28,8 +28,9 @@ std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Im
 
 /// The same of result and reference together where the result does not state its noise: from the steps of
 /// their difference between pixels 4 px apart, beyond the reach of a pixel's filter, both of which are
-/// `chosen` (1); without the largest steps of each block, which are put back as of normally distributed noise,
-/// so that single wrong pixels do not pass for it. Nothing when less than a tenth of the pixels is left.
+/// `chosen` (1); without the largest steps of each block, which are put back as of normally distributed
+/// noise, so that single wrong pixels do not pass for it. Nothing when less than a tenth of the pixels is
+/// left.
 std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair,
                                         const std::vector<std::uint8_t>& chosen);
 

@@ -79,7 +79,7 @@ struct Renderer {
   /// {seed} is the seed of the render times this. For renderers whose random numbers of one seed in one pixel
   /// are those of the next seed in the pixel before: renders of consecutive seeds would not be independent.
   int seed_stride = 1;
-  std::string biased;  // why no quality of it is right to the last digit; "" where nothing is known
+  std::string biased;          // why no quality of it is right to the last digit; "" where nothing is known
   bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
   /// A pixel is the plain mean over its square. Only then is an image of fewer pixels the average of the full
   /// one.

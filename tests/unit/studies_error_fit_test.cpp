@@ -1,5 +1,5 @@
-#include "studies/error_fit.h"
 #include "studies/confidence.h"
+#include "studies/error_fit.h"
 
 #include <cmath>
 #include <random>

@@ -1,4 +1,5 @@
 import { bytes } from "../common/format";
+import { PairList } from "../common/PairList";
 import type { Session } from "../common/session";
 import type { Host, TargetDetail } from "../data/types";
 
@@ -8,14 +9,7 @@ function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   return (
     <div>
       <h3>{title}</h3>
-      <dl class="pairs">
-        {known.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <PairList kind="pairs" pairs={known} />
     </div>
   );
 }

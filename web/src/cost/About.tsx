@@ -1,4 +1,5 @@
 import { number, seconds } from "../common/format";
+import { PairList } from "../common/PairList";
 import { metricName, ratioText } from "./quantities";
 import type { CostRenderer, CostStudy } from "./types";
 
@@ -35,14 +36,7 @@ export function About({ study }: { study: CostStudy }) {
   return (
     <section class="cost-panel about" aria-label="How it was measured">
       <h2>How it was measured</h2>
-      <dl>
-        {rows(study).map(([name, text]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{text}</dd>
-          </div>
-        ))}
-      </dl>
+      <PairList pairs={rows(study)} />
     </section>
   );
 }

@@ -1,4 +1,5 @@
 import { useState } from "preact/hooks";
+import { PairList } from "../common/PairList";
 import type { ChartOfTarget, Placed, Ranges } from "./chart_data";
 import {
   AxesPart,
@@ -97,14 +98,7 @@ function Tip({
       <b>
         {study.renderers[curve.renderer]?.name}, {point.rung}
       </b>
-      <dl>
-        {numbersOf(study, point).map(({ label, text }) => (
-          <div key={label}>
-            <dt>{label}</dt>
-            <dd>{text}</dd>
-          </div>
-        ))}
-      </dl>
+      <PairList pairs={numbersOf(study, point)} />
       {point.on_frontier ? <p>On the frontier.</p> : null}
       {point.below_reference_noise ? <p>This error is within the noise of the reference.</p> : null}
     </div>
@@ -126,7 +120,7 @@ function Points({ study, chart, chosen, scales, theme, onChoose, onHover }: Poin
           const { curve, rung, point } = placed;
           const is = chosen?.renderer === curve.renderer && chosen.rung === rung;
           const name = `${study.renderers[curve.renderer]?.name}, ${point.rung}`;
-          const numbers = numbersOf(study, point).map(({ label, text }) => `${label} ${text}`);
+          const numbers = numbersOf(study, point).map(([label, text]) => `${label} ${text}`);
           return (
             <g
               key={`${curve.renderer} ${rung}`}

@@ -1,4 +1,5 @@
 import { useState } from "preact/hooks";
+import { PairList } from "../common/PairList";
 import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
 import { useHeldKey } from "../viewer/held_key";
@@ -87,14 +88,7 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
         Hold Shift to see the reference in place of the image.
         {point.below_reference_noise ? " This error is within the noise of the reference." : ""}
       </p>
-      <dl class="numbers">
-        {numbersOf(study, point).map(({ label, text }) => (
-          <div key={label}>
-            <dt>{label}</dt>
-            <dd>{text}</dd>
-          </div>
-        ))}
-      </dl>
+      <PairList kind="numbers" pairs={numbersOf(study, point)} />
     </section>
   );
 }

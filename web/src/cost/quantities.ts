@@ -58,15 +58,15 @@ export const ratioText = (interval: MaybeInterval): string =>
   interval?.value == null ? "–" : `× ${withEnds(interval)}`;
 
 /** Every number of a point, as the hover and the panel beside the chart show it. */
-export function numbersOf(study: CostStudy, point: CostPoint): { label: string; text: string }[] {
+export function numbersOf(study: CostStudy, point: CostPoint): [string, string][] {
   return [
-    { label: "CPU", text: withEnds(point.cpu_seconds, seconds) },
-    { label: "wall", text: withEnds(point.wall_seconds, seconds) },
-    { label: "render", text: withEnds(point.render_seconds, seconds) },
-    ...study.metrics.map(({ name, unit }) => ({
-      label: metricName(name),
-      text: `${withEnds(errorOf(point, name))}${unit ? ` ${unit}` : ""}`,
-    })),
-    { label: "renders", text: String(point.renders) },
+    ["CPU", withEnds(point.cpu_seconds, seconds)],
+    ["wall", withEnds(point.wall_seconds, seconds)],
+    ["render", withEnds(point.render_seconds, seconds)],
+    ...study.metrics.map(({ name, unit }): [string, string] => [
+      metricName(name),
+      `${withEnds(errorOf(point, name))}${unit ? ` ${unit}` : ""}`,
+    ]),
+    ["renders", String(point.renders)],
   ];
 }
