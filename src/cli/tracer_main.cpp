@@ -4,6 +4,7 @@
 #include "image/image_io.h"
 #include "scene/effects.h"
 #include "scene/load_scene.h"
+#include "tracer/choose_light_connections.h"
 #include "tracer/choose_light_paths.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
@@ -37,8 +38,10 @@ struct Options {
   bool as_json = false;
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
+  std::string light_connections = "auto";
   std::string direct_light = "mis";
   std::string sampler = "sobol";
+  std::string light_selection = "bvh";
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
@@ -72,10 +75,20 @@ void add_algorithm_options(CLI::App& app, Options& options) {
          "next-event estimation)")
       ->check(CLI::IsMember({"mis", "light", "bsdf"}))
       ->capture_default_str();
+  app.add_option("--light-selection", options.light_selection,
+                 "which of several emitters light sampling takes: bvh (by what each may contribute to the "
+                 "point) or power (by its power alone)")
+      ->check(CLI::IsMember({"bvh", "power"}))
+      ->capture_default_str();
   app.add_option(
          "--light-paths", options.light_paths,
          "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
          "or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_option("--light-connections", options.light_connections,
+                 "connections of camera paths to the first hits of light paths (bidirectional): auto (if a "
+                 "trial rendering shows that they reduce noise), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
@@ -191,9 +204,11 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.sampler"] = options.sampler;
   header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
+  header["orbs.light_selection"] = options.light_selection;
   header["orbs.roulette"] = world.roulette ? "yes" : "no";
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
+  header["orbs.light_connections"] = world.connects_light_vertices ? "yes" : "no";
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
@@ -227,8 +242,14 @@ int run(const Options& options) {
                                           .light_paths = options.light_paths != "never",
                                           .mirrored_light = !options.has_no_mirrored_light,
                                           .direct_light = direct_light_named(options.direct_light),
+                                          .light_selection = options.light_selection == "power"
+                                                                 ? tracer::LightSelection::Power
+                                                                 : tracer::LightSelection::Bvh,
                                           .roulette = !options.has_no_roulette});
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
+  if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
+  if (options.light_connections == "always")
+    world.connects_light_vertices = tracer::supports_light_connections(world);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);

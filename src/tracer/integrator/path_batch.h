@@ -2,6 +2,7 @@
 
 #include "tracer/geometry/lanes.h"
 #include "tracer/geometry/ray.h"
+#include "tracer/integrator/light_vertex.h"
 #include "tracer/integrator/path_class.h"
 #include "tracer/sampling/sampler.h"
 #include "tracer/transport/transport.h"
@@ -51,6 +52,12 @@ struct PathState {
   bool came_by_mirror = false;
   float mirror_probability = 0;  // with which the vertex picks this mirror
   Vec3f mirrored_vertex;         // the vertex, mirrored in the plane
+  Vec3f light_sample_normal;     // LightSampleContext::normal of the last vertex
+  /// Density per m^2 with which the last vertex but one sampled the last one, where it could have connected to
+  /// the same point as a light vertex; else 0.
+  float arrival_pdf = 0;
+  /// connection_pdf of what the ray hits, over its emission_pdf.
+  float connection_pdf = 0;
   PathClass events;
   Vec2f first_light_numbers;  // of the four random numbers of PixelAndFirstLight, the two for the light
 };
@@ -103,6 +110,7 @@ struct PathBatch {
   std::vector<Ray> shadow_rays;
   std::vector<ShadowPayload<T>> shadow_payloads;  // of shadow_rays
   std::vector<std::uint8_t> blocked;
+  LightVertexPool light_vertices;        // empty unless World::connects_light_vertices
   std::vector<ClassedRadiance> classed;  // filled if split_paths
   bool split_paths = false;
   double traversal_seconds = 0;  // inside the accelerator, summed over all batches

@@ -41,6 +41,17 @@ void note_mis_state(
     return;
   }
   path.bsdf_pdf = is_delta(vertices.bsdf[lane]) ? 0 : pdf;
+  path.light_sample_normal = light_sample_context(vertices, lane).normal;
+}
+
+/// Records what the weights of MIS need if the next ray hits an emitter that a connection to this vertex could
+/// have come from.
+template <Transport T>
+void note_connection(PathState<T>& path, Vec3f geometric_normal) {
+  path.connection_pdf = 0;
+  if (!(path.bsdf_pdf > 0) || path.came_by_mirror) return;
+  path.connection_pdf =
+      connection_pdf(1, std::abs(dot(geometric_normal, path.ray.direction)), path.arrival_pdf);
 }
 
 /// Samples the BSDF of each vertex and gives the paths their next rays; those that survive are appended to
@@ -78,6 +89,7 @@ void scatter(PathBatch<T>& batch,
     path.events.append(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
     path.ray.origin = lane_of(origin, lane);
     path.ray.direction = lane_of(direction, lane);
+    if (world.connects_light_vertices) note_connection(path, lane_of(vertices.geometric_normal, lane));
     ++path.scatterings;
     // The fourth number is free: sample() uses three at most.
     if (survives_roulette<T>(path, world, u[3][lane])) batch.survivors.push_back(vertices.path[lane]);

@@ -78,7 +78,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_lights(scene, origin, colours, world);
-  build_emitters(world);
+  build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
   world.direct_light = settings.direct_light;
   world.roulette = settings.roulette;
@@ -89,6 +89,10 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   world.accel =
       std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres, world.lights});
   return world;
+}
+
+bool supports_light_connections(const World& world) {
+  return supports_light_paths(world) && world.direct_light == DirectLight::Mis && world.trace_depth >= 2;
 }
 
 }  // namespace orbs::tracer
