@@ -20,7 +20,8 @@ bool choose_light_connections(World& world, int threads) {
   const Trial without = trial_of(world, kSide, threads);
   world.connects_light_vertices = true;
   const Trial with = trial_of(world, kSide, threads);
-  world.connects_light_vertices = noise_of(with, 1) < kWorthwhile * noise_of(without, 1);
+  const float exposure = exposure_of(with, without);
+  world.connects_light_vertices = noise_of(with, exposure, 1) < kWorthwhile * noise_of(without, exposure, 1);
   return world.connects_light_vertices;
 }
 

@@ -30,9 +30,11 @@ constexpr double kMostOfLightMissed = 0.5;
 bool is_better(const Trial& with, const Trial& without) {
   if (light_of(without) < (1 - kMostOfLightMissed) * light_of(with)) return true;
   if (with.light_path_contributions < kFewestContributions) return false;
-  return noise_of(with, 1) < kWorthwhile * noise_of(without, 1) ||
-         noise_of(with, kBlockSide) <
-             kBlocksWorthwhile * (noise_of(without, kBlockSide) + squared_bias(without, with, kBlockSide));
+  const float exposure = exposure_of(with, without);
+  return noise_of(with, exposure, 1) < kWorthwhile * noise_of(without, exposure, 1) ||
+         noise_of(with, exposure, kBlockSide) <
+             kBlocksWorthwhile * (noise_of(without, exposure, kBlockSide) +
+                                  squared_bias(without, with, exposure, kBlockSide));
 }
 
 }  // namespace

@@ -23,13 +23,13 @@ double sum_over(const image::Image& image, int x0, int y0, int side, std::size_t
 }
 
 // Means over squares of side x side pixels, display-encoded.
-std::vector<double> shown(const image::Image& image, int side) {
+std::vector<double> shown(const image::Image& image, float exposure, int side) {
   std::vector<double> values;
-  const double area = side * side;
+  const double scale = static_cast<double>(exposure) / (side * side);
   for (int y = 0; y + side <= image.height; y += side)
     for (int x = 0; x + side <= image.width; x += side)
       for (std::size_t c = 0; c < 3; ++c)
-        values.push_back(on_display(static_cast<float>(sum_over(image, x, y, side, c) / area)));
+        values.push_back(on_display(static_cast<float>(sum_over(image, x, y, side, c) * scale)));
   return values;
 }
 
@@ -63,17 +63,6 @@ Trial trial_of(World& world, int side, int threads) {
   return {{std::move(a.image), std::move(b.image)}, contributions};
 }
 
-double noise_of(const Trial& trial, int block) {
-  const auto first = shown(trial.images[0], block);
-  const auto second = shown(trial.images[1], block);
-  return product_of_differences(first, second, first, second) / 2;
-}
-
-double squared_bias(const Trial& a, const Trial& b, int block) {
-  return product_of_differences(shown(a.images[0], block), shown(b.images[0], block),
-                                shown(a.images[1], block), shown(b.images[1], block));
-}
-
 double light_of(const Trial& trial) {
   const image::Image& image = trial.images[0];
   double sum = 0;
@@ -81,6 +70,24 @@ double light_of(const Trial& trial) {
     for (int x = 0; x < image.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(image.at(x, y, c));
   return sum;
+}
+
+float exposure_of(const Trial& a, const Trial& b) {
+  constexpr double kMean = 0.25;  // that of most scenes of ORB.S, which are seen as they are
+  const double values = 3 * static_cast<double>(a.images[0].pixel_count() + b.images[0].pixel_count());
+  const double mean = (light_of(a) + light_of(b)) / values;
+  return mean > 0 ? static_cast<float>(kMean / mean) : 1;
+}
+
+double noise_of(const Trial& trial, float exposure, int block) {
+  const auto first = shown(trial.images[0], exposure, block);
+  const auto second = shown(trial.images[1], exposure, block);
+  return product_of_differences(first, second, first, second) / 2;
+}
+
+double squared_bias(const Trial& a, const Trial& b, float exposure, int block) {
+  return product_of_differences(shown(a.images[0], exposure, block), shown(b.images[0], exposure, block),
+                                shown(a.images[1], exposure, block), shown(b.images[1], exposure, block));
 }
 
 }  // namespace orbs::tracer

@@ -19,12 +19,16 @@ struct Trial {
 /// RenderSettings.
 Trial trial_of(World& world, int side, int threads);
 
-/// Variance of one image, display-encoded and summed over means of block x block pixels.
-double noise_of(const Trial& trial, int block);
+/// The factor that takes the mean of all values of both trials to that of a well exposed photograph, so that
+/// decisions do not depend on the unit of radiance.
+float exposure_of(const Trial& a, const Trial& b);
+
+/// Variance of one image, exposed, display-encoded and summed over means of block x block pixels.
+double noise_of(const Trial& trial, float exposure, int block);
 
 /// Squared difference of the means of both, summed likewise. Its factors have independent noise, which
 /// averages out of the product.
-double squared_bias(const Trial& a, const Trial& b, int block);
+double squared_bias(const Trial& a, const Trial& b, float exposure, int block);
 
 /// Sum of all values of the first image.
 double light_of(const Trial& trial);

@@ -51,8 +51,10 @@ struct PathState {
   /// vertex.
   bool came_by_mirror = false;
   float mirror_probability = 0;  // with which the vertex picks this mirror
-  Vec3f mirrored_vertex;         // the vertex, mirrored in the plane
-  Vec3f light_sample_normal;     // LightSampleContext::normal of the last vertex
+  /// The last vertex, or its mirror image where the path came by a mirror: where next-event estimation could
+  /// have sampled what the ray hits. Not the origin of the ray, which is offset from it: close to an emitter
+  /// the pdfs at both differ.
+  LightSampleContext light_sample;
   /// Density per m^2 with which the last vertex but one sampled the last one, where it could have connected to
   /// the same point as a light vertex; else 0.
   float arrival_pdf = 0;

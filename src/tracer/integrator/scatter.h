@@ -35,13 +35,14 @@ void note_mis_state(
   path.came_by_mirror = could_have_sampled && vertices.mirror_plane[lane] >= 0;
   if (path.came_by_mirror) {
     const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(vertices.mirror_plane[lane])];
-    const int count = count_planes_facing(world.mirror_planes, path.ray.origin);
-    path.mirror_probability = is_in_front(plane, path.ray.origin) ? 1 / static_cast<float>(count) : 0;
-    path.mirrored_vertex = mirrored(plane, path.ray.origin);
+    const Vec3f vertex = path.light_sample.position;
+    const int count = count_planes_facing(world.mirror_planes, vertex);
+    path.mirror_probability = is_in_front(plane, vertex) ? 1 / static_cast<float>(count) : 0;
+    path.light_sample = {mirrored(plane, vertex), {}};
     return;
   }
   path.bsdf_pdf = is_delta(vertices.bsdf[lane]) ? 0 : pdf;
-  path.light_sample_normal = light_sample_context(vertices, lane).normal;
+  path.light_sample = light_sample_context(vertices, lane);
 }
 
 /// Records what the weights of MIS need if the next ray hits an emitter that a connection to this vertex could

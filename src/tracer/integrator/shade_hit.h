@@ -30,14 +30,6 @@ void add_environment(PathBatch<T>& batch, const World& world, PathState<T>& path
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
 }
 
-/// Where next-event estimation could have sampled what this ray hits, and for which its pdf is evaluated for
-/// MIS: the last vertex, or its mirror image.
-template <Transport T>
-LightSampleContext sampled_from(const PathState<T>& path) {
-  if (path.came_by_mirror) return {path.mirrored_vertex, {}};
-  return {path.ray.origin, path.light_sample_normal};
-}
-
 /// Records what is_left_to_light_paths needs to know of the surface at which the path is about to scatter.
 template <Transport T>
 void note_near_specular(PathState<T>& path,
@@ -95,7 +87,7 @@ void shade_light_hit(PathBatch<T>& batch,
                      const Hit& hit) {
   PathState<T>& path = batch.paths[index];
   const RenderObject& object = world.objects[hit.object];
-  add_emission<T>(batch, world, path, emission_at_light(world, object, path.ray, hit, sampled_from(path)));
+  add_emission<T>(batch, world, path, emission_at_light(world, object, path.ray, hit, path.light_sample));
   const AreaLight& light = world.lights[object.light];
   if (light.reflectance == Vec3f{} || path.scatterings == world.trace_depth) return;
   const SurfacePoint point = light_point(light, path.ray, hit);
@@ -131,7 +123,7 @@ void shade_hit(PathBatch<T>& batch,
   const SurfaceHit surface{point, material, hit};
   if (const auto* emission = std::get_if<EmissionMaterial>(&material.model)) {
     add_emission<T>(batch, world, path,
-                    emission_at_surface(world, surface, *emission, path.ray, sampled_from(path)));
+                    emission_at_surface(world, surface, *emission, path.ray, path.light_sample));
     return;
   }
   if (path.scatterings == world.trace_depth) return;
