@@ -31,9 +31,10 @@ std::optional<LightVertexScattering<T>> scattering_at(const World& world,
                                                       Vec3f to_viewer) {
   const SurfacePoint& point = vertex.point;
   const float side = dot(point.shading_normal, to_viewer);
-  if (side == 0) return std::nullopt;
+  if (!sides_agree(point.geometric_normal, point.shading_normal, to_viewer) ||
+      !sides_agree(point.geometric_normal, point.shading_normal, vertex.to_light))
+    return std::nullopt;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
-  if (!sides_agree(point.geometric_normal, frame.z, vertex.to_light)) return std::nullopt;
   const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
   const Vec3f wo = frame.to_local(to_viewer);
   const Vec3f wi = frame.to_local(vertex.to_light);

@@ -128,8 +128,10 @@ void shade_hit(PathBatch<T>& batch,
   }
   if (path.scatterings == world.trace_depth) return;
   const Vec3f to_viewer = -path.ray.direction;
+  // A facet that is seen from behind at an interpolated normal in front would scatter to the far side of the
+  // wall. At exactly grazing view nothing is reflected either.
+  if (!sides_agree(point.geometric_normal, point.shading_normal, to_viewer)) return;
   const float side = dot(point.shading_normal, to_viewer);
-  if (side == 0) return;  // exactly at grazing view nothing is reflected
   const int mirror_plane =
       world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.object, hit.primitive);
   note_near_specular<T>(path, world, material, mirror_plane);
