@@ -65,7 +65,8 @@ void connect_light_vertex(PathBatch<T>& batch,
                           const FrameOf<Vec8>& frame,
                           Vec8 wo,
                           std::size_t lane,
-                          const LightVertex& vertex) {
+                          const SelectedVertex& selected) {
+  const LightVertex& vertex = selected.vertex;
   const PathState<T>& path = batch.paths[vertices.path[lane]];
   const Vec3f position = lane_of(vertices.position, lane);
   const Vec3f d = vertex.point.position - position;
@@ -84,7 +85,7 @@ void connect_light_vertex(PathBatch<T>& batch,
   const float pdf = connection_pdf(vertex.emission_pdf, vertex.cos_light, value.pdf * area_over_angle);
   const float share = static_cast<float>(batch.light_vertices.vertices.size()) /
                       static_cast<float>(batch.light_vertices.traced);
-  const float factor = share * mis_weight(pdf, there->light_pdf, there->bsdf_pdf) * area_over_angle * kPi /
+  const float factor = selected.weight * share * mis_weight(pdf, there->light_pdf, there->bsdf_pdf) * area_over_angle * kPi /
                        (vertex.emission_pdf * vertex.cos_light);
   PathClass events = path.events;
   events.append(event_of(vertices.bsdf[lane]), dot(here.z, direction) < 0);
@@ -108,10 +109,12 @@ void connect_light_vertices(PathBatch<T>& batch,
                             Vec8 wo,
                             int bounce) {
   if (batch.light_vertices.vertices.empty() || bounce + 2 > world.trace_depth) return;
-  for (std::size_t lane = 0; lane < vertices.count; ++lane)
-    if (!is_delta(vertices.bsdf[lane]))
-      connect_light_vertex<T>(batch, world, vertices, frame, wo, lane,
-                              vertex_for(batch.light_vertices, vertices.path[lane], bounce));
+  for (std::size_t lane = 0; lane < vertices.count; ++lane) {
+    if (is_delta(vertices.bsdf[lane])) continue;
+    const auto selected = select_vertex(batch.light_vertices, light_sample_context(vertices, lane),
+                                        vertices.path[lane], bounce);
+    if (selected) connect_light_vertex<T>(batch, world, vertices, frame, wo, lane, *selected);
+  }
 }
 
 }  // namespace orbs::tracer

@@ -4,6 +4,7 @@
 #include "tracer/world/surface.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,8 +53,19 @@ inline float connection_pdf(float emission_pdf, float cos_light, float arrival_p
 /// functions of those of the samples.
 void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<const Sample> samples);
 
-/// The vertex that this camera path connects to after so many bounces; each is equally likely. The pool must
-/// not be empty.
-const LightVertex& vertex_for(const LightVertexPool& pool, std::uint32_t path, int bounce);
+/// A vertex of the pool, and the factor that its contribution is multiplied by for the others that were not
+/// selected.
+struct SelectedVertex {
+  const LightVertex& vertex;
+  float weight = 1;
+};
+
+/// The vertex that this camera path connects to after so many bounces: of a few, each equally likely to be
+/// among them, one in proportion to what it would contribute if nothing stood between (resampled importance
+/// sampling; Talbot et al. 2005). Nothing if none of the few can contribute. The pool must not be empty.
+std::optional<SelectedVertex> select_vertex(const LightVertexPool& pool,
+                                            const LightSampleContext& at,
+                                            std::uint32_t path,
+                                            int bounce);
 
 }  // namespace orbs::tracer
