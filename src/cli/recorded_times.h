@@ -15,9 +15,9 @@ struct RecordedTimes {
 };
 
 /// As far as earlier runs tell: those in `folder` whose name starts with "outputs-", and the run in `resumed`
-/// if it is not "". Times of other sample counts are scaled; runs with images of another size tell nothing, nor
-/// do those that cannot be read. For the rest, the times that come with the program (data/bench): CPU seconds of
-/// another machine, shared by the threads of a job.
+/// if it is not "". Times of other sample counts are scaled; runs with images of another size tell nothing,
+/// nor do those that cannot be read. For the rest, the times that come with the program (data/bench): CPU
+/// seconds of another machine, shared by the threads of a job.
 RecordedTimes recorded_times(const runner::Plan& plan,
                              const std::filesystem::path& folder,
                              const std::filesystem::path& resumed);
@@ -25,7 +25,8 @@ RecordedTimes recorded_times(const runner::Plan& plan,
 /// "45 s", "12 min", "5.2 h".
 std::string duration_text(double seconds);
 
-/// "113 renders, about 5 h"; where not all were timed, of how many that is known, and where others timed them.
+/// "113 renders, about 5 h"; where not all were timed, of how many that is known, and where others timed
+/// them.
 std::string amount_text(const runner::Plan& plan, const RecordedTimes& times);
 
 }  // namespace orbs::cli

@@ -237,15 +237,15 @@ int run(const Options& options) {
     orbs::print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  auto world = tracer::make_world(scene, {.transport = options.transport,
-                                          .may_lose_effects = options.may_lose_effects,
-                                          .light_paths = options.light_paths != "never",
-                                          .mirrored_light = !options.has_no_mirrored_light,
-                                          .direct_light = direct_light_named(options.direct_light),
-                                          .light_selection = options.light_selection == "power"
-                                                                 ? tracer::LightSelection::Power
-                                                                 : tracer::LightSelection::Bvh,
-                                          .roulette = !options.has_no_roulette});
+  auto world = tracer::make_world(
+      scene, {.transport = options.transport,
+              .may_lose_effects = options.may_lose_effects,
+              .light_paths = options.light_paths != "never",
+              .mirrored_light = !options.has_no_mirrored_light,
+              .direct_light = direct_light_named(options.direct_light),
+              .light_selection = options.light_selection == "power" ? tracer::LightSelection::Power
+                                                                    : tracer::LightSelection::Bvh,
+              .roulette = !options.has_no_roulette});
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
   if (options.light_connections == "always")

@@ -45,9 +45,9 @@ CostLadder settings_ladder(const CostPilot& pilot) {
   const auto tried = pilot.setting_seconds.size();
   if (tried == 0 || tried == pilot.settings.size()) return ladder;
   ladder.rungs.resize(tried);
-  ladder.note = fmt::format("the budget ends at '{}', {:.3g} s a render; '{}' would take longer",
-                            ladder.rungs.back().name, pilot.setting_seconds.back(),
-                            pilot.settings[tried].name);
+  ladder.note =
+      fmt::format("the budget ends at '{}', {:.3g} s a render; '{}' would take longer",
+                  ladder.rungs.back().name, pilot.setting_seconds.back(), pilot.settings[tried].name);
   return ladder;
 }
 

@@ -80,7 +80,8 @@ bool choose_rungs(CostStudy& study, double budget_seconds) {
   std::vector<CostLadder> unrendered;
   std::set<std::pair<std::size_t, std::size_t>> seen;
   const auto begin = std::chrono::steady_clock::now();
-  const double share_seconds = budget_seconds / std::max<double>(1, static_cast<double>(study.plan.jobs.size()));
+  const double share_seconds =
+      budget_seconds / std::max<double>(1, static_cast<double>(study.plan.jobs.size()));
   for (const auto& planned : study.plan.targets) {
     if (planned.jobs.size() != 1) continue;
     const auto& targets = study.record.targets;

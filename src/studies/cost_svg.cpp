@@ -64,9 +64,12 @@ Axes axes_of(const CostNumbers& numbers) {
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else
+      out += c;
   }
   return out;
 }
@@ -80,15 +83,17 @@ std::string grid(const Axes& axes) {
   std::string out;
   for (int e = static_cast<int>(axes.seconds.low); e <= static_cast<int>(axes.seconds.high); ++e) {
     const double x = axes.x(std::pow(10.0, e));
-    out += fmt::format("<path class=\"g\" d=\"M{:.1f} {}V{}\"/><text x=\"{:.1f}\" y=\"{}\" "
-                       "text-anchor=\"middle\">{} s</text>\n",
-                       x, kTop, kHeight - kBottom, x, kHeight - kBottom + 13, power_of_ten(e));
+    out += fmt::format(
+        "<path class=\"g\" d=\"M{:.1f} {}V{}\"/><text x=\"{:.1f}\" y=\"{}\" "
+        "text-anchor=\"middle\">{} s</text>\n",
+        x, kTop, kHeight - kBottom, x, kHeight - kBottom + 13, power_of_ten(e));
   }
   for (int e = static_cast<int>(axes.error.low); e <= static_cast<int>(axes.error.high); ++e) {
     const double y = axes.y(std::pow(10.0, e));
-    out += fmt::format("<path class=\"g\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" "
-                       "text-anchor=\"end\">{}</text>\n",
-                       kLeft, y, kWidth - kRight, kLeft - 4, y + 3.5, power_of_ten(e));
+    out += fmt::format(
+        "<path class=\"g\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" "
+        "text-anchor=\"end\">{}</text>\n",
+        kLeft, y, kWidth - kRight, kLeft - 4, y + 3.5, power_of_ten(e));
   }
   return out;
 }
@@ -101,8 +106,8 @@ std::string point_mark(const Axes& axes, const CostPoint& point, const char* col
   return fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\"/><circle cx=\"{0:.1f}\" cy=\"{4:.1f}\" r=\"2.5\" "
       "stroke=\"{3}\" fill=\"{5}\"/>\n",
-      x, axes.y(std::clamp(error.low, lowest, highest)), axes.y(std::clamp(error.high, lowest, highest)), colour,
-      axes.y(error.value), point.is_below_reference_noise ? "#fff" : colour);
+      x, axes.y(std::clamp(error.low, lowest, highest)), axes.y(std::clamp(error.high, lowest, highest)),
+      colour, axes.y(error.value), point.is_below_reference_noise ? "#fff" : colour);
 }
 
 std::string curve_marks(const Axes& axes, const CostCurve& curve, const char* colour) {
@@ -121,11 +126,13 @@ std::string curve_marks(const Axes& axes, const CostCurve& curve, const char* co
   return fmt::format("<path d=\"{}\" stroke=\"{}\" fill=\"none\"/>\n{}", line, colour, marks);
 }
 
-std::string chart(const CostRecord& record, const CostNumbers& numbers, const Axes& axes, std::size_t target) {
+std::string chart(const CostRecord& record,
+                  const CostNumbers& numbers,
+                  const Axes& axes,
+                  std::size_t target) {
   const auto& about = record.targets[target];
-  std::string out =
-      fmt::format("<text x=\"{}\" y=\"14\" class=\"t\">{} {}</text>\n{}", kLeft, escaped(about.requirement),
-                  escaped(about.name), grid(axes));
+  std::string out = fmt::format("<text x=\"{}\" y=\"14\" class=\"t\">{} {}</text>\n{}", kLeft,
+                                escaped(about.requirement), escaped(about.name), grid(axes));
   for (const auto& curve : numbers.curves)
     if (const auto& ladder = record.ladders[curve.ladder]; ladder.target == target)
       out += curve_marks(axes, curve, colour_of(ladder.renderer));
@@ -136,12 +143,14 @@ std::string legend(const CostRecord& record) {
   std::string out;
   double x = kLeft;
   for (std::size_t i = 0; i < record.renderers.size(); ++i) {
-    out += fmt::format("<circle cx=\"{0}\" cy=\"14\" r=\"4\" fill=\"{1}\"/><text x=\"{2}\" y=\"18\" "
-                       "class=\"t\">{3}</text>\n",
-                       x, colour_of(i), x + 9, escaped(record.renderers[i].name));
+    out += fmt::format(
+        "<circle cx=\"{0}\" cy=\"14\" r=\"4\" fill=\"{1}\"/><text x=\"{2}\" y=\"18\" "
+        "class=\"t\">{3}</text>\n",
+        x, colour_of(i), x + 9, escaped(record.renderers[i].name));
     x += 30 + 7.5 * static_cast<double>(record.renderers[i].name.size());
   }
-  return out + fmt::format("<text x=\"{}\" y=\"18\">relMSE against CPU time, size {}</text>\n", x, record.size);
+  return out +
+         fmt::format("<text x=\"{}\" y=\"18\">relMSE against CPU time, size {}</text>\n", x, record.size);
 }
 
 }  // namespace
@@ -157,10 +166,9 @@ std::string cost_svg(const CostRecord& record) {
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}",
       kColumns * kWidth, kLegend + static_cast<double>(rows) * kHeight, legend(record));
   for (std::size_t i = 0; i < record.targets.size(); ++i)
-    out += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
-                       kWidth * static_cast<double>(i % kColumns),
-                       kLegend + kHeight * static_cast<double>(i / kColumns),
-                       chart(record, numbers, axes, i));
+    out += fmt::format(
+        "<g transform=\"translate({} {})\">\n{}</g>\n", kWidth * static_cast<double>(i % kColumns),
+        kLegend + kHeight * static_cast<double>(i / kColumns), chart(record, numbers, axes, i));
   return out + "</svg>\n";
 }
 

@@ -11,8 +11,7 @@ namespace {
 // Abscissae and weights of the Gauss-Legendre rule with four points on [-1, 1].
 constexpr std::array kAbscissae{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                 0.8611363115940526};
-constexpr std::array kWeights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                              0.3478548451374538};
+constexpr std::array kWeights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 
 double rule(const Cell& cell, const Density& density) {
   const Vec2d centre{(cell.low.x + cell.high.x) / 2, (cell.low.y + cell.high.y) / 2};
@@ -31,18 +30,17 @@ std::array<Cell, 4> quarters(const Cell& c) {
           Cell{m, c.high}};
 }
 
-// Two levels are always divided, so that no narrow part of the density is stepped over.
+// Three levels are always divided, so that no narrow part of the density is stepped over.
 double refined(const Cell& cell, const Density& density, double coarse, double tolerance, int level) {
-  constexpr int kFewestLevels = 2;
-  constexpr int kMostLevels = 9;
+  constexpr int kFewestLevels = 3;
+  constexpr int kMostLevels = 11;
   std::array<double, 4> parts{};
   const auto cells = quarters(cell);
   double fine = 0;
   for (std::size_t i = 0; i < 4; ++i) fine += parts[i] = rule(cells[i], density);
   if (level >= kMostLevels || (level >= kFewestLevels && std::abs(fine - coarse) < tolerance)) return fine;
   double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    sum += refined(cells[i], density, parts[i], tolerance / 2, level + 1);
+  for (std::size_t i = 0; i < 4; ++i) sum += refined(cells[i], density, parts[i], tolerance / 2, level + 1);
   return sum;
 }
 
@@ -92,7 +90,7 @@ ChiSquare chi_square(const std::vector<Vec2d>& points,
                      std::size_t trials,
                      const Cell& domain,
                      const Density& density) {
-  constexpr int kHalvings = 6;
+  constexpr int kHalvings = 5;
   std::vector<Vec2d> first;
   std::vector<Vec2d> second;
   for (std::size_t i = 0; i < points.size(); ++i) (i % 2 == 0 ? first : second).push_back(points[i]);

@@ -26,9 +26,9 @@ double integral_over(const Cell& cell, const Density& density, double tolerance)
 struct ChiSquare {
   double statistic = 0;
   int degrees = 0;
-  double p_value = 1;     // of the statistic, by the approximation of Wilson and Hilferty 1931
-  double integral = 0;    // of the density over the domain
-  double accepted = 0;    // share of the trials that gave a point
+  double p_value = 1;   // of the statistic, by the approximation of Wilson and Hilferty 1931
+  double integral = 0;  // of the density over the domain
+  double accepted = 0;  // share of the trials that gave a point
 };
 
 /// `points` came of `trials` trials, which give no point with the probability that the density leaves. The

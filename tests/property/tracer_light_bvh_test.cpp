@@ -53,8 +53,8 @@ Emitters many_emitters() {
     const Vec3f edge1 = direction(500 + i) * 0.4F;
     const Vec3f edge2 = direction(600 + i) * 0.4F;
     const Vec3f normal = cross(edge1, edge2);
-    out.triangles.push_back({point_in_cube(700 + i, 2), edge1, edge2, normalised(normal),
-                             0.5F * length(normal), {}, 0});
+    out.triangles.push_back(
+        {point_in_cube(700 + i, 2), edge1, edge2, normalised(normal), 0.5F * length(normal), {}, 0});
   }
   for (std::size_t i = 0; i < out.lights.size() + out.triangles.size(); ++i)
     out.powers.push_back(0.1F + uniform(i, 9));
@@ -80,7 +80,9 @@ TEST(LightBvh, SelectsWithTheProbabilityThatItStates) {
   const LightBvh bvh = bvh_of(e);
   constexpr int kSteps = 100000;
   for (std::uint64_t i = 0; i < 6; ++i) {
-    const LightSampleContext at{point_in_cube(i, 3), i % 2 == 0 ? direction(50 + i) : Vec3f{}};
+    const Vec3f position = point_in_cube(i, 3);
+    const LightSampleContext at{position,
+                                i % 2 == 0 ? normalised(-position) : Vec3f{}};  // towards the middle
     std::vector<int> counts(e.powers.size());
     for (int k = 0; k < kSteps; ++k) {
       const auto selected = bvh.select(at, (static_cast<float>(k) + 0.5F) / kSteps);

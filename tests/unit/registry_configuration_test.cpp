@@ -141,9 +141,10 @@ TEST(Configuration, LimitsOfARendererStandInPlaceOfThoseOfTheFile) {
 TEST(Configuration, SettingsOfSizesAreKnownByTheirDivisor) {
   const auto renderer = with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/4": {"photons": 5}})");
   EXPECT_EQ(load(renderer).renderers.at(0).scene_settings_of_sizes.at(4).at("photons"), 5);
-  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/3": {"photons": 5}})")),
-            "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1/3: is no reduced size; expected "
-            "1/2, 1/4 or 1/8");
+  EXPECT_EQ(
+      message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/3": {"photons": 5}})")),
+      "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1~13: is no reduced size; expected "
+      "1/2, 1/4 or 1/8");
 }
 
 TEST(Configuration, ScalesOfSamplesMustBePositive) {

@@ -198,7 +198,8 @@ TEST(CostLadder, EndsWhereTheBudgetEndsAndSaysSo) {
 }
 
 TEST(CostLadder, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
-  CostPilot pilot{.fixed_seconds = 0.5, .settings = {{"low", 1}, {"usual", 1}, {"fine", 1}}, .is_noise_free = true};
+  CostPilot pilot{
+      .fixed_seconds = 0.5, .settings = {{"low", 1}, {"usual", 1}, {"fine", 1}}, .is_noise_free = true};
   const CostSettings settings{.seeds = 4};
   EXPECT_TRUE(may_try_next_setting(pilot, settings, 0));  // or nothing would be known
   pilot.setting_seconds = {1};

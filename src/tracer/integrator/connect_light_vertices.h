@@ -15,11 +15,11 @@ namespace orbs::tracer {
 /// The light vertex as the camera path's vertex in the unit direction `to_viewer` sees it.
 template <Transport T>
 struct LightVertexScattering {
-  typename T::Value f_cos{};  // from the light to the viewer
+  typename T::Value f_cos{};            // from the light to the viewer
   typename T::Throughput throughput{};  // of the camera path, whose wavelengths dispersion may end
-  typename T::Value emitted{};  // radiance that arrives from the light
-  float bsdf_pdf = 0;  // of to_light, per solid angle
-  float light_pdf = 0;  // of light sampling there
+  typename T::Value emitted{};          // radiance that arrives from the light
+  float bsdf_pdf = 0;                   // of to_light, per solid angle
+  float light_pdf = 0;                  // of light sampling there
   Event event = Event::Diffuse;
   bool is_transmitted = false;
 };
@@ -85,8 +85,8 @@ void connect_light_vertex(PathBatch<T>& batch,
   const float pdf = connection_pdf(vertex.emission_pdf, vertex.cos_light, value.pdf * area_over_angle);
   const float share = static_cast<float>(batch.light_vertices.vertices.size()) /
                       static_cast<float>(batch.light_vertices.traced);
-  const float factor = selected.weight * share * mis_weight(pdf, there->light_pdf, there->bsdf_pdf) * area_over_angle * kPi /
-                       (vertex.emission_pdf * vertex.cos_light);
+  const float factor = selected.weight * share * mis_weight(pdf, there->light_pdf, there->bsdf_pdf) *
+                       area_over_angle * kPi / (vertex.emission_pdf * vertex.cos_light);
   PathClass events = path.events;
   events.append(event_of(vertices.bsdf[lane]), dot(here.z, direction) < 0);
   events.append(there->event, there->is_transmitted);

@@ -69,9 +69,12 @@ std::optional<LightSample> sample_light(
     if (point) radiance = emitted_radiance(world, emission_of(world, triangle), uv);
   }
   if (!point || is_dark(radiance) || !(point->pdf > 0)) return std::nullopt;
-  return LightSample{
-      radiance, point->position, end_of_shadow_ray(*point, from), point->pdf * probability,
-      chosen,   emission_pdf_if_connected(world, chosen, point->position)};
+  return LightSample{radiance,
+                     point->position,
+                     end_of_shadow_ray(*point, from),
+                     point->pdf * probability,
+                     chosen,
+                     emission_pdf_if_connected(world, chosen, point->position)};
 }
 
 EmissionHit emission_at_light(const World& world,

@@ -8,8 +8,8 @@
 namespace orbs::tracer {
 
 /// Radiance that the surface hit by a ray emits back along it, and what MIS needs: the pdf per solid angle
-/// with which light sampling at `sampled_from` picks that direction. Its position is the origin of the ray, or
-/// its mirror image.
+/// with which light sampling at `sampled_from` picks that direction. Its position is the origin of the ray,
+/// or its mirror image.
 struct EmissionHit {
   Radiance radiance;
   float light_pdf = 0;
@@ -18,8 +18,11 @@ struct EmissionHit {
   float emission_pdf = 0;
 };
 
-EmissionHit emission_at_light(
-    const World& world, const RenderObject& object, const Ray& ray, const Hit& hit, const LightSampleContext& sampled_from);
+EmissionHit emission_at_light(const World& world,
+                              const RenderObject& object,
+                              const Ray& ray,
+                              const Hit& hit,
+                              const LightSampleContext& sampled_from);
 EmissionHit emission_at_surface(const World& world,
                                 const SurfaceHit& surface,
                                 const EmissionMaterial& material,

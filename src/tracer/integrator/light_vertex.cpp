@@ -12,7 +12,8 @@ namespace orbs::tracer {
 
 namespace {
 
-constexpr std::uint64_t kLightVertexSeed = 0x2b0d1;  // separates their random numbers from those of camera paths
+constexpr std::uint64_t kLightVertexSeed =
+    0x2b0d1;  // separates their random numbers from those of camera paths
 
 SampleBlock light_block(SampleBlock block) {
   return {static_cast<std::uint32_t>(mix(block.seed, kLightVertexSeed)), block.points};
@@ -37,11 +38,14 @@ std::optional<LightVertex> vertex_at(const World& world, const EmittedRay& emitt
                      .cos_light = cosine};
 }
 
-// Four take most of the scatter of the distances and cosines; more cost more than they save (scene "secondary"
-// of Smits and Jensen's).
+// Four take most of the scatter of the distances and cosines; more cost more than they save (scene
+// "secondary" of Smits and Jensen's).
 constexpr std::size_t kCandidates = 4;
 
-const LightVertex& candidate(const LightVertexPool& pool, std::uint32_t path, int bounce, std::size_t number) {
+const LightVertex& candidate(const LightVertexPool& pool,
+                             std::uint32_t path,
+                             int bounce,
+                             std::size_t number) {
   // Strides of about the golden ratio times 2^10 and 2^12 lead to other vertices at each bounce.
   constexpr std::uint64_t kBounceStride = 633;
   constexpr std::uint64_t kCandidateStride = 2531;
@@ -72,9 +76,9 @@ void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<c
   for (const Sample& sample : samples) {
     const SampleBlock block = light_block(sample.block);
     // These dimensions are free: the block is another one than the camera path's.
-    pool.emitted.push_back(
-        emit_by_cosine(world, draw(block, sample.index, 0, SampleDimension::PixelAndFirstLight),
-                       draw(block, sample.index, 0, SampleDimension::LightPick)));
+    pool.emitted.push_back(emit_by_cosine(world,
+                                          draw(block, sample.index, 0, SampleDimension::PixelAndFirstLight),
+                                          draw(block, sample.index, 0, SampleDimension::LightPick)));
     pool.rays.push_back(pool.emitted.back().ray);
   }
   pool.hits.resize(pool.rays.size());
@@ -82,7 +86,8 @@ void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<c
   timed_traversal(pool, [&] { world.accel->intersect(pool.rays, pool.hits); });
   for (std::size_t i = 0; i < pool.hits.size(); ++i)
     if (pool.emitted[i].weight > 0)
-      if (const auto vertex = vertex_at(world, pool.emitted[i], pool.hits[i])) pool.vertices.push_back(*vertex);
+      if (const auto vertex = vertex_at(world, pool.emitted[i], pool.hits[i]))
+        pool.vertices.push_back(*vertex);
   pool.first = static_cast<std::uint32_t>(
       mix(samples.front().block.seed, (std::uint64_t{samples.front().index} << 32) | kLightVertexSeed));
 }
@@ -91,7 +96,8 @@ std::optional<SelectedVertex> select_vertex(const LightVertexPool& pool,
                                             const LightSampleContext& at,
                                             std::uint32_t path,
                                             int bounce) {
-  const std::uint64_t place = mix(pool.first, (std::uint64_t{path} << 32) | static_cast<std::uint32_t>(bounce));
+  const std::uint64_t place =
+      mix(pool.first, (std::uint64_t{path} << 32) | static_cast<std::uint32_t>(bounce));
   std::array<float, kCandidates> targets{};
   float sum = 0;
   for (std::size_t i = 0; i < kCandidates; ++i)

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-/// The first hits of light paths, to which camera paths connect (connect_light_vertices.h): bidirectional path
-/// tracing with light subpaths of at most two vertices (Lafortune and Willems 1993; Veach 1997, ch. 10). Light
-/// that enters a room by way of one small bright wall is found by it, where camera paths would have to hit the
-/// wall by chance.
+/// The first hits of light paths, to which camera paths connect (connect_light_vertices.h): bidirectional
+/// path tracing with light subpaths of at most two vertices (Lafortune and Willems 1993; Veach 1997, ch. 10).
+/// Light that enters a room by way of one small bright wall is found by it, where camera paths would have to
+/// hit the wall by chance.
 namespace orbs::tracer {
 
 struct Sample;
@@ -20,7 +20,7 @@ struct Sample;
 struct LightVertex {
   SurfacePoint point;
   Hit hit;
-  Vec3f to_light;     // unit
+  Vec3f to_light;  // unit
   Vec3f light_position;
   std::size_t emitter = 0;
   Radiance radiance;  // that arrives
@@ -41,10 +41,11 @@ struct LightVertexPool {
 };
 
 /// Density of a vertex as a light path finds it, relative to that of a camera path's BSDF sample there:
-/// p(emitter point) p(direction) / A, in which the factor that turns the emitter point's area into solid angle
-/// at the vertex is cancelled against that of the other techniques. So it can stand beside the pdfs of light
-/// and BSDF sampling, per solid angle at the vertex, in the weights of MIS. `arrival_pdf` is the density per
-/// m^2 with which the camera path's previous vertex sampled this one; 0 if none could have been connected.
+/// p(emitter point) p(direction) / A, in which the factor that turns the emitter point's area into solid
+/// angle at the vertex is cancelled against that of the other techniques. So it can stand beside the pdfs of
+/// light and BSDF sampling, per solid angle at the vertex, in the weights of MIS. `arrival_pdf` is the
+/// density per m^2 with which the camera path's previous vertex sampled this one; 0 if none could have been
+/// connected.
 inline float connection_pdf(float emission_pdf, float cos_light, float arrival_pdf) {
   return arrival_pdf > 0 ? emission_pdf * cos_light * kInvPi / arrival_pdf : 0;
 }

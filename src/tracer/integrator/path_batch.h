@@ -55,8 +55,8 @@ struct PathState {
   /// have sampled what the ray hits. Not the origin of the ray, which is offset from it: close to an emitter
   /// the pdfs at both differ.
   LightSampleContext light_sample;
-  /// Density per m^2 with which the last vertex but one sampled the last one, where it could have connected to
-  /// the same point as a light vertex; else 0.
+  /// Density per m^2 with which the last vertex but one sampled the last one, where it could have connected
+  /// to the same point as a light vertex; else 0.
   float arrival_pdf = 0;
   /// connection_pdf of what the ray hits, over its emission_pdf.
   float connection_pdf = 0;

@@ -107,8 +107,8 @@ void sample_direct_light(PathBatch<T>& batch,
     bsdf_pdf[lane] = value.pdf;
     if (!world.connects_light_vertices) continue;
     const float cosine = std::abs(dot(lane_of(vertices.geometric_normal, lane), lane_of(direction, lane)));
-    connected_pdf[lane] = connection_pdf(light.emission_pdf[lane], cosine,
-                                         batch.paths[vertices.path[lane]].arrival_pdf);
+    connected_pdf[lane] =
+        connection_pdf(light.emission_pdf[lane], cosine, batch.paths[vertices.path[lane]].arrival_pdf);
   }
   const Float8 weight = light_weight(world.direct_light, light.pdf, bsdf_pdf, connected_pdf) / light.pdf;
   const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);

@@ -45,8 +45,8 @@ void note_mis_state(
   path.light_sample = light_sample_context(vertices, lane);
 }
 
-/// Records what the weights of MIS need if the next ray hits an emitter that a connection to this vertex could
-/// have come from.
+/// Records what the weights of MIS need if the next ray hits an emitter that a connection to this vertex
+/// could have come from.
 template <Transport T>
 void note_connection(PathState<T>& path, Vec3f geometric_normal) {
   path.connection_pdf = 0;

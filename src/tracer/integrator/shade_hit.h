@@ -18,7 +18,9 @@ void add_emission(PathBatch<T>& batch, const World& world, PathState<T>& path, c
   const float light_pdf =
       path.came_by_mirror ? emission.light_pdf * path.mirror_probability : emission.light_pdf;
   // A bsdf_pdf of zero: light sampling could not have found the emitter.
-  const float weight = path.bsdf_pdf > 0 ? bsdf_weight(world.direct_light, path.bsdf_pdf, light_pdf, path.connection_pdf * emission.emission_pdf) : 1;
+  const float weight = path.bsdf_pdf > 0 ? bsdf_weight(world.direct_light, path.bsdf_pdf, light_pdf,
+                                                       path.connection_pdf * emission.emission_pdf)
+                                         : 1;
   const auto light = T::radiance(world, emission.radiance, path.lambda) * weight;
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
 }

@@ -14,7 +14,7 @@ struct LightSampleContext {
 };
 
 struct LightBounds {
-  Vec3f low{};   // corners of the box around the emitters, in metres
+  Vec3f low{};  // corners of the box around the emitters, in metres
   Vec3f high{};
   Vec3f axis{};  // unit; of the cone that holds all normals of the emitters
   /// Cosine of the cone's half angle; -1: normals in all directions.

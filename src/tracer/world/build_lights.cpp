@@ -138,7 +138,8 @@ void build_emitters(World& world, LightSelection selection) {
   for (RenderObject& object : world.objects)
     if (object.kind == ObjectKind::WorldMesh || object.kind == ObjectKind::InstancedMesh)
       add_emissive_triangles(world, object, powers, triangles);
-  if (selection == LightSelection::Bvh) world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers));
+  if (selection == LightSelection::Bvh)
+    world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers));
   world.emitters.build(powers, std::move(triangles), world.lights.size());
 }
 

@@ -32,8 +32,8 @@ struct WorldSettings {
 /// calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 
-/// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their connections
-/// are weighted against the techniques of DirectLight::Mis.
+/// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their
+/// connections are weighted against the techniques of DirectLight::Mis.
 bool supports_light_connections(const World& world);
 
 }  // namespace orbs::tracer
