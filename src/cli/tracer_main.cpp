@@ -6,6 +6,7 @@
 #include "scene/load_scene.h"
 #include "tracer/choose_light_connections.h"
 #include "tracer/choose_light_paths.h"
+#include "tracer/choose_light_selection.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
 
@@ -41,7 +42,7 @@ struct Options {
   std::string light_connections = "auto";
   std::string direct_light = "mis";
   std::string sampler = "sobol";
-  std::string light_selection = "bvh";
+  std::string light_selection = "auto";
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
@@ -77,8 +78,8 @@ void add_algorithm_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--light-selection", options.light_selection,
                  "which of several emitters light sampling takes: bvh (by what each may contribute to the "
-                 "point) or power (by its power alone)")
-      ->check(CLI::IsMember({"bvh", "power"}))
+                 "point), power (by its power alone) or auto (what a trial rendering shows to be better)")
+      ->check(CLI::IsMember({"auto", "bvh", "power"}))
       ->capture_default_str();
   app.add_option(
          "--light-paths", options.light_paths,
@@ -204,7 +205,7 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.sampler"] = options.sampler;
   header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
-  header["orbs.light_selection"] = options.light_selection;
+  header["orbs.light_selection"] = world.light_bvh.empty() ? "power" : "bvh";
   header["orbs.roulette"] = world.roulette ? "yes" : "no";
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
@@ -246,6 +247,7 @@ int run(const Options& options) {
               .light_selection = options.light_selection == "power" ? tracer::LightSelection::Power
                                                                     : tracer::LightSelection::Bvh,
               .roulette = !options.has_no_roulette});
+  if (options.light_selection == "auto") tracer::choose_light_selection(world, options.render.threads);
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
   if (options.light_connections == "always")

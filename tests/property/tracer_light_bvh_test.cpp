@@ -61,7 +61,15 @@ Emitters many_emitters() {
   return out;
 }
 
-LightBvh bvh_of(const Emitters& e) { return LightBvh(bounds_of(e.lights, e.triangles, e.powers)); }
+// The last seven triangles are one object.
+LightBvh bvh_of(const Emitters& e) {
+  constexpr std::size_t kTogether = 7;
+  const std::size_t alone = e.powers.size() > kTogether ? e.powers.size() - kTogether : e.powers.size();
+  std::vector<EmitterGroup> groups;
+  for (std::size_t i = 0; i < alone; ++i) groups.push_back({i, 1});
+  if (alone < e.powers.size()) groups.push_back({alone, kTogether});
+  return LightBvh(bounds_of(e.lights, e.triangles, e.powers), groups);
+}
 
 // Whether a point of the emitter, sampled from the context, is on the side of its normal.
 bool shines_on(const Emitters& e, std::size_t emitter, const LightSampleContext& at, float u, float v) {

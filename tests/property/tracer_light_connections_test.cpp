@@ -1,5 +1,6 @@
 // Connections of camera paths to the first hits of light paths, where light enters by way of one small wall.
 #include "tracer/choose_light_connections.h"
+#include "tracer/choose_light_selection.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer_scenes.h"
 
@@ -99,6 +100,27 @@ TEST(LightConnections, AreChosenWhereTheyReduceNoise) {
   auto box = tracer::make_world(scene);
   EXPECT_FALSE(tracer::choose_light_connections(box));
   EXPECT_FALSE(box.connects_light_vertices);
+}
+
+TEST(LightSelection, TheTreeIsChosenWhereItReducesNoise) {
+  // A strong lamp above a board that shades all, and a weak one below it.
+  const auto text = scene_text("[0, 1, 5]", "[0, 0.5, 0]", 24, 3, R"(
+    "materials": [{"name": "floor", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}],
+    "meshes": [{"name": "p", "generator": "plane", "half_size": 4, "material": "floor"}],
+    "instances": [{"mesh": "p"}, {"mesh": "p", "matrix": [{"translate": [0, 2, 0]}]}],
+    "lights": [{"type": "rect", "half_width": 2, "half_length": 2, "radiance": [9, 9, 9],
+                "matrix": [{"translate": [0, 5, 0]}]},
+               {"type": "rect", "half_width": 0.5, "half_length": 0.5, "radiance": [9, 9, 9],
+                "matrix": [{"translate": [0, 1.5, 0]}]}])",
+                               "40");
+  auto world = world_of(text);
+  EXPECT_TRUE(tracer::choose_light_selection(world));
+  EXPECT_FALSE(world.light_bvh.empty());
+  auto balls =
+      tracer::make_world(scene::load_scene(ORBS_SOURCE_DIR "/data/cases/orbs/m6_emission_texture/124.json"));
+  EXPECT_FALSE(balls.light_bvh.empty());
+  EXPECT_FALSE(tracer::choose_light_selection(balls));
+  EXPECT_TRUE(balls.light_bvh.empty());
 }
 
 TEST(LightConnections, DoNotDependOnTheNumberOfThreads) {

@@ -1,7 +1,7 @@
 #include "tracer/integrator/light_vertex.h"
 
 #include "base/random.h"
-#include "tracer/integrator/path_batch.h"
+#include "tracer/accel/timed_traversal.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracer/integrator/light_emission.h"
+#include "tracer/integrator/sample.h"
 #include "tracer/world/surface.h"
 
 #include <cstdint>
@@ -13,8 +14,6 @@
 /// Light that enters a room by way of one small bright wall is found by it, where camera paths would have to
 /// hit the wall by chance.
 namespace orbs::tracer {
-
-struct Sample;
 
 /// Where light straight from an emitter hits a surface that scatters it in a broad lobe.
 struct LightVertex {

@@ -1,27 +1,19 @@
 #pragma once
 
+#include "tracer/accel/timed_traversal.h"
 #include "tracer/geometry/lanes.h"
 #include "tracer/geometry/ray.h"
 #include "tracer/integrator/light_vertex.h"
 #include "tracer/integrator/path_class.h"
-#include "tracer/sampling/sampler.h"
+#include "tracer/integrator/sample.h"
 #include "tracer/transport/transport.h"
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
 /// The state of the path tracer.
 namespace orbs::tracer {
-
-/// One camera sample.
-struct Sample {
-  int x = 0;  // pixel
-  int y = 0;
-  SampleBlock block;
-  std::uint32_t index = 0;  // within the block
-};
 
 /// A contribution with its class of light path, recorded for --split-paths.
 struct ClassedRadiance {
@@ -145,15 +137,6 @@ void add_contribution(PathBatch<T>& batch,
                       int path_class) {
   path.radiance = T::add(path.radiance, light);
   if (batch.split_paths) batch.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
-}
-
-/// Runs a traversal and adds its duration to the batch. There are three for each bounce of a whole batch, so
-/// the clock is read rarely.
-template <typename Batch, typename F>
-void timed_traversal(Batch& batch, const F& traverse) {
-  const auto start = std::chrono::steady_clock::now();
-  traverse();
-  batch.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace orbs::tracer

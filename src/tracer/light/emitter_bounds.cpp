@@ -15,7 +15,12 @@ Vec3f root_of_squares(Vec3f a, Vec3f b, Vec3f c = {}) {
 }
 
 LightBounds flat_bounds(Vec3f centre, Vec3f half, Vec3f normal, float power) {
-  return {.low = centre - half, .high = centre + half, .axis = normal, .cos_spread = 1, .power = power};
+  return {.low = centre - half,
+          .high = centre + half,
+          .radius = length(half),
+          .axis = normal,
+          .cos_spread = 1,
+          .power = power};
 }
 
 LightBounds bounds_of(const RectEmitter& rect, float power) {
@@ -29,7 +34,14 @@ LightBounds bounds_of(const DiskEmitter& disk, float power) {
 // A sphere shows a quarter of its area to each side.
 LightBounds bounds_of(const SphereEmitter& sphere, float power) {
   const Vec3f half = root_of_squares(sphere.axes[0], sphere.axes[1], sphere.axes[2]);
-  return {.low = sphere.centre - half, .high = sphere.centre + half, .axis = {0, 0, 1}, .power = power / 4};
+  // The longest half axis of the ellipsoid is at most the largest singular value of the axes, which the root
+  // of the sum of their squares bounds; of a ball it is the radius, which `half` has in each component.
+  const bool is_ball = half.x == half.y && half.y == half.z;
+  return {.low = sphere.centre - half,
+          .high = sphere.centre + half,
+          .radius = is_ball ? half.x : length(half),
+          .axis = {0, 0, 1},
+          .power = power / 4};
 }
 
 LightBounds bounds_of(const TriangleEmitter& t, float power) {
@@ -37,12 +49,16 @@ LightBounds bounds_of(const TriangleEmitter& t, float power) {
   const Vec3f c = t.corner + t.edge2;
   const auto least = [](float x, float y, float z) { return std::min({x, y, z}); };
   const auto most = [](float x, float y, float z) { return std::max({x, y, z}); };
-  return {.low = {least(t.corner.x, b.x, c.x), least(t.corner.y, b.y, c.y), least(t.corner.z, b.z, c.z)},
-          .high = {most(t.corner.x, b.x, c.x), most(t.corner.y, b.y, c.y), most(t.corner.z, b.z, c.z)},
-          .axis = t.normal,
-          .cos_spread = 1,
-          .is_two_sided = true,
-          .power = power};
+  LightBounds out{
+      .low = {least(t.corner.x, b.x, c.x), least(t.corner.y, b.y, c.y), least(t.corner.z, b.z, c.z)},
+      .high = {most(t.corner.x, b.x, c.x), most(t.corner.y, b.y, c.y), most(t.corner.z, b.z, c.z)},
+      .axis = t.normal,
+      .cos_spread = 1,
+      .is_two_sided = true,
+      .power = power};
+  for (const Vec3f corner : {t.corner, b, c})
+    out.radius = std::max(out.radius, length(corner - centre_of(out)));
+  return out;
 }
 
 }  // namespace

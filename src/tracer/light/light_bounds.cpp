@@ -58,16 +58,20 @@ LightBounds merged(const LightBounds& a, const LightBounds& b) {
                   .high = larger(a.high, b.high),
                   .is_two_sided = a.is_two_sided || b.is_two_sided,
                   .power = a.power + b.power};
+  const Vec3f diagonal = out.high - out.low;
+  const auto reach = [&](const LightBounds& part) {
+    return length(centre_of(part) - centre_of(out)) + part.radius;
+  };
+  out.radius = std::min(length(diagonal) / 2, std::max(reach(a), reach(b)));
   merge_cones(a, b, out);
   return out;
 }
 
 float importance(const LightBounds& bounds, const LightSampleContext& at) {
-  const Vec3f to_light = (bounds.low + bounds.high) * 0.5F - at.position;
-  const Vec3f diagonal = bounds.high - bounds.low;
-  const float radius2 = dot(diagonal, diagonal) / 4;
+  const Vec3f to_light = centre_of(bounds) - at.position;
+  const float radius2 = bounds.radius * bounds.radius;
   const float distance2 = dot(to_light, to_light);
-  // Inside the sphere around the box the distance and all directions are unknown.
+  // Inside the sphere the distance and all directions are unknown.
   if (!(distance2 > radius2)) return bounds.power / std::max(radius2, 0x1p-100F);
   const Vec3f direction = to_light / std::sqrt(distance2);
   const Angle subtended = angle_of(std::sqrt(1 - radius2 / distance2));

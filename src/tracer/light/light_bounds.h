@@ -16,13 +16,16 @@ struct LightSampleContext {
 struct LightBounds {
   Vec3f low{};  // corners of the box around the emitters, in metres
   Vec3f high{};
-  Vec3f axis{};  // unit; of the cone that holds all normals of the emitters
+  float radius = 0;  // of a sphere about the middle of the box that holds them too, in metres
+  Vec3f axis{};      // unit; of the cone that holds all normals of the emitters
   /// Cosine of the cone's half angle; -1: normals in all directions.
   float cos_spread = -1;
   bool is_two_sided = false;
   /// Radiance times area as seen along the normal, in any unit that all emitters share.
   float power = 0;
 };
+
+inline Vec3f centre_of(const LightBounds& bounds) { return (bounds.low + bounds.high) * 0.5F; }
 
 /// Bounds of both groups together.
 LightBounds merged(const LightBounds& a, const LightBounds& b);

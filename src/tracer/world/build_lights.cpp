@@ -135,11 +135,16 @@ void build_emitters(World& world, LightSelection selection) {
   std::vector<float> powers;
   std::vector<TriangleEmitter> triangles;
   for (const AreaLight& light : world.lights) powers.push_back(power_of(world, light));
-  for (RenderObject& object : world.objects)
-    if (object.kind == ObjectKind::WorldMesh || object.kind == ObjectKind::InstancedMesh)
-      add_emissive_triangles(world, object, powers, triangles);
+  std::vector<EmitterGroup> groups;
+  for (std::size_t i = 0; i < world.lights.size(); ++i) groups.push_back({i, 1});
+  for (RenderObject& object : world.objects) {
+    if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) continue;
+    const std::size_t first = powers.size();
+    add_emissive_triangles(world, object, powers, triangles);
+    if (powers.size() > first) groups.push_back({first, powers.size() - first});
+  }
   if (selection == LightSelection::Bvh)
-    world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers));
+    world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers), groups);
   world.emitters.build(powers, std::move(triangles), world.lights.size());
 }
 
