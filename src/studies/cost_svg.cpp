@@ -16,7 +16,7 @@ namespace {
 constexpr int kColumns = 4;
 constexpr double kWidth = 220;  // of a chart with its margins
 constexpr double kHeight = 170;
-constexpr double kLeft = 40, kRight = 8, kTop = 22, kBottom = 24;
+constexpr double kLeft = 40, kRight = 14, kTop = 22, kBottom = 24;
 constexpr double kLegend = 28;
 
 // The palette of Okabe and Ito, distinguishable with any colour vision deficiency, darkened for white.
@@ -85,7 +85,7 @@ std::string grid(const Axes& axes) {
     const double x = axes.x(std::pow(10.0, e));
     out += fmt::format(
         "<path class=\"g\" d=\"M{:.1f} {}V{}\"/><text x=\"{:.1f}\" y=\"{}\" "
-        "text-anchor=\"middle\">{} s</text>\n",
+        "text-anchor=\"middle\">{}</text>\n",
         x, kTop, kHeight - kBottom, x, kHeight - kBottom + 13, power_of_ten(e));
   }
   for (int e = static_cast<int>(axes.error.low); e <= static_cast<int>(axes.error.high); ++e) {
@@ -150,7 +150,7 @@ std::string legend(const CostRecord& record) {
     x += 30 + 7.5 * static_cast<double>(record.renderers[i].name.size());
   }
   return out +
-         fmt::format("<text x=\"{}\" y=\"18\">relMSE against CPU time, size {}</text>\n", x, record.size);
+         fmt::format("<text x=\"{}\" y=\"18\">relMSE against CPU seconds, size {}</text>\n", x, record.size);
 }
 
 }  // namespace
