@@ -3,8 +3,6 @@
 #include "scene/lower_geometry.h"
 #include "scene/placed_vertices.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 namespace orbs::scene {
@@ -24,7 +22,8 @@ void move_camera(Camera& camera, const Mat4& motion, double scale) {
 }  // namespace
 
 Scene moved(const Scene& scene, const Mat4& motion) {
-  const double scale = std::cbrt(std::fabs(determinant3(motion)));
+  // A similarity stretches every vector alike.
+  const double scale = length(transform_direction(motion, {1, 0, 0}));
   Scene out = scene;
   move_camera(out.camera, motion, scale);
   for (auto& instance : out.instances) instance.matrix = motion * instance.matrix;

@@ -27,6 +27,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> materials;                 // per triangle
   std::vector<TriangleCache> triangle_cache;  // per triangle
+  bool is_vast = false;  // much larger than all else: places on it follow from the ray, see surface_point
 };
 
 struct SphereSurface {

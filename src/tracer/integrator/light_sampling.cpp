@@ -3,6 +3,7 @@
 #include "tracer/integrator/light_emission.h"
 #include "tracer/light/emitter_sampling.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orbs::tracer {
@@ -12,11 +13,14 @@ namespace {
 // The shadow ray ends before the surface of the emitter, by a bound of the rounding errors. Twice the
 // position error: that of the sampled point, and that of the surface as Embree intersects it. In half ulps of
 // the length of the ray: 1 for its direction, 1 for the corners relative to its origin, 3 for each of the two
-// dot products of the intersection test, which is 8, and doubled.
+// dot products of the intersection test, which is 8, and doubled. Beside a large emitter this bound can
+// exceed the height of `from` above it: the ray ends halfway at least, so that it does not end behind its
+// origin.
 Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
   constexpr float kRayRounding = 16 * 0x1p-24F;
   const float along_ray = kRayRounding * length(point.position - from);
-  return point.position + point.normal * (2 * point.position_error + along_ray);
+  const float height = dot(point.normal, from - point.position);
+  return point.position + point.normal * std::min(2 * point.position_error + along_ray, height / 2);
 }
 
 std::optional<SelectedEmitter> select_emitter(const World& world, const LightSampleContext& at, float pick) {

@@ -5,6 +5,7 @@
 #include "tracer/integrator/sample_direct_light.h"
 #include "tracer/world/surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -19,7 +20,13 @@ template <Transport T>
 bool survives_roulette(PathState<T>& path, const World& world, float u) {
   if (!world.roulette) return T::magnitude(path.throughput) > 0;
   if (path.scatterings < 2) return true;
-  const float probability = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
+  // A path between lossless mirrors never loses throughput. From a depth on that no limit of a scene file
+  // reaches, some end anyway: that is unbiased as well, and every render ends.
+  constexpr int kDeepest = 1000;
+  constexpr float kMostSurvivors = 0.95F;
+  const float by_throughput = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
+  const float probability =
+      path.scatterings > kDeepest ? std::min(by_throughput, kMostSurvivors) : by_throughput;
   if (probability >= 1) return true;
   if (u >= probability) return false;
   path.throughput = T::scaled(path.throughput, 1 / probability);
