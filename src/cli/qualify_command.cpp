@@ -9,6 +9,7 @@
 #include "registry/image_size.h"
 #include "results/run_folder.h"
 #include "runner/make_plan.h"
+#include "studies/diagnosis_rates.h"
 #include "studies/qualify.h"
 #include "studies/qualify_report.h"
 
@@ -26,6 +27,7 @@ struct QualifyOptions {
   TargetFilters filters;
   int threads = 0;
   std::string output;
+  bool diagnoses = false;
   studies::QualifySettings qualify;
 };
 
@@ -54,6 +56,9 @@ void add_options(CLI::App& command, QualifyOptions& options) {
           "File for the results (default: beside the references, qualification.json or, for a run at 1/4, "
           "qualification-1-4.json)")
       ->check(not_empty("a file"));
+  command.add_flag(
+      "--diagnoses", options.diagnoses,
+      "Tests no gates: counts how often the diagnosis of a typical fault is right, and writes no file");
 }
 
 int qualify(const registry::Configuration& configuration,
@@ -69,10 +74,15 @@ int qualify(const registry::Configuration& configuration,
   // The control images have the size of their run, and so must all that they are compared with.
   settings.size_divisor = registry::size_divisor(run.size);
   const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto context = study_context(program, stderr);
+  if (options.diagnoses) {
+    print_clean("{}", studies::diagnoses_text(
+                          studies::measure_diagnoses(plan, run, options.qualify.renderer, context)));
+    return is_stopped(context) ? kInterrupted : 0;
+  }
   const auto file = options.output.empty() ? plan.suite.references / results::qualification_file(run.size)
                                            : std::filesystem::path(options.output);
   if (options.output.empty()) check_output_file(file);
-  const auto context = study_context(program, stderr);
   const auto gates = studies::qualify(plan, run, options.qualify, context);
   if (is_stopped(context)) return kInterrupted;
   write_file(file, results::qualification_json(studies::merged(results::read_qualification(file), gates)));

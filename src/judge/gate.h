@@ -12,6 +12,8 @@ namespace orbs::judge {
 struct GateResult {
   results::Verdict verdict = results::Verdict::Pass;
   std::string reason;
+  double excess =
+      0;  // by which factor the limit is missed, of PSNRs the factor of the error; orders failures
 };
 
 /// Whether the measurement meets the gate, by the rule of its metric (metrics::GateRule): Pass, Fail, or

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -59,6 +61,14 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& image)
   return out;
 }
 
+double pixel_excess(const registry::PixelCheck& check, const image::Image& image) {
+  const auto mean = mean_of_region(image, check.region);
+  double farthest = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    farthest = std::max(farthest, std::fabs(mean.at(c) - check.expected.at(c)));
+  return check.tolerance > 0 ? farthest / check.tolerance : std::numeric_limits<double>::infinity();
+}
+
 Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& provenance) {
   Check out{fmt::format("paths {}", share.path_class), false, "", share.min_share, {}};
   const auto found = provenance.find("path." + share.path_class);
@@ -88,31 +98,60 @@ void add_measures(const metrics::Comparison& comparison, TargetRecord& record) {
   }
 }
 
-void check_gates(const Case& one_case,
-                 const metrics::ImagePair& pair,
-                 const metrics::Comparison& comparison,
-                 TargetRecord& record) {
+std::vector<GateResult> check_gates(const Case& one_case,
+                                    const metrics::ImagePair& pair,
+                                    const metrics::Comparison& comparison,
+                                    TargetRecord& record) {
+  std::vector<GateResult> results;
   for (const auto& gate : one_case.gates) {
     const auto result = check_gate(gate, *metrics::find_measurement(comparison, gate.metric), pair);
-    record.checks.push_back(
-        {gate.metric, result.verdict == Verdict::Pass, result.reason, gate.min, gate.max});
-    take(record, result.verdict, result.reason);
+    record.checks.push_back({.what = gate.metric,
+                             .passed = result.verdict == Verdict::Pass,
+                             .reason = result.reason,
+                             .min = gate.min,
+                             .max = gate.max,
+                             .decided = result.verdict != Verdict::Inconclusive});
+    results.push_back(result);
   }
+  return results;
 }
 
-void check_conditions(const Case& one_case, const image::Image& result, TargetRecord& record) {
+std::vector<GateResult> check_conditions(const Case& one_case,
+                                         const image::Image& result,
+                                         TargetRecord& record) {
+  std::vector<GateResult> results;
   for (const auto& pixels : one_case.pixel_checks) {
     if (pixels.target != record.target) continue;
     record.checks.push_back(check_pixels(pixels, result));
-    if (record.checks.back().measured && !record.checks.back().passed)
-      take(record, Verdict::Fail, record.checks.back().reason);
+    const auto& check = record.checks.back();
+    if (check.measured && !check.passed)
+      results.push_back({Verdict::Fail, check.reason, pixel_excess(pixels, result)});
   }
   for (const auto& share : one_case.path_shares) {
     if (share.scene != record.target) continue;
     record.checks.push_back(check_share(share, record.reference_provenance));
     // Not the renderer's fault: the case does not show what it is about.
-    if (!record.checks.back().passed) take(record, Verdict::Inconclusive, record.checks.back().reason);
+    if (!record.checks.back().passed) results.push_back({Verdict::Inconclusive, record.checks.back().reason});
   }
+  return results;
+}
+
+// The worst verdict, with the reasons of all results that have it, the farthest from its limit first. The
+// reason of a pass is that of the first gate.
+void take_worst(std::vector<GateResult> results, TargetRecord& record) {
+  if (results.empty()) return;
+  auto worst = results.front().verdict;
+  for (const auto& result : results) worst = results::worse(worst, result.verdict);
+  if (worst == Verdict::Pass) {
+    take(record, worst, results.front().reason);
+    return;
+  }
+  std::erase_if(results, [&](const auto& result) { return result.verdict != worst; });
+  std::stable_sort(results.begin(), results.end(),
+                   [](const auto& a, const auto& b) { return a.excess > b.excess; });
+  std::vector<std::string> reasons;
+  for (const auto& result : results) reasons.push_back(result.reason);
+  take(record, worst, fmt::format("{}", fmt::join(reasons, "; ")));
 }
 
 // Whether a negative pixel makes the image invalid. Another case may allow what this one does not, so each
@@ -214,8 +253,9 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
   add_measures(comparison, record);
   for (auto& remark : metrics::bias_remarks(pair.noise)) record.remarks.push_back(std::move(remark));
   record.hidden = metrics::hidden_by_noise(pair.noise);
-  check_gates(one_case, pair, comparison, record);
-  check_conditions(one_case, result, record);
+  auto checked = check_gates(one_case, pair, comparison, record);
+  for (auto& condition : check_conditions(one_case, result, record)) checked.push_back(std::move(condition));
+  take_worst(std::move(checked), record);
   refuse_constant(pair, record);
   refuse_copy(pair, record);
   return comparison;

@@ -1,5 +1,6 @@
 #include "metrics/bias_message.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -13,13 +14,16 @@ namespace {
 
 std::string percent(double value) { return fmt::format("{:+.3g} %", 100 * value); }
 
+std::string one_side(double deviation) {
+  return fmt::format("{:.3g} % {}", 100 * std::fabs(deviation), deviation < 0 ? "darker" : "brighter");
+}
+
 std::string ratios_text(const NoiseTest& test) {
   constexpr std::array kChannels{"R", "G", "B"};
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < 3; ++c)
     if (const auto& ratio = test.mean_ratio.at(c))
-      parts.push_back(fmt::format("{} {} ({} to {})", kChannels.at(c), percent(ratio->value),
-                                  percent(ratio->low), percent(ratio->high)));
+      parts.push_back(fmt::format("{} {}", kChannels.at(c), lightness_text(*ratio)));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -45,11 +49,18 @@ std::string correlation_text(const Correlation& correlation) {
 
 }  // namespace
 
+std::string lightness_text(const Interval& deviation) {
+  const auto& [value, low, high] = deviation;
+  if (low * high < 0) return fmt::format("{} ({} to {})", one_side(value), one_side(low), one_side(high));
+  return fmt::format("{} ({:.3g} to {:.3g} %)", one_side(value),
+                     100 * std::min(std::fabs(low), std::fabs(high)),
+                     100 * std::max(std::fabs(low), std::fabs(high)));
+}
+
 std::vector<std::string> bias_remarks(const NoiseTest& test) {
   std::vector<std::string> remarks;
-  if (const auto worst = mean_error(test))
-    remarks.push_back(fmt::format("bias: the mean is {} than that of the reference by more than noise: {}",
-                                  worst->value > 0 ? "brighter" : "darker", ratios_text(test)));
+  if (mean_error(test))
+    remarks.push_back(fmt::format("bias: the means differ by more than noise: {}", ratios_text(test)));
   if (test.pattern) remarks.push_back(fmt::format("bias: the image is {}", describe(*test.pattern)));
   if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
   if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));

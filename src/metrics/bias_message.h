@@ -1,11 +1,16 @@
 #pragma once
 
+#include "base/interval.h"
 #include "metrics/noise_test.h"
 
 #include <string>
 #include <vector>
 
 namespace orbs::metrics {
+
+/// A relative deviation of light in words: "1.2 % darker (0.9 to 1.5 %)". An end of the interval on the other
+/// side of zero keeps its word: "0.1 % darker (0.7 % darker to 0.5 % brighter)".
+std::string lightness_text(const Interval& deviation);
 
 /// What the tests see beyond noise, one text each, the plainest first; empty for an image that is only noisy.
 /// A reader must be told this of an image that passes, too. The squares everywhere are left out: images of

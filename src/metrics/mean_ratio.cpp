@@ -1,5 +1,6 @@
 #include "metrics/mean_ratio.h"
 
+#include "metrics/bias_message.h"
 #include "metrics/describe.h"
 
 #include <cctype>
@@ -11,10 +12,11 @@ namespace orbs::metrics::mean_ratio {
 std::string describe(const Measurement& measurement, const Limits& limits) {
   const char channel = static_cast<char>(std::toupper(measurement.metric->name.back()));
   if (!measurement.value) return fmt::format("the mean of {} has nothing to be compared with", channel);
-  constexpr double kPercent = 100;
-  return fmt::format("the mean of {} is off by {:+.3g} % ({:+.3g} to {:+.3g}), {}", channel,
-                     kPercent * *measurement.value, kPercent * measurement.low.value_or(0),
-                     kPercent * measurement.high.value_or(0), limits_text(limits, kPercent, " %"));
+  const double value = *measurement.value;
+  return fmt::format(
+      "{} is {}, {}", channel,
+      lightness_text({value, measurement.low.value_or(value), measurement.high.value_or(value)}),
+      limits_text(limits, 100, " %"));
 }
 
 }  // namespace orbs::metrics::mean_ratio

@@ -9,7 +9,7 @@ namespace orbs::metrics {
 
 namespace mean_ratio {
 
-/// "the mean of R is off by +1.2 % (+0.9 % to +1.5 %), at most 0.7 % is allowed".
+/// "R is 1.2 % brighter (0.9 to 1.5 %), at most 0.7 % is allowed".
 std::string describe(const Measurement& measurement, const Limits& limits);
 
 /// No value where the noise test gives no ratio: the reference's channel is black, or not above its noise.

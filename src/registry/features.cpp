@@ -107,24 +107,25 @@ std::string list_text(const std::set<int>& levels) {
   return text;
 }
 
-std::string group_text(char group, int base, const std::set<int>& levels) {
+std::string group_text(char group, int base, const std::set<int>& levels, const std::set<int>& undecided) {
   std::set<int> missing;
   std::set<int> beyond;
   for (int level = 1; level <= base; ++level)
-    if (!levels.contains(level)) missing.insert(level);
+    if (!levels.contains(level) && !undecided.contains(level)) missing.insert(level);
   for (const int level : levels)
     if (level > base) beyond.insert(level);
   auto text = fmt::format("{}{}", group, base);
   if (!missing.empty()) text += fmt::format("-({})", list_text(missing));
   if (!beyond.empty()) text += fmt::format("+({})", list_text(beyond));
+  if (!undecided.empty()) text += fmt::format("?({})", list_text(undecided));
   return text;
 }
 
-std::string shortest_group_text(char group, const std::set<int>& levels) {
+std::string shortest_group_text(char group, const std::set<int>& levels, const std::set<int>& undecided) {
   const int highest = levels.empty() ? 0 : *levels.rbegin();
-  std::string best = group_text(group, highest, levels);
+  std::string best = group_text(group, highest, levels, undecided);
   for (int base = highest - 1; base >= 0; --base) {
-    auto text = group_text(group, base, levels);
+    auto text = group_text(group, base, levels, undecided);
     if (text.size() < best.size()) best = std::move(text);
   }
   return best;
@@ -144,14 +145,21 @@ FeatureSet parse_features(std::string_view text) {
   return features;
 }
 
-std::string format_features(const FeatureSet& features) {
+std::string format_features(const FeatureSet& features, const FeatureSet& undecided) {
+  static const std::set<int> kNone;
   std::vector<char> groups;
   for (const auto& [group, levels] : features) groups.push_back(group);
+  for (const auto& [group, levels] : undecided)
+    if (!features.contains(group)) groups.push_back(group);
   std::sort(groups.begin(), groups.end(), [](char a, char b) { return rank(a) < rank(b); });
   std::string text;
   for (const char group : groups) {
     if (!text.empty()) text += '/';
-    text += shortest_group_text(group, features.at(group));
+    const auto open = undecided.find(group);
+    const auto known = features.find(group);
+    text += known == features.end()
+                ? fmt::format("{}?", group)
+                : shortest_group_text(group, known->second, open == undecided.end() ? kNone : open->second);
   }
   return text;
 }

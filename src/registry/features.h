@@ -20,8 +20,9 @@ FeatureSet parse_features(std::string_view text);
 
 /// The shortest text that parse_features reads back to the same set; G, M, L, A first, other groups after
 /// them. Between texts of equal length the one with the higher level, which says more: L3-(2) rather than
-/// L1+(3).
-std::string format_features(const FeatureSet& features);
+/// L1+(3). Numbers that are undecided follow their group, "L3?(2)", and are neither left out of it nor part
+/// of it; a group that only `undecided` has is "L?". parse_features does not take these.
+std::string format_features(const FeatureSet& features, const FeatureSet& undecided = {});
 
 /// A requirement as cases name it: "M7".
 struct RequirementCode {

@@ -79,15 +79,15 @@ std::string cost_fields(const Cost& cost) {
 
 std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
-  std::string text = "suite,size,requirement,case,target,renderer,declared,verdict,reason,remarks";
+  std::string text = "suite,size,requirement,case,target,renderer,declared,verdict,reason,diagnosis,remarks";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
   text += ",machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
   for (const auto& target : run.targets) {
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(run.size),
-                    csv_field(target.requirement), csv_field(target.case_name), csv_field(target.target),
-                    csv_field(target.renderer), target.declared, verdict_name(target.verdict),
-                    csv_field(target.reason), csv_field(fmt::format("{}", fmt::join(target.remarks, "; "))));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(run.size),
+                        csv_field(target.requirement), csv_field(target.case_name), csv_field(target.target),
+                        csv_field(target.renderer), target.declared, verdict_name(target.verdict),
+                        csv_field(target.reason), csv_field(target.diagnosis),
+                        csv_field(fmt::format("{}", fmt::join(target.remarks, "; "))));
     for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(target, metric));
     text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, target)), csv_field(target.image),
                         csv_field(results::command_of(run, target)));

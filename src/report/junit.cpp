@@ -77,6 +77,7 @@ std::string details(const RunRecord& run, const std::string& requirement, const 
     if (target.requirement == requirement && target.renderer == renderer) {
       text += fmt::format("{}: {}: {}\n  {}\n", target.target, verdict_name(target.verdict), target.reason,
                           results::command_of(run, target));
+      if (!target.diagnosis.empty()) text += fmt::format("{}: {}\n", target.target, target.diagnosis);
       for (const auto& remark : target.remarks) text += fmt::format("{}: {}\n", target.target, remark);
     }
   return text;

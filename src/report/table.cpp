@@ -176,6 +176,25 @@ std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   return text_table(rows, {}, {style.width, {}});
 }
 
+// A fault that is told apart has a line of its own, once for all cases that use the target. What is none of
+// the usual faults is listed by renderer.
+std::string diagnosis_lines(const RunRecord& run, const TableStyle& style) {
+  std::set<std::pair<std::string, std::string>> told;
+  std::map<std::string, std::vector<std::string>> unknown;
+  std::vector<TableRow> rows;
+  for (const auto& target : run.targets) {
+    if (target.diagnosis.empty() || !told.emplace(target.renderer, target.target).second) continue;
+    if (target.diagnosis == results::kNoUsualFault)
+      unknown[target.renderer].push_back(target.target);
+    else
+      rows.push_back({"diagnosis", target.renderer, target.requirement, target.target, target.diagnosis});
+  }
+  for (const auto& [renderer, targets] : unknown)
+    rows.push_back({"diagnosis", renderer, "", fmt::format("{}", fmt::join(targets, ", ")),
+                    std::string(results::kNoUsualFault)});
+  return text_table(rows, {}, {style.width, {}});
+}
+
 // One line for each renderer: at 35 dB most images have such noise, and their records hold the numbers.
 std::string hidden_lines(const RunRecord& run, const TableStyle& style) {
   std::map<std::string, std::set<std::string>> targets;
@@ -227,7 +246,8 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   };
   for (const auto& left : run.left_out)
     add_lines(fmt::format("{} was left out: {}", left.renderer, left.reason));
-  for (const auto& lines : {verdict_lines(run, style), remark_lines(run, style), hidden_lines(run, style)})
+  for (const auto& lines : {verdict_lines(run, style), diagnosis_lines(run, style), remark_lines(run, style),
+                            hidden_lines(run, style)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
   for (const auto& lines : {probe_hints(run), size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
     if (lines.empty()) continue;

@@ -102,6 +102,7 @@ std::string target_json(const RunView& view, std::size_t index) {
   out.member("renderer", target.renderer).member("requirement", target.requirement);
   out.member("reason", target.reason).member("reference", target.reference);
   out.member("remarks", target.remarks);
+  out.member("diagnosis", target.diagnosis);
   out.member("hidden", target.hidden);
   write_measures(out, target);
   write_images(out, target);

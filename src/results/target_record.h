@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What is recorded of one judged target. Each member is also listed in the struct's fields(): see fields.h.
@@ -63,6 +64,7 @@ struct Check {
   std::optional<double> min;  // limits of a condition on a number
   std::optional<double> max;
   bool measured = true;  // false: the size of the run does not allow it, and the verdict does not rest on it
+  bool decided = true;   // false: noise does not let it be told whether it is met
 };
 
 template <class Visitor, RecordOf<Check> Record>
@@ -70,10 +72,14 @@ void fields(Visitor& visit, Record& check) {
   visit.required("what", check.what);
   visit("passed", check.passed);
   visit("measured", check.measured);
+  visit("decided", check.decided);
   visit("reason", check.reason);
   visit("min", check.min);
   visit("max", check.max);
 }
+
+/// The diagnosis of an image that no usual fault explains.
+inline constexpr std::string_view kNoUsualFault = "none of the usual faults explains the error";
 
 /// One target by one renderer, judged for one case.
 struct TargetRecord {
@@ -88,8 +94,9 @@ struct TargetRecord {
   std::vector<Measure> measures;
   std::vector<Check> checks;
   std::vector<std::string> remarks;  // facts that change no verdict
-  std::string hidden;                // what errors its noise hides; "" for none worth it
-  std::string reference;             // absolute path
+  std::string diagnosis;  // which usual fault explains a failure, or that none does; "" if none was tried
+  std::string hidden;     // what errors its noise hides; "" for none worth it
+  std::string reference;  // absolute path
   std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
   std::string image;
   std::string reference_image;  // the copy of the reference in the run's folder; "" if there is none
@@ -109,6 +116,7 @@ void fields(Visitor& visit, Record& target) {
   visit("measures", target.measures);
   visit("checks", target.checks);
   visit("remarks", target.remarks);
+  visit("diagnosis", target.diagnosis);
   visit("hidden", target.hidden);
   visit("reference", target.reference);
   visit("reference_provenance", target.reference_provenance);

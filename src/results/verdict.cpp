@@ -50,6 +50,11 @@ std::optional<Verdict> verdict_named(std::string_view name) {
 
 Verdict worse(Verdict a, Verdict b) { return std::max(a, b); }
 
+bool is_decided(Verdict verdict) {
+  return verdict != Verdict::Skipped && verdict != Verdict::Inconclusive &&
+         verdict != Verdict::MissingReference;
+}
+
 bool counts_as_failure(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:

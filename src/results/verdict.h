@@ -52,6 +52,10 @@ std::optional<Verdict> verdict_named(std::string_view name);
 
 Verdict worse(Verdict a, Verdict b);
 
+/// Whether the verdict says of the renderer that it is right or not: all but skipped, inconclusive and
+/// missing reference.
+bool is_decided(Verdict verdict);
+
 /// True for every verdict that makes a run end with status 1: all but pass and unsupported.
 bool counts_as_failure(Verdict verdict);
 

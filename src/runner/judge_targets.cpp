@@ -2,11 +2,15 @@
 
 #include "base/files.h"
 #include "image/image_io.h"
+#include "judge/diagnosis.h"
 #include "judge/difference.h"
 #include "judge/judge.h"
 #include "judge/maps.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -53,6 +57,28 @@ void take_job_verdict(const JobRecord& job, TargetRecord& record) {
 
 namespace {
 
+// What is wrong with an image that a check refuses.
+std::string diagnosis_of(const Plan& plan,
+                         const registry::Case& one_case,
+                         const image::Image& result,
+                         const image::Image& reference,
+                         const WorkFolders& folders,
+                         const TargetRecord& record) {
+  const bool is_refused = std::any_of(record.checks.begin(), record.checks.end(), [](const auto& check) {
+    return check.measured && check.decided && !check.passed;
+  });
+  if (record.verdict != Verdict::Fail || !is_refused) return "";
+  std::map<std::string, image::Image> others;
+  for (const auto& name : registry::target_names(one_case)) {
+    if (name == record.target) continue;
+    auto other = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes,
+                                       folders.references);
+    if (other.image) others[name] = std::move(*other.image);
+  }
+  return judge::diagnosis_text(
+      judge::diagnosed({result, reference, others, judge::mask_of(one_case, record.target)}));
+}
+
 // Judges one image that is there, and writes its maps unless another case has done so.
 void judge_target(const Plan& plan,
                   const PlannedTarget& planned,
@@ -67,6 +93,7 @@ void judge_target(const Plan& plan,
   const auto comparison = judge::judge_image(one_case, result, reference,
                                              {.threads = plan.threads, .result_noise = noise}, record);
   if (!comparison) return;
+  record.diagnosis = diagnosis_of(plan, one_case, result, *reference.image, folders, record);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   record.maps = judge::write_maps(result, *comparison, folders.unfinished / relative);
   for (auto& map : record.maps) map.image = (relative / map.image).string();

@@ -63,13 +63,18 @@ results::RendererRecord renderer_record(const ChosenRenderer& chosen,
 std::string measured_features(const std::vector<results::RequirementRecord>& requirements,
                               const std::string& renderer) {
   registry::FeatureSet measured;
+  registry::FeatureSet undecided;
   for (const auto& requirement : requirements) {
     const auto code = registry::parse_requirement(requirement.code);
-    auto& levels = measured[code.group];
     const auto cell = requirement.cells.find(renderer);
-    if (cell != requirement.cells.end() && cell->second.verdict == Verdict::Pass) levels.insert(code.level);
+    if (cell == requirement.cells.end() || !results::is_decided(cell->second.verdict)) {
+      undecided[code.group].insert(code.level);
+      continue;
+    }
+    auto& levels = measured[code.group];
+    if (cell->second.verdict == Verdict::Pass) levels.insert(code.level);
   }
-  return registry::format_features(measured);
+  return registry::format_features(measured, undecided);
 }
 
 void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record) {

@@ -11,6 +11,7 @@
 #include "judge/qualified.h"
 #include "runner/execute.h"
 #include "runner/host.h"
+#include "studies/control_image.h"
 #include "studies/mutation_test.h"
 
 #include <algorithm>
@@ -78,20 +79,6 @@ void render_without_lights(Qualification& shared) {
   }
 }
 
-// InputError where the run has none that could be judged.
-Image control_image(const Qualification& shared, const Subject& subject) {
-  for (const auto& target : shared.run.targets) {
-    if (target.renderer != shared.settings.renderer || target.case_name != subject.one_case->name ||
-        target.target != subject.target)
-      continue;
-    if (target.image.empty())
-      throw InputError(
-          fmt::format("{} has no image in {}: {}", target.renderer, shared.run.folder, target.reason));
-    return image::read_image(std::filesystem::path(shared.run.folder) / target.image);
-  }
-  throw InputError(fmt::format("{} holds no image of it by {}", shared.run.folder, shared.settings.renderer));
-}
-
 std::string why_no_missing_light(const Qualification& shared, const std::string& target) {
   const auto scene = std::find_if(shared.plan.scenes.begin(), shared.plan.scenes.end(),
                                   [&](const auto& one) { return one.name == target; });
@@ -101,7 +88,8 @@ std::string why_no_missing_light(const Qualification& shared, const std::string&
 
 GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
   static const std::vector<MissingLight> kNone;
-  const auto control = control_image(shared, subject);
+  const auto control =
+      control_image(shared.run, shared.settings.renderer, subject.one_case->name, subject.target);
   auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
                                          shared.plan.reference_hashes, {}, shared.plan.settings.size_divisor);
   if (!reference.image) throw InputError(reference.problem);

@@ -155,6 +155,17 @@ void add_values(const fs::path& folder, TargetRecord& target) {
   target.reference_provenance = {{"program", "reference <i>tracer</i>"}, {"spp", "4096"}};
 }
 
+// The image of the same scene by "two": a quarter more in G everywhere.
+void add_values_by_two(const fs::path& folder, TargetRecord& target) {
+  auto result = ramp(64, 48);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x) result.at(x, y, 1) += 0.25F;
+  target.image = "two/values/result.exr";
+  target.reference_image = "references/values.exr";
+  write_exr(folder, target.image, result);
+  image::write_png(image::display_image(result), folder / "two/values/result.png");
+}
+
 void add_stokes(const fs::path& folder, TargetRecord& target) {
   std::vector<std::string> channels{"R", "G", "B"};
   for (const char* layer : {"S0", "S1", "S2", "S3"})
@@ -215,9 +226,13 @@ RunRecord small_run(const fs::path& folder) {
   run.jobs.push_back(values);
   run.targets.push_back(target_of("m1_values", values, Verdict::Fail));
   add_values(folder, run.targets.back());
+  run.targets.back().diagnosis = "shifted by (2, 1) px: then 60.2 dB";
+  run.targets.back().checks.push_back(
+      {.what = "edge_blur", .reason = "noise hides the edges", .min = {}, .max = 0.2, .decided = false});
   const auto by_two = job_of("values", "two", 4);
   run.jobs.push_back(by_two);
   run.targets.push_back(target_of("m1_values", by_two, Verdict::Pass));
+  add_values_by_two(folder, run.targets.back());
   run.cases.push_back(case_of("beta", "a1_stokes", "Polarised light"));
   run.scenes.push_back({"stokes",
                         "polarised",
@@ -268,6 +283,7 @@ void write_earlier_run(const fs::path& folder) {
     if (job.identity.renderer == "three") job.cost.host.cpu = "another processor";
   for (auto& job : run.jobs)
     if (job.identity.renderer == "two") job.cost.wall_seconds *= 2;
+  for (auto& job : run.jobs) job.identity.spp = 32;
   write_run(std::move(run), folder);
 }
 

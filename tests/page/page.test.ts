@@ -93,6 +93,7 @@ test("a cell shows a thumbnail, opens its target, and the back button returns", 
   );
   await cell.click();
   await page.waitForSelector(".measures");
+  await page.locator(".numbers > summary").click();
   const text = await page.locator(".facts").innerText();
   for (const part of [
     "What Known values tests.",
@@ -217,12 +218,12 @@ test("the worst pixels are visited in order, with their positions", async () => 
   await drawn(page, "l1");
   await page.getByText("2 pixels differ").waitFor();
   await page.keyboard.press("u");
-  await page.getByRole("button", { name: "1 of 2: 1", exact: true }).waitFor();
+  await page.getByRole("button", { name: "1 of 2 spots: 1", exact: true }).waitFor();
   assert.match(await page.locator(".readout h3").innerText(), /40, 20/);
   await page.keyboard.press("u");
-  await page.getByRole("button", { name: "2 of 2: 0.5" }).waitFor();
+  await page.getByRole("button", { name: "2 of 2 spots: 0.5" }).waitFor();
   assert.match(await page.locator(".readout h3").innerText(), /10, 30/);
-  await page.keyboard.press("w");
+  await page.keyboard.press("w"); // its button is folded away
   await page.locator(".region").waitFor();
   assert.match(await page.locator(".region").innerText(), /Region 32, 0 – 64, 32/);
   await page.close();

@@ -49,7 +49,8 @@ TEST(Judge, ADifferenceThatNoiseExplainsIsInconclusive) {
 TEST(Judge, NoiseIsNoExcuseForABiasThatMissesTheGateByItself) {
   const auto biased = judged(one_case(), noisy_grey(0.28F, 0.03F), grey_32(0.25F));
   EXPECT_EQ(biased.verdict, Verdict::Fail);
-  EXPECT_NE(biased.reason.find("the mean is brighter"), std::string::npos) << biased.reason;
+  ASSERT_FALSE(biased.remarks.empty());
+  EXPECT_NE(biased.remarks[0].find("brighter"), std::string::npos) << biased.remarks[0];
 }
 
 // 2.8 % more light is 43 dB: with more samples the image meets this gate, whatever others say of its mean.
@@ -57,7 +58,7 @@ TEST(Judge, ANoisyImageWhoseBiasMeetsTheGateIsInconclusiveAndRemarkedUpon) {
   const auto biased = judged(one_case(), noisy_grey(0.257F, 0.03F), grey_32(0.25F));
   EXPECT_EQ(biased.verdict, Verdict::Inconclusive) << biased.reason;
   ASSERT_FALSE(biased.remarks.empty());
-  EXPECT_NE(biased.remarks[0].find("the mean is brighter"), std::string::npos) << biased.remarks[0];
+  EXPECT_NE(biased.remarks[0].find("brighter"), std::string::npos) << biased.remarks[0];
 }
 
 // The noise of a renderer that does not state it is read where the reference is smooth.

@@ -37,6 +37,7 @@ TEST(FeatureNumbers, AreWrittenInTheShortestForm) {
   EXPECT_EQ(format_features({{'M', {3}}}), "M0+(3)");
   EXPECT_EQ(format_features({{'M', {1, 2, 3, 5, 6, 7, 9}}}), "M9-(4,8)");
   EXPECT_EQ(format_features({{'M', {}}}), "M0");
+  EXPECT_EQ(format_features({{'M', {1, 3}}}, {{'M', {2, 7}}, {'L', {1}}}), "M3?(2,7)/L?");
 }
 
 TEST(FeatureNumbers, OfTwoEquallyShortFormsTheHigherLevelIsWritten) {

@@ -43,19 +43,22 @@ RunRecord run_of(Verdict verdict, const std::string& reason) {
 TEST(Csv, HasOneRowPerImageAndRenderer) {
   EXPECT_EQ(
       orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-      "suite,size,requirement,case,target,renderer,declared,verdict,reason,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
-      "s,1,M1,m1,101,r,true,pass,fine,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
+      "suite,size,requirement,case,target,renderer,declared,verdict,reason,diagnosis,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
+      "s,1,M1,m1,101,r,true,pass,fine,,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }
 
-TEST(Csv, HoldsTheRemarks) {
+TEST(Csv, HoldsDiagnosisAndRemarks) {
   auto run = run_of(Verdict::Pass, "fine");
+  run.targets[0].diagnosis = "shifted by (2, 1) px: then 60.2 dB";
   run.targets[0].remarks = {"bias: a, b", "c"};
-  EXPECT_NE(orbs::report::results_csv(run).find(",pass,fine,\"bias: a, b; c\",41.25"), std::string::npos);
+  EXPECT_NE(orbs::report::results_csv(run).find(
+                ",pass,fine,\"shifted by (2, 1) px: then 60.2 dB\",\"bias: a, b; c\",41.25"),
+            std::string::npos);
 }
 
 TEST(Csv, QuotesWhatWouldBreakARow) {
   const auto text = orbs::report::results_csv(run_of(Verdict::Fail, "a \"b\", c\nd"));
-  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",,41.25"), std::string::npos) << text;
+  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",,,41.25"), std::string::npos) << text;
 }
 
 TEST(Junit, EscapesWhatXmlCannotHold) {
@@ -78,7 +81,9 @@ TEST(Junit, HasATestCasePerRequirementWithItsVerdict) {
 TEST(Junit, HoldsTheRemarks) {
   auto run = run_of(Verdict::Pass, "fine");
   run.targets[0].remarks = {"bias: darker"};
-  EXPECT_NE(orbs::report::junit_xml(run).find("101: bias: darker\n"), std::string::npos);
+  run.targets[0].diagnosis = "upside down: then 40.0 dB";
+  EXPECT_NE(orbs::report::junit_xml(run).find("101: upside down: then 40.0 dB\n101: bias: darker\n"),
+            std::string::npos);
 }
 
 TEST(Junit, TellsErrorsFromFailuresAndFromWhatIsNotSupported) {

@@ -20,5 +20,17 @@ TEST(Measured, FeaturesAreThePassesOfTheGroupsThatWereTested) {
                                        requirement("L1", Verdict::Unsupported)},
                                       "r"),
             "G2/M4-(2)/L0");
-  EXPECT_EQ(runner::measured_features({requirement("G1", Verdict::Inconclusive)}, "r"), "G0");
+}
+
+TEST(Measured, WhatIsNotKnownIsNotShownAsNotMet) {
+  for (const auto verdict : {Verdict::Inconclusive, Verdict::Skipped, Verdict::MissingReference})
+    EXPECT_EQ(runner::measured_features({requirement("G1", verdict)}, "r"), "G?");
+  EXPECT_EQ(
+      runner::measured_features({requirement("G1", Verdict::Pass), requirement("G2", Verdict::Skipped),
+                                 requirement("G3", Verdict::Pass), requirement("G4", Verdict::Fail),
+                                 requirement("G5", Verdict::Inconclusive), requirement("M1", Verdict::Fail),
+                                 requirement("M2", Verdict::Inconclusive)},
+                                "r"),
+      "G3?(2,5)/M0?(2)");
+  EXPECT_EQ(runner::measured_features({requirement("G1", Verdict::Fail)}, "other"), "G?");
 }

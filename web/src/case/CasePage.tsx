@@ -1,10 +1,11 @@
 import { useRequest } from "../common/request";
 import { useActions } from "../common/keys";
-import { findCell, namesOf, reasonOf, stateOf, type Session } from "../common/session";
+import { findCell, namesOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import type { Case, TargetDetail } from "../data/types";
 import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
+import { flushView } from "../viewer/use_view";
 import { Viewer } from "../viewer/Viewer";
 import { Cost } from "./Cost";
 import { Effects } from "./Effects";
@@ -12,6 +13,7 @@ import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { Provenance } from "./Provenance";
 import { RenderRecord } from "./RenderRecord";
+import { Verdict } from "./Verdict";
 
 /** The previous and the next cell of the same renderer, and the cells of the same target. */
 function neighbours(session: Session, index: number) {
@@ -26,12 +28,12 @@ function neighbours(session: Session, index: number) {
   return { previous: same[at - 1], next: same[at + 1], siblings };
 }
 
-/** Opens another target with the same appearance settings, but not the same zoom and region. */
+/** Opens another target in the same view: images, place, zoom, region and appearance. */
 function openLike(link: string): void {
+  flushView();
   const { query } = parseRoute(location.hash);
-  const { x: _x, y: _y, zoom: _zoom, region: _region, ...look } = query;
   const target = parseRoute(link);
-  go({ path: target.path, query: { ...look, ...target.query } });
+  go({ path: target.path, query: { ...query, ...target.query } });
 }
 
 export function CasePage({ session, route }: { session: Session; route: Route }) {
@@ -65,7 +67,14 @@ export function CasePage({ session, route }: { session: Session; route: Route })
     );
   return (
     <article class="case">
-      <CaseHeader session={session} index={index} one={one} target={target} onMove={to} />
+      <CaseHeader
+        session={session}
+        index={index}
+        one={one}
+        target={target}
+        diagnosis={detail?.diagnosis ?? ""}
+        onMove={to}
+      />
       {problem !== undefined ? <p role="alert">The target cannot be shown: {problem}</p> : null}
       {detail === undefined && problem === undefined ? <p class="loading">Reading …</p> : null}
       {detail ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
@@ -79,11 +88,12 @@ interface HeaderProps {
   index: number;
   one: Case;
   target: string;
+  diagnosis: string;
   onMove: (cell: number | undefined) => void;
 }
 
 /** The target, its verdict with the reason, and links to its neighbours. */
-function CaseHeader({ session, index, one, target, onMove }: HeaderProps) {
+function CaseHeader({ session, index, one, target, diagnosis, onMove }: HeaderProps) {
   const { overview } = session;
   const { previous, next, siblings } = neighbours(session, index);
   return (
@@ -118,12 +128,7 @@ function CaseHeader({ session, index, one, target, onMove }: HeaderProps) {
           </button>
         ))}
       </div>
-      <p class="reason">
-        <StateMark state={stateOf(overview, index)} /> {reasonOf(overview, index)}
-      </p>
-      {one.smallest_error_seen ? (
-        <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
-      ) : null}
+      <Verdict session={session} index={index} diagnosis={diagnosis} />
     </header>
   );
 }
@@ -141,10 +146,12 @@ function Detail({ session, route, one, detail }: DetailProps) {
       <Viewer
         key={`${detail.case}/${detail.target}/${detail.renderer}`}
         session={session}
+        of={detail}
         images={detail.images}
         route={route}
       />
       <div class="facts">
+        <Measures detail={detail} />
         <section class="about">
           <h2>What is tested</h2>
           <p>{one.tests || "The case has no description."}</p>
@@ -154,9 +161,11 @@ function Detail({ session, route, one, detail }: DetailProps) {
               <p>{one.typical_mistake}</p>
             </>
           ) : null}
+          {one.smallest_error_seen ? (
+            <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
+          ) : null}
         </section>
         <Effects detail={detail} />
-        <Measures detail={detail} />
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />
         <Logs session={session} detail={detail} />

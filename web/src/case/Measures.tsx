@@ -1,6 +1,7 @@
 import { number, withUnit } from "../common/format";
 import { TableHead, type Column } from "../common/TableHead";
 import type { Check, Measure, TargetDetail } from "../data/types";
+import { Checks, lookOfCheck } from "./Checks";
 
 const kColumns: Column[] = [
   { label: "Metric" },
@@ -30,8 +31,9 @@ function detailText({ low, high, where }: Measure): string {
 }
 
 function MeasureRow({ measure, check }: { measure: Measure; check: Check | undefined }) {
+  const look = check && lookOfCheck(check);
   return (
-    <tr class={check ? (check.passed ? "met" : "unmet") : ""}>
+    <tr>
       <th scope="row">
         <details>
           <summary title={measure.definition}>{measure.name}</summary>
@@ -44,9 +46,9 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
       </td>
       <td>
         {limitsText(check)}{" "}
-        {check ? (
-          <span class={check.passed ? "tone-good" : "tone-bad"}>
-            {check.passed ? "✓ met" : "✗ not met"}
+        {look ? (
+          <span class={`tone-${look.tone}`}>
+            {look.symbol} {look.word}
           </span>
         ) : (
           <span class="quiet">{betterText(measure)}</span>
@@ -56,28 +58,35 @@ function MeasureRow({ measure, check }: { measure: Measure; check: Check | undef
   );
 }
 
-/** Every metric with its gate and its definition, then the checks that are no metric. */
+/** The table of all numbers with their gates and definitions. */
+function Numbers({ measures, checks }: { measures: Measure[]; checks: Check[] }) {
+  return (
+    <details class="numbers">
+      <summary>All {measures.length} numbers</summary>
+      <table>
+        <TableHead columns={kColumns} />
+        <tbody>
+          {measures.map((measure) => (
+            <MeasureRow
+              key={measure.name}
+              measure={measure}
+              check={checks.find((one) => one.what === measure.name)}
+            />
+          ))}
+        </tbody>
+      </table>
+    </details>
+  );
+}
+
+/** The checks, those that are not met first; what else is known; and all numbers, folded away. */
 export function Measures({ detail }: { detail: TargetDetail }) {
   const { measures, checks, remarks = [], hidden = "" } = detail;
-  const others = checks.filter((check) => !measures.some((measure) => measure.name === check.what));
   if (measures.length === 0 && checks.length === 0) return null;
   return (
     <section class="measures">
-      <h2>Metrics</h2>
-      {measures.length > 0 ? (
-        <table>
-          <TableHead columns={kColumns} />
-          <tbody>
-            {measures.map((measure) => (
-              <MeasureRow
-                key={measure.name}
-                measure={measure}
-                check={checks.find((one) => one.what === measure.name)}
-              />
-            ))}
-          </tbody>
-        </table>
-      ) : null}
+      <h2>Checks</h2>
+      <Checks checks={checks} />
       {remarks.length > 0 ? (
         <ul class="checks">
           {remarks.map((remark) => (
@@ -86,22 +95,7 @@ export function Measures({ detail }: { detail: TargetDetail }) {
         </ul>
       ) : null}
       {hidden === "" ? null : <p class="quiet">{hidden}</p>}
-      {others.length > 0 ? (
-        <ul class="checks">
-          {others.map((check) => (
-            <li key={check.reason}>
-              {check.measured === false ? (
-                <span class="quiet">–</span>
-              ) : (
-                <span class={check.passed ? "tone-good" : "tone-bad"}>
-                  {check.passed ? "✓" : "✗"}
-                </span>
-              )}{" "}
-              {check.reason}
-            </li>
-          ))}
-        </ul>
-      ) : null}
+      {measures.length > 0 ? <Numbers measures={measures} checks={checks} /> : null}
     </section>
   );
 }

@@ -5,22 +5,35 @@ import type { Overview } from "../data/types";
 import { stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
 import { timesOf, timeSummary } from "./times";
 
-const kColumns: Column[] = [
+/** What the two sides are called: two runs are before and after, two renderers of one run A and B. */
+export interface SideNames {
+  before: string;
+  after: string;
+}
+
+const columnsOf = ({ before, after }: SideNames): Column[] => [
   { label: "Case" },
   { label: "Target" },
   { label: "Renderer" },
-  { label: "Before" },
-  { label: "After" },
-  { label: "Time", isNumber: true, title: "wall-clock time, after divided by before" },
+  { label: before },
+  { label: after },
+  { label: "Time", isNumber: true, title: `wall-clock time, ${after} divided by ${before}` },
+  { label: "Images" },
 ];
 
-export const kHeadings: Record<Kind, string> = {
-  worse: "Became worse",
-  better: "Became better",
-  open: "Not rendered before or after",
-  new: "New",
-  gone: "Removed",
-  same: "Unchanged",
+export const kKinds: readonly Kind[] = ["worse", "better", "open", "new", "gone", "same"];
+
+const headingOf = (kind: Kind, { before, after }: SideNames): string => {
+  const isRuns = after === "After";
+  const headings: Record<Kind, string> = {
+    worse: isRuns ? "Became worse" : `${after} is worse`,
+    better: isRuns ? "Became better" : `${after} is better`,
+    open: isRuns ? "Not rendered before or after" : `Not rendered by ${before} or ${after}`,
+    new: isRuns ? "New" : `Only ${after}`,
+    gone: isRuns ? "Removed" : `Only ${before}`,
+    same: isRuns ? "Unchanged" : "Alike",
+  };
+  return headings[kind];
 };
 const kMostRows = 500; // per heading
 
@@ -62,7 +75,10 @@ function TimeCell({ a, b, change }: { a: Overview; b: Overview; change: Change }
 /** The change of the render time, as far as the times can be compared. */
 export function TimeLine({ a, b, changes }: { a: Overview; b: Overview; changes: Change[] }) {
   const { ratio, targets, apart, machines } = timeSummary(a, b, changes);
-  const loads = `load at the start ${a.run.load.toFixed(2)} before, ${b.run.load.toFixed(2)} after`;
+  const loads =
+    a === b
+      ? "in one run"
+      : `load at the start ${a.run.load.toFixed(2)} before, ${b.run.load.toFixed(2)} after`;
   return (
     <p class="compare-time quiet">
       {targets > 0 ? (
@@ -86,20 +102,24 @@ interface ChangeTableProps {
   b: Side;
   metric: string;
   links: { a: (cell: number) => string; b: (cell: number) => string };
+  names: SideNames;
+  /** Address of both images of a change in one viewer; "" if one of them is missing. */
+  pairLink: (change: Change) => string;
 }
 
-export function ChangeTable({ kind, changes, a, b, metric, links }: ChangeTableProps) {
+export function ChangeTable(props: ChangeTableProps) {
+  const { kind, changes, a, b, metric, links, names, pairLink } = props;
   if (changes.length === 0) return null;
   return (
     <section data-kind={kind}>
       <details open={kind !== "same"}>
         <summary>
           <h2 style={{ display: "inline" }}>
-            {kHeadings[kind]} <span class="count">{changes.length}</span>
+            {headingOf(kind, names)} <span class="count">{changes.length}</span>
           </h2>
         </summary>
         <table>
-          <TableHead columns={kColumns} />
+          <TableHead columns={columnsOf(names)} />
           <tbody>
             {changes.slice(0, kMostRows).map((change) => (
               <tr key={`${change.names.case} ${change.names.target} ${change.names.renderer}`}>
@@ -123,6 +143,7 @@ export function ChangeTable({ kind, changes, a, b, metric, links }: ChangeTableP
                   link={links.b(change.after)}
                 />
                 <TimeCell a={a.overview} b={b.overview} change={change} />
+                <td>{pairLink(change) ? <a href={pairLink(change)}>A × B</a> : null}</td>
               </tr>
             ))}
           </tbody>

@@ -1,11 +1,12 @@
 import { useMemo } from "preact/hooks";
 import { NoSuchRun } from "../common/NoSuchRun";
-import type { Session } from "../common/session";
+import { namesOf, type Session } from "../common/session";
 import type { Overview } from "../data/types";
 import { cellLink } from "../overview/Grid";
-import { note, type Route } from "../route";
-import { ChangeTable, kHeadings, TimeLine } from "./ChangeTable";
-import { changesOf, type Kind } from "./changes";
+import { note, parseRoute, routeText, type Route } from "../route";
+import { ChangeTable, kKinds, TimeLine, type SideNames } from "./ChangeTable";
+import { changesOf, type Change } from "./changes";
+import { settingsThatDiffer } from "./settings";
 import { useSides, type ChosenSide, type Sides } from "./use_sides";
 
 interface SideChoiceProps {
@@ -53,6 +54,29 @@ interface ComparedProps {
   metric: string;
 }
 
+/** Two renderers of one run are no before and after. */
+const sideNames = ({ before, after }: Sides): SideNames =>
+  before.run === after.run ? { before: "A", after: "B" } : { before: "Before", after: "After" };
+
+/** The viewer on the image after, with the image before beside it and their difference in front. */
+function pairLink(
+  session: Session,
+  { before, after }: Sides,
+  a: Overview,
+  b: Overview,
+  change: Change,
+): string {
+  const hasBoth = change.before >= 0 && change.after >= 0;
+  if (!hasBoth || !a.cells.thumbnail[change.before] || !b.cells.thumbnail[change.after]) return "";
+  const { renderer } = namesOf(a, change.before);
+  const run = session.source.runs[before.run] ?? "";
+  const other = before.run === after.run ? renderer : `${renderer}@${run}`;
+  const { path, query } = parseRoute(
+    cellLink({ ...session, run: after.run, overview: b }, change.after),
+  );
+  return routeText({ path, query: { ...query, more: other, b: other, img: "difference" } });
+}
+
 /** The changes, once both sides are loaded. */
 function Compared({ session, sides: { before, after }, metric }: ComparedProps) {
   const [a, b] = [before.received.value, after.received.value];
@@ -72,10 +96,22 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
     (run: number, overview: Overview) =>
     (cell: number): string =>
       cell >= 0 ? cellLink({ ...session, run, overview }, cell) : "";
+  const names = sideNames({ before, after });
+  const settings = settingsThatDiffer(a, b, changes);
   return (
     <>
+      {settings.length > 0 ? (
+        <p class="compare-settings">
+          <b>Settings that differ:</b> {settings.join("; ")}.
+        </p>
+      ) : null}
+      {before.run !== after.run && a.run.started > b.run.started ? (
+        <p class="tone-unsure">
+          The run before was started later ({a.run.started}) than the run after ({b.run.started}).
+        </p>
+      ) : null}
       <TimeLine a={a} b={b} changes={changes} />
-      {(Object.keys(kHeadings) as Kind[]).map((kind) => (
+      {kKinds.map((kind) => (
         <ChangeTable
           key={kind}
           kind={kind}
@@ -84,6 +120,8 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
           a={{ overview: a, renderer: before.renderer }}
           b={{ overview: b, renderer: after.renderer }}
           links={{ a: link(before.run, a), b: link(after.run, b) }}
+          names={names}
+          pairLink={(change) => pairLink(session, { before, after }, a, b, change)}
         />
       ))}
     </>
@@ -121,14 +159,14 @@ export function ComparePage({ session, route }: { session: Session; route: Route
       <h1 class="unseen">Compare</h1>
       <div class="compare-choices">
         <SideChoice
-          label="Before"
+          label={sideNames(sides).before}
           session={session}
           side={sides.before}
           runParam="before"
           rendererParam="ra"
         />
         <SideChoice
-          label="After"
+          label={sideNames(sides).after}
           session={session}
           side={sides.after}
           runParam="after"

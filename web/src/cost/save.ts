@@ -1,15 +1,5 @@
+import { offer } from "../common/offer";
 import type { Theme } from "./theme";
-
-/** Offers `content` as a file to save. */
-function offer(name: string, content: Blob): void {
-  const address = URL.createObjectURL(content);
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = name;
-  link.click();
-  // The browser has taken the content when the click returns, but Safari only some time later.
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-}
 
 /** A name of a file from any text. */
 export const fileName = (text: string, ending: string): string =>

@@ -151,6 +151,8 @@ export interface Check {
   passed: boolean;
   /** False if the size of the run does not allow it; the verdict then does not rest on it. */
   measured?: boolean;
+  /** False if noise does not let it be told whether it is met. */
+  decided?: boolean;
   reason: string;
   min?: number;
   max?: number;
@@ -163,6 +165,8 @@ export interface ImageEntry {
   definition?: string;
   signed?: boolean;
   scale_maximum?: number;
+  /** Index of the run that holds the file, if it is not the one that is shown. */
+  run?: number;
 }
 
 /**
@@ -229,6 +233,8 @@ export interface TargetDetail {
   reference: string;
   /** Facts that change no verdict but that the reader must know. */
   remarks?: string[];
+  /** The usual fault that explains a failure, or that none does; "" if none was tried. */
+  diagnosis?: string;
   /** Which errors its noise hides; absent where that is nothing worth a word. */
   hidden?: string;
   measures: Measure[];

@@ -10,8 +10,8 @@ interface Props {
   /** Number of rows that the filter leaves. */
   count: number;
   box: RefObject<HTMLInputElement | null>;
-  /** The metric or cost that the cells show; "" for the main metric. */
-  show: string;
+  /** The targets are shown as pictures. */
+  isGallery: boolean;
 }
 
 const toggled = (list: string[], one: string): string =>
@@ -49,7 +49,7 @@ function Chips({ label, names, chosen, param, symbols }: ChipsProps) {
   );
 }
 
-export function Filters({ overview, filter, count, box, show }: Props) {
+export function Filters({ overview, filter, count, box, isGallery }: Props) {
   const counts = overview.states.map(() => 0);
   for (const state of overview.cells.state) counts[state] = (counts[state] ?? 0) + 1;
   const states = overview.states
@@ -61,7 +61,7 @@ export function Filters({ overview, filter, count, box, show }: Props) {
   return (
     <section class="filters" aria-label="Filter">
       <label class="search">
-        <span class="unseen">Filter by requirement, case or target</span>
+        <span class="unseen">Filter by requirement, case, target, renderer or verdict</span>
         <input
           ref={box}
           type="search"
@@ -85,35 +85,48 @@ export function Filters({ overview, filter, count, box, show }: Props) {
         chosen={filter.renderers}
         param="renderer"
       />
-      <Choices overview={overview} filter={filter} count={count} show={show} />
+      <Choices overview={overview} filter={filter} count={count} isGallery={isGallery} />
     </section>
   );
 }
 
-/** The order of the rows, and the number that each cell shows. */
-function Choices({ overview, filter, count, show }: Omit<Props, "box">) {
+/** Table or pictures, the order of the rows, and the number that each cell shows. */
+function Choices({ overview, filter, count, isGallery }: Omit<Props, "box">) {
   return (
     <div class="choices">
       <button
-        aria-pressed={filter.failuresFirst}
+        aria-pressed={isGallery}
+        title="Key g"
+        onClick={() => note({ as: isGallery ? "" : "gallery" })}
+      >
+        Pictures
+      </button>
+      <button
+        aria-pressed={filter.order === "failures"}
         title="Key f"
-        onClick={() => note({ order: filter.failuresFirst ? "given" : "" })}
+        onClick={() => note({ order: filter.order === "failures" ? "given" : "" })}
       >
         Failures first
       </button>
       <button
-        aria-pressed={filter.byTarget}
-        title="Key p"
-        onClick={() => note({ by: filter.byTarget ? "" : "target" })}
+        aria-pressed={filter.order === "value"}
+        title="the worst of the shown number first"
+        onClick={() => note({ order: filter.order === "value" ? "" : "value" })}
       >
-        By target
+        Worst number first
       </button>
+      {isGallery ? null : (
+        <button
+          aria-pressed={filter.byTarget}
+          title="Key p"
+          onClick={() => note({ by: filter.byTarget ? "" : "target" })}
+        >
+          By target
+        </button>
+      )}
       <label>
         Show{" "}
-        <select
-          value={show || overview.main_metric}
-          onChange={(event) => note({ show: event.currentTarget.value })}
-        >
+        <select value={filter.show} onChange={(event) => note({ show: event.currentTarget.value })}>
           {overview.metrics.map((metric) => (
             <option key={metric.name}>{metric.name}</option>
           ))}

@@ -1,11 +1,12 @@
-import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { bytes, number, seconds } from "../common/format";
-import { isInfinite, namesOf, runQuery, stateOf, type Session } from "../common/session";
+import { isInfinite, namesOf, reasonOf, runQuery, stateOf, type Session } from "../common/session";
 import { lookOf } from "../common/states";
 import type { Overview } from "../data/types";
 import { note, routeText } from "../route";
 import { Preview, type Hovered } from "./Preview";
-import type { Filter, Row } from "./rows";
+import { worstCell, type Filter, type Row } from "./rows";
+import { useWindow } from "./use_window";
 
 const kRowHeight = 34;
 const kSpare = 12; // rows kept beyond the edges of the window for the Tab key and fast scrolling
@@ -16,28 +17,6 @@ interface Props {
   renderers: number[];
   filter: Filter;
   show: string;
-}
-
-/** The range of rows within the window. */
-function useWindow(count: number) {
-  const body = useRef<HTMLDivElement>(null);
-  const [span, setSpan] = useState({ begin: 0, end: 60 });
-  useLayoutEffect(() => {
-    const update = (): void => {
-      const top = body.current?.getBoundingClientRect().top ?? 0;
-      const begin = Math.max(0, Math.floor(-top / kRowHeight) - kSpare);
-      const end = Math.min(count, Math.ceil((innerHeight - top) / kRowHeight) + kSpare);
-      setSpan((old) => (old.begin === begin && old.end === end ? old : { begin, end }));
-    };
-    update();
-    addEventListener("scroll", update, { passive: true });
-    addEventListener("resize", update);
-    return () => {
-      removeEventListener("scroll", update);
-      removeEventListener("resize", update);
-    };
-  }, [count]);
-  return { body, ...span };
 }
 
 function shown(overview: Overview, show: string, index: number): string {
@@ -91,14 +70,29 @@ function Cell({ session, index, show, onHover }: CellProps) {
   );
 }
 
-function RowHead({ row, filter }: { row: Row; filter: Filter }) {
+/** The title of a row, a link to the cell with the worst verdict. */
+function Title({ session, row, renderers }: { session: Session; row: Row; renderers: number[] }) {
+  const cell = worstCell(session.overview, row, renderers);
+  return (
+    <a class="title" title={row.title} href={cell < 0 ? "#/" : cellLink(session, cell)}>
+      {row.title}
+    </a>
+  );
+}
+
+interface RowHeadProps {
+  session: Session;
+  row: Row;
+  renderers: number[];
+  filter: Filter;
+}
+
+function RowHead({ session, row, renderers, filter }: RowHeadProps) {
+  const title = <Title session={session} row={row} renderers={renderers} />;
   if (row.kind === "target")
     return (
       <span role="rowheader" class="rowhead target">
-        <b>{filter.byTarget ? row.requirement : ""}</b>{" "}
-        <span class="title" title={row.title}>
-          {row.title}
-        </span>
+        <b>{filter.byTarget ? row.requirement : ""}</b> {title}
       </span>
     );
   const open = filter.open.includes(row.requirement);
@@ -120,22 +114,31 @@ function RowHead({ row, filter }: { row: Row; filter: Filter }) {
       >
         {open ? "▾" : "▸"}
       </button>
-      <b>{row.requirement}</b>{" "}
-      <span class="title" title={row.title}>
-        {row.title}
-      </span>
+      <b>{row.requirement}</b> {title}
+    </span>
+  );
+}
+
+/** Why the worst verdict of a row is none better. */
+function Reason({ session, row, renderers }: { session: Session; row: Row; renderers: number[] }) {
+  const cell = worstCell(session.overview, row, renderers);
+  const isWorthIt = cell >= 0 && stateOf(session.overview, cell)?.name !== "pass";
+  const reason = isWorthIt ? reasonOf(session.overview, cell) : "";
+  return (
+    <span role="cell" class="reason-cell" title={reason}>
+      {reason}
     </span>
   );
 }
 
 /** The grid of rows by renderers. Only visible rows are in the document. */
 export function Grid({ session, rows, renderers, filter, show }: Props) {
-  const { body, begin, end } = useWindow(rows.length);
+  const { body, begin, end } = useWindow(rows.length, kRowHeight, kSpare);
   const [hovered, setHovered] = useState<Hovered>();
   useEffect(() => setHovered(undefined), [rows]);
   const { overview } = session;
   const column = "minmax(var(--column), 1fr)";
-  const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, ${column})`;
+  const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, ${column}) var(--why)`;
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;
   return (
     <div
@@ -152,6 +155,9 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
             {overview.renderers[r]?.name}
           </span>
         ))}
+        <span role="columnheader" class="reason-cell">
+          Reason of the worst
+        </span>
       </div>
       {rows.length === 0 ? <p class="quiet empty">Nothing matches the filter.</p> : null}
       <div
@@ -169,7 +175,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
             style={{ top: `${(begin + i) * kRowHeight}px` }}
             data-suite={several ? row.suite : undefined}
           >
-            <RowHead row={row} filter={filter} />
+            <RowHead session={session} row={row} renderers={renderers} filter={filter} />
             {renderers.map((r) => (
               <Cell
                 key={r}
@@ -179,6 +185,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
                 onHover={setHovered}
               />
             ))}
+            <Reason session={session} row={row} renderers={renderers} />
           </div>
         ))}
       </div>

@@ -3,20 +3,26 @@ import { useActions } from "../common/keys";
 import type { Session } from "../common/session";
 import { note, type Route } from "../route";
 import { Filters } from "./Filters";
+import { Gallery } from "./Gallery";
 import { Grid } from "./Grid";
 import { RendererTable } from "./RendererTable";
 import { groupsOf, visibleRenderers, visibleRows, type Filter } from "./rows";
 
 const list = (text: string | undefined): string[] => (text ? text.split("|") : []);
 
-function filterOf({ query }: Route): Filter {
+function orderOf(order: string | undefined): Filter["order"] {
+  return order === "given" || order === "value" ? order : "failures";
+}
+
+function filterOf({ query }: Route, mainMetric: string): Filter {
   return {
     text: query["q"] ?? "",
     suites: list(query["suite"]),
     states: list(query["state"]),
     renderers: list(query["renderer"]),
-    byTarget: query["by"] === "target",
-    failuresFirst: query["order"] !== "given",
+    byTarget: query["by"] === "target" || query["as"] === "gallery",
+    order: orderOf(query["order"]),
+    show: query["show"] || mainMetric,
     open: list(query["open"]),
   };
 }
@@ -24,7 +30,8 @@ function filterOf({ query }: Route): Filter {
 export function OverviewPage({ session, route }: { session: Session; route: Route }) {
   const { overview } = session;
   const groups = useMemo(() => groupsOf(overview), [overview]);
-  const filter = filterOf(route);
+  const filter = filterOf(route, overview.main_metric);
+  const isGallery = route.query["as"] === "gallery";
   const rows = useMemo(
     () => visibleRows(overview, groups, filter),
     [overview, groups, location.hash],
@@ -42,7 +49,13 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
       key: "f",
       label: "failures first or in the order of the suite",
       group: "Overview",
-      run: () => note({ order: filter.failuresFirst ? "given" : "" }),
+      run: () => note({ order: filter.order === "failures" ? "given" : "" }),
+    },
+    {
+      key: "g",
+      label: "table or pictures",
+      group: "Overview",
+      run: () => note({ as: isGallery ? "" : "gallery" }),
     },
   ]);
   return (
@@ -54,15 +67,24 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
         filter={filter}
         count={rows.length}
         box={box}
-        show={route.query["show"] ?? ""}
+        isGallery={isGallery}
       />
-      <Grid
-        session={session}
-        rows={rows}
-        renderers={visibleRenderers(overview, filter)}
-        filter={filter}
-        show={route.query["show"] ?? overview.main_metric}
-      />
+      {isGallery ? (
+        <Gallery
+          session={session}
+          rows={rows}
+          renderers={visibleRenderers(overview, filter)}
+          show={filter.show}
+        />
+      ) : (
+        <Grid
+          session={session}
+          rows={rows}
+          renderers={visibleRenderers(overview, filter)}
+          filter={filter}
+          show={filter.show}
+        />
+      )}
     </>
   );
 }

@@ -78,7 +78,7 @@ function RendererRow({ overview, renderer, counts }: RowProps) {
 export function RendererTable({ overview }: { overview: Overview }) {
   const counts = countsOf(overview);
   return (
-    <section class="renderers" aria-label="Renderers">
+    <section class="renderers" aria-label="Renderers" tabIndex={0}>
       <table>
         <TableHead columns={kColumns} />
         <tbody>

@@ -21,7 +21,10 @@ export interface Filter {
   states: string[];
   renderers: string[];
   byTarget: boolean;
-  failuresFirst: boolean;
+  /** "failures" first, as "given" by the suite, or by "value": the worst of the shown number first. */
+  order: "failures" | "given" | "value";
+  /** The metric or cost that the cells show. */
+  show: string;
   open: string[];
 }
 
@@ -32,6 +35,28 @@ const rank = (overview: Overview, cell: number): number => {
     (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state
   );
 };
+
+/** The cell of the row with the worst state by these renderers; -1 if there is none. */
+export function worstCell(overview: Overview, row: Row, renderers: number[]): number {
+  let worst = -1;
+  for (const renderer of renderers) {
+    const cell = row.cells[renderer] ?? -1;
+    if (cell >= 0 && (worst < 0 || rank(overview, cell) > rank(overview, worst))) worst = cell;
+  }
+  return worst;
+}
+
+/** How bad the shown number of a cell is: costs and errors by size, of others the smallest first. */
+function badness(overview: Overview, show: string, cell: number): number {
+  if (cell < 0) return -Infinity;
+  if (show === "wall_seconds" || show === "peak_rss_bytes")
+    return overview.cells[show][cell] ?? -Infinity;
+  const metric = overview.metrics.find((one) => one.name === show);
+  const value = overview.measures[show]?.[cell] ?? null;
+  if (value === null) return -Infinity;
+  if (metric?.signed) return Math.abs(value);
+  return metric?.lower_is_better ? value : -value;
+}
 
 /** The cell that represents the requirement: the worse state, then the worse main metric. */
 function worseOf(overview: Overview, a: number, b: number): number {
@@ -101,6 +126,9 @@ export function groupsOf(overview: Overview): Group[] {
   return [...groups.values()];
 }
 
+// The difference of two infinities is no number.
+const compared = (a: number, b: number): number => (a === b ? 0 : a > b ? 1 : -1);
+
 function worstRank(overview: Overview, row: Row, renderers: number[]): number {
   return Math.max(
     -1,
@@ -112,8 +140,19 @@ function worstRank(overview: Overview, row: Row, renderers: number[]): number {
 export function visibleRows(overview: Overview, groups: Group[], filter: Filter): Row[] {
   const renderers = visibleRenderers(overview, filter);
   const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean);
+  // A word is part of the row's text, or of the renderer or the verdict of one of its cells.
+  const hasWords = (row: Row): boolean => {
+    const others = words.filter((word) => !row.text.includes(word));
+    if (others.length === 0) return true;
+    return renderers.some((r) => {
+      const cell = row.cells[r] ?? -1;
+      const state = overview.states[overview.cells.state[cell] ?? -1]?.name ?? "";
+      const text = `${overview.renderers[r]?.name ?? ""} ${state}`.toLowerCase();
+      return cell >= 0 && others.every((word) => text.includes(word));
+    });
+  };
   const keeps = (row: Row): boolean =>
-    words.every((word) => row.text.includes(word)) &&
+    hasWords(row) &&
     (filter.suites.length === 0 || filter.suites.includes(row.suite)) &&
     (filter.states.length === 0 ||
       renderers.some((r) => {
@@ -124,9 +163,13 @@ export function visibleRows(overview: Overview, groups: Group[], filter: Filter)
         );
       }));
   const sorted = (rows: Row[]): Row[] => {
-    if (!filter.failuresFirst) return rows;
-    const ranks = new Map(rows.map((row) => [row, worstRank(overview, row, renderers)]));
-    return [...rows].sort((a, b) => (ranks.get(b) ?? 0) - (ranks.get(a) ?? 0));
+    if (filter.order === "given") return rows;
+    const rankOf = (row: Row): number =>
+      filter.order === "failures"
+        ? worstRank(overview, row, renderers)
+        : Math.max(...renderers.map((r) => badness(overview, filter.show, row.cells[r] ?? -1)));
+    const ranks = new Map(rows.map((row) => [row, rankOf(row)]));
+    return [...rows].sort((a, b) => compared(ranks.get(b) ?? 0, ranks.get(a) ?? 0));
   };
   if (filter.byTarget)
     return sorted(groups.flatMap((group) => [...group.targets.values()]).filter(keeps));

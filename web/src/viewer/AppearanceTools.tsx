@@ -1,3 +1,5 @@
+import { offer } from "../common/offer";
+import type { Controls } from "./controls";
 import { ActionButton, ChoiceField, NumberField, type ToolsProps } from "./tools";
 import { kCurves, type Curve, type ViewState } from "./view_state";
 
@@ -9,7 +11,7 @@ const kCurveNames: Record<Curve, string> = {
 };
 
 /** The tools that decide how the values of an image become colours. */
-export function AppearanceTools({ controls: c, actions }: ToolsProps) {
+export function AppearanceTools({ controls: c }: Pick<ToolsProps, "controls">) {
   const { view } = c;
   const set = (change: Partial<ViewState>): void => c.setView({ ...view, ...change });
   return (
@@ -19,12 +21,6 @@ export function AppearanceTools({ controls: c, actions }: ToolsProps) {
         value={view.exposure}
         step={0.5}
         onChange={(exposure) => set({ exposure })}
-      />
-      <NumberField
-        label="offset"
-        value={view.offset}
-        step={0.05}
-        onChange={(offset) => set({ offset })}
       />
       <ChoiceField
         label="Curve"
@@ -57,10 +53,48 @@ export function AppearanceTools({ controls: c, actions }: ToolsProps) {
           onChange={(layer) => set({ layer })}
         />
       ) : null}
+    </span>
+  );
+}
+
+/** Saves the stage as it is shown, and the files of the images. */
+function SaveTools({ controls: c }: { controls: Controls }) {
+  const savePng = (): void =>
+    document
+      .querySelector<HTMLCanvasElement>(".stage canvas")
+      ?.toBlob((png) => png && offer(`${c.front?.name ?? "images"}.png`, png));
+  const address = c.front && c.addressOf(c.front);
+  return (
+    <>
+      <button onClick={savePng} title="the images as they are shown">
+        Save PNG
+      </button>
+      {address ? (
+        <a href={address} download={`${c.front?.name}.exr`} title="the file with all values">
+          Save EXR
+        </a>
+      ) : null}
+    </>
+  );
+}
+
+/** What is needed less often. */
+export function RarerTools({ controls: c, actions }: ToolsProps) {
+  const { view } = c;
+  return (
+    <span class="group" role="group" aria-label="More tools">
+      <NumberField
+        label="offset"
+        value={view.offset}
+        step={0.05}
+        onChange={(offset) => c.setView({ ...view, offset })}
+      />
       <ActionButton actions={actions} action="n" text="Normalise" />
       <ActionButton actions={actions} action="l" text="Log" pressed={view.log} />
       <ActionButton actions={actions} action="z" text="Zebra" pressed={view.zebra} />
       <ActionButton actions={actions} action="r" text="Reset" />
+      <ActionButton actions={actions} action="w" text="Worst tile" />
+      <SaveTools controls={c} />
     </span>
   );
 }

@@ -1,3 +1,5 @@
+import type { RefObject } from "preact";
+import { useRef } from "preact/hooks";
 import { rawFloat } from "../common/format";
 import { valueAt, type Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
@@ -13,6 +15,25 @@ function columns(raster: Raster, chosen: string): number[] {
   return seen < kMost ? all.slice(0, kMost) : [...all.slice(0, kMost - 1), seen];
 }
 
+/** Copies the table of values; where the browser offers no clipboard, selects it. */
+function CopyPixel({ table }: { table: RefObject<HTMLTableElement | null> }) {
+  const copy = async (): Promise<void> => {
+    const rows = [...(table.current?.rows ?? [])].map((row) =>
+      [...row.cells].map((cell) => cell.innerText.trim()).join("\t"),
+    );
+    try {
+      await navigator.clipboard.writeText(rows.join("\n"));
+    } catch {
+      if (table.current) getSelection()?.selectAllChildren(table.current);
+    }
+  };
+  return (
+    <button class="copy-pixel" onClick={() => void copy()} title="the values of this pixel">
+      Copy values
+    </button>
+  );
+}
+
 interface ReadoutProps {
   at: { x: number; y: number } | undefined;
   images: ImageEntry[];
@@ -22,12 +43,14 @@ interface ReadoutProps {
 
 /** The raw values of all images at one pixel. */
 export function Readout({ at, images, rasters, channel: chosen }: ReadoutProps) {
+  const table = useRef<HTMLTableElement>(null);
   const x = at ? Math.floor(at.x) : -1;
   const y = at ? Math.floor(at.y) : -1;
   return (
     <section class="readout" aria-label="Values of the pixel">
       <h3>Pixel {at ? `${x}, ${y}` : ""}</h3>
-      <table>
+      <CopyPixel table={table} />
+      <table ref={table}>
         <tbody>
           {images.map((image) => {
             const loaded = rasters.get(image.name);

@@ -5,6 +5,7 @@ import { StatisticsTable } from "./Histogram";
 import type { RegionMetrics } from "./region_metrics";
 import { isWithin, type Region } from "./statistics";
 import { useRegionMetrics, useStatistics } from "./use_counted";
+import type { Pair } from "./use_front";
 import { isRaster, type Loaded } from "./use_rasters";
 
 // A NaN in the region makes its means NaN, which must not look like a missing value.
@@ -22,19 +23,19 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
   );
 }
 
-/** Mean differences of result and reference. */
+/** Mean differences of A and B. */
 function DifferenceRows({ metrics }: { metrics: RegionMetrics }) {
   return (
     <>
-      <tr title="mean of |result − reference| over R, G, B, linear">
+      <tr title="mean of |A − B| over R, G, B, linear">
         <th scope="row">mean |Δ|</th>
         <td class="number">{text(metrics.absolute)}</td>
       </tr>
-      <tr title="mean of (result − reference)² over R, G, B, linear">
+      <tr title="mean of (A − B)² over R, G, B, linear">
         <th scope="row">mean Δ²</th>
         <td class="number">{text(metrics.squared)}</td>
       </tr>
-      <tr title="mean of result − reference over R, G, B, linear: the bias">
+      <tr title="mean of A − B over R, G, B, linear: the bias">
         <th scope="row">mean Δ</th>
         <td class="number">{text(metrics.signed)}</td>
       </tr>
@@ -46,18 +47,18 @@ interface RegionPanelProps {
   region: Region;
   images: ImageEntry[];
   rasters: Map<string, Loaded>;
+  pair: Pair;
   onClear: () => void;
 }
 
 /** Statistics and metrics of the selected region. */
-export function RegionPanel({ region, images, rasters, onClear }: RegionPanelProps) {
-  const loaded = (kind: string): Raster | undefined => {
-    const image = images.find((one) => one.kind === kind);
-    const raster = image && rasters.get(image.name);
+export function RegionPanel({ region, images, rasters, pair, onClear }: RegionPanelProps) {
+  const loaded = (name: string): Raster | undefined => {
+    const raster = rasters.get(name);
     return isRaster(raster) ? raster : undefined;
   };
-  const result = loaded("result");
-  const reference = loaded("reference");
+  const result = loaded(pair.a);
+  const reference = loaded(pair.b);
   const fitting = (raster: Raster | undefined): Raster | undefined =>
     raster && isWithin(region, raster) ? raster : undefined;
   const statistics = useStatistics(fitting(result), region);
@@ -91,7 +92,7 @@ export function RegionPanel({ region, images, rasters, onClear }: RegionPanelPro
       </table>
       {statistics ? (
         <>
-          <h4>Result in the region</h4>
+          <h4>{pair.a} in the region</h4>
           <StatisticsTable statistics={statistics} />
         </>
       ) : null}

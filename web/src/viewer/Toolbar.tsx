@@ -1,7 +1,8 @@
 import { number } from "../common/format";
-import { AppearanceTools } from "./AppearanceTools";
+import { AppearanceTools, RarerTools } from "./AppearanceTools";
 import { toWorst, zoomTo } from "./controls";
 import { ImageTabs } from "./ImageTabs";
+import { PairTools } from "./PairTools";
 import { ActionButton, type ToolsProps } from "./tools";
 import type { ViewState } from "./view_state";
 import type { Worst } from "./worst";
@@ -44,14 +45,15 @@ function ZoomTools({ controls: c, actions }: ToolsProps) {
       </button>
       <ActionButton actions={actions} action="-" text="−" />
       <ActionButton actions={actions} action="+" text="+" />
+      <ActionButton actions={actions} action="Shift+F" text="Full" pressed={c.full} />
     </span>
   );
 }
 
-/** The rank and the error of a pixel; of many erroneous pixels only the worst can be visited. */
-function worstText({ pixels, count }: Worst, index: number, error: number): string {
-  const all = count > pixels.length ? `the ${pixels.length} worst` : String(count);
-  return `${index + 1} of ${all}: ${number(error, error === Infinity)}`;
+/** The rank and the error of the worst pixel of a spot. */
+function worstText({ pixels }: Worst, index: number, error: number): string {
+  const spots = pixels.length === 1 ? "spot" : "spots";
+  return `${index + 1} of ${pixels.length} ${spots}: ${number(error, error === Infinity)}`;
 }
 
 function ErrorTools({ controls: c, actions }: ToolsProps) {
@@ -70,7 +72,6 @@ function ErrorTools({ controls: c, actions }: ToolsProps) {
         {c.worst && worst ? worstText(c.worst, c.worstIndex, worst.error) : "Worst pixel"}
       </button>
       <ActionButton actions={actions} action="u" text="▸" />
-      <ActionButton actions={actions} action="w" text="Worst tile" />
       <ActionButton actions={actions} action="a" text="Region" pressed={c.selecting} />
       <span class="quiet worst-count" role="status">
         {counted}
@@ -86,9 +87,14 @@ export function Toolbar({ controls, actions }: ToolsProps) {
       <ImageTabs controls={controls} />
       <div class="tools">
         <ArrangementTools controls={controls} actions={actions} />
+        <PairTools controls={controls} actions={actions} />
         <ZoomTools controls={controls} actions={actions} />
-        <AppearanceTools controls={controls} actions={actions} />
+        <AppearanceTools controls={controls} />
         <ErrorTools controls={controls} actions={actions} />
+        <details class="rarer">
+          <summary>More</summary>
+          <RarerTools controls={controls} actions={actions} />
+        </details>
       </div>
     </div>
   );

@@ -1,9 +1,10 @@
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import { useActions } from "../common/keys";
 import type { Session } from "../common/session";
 import type { ImageEntry } from "../data/types";
 import type { Route } from "../route";
 import { viewActions } from "./actions";
+import { differenceEntry } from "./difference";
 import { channelChoices, channelInForce } from "./channels";
 import type { Controls } from "./controls";
 import { HistogramPlot, StatisticsTable } from "./Histogram";
@@ -13,9 +14,11 @@ import { Readout } from "./Readout";
 import { RegionPanel } from "./RegionPanel";
 import { Stage } from "./Stage";
 import { Toolbar } from "./Toolbar";
-import { useFront, type Front } from "./use_front";
+import { extraChoices, useExtraImages, type ViewedTarget } from "./extra_images";
+import { pairOf, useFront, type Front } from "./use_front";
 import { useLoadedImages, type LoadedImages } from "./use_loaded_images";
 import { isRaster } from "./use_rasters";
+import { useRoom } from "./use_room";
 import { useView } from "./use_view";
 import type { ViewState } from "./view_state";
 import type { Worst } from "./worst";
@@ -30,6 +33,7 @@ function useLocalState() {
   const [hover, setHover] = useState<Point>();
   const [selecting, setSelecting] = useState(false);
   const [blinking, setBlinking] = useState(false);
+  const [full, setFull] = useState(false);
   const [visited, setVisited] = useState<{ of: Worst | undefined; index: number }>();
   return {
     hover,
@@ -38,6 +42,8 @@ function useLocalState() {
     setSelecting,
     blinking,
     setBlinking,
+    full,
+    setFull,
     visited,
     setVisited,
   };
@@ -50,7 +56,8 @@ function controlsOf(
   view: ViewState,
   setView: (view: ViewState) => void,
   local: LocalState,
-  { front, ticked }: Front,
+  { front, ticked, pair }: Front,
+  offered: Pick<Controls, "extra" | "addressOf">,
   { raster, size, layers, worst, rangeFor }: LoadedImages,
 ): Controls {
   const { visited, setVisited, setHover } = local;
@@ -73,30 +80,56 @@ function controlsOf(
     setSelecting: local.setSelecting,
     blinking: local.blinking,
     setBlinking: local.setBlinking,
+    full: local.full,
+    setFull: local.setFull,
     channels: channelChoices(raster),
     channel: channelInForce(raster, view.channel),
     // A link may name a layer that these images do not have; another one must still be selectable.
     layers: layers.includes(view.layer) ? layers : [...layers, view.layer],
     ticked,
+    pair,
+    ...offered,
   };
 }
 
 interface ViewerProps {
   session: Session;
+  of: ViewedTarget;
   images: ImageEntry[];
   route: Route;
 }
 
+const addressOf = ({ source, run }: Session, { file, run: own }: ImageEntry): string | undefined =>
+  file ? source.fileAddress(own ?? run, file) : undefined;
+
+/** The images of the target, those that were added, and the difference of the two compared ones. */
+function allImages(own: ImageEntry[], added: ImageEntry[], view: ViewState): ImageEntry[] {
+  const images = [...own, ...added];
+  const { a, b } = pairOf(images, view);
+  return a && b ? [...images, differenceEntry(a, b, view.measure)] : images;
+}
+
 /** The images of a target, with the tools to compare them. */
-export function Viewer({ session, images, route }: ViewerProps) {
+export function Viewer({ session, of, images: own, route }: ViewerProps) {
   const [view, setView] = useView(route);
+  const added = useExtraImages(session, of, view.more);
+  const images = allImages(own, added.images, view);
   const local = useLocalState();
   const inFront = useFront(images, view, local.blinking);
   const data = useLoadedImages(session, images, view, inFront);
-  const controls = controlsOf(images, view, setView, local, inFront, data);
-  const { front, settings } = controls;
+  const controls = controlsOf(
+    images,
+    view,
+    setView,
+    local,
+    inFront,
+    { extra: extraChoices(session, of), addressOf: (image) => addressOf(session, image) },
+    data,
+  );
   const actions = viewActions(controls);
   useActions(actions);
+  const main = useRef<HTMLDivElement>(null);
+  const room = useRoom(main, local.full);
   if (images.length === 0)
     return <p class="quiet no-images">There are no images: nothing was rendered.</p>;
   const marked = data.worst?.pixels[controls.worstIndex];
@@ -106,10 +139,15 @@ export function Viewer({ session, images, route }: ViewerProps) {
     range: data.rangeFor(image),
   }));
   return (
-    <section class="viewer" aria-label="Images">
+    <section
+      class={`viewer ${local.full ? "full" : ""}`}
+      aria-label="Images"
+      style={{ "--room": `${room}px` }}
+    >
       <Toolbar controls={controls} actions={actions} />
+      <Problems texts={added.problems} />
       <div class="viewer-body">
-        <div class="viewer-main">
+        <div class="viewer-main" ref={main}>
           <Stage
             shown={shown}
             loaded={[...data.rasters.values()].filter(isRaster)}
@@ -121,18 +159,35 @@ export function Viewer({ session, images, route }: ViewerProps) {
             onHover={local.setHover}
             onRegion={(region) => setView({ ...view, region })}
           />
-          {settings?.falseColour && front ? (
-            <Legend
-              image={front}
-              settings={settings}
-              onLog={() => setView({ ...view, log: !view.log })}
-              onEnd={(end) => setView({ ...view, ends: endsWith(view.ends, front.name, end) })}
-            />
-          ) : null}
+          <Scale controls={controls} />
         </div>
         <Side controls={controls} data={data} at={local.hover ?? marked} />
       </div>
     </section>
+  );
+}
+
+/** Why images that were asked for are not there. */
+const Problems = ({ texts }: { texts: string[] }) => (
+  <>
+    {texts.map((text) => (
+      <p role="alert" key={text}>
+        {text}
+      </p>
+    ))}
+  </>
+);
+
+/** The colour scale of the image in front, if it is shown in false colour. */
+function Scale({ controls: { front, settings, view, setView } }: { controls: Controls }) {
+  if (!settings?.falseColour || !front) return null;
+  return (
+    <Legend
+      image={front}
+      settings={settings}
+      onLog={() => setView({ ...view, log: !view.log })}
+      onEnd={(end) => setView({ ...view, ends: endsWith(view.ends, front.name, end) })}
+    />
   );
 }
 
@@ -177,6 +232,7 @@ function Side({ controls, data, at }: SideProps) {
           region={view.region}
           images={images}
           rasters={rasters}
+          pair={controls.pair}
           onClear={() => setView({ ...view, region: undefined })}
         />
       ) : null}

@@ -1,7 +1,8 @@
 import type { Action } from "../common/keys";
 import { nudge, normalise, toWorst, toWorstTile, zoomTo, type Controls } from "./controls";
 import { fitZoom } from "./geometry";
-import { kCurves, kDefaultView, kModes, type ViewState } from "./view_state";
+import { kDifference } from "./difference";
+import { kCurves, kDefaultView, kMeasures, kModes, type ViewState } from "./view_state";
 
 function next<T>(list: readonly T[], now: T): T {
   return list[(list.indexOf(now) + 1) % list.length] ?? now;
@@ -20,6 +21,8 @@ function imageActions(c: Controls): Action[] {
   const { view } = c;
   const set = setter(c);
   const maps = c.images.filter((image) => image.kind === "map");
+  const pictures = c.images.filter((image) => image.kind !== "map").map(({ name }) => name);
+  const { [kDifference]: _, ...ends } = view.ends;
   return [
     ...c.images.slice(0, 9).map((image, i) =>
       act(String(i + 1), `show ${image.name}`, () => {
@@ -28,9 +31,16 @@ function imageActions(c: Controls): Action[] {
       }),
     ),
     // For the help only: useFront shows the reference while the key is held.
-    act("Shift", "show the reference", () => undefined, "hold Shift"),
+    act("Shift", "show image B (the reference)", () => undefined, "hold Shift"),
+    act("h", "difference of A and B, or A", () =>
+      set({ image: c.front?.name === kDifference ? c.pair.a : kDifference }),
+    ),
+    act("b", "next image as B", () => set({ b: next(pictures, c.pair.b) })),
+    act("i", "next measure of the difference", () =>
+      set({ measure: next(kMeasures, view.measure), ends }),
+    ),
     act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
-    act("s", "swipe between image and reference", () =>
+    act("s", "swipe between the image and B", () =>
       set({ mode: view.mode === "swipe" ? "flip" : "swipe" }),
     ),
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
@@ -73,6 +83,7 @@ function zoomActions(c: Controls): Action[] {
     act(key, "move by a pixel", () => nudge(c, dx, dy), "← → ↑ ↓");
   return [
     act("f", "fit to the window", () => set({ zoom: 0 })),
+    act("Shift+F", "fill the window with the images", () => c.setFull(!c.full)),
     act("0", "one screen pixel per pixel", () => zoomTo(c, 1)),
     act("+", "zoom in", () => zoomTo(c, Math.min(256, zoom * 2))),
     act("-", "zoom out", () => zoomTo(c, Math.max(1 / 16, zoom / 2))),
@@ -93,8 +104,15 @@ function errorActions(c: Controls): Action[] {
   ];
 }
 
+/** Escape ends what was begun in the viewer; without that it leaves for the overview. */
+function escapeActions(c: Controls): Action[] {
+  if (c.selecting) return [act("Escape", "stop drawing", () => c.setSelecting(false))];
+  return c.full ? [act("Escape", "leave the full window", () => c.setFull(false))] : [];
+}
+
 /** Everything that the viewer can do, by key; the toolbar has a button for each. */
 export const viewActions = (c: Controls): Action[] => [
+  ...escapeActions(c),
   ...imageActions(c),
   ...appearanceActions(c),
   ...zoomActions(c),

@@ -3,6 +3,7 @@ import type { Size } from "./geometry";
 import type { PaintSettings } from "./paint_settings";
 import type { Range } from "./statistics";
 import type { ViewState } from "./view_state";
+import type { Pair } from "./use_front";
 import type { Worst } from "./worst";
 
 /** All that the keys and the buttons of the viewer act on. */
@@ -24,12 +25,20 @@ export interface Controls {
   setSelecting: (on: boolean) => void;
   blinking: boolean;
   setBlinking: (on: boolean) => void;
+  /** The viewer fills the window. */
+  full: boolean;
+  setFull: (on: boolean) => void;
   /** Channels that the image in front offers, and the one that is shown. */
   channels: { value: string; label: string }[];
   channel: string;
   layers: string[];
   /** Names of the images of blink and side by side. */
   ticked: string[];
+  pair: Pair;
+  /** Names of images that can be added. */
+  extra: string[];
+  /** Address of the file of an image; undefined if it has none that can be saved. */
+  addressOf: (image: ImageEntry) => string | undefined;
 }
 
 /** Centres a pixel, at a zoom of at least `least`. */

@@ -74,6 +74,19 @@ export function usePointer(options: Options) {
   const start = useRef<Point | undefined>(undefined);
   const heldC = useRef(false); // a change does not render the component again
   useHeldKey("c", (held) => void (heldC.current = held));
+  useEffect(() => {
+    // Before all other listeners: Escape while a region is drawn ends the drawing and nothing else.
+    const cancel = (event: KeyboardEvent): void => {
+      if (event.key !== "Escape" || !start.current) return;
+      event.stopImmediatePropagation();
+      event.preventDefault();
+      start.current = undefined;
+      down.current.clear();
+      now.current.onRegion(undefined);
+    };
+    addEventListener("keydown", cancel, { capture: true });
+    return () => removeEventListener("keydown", cancel, { capture: true });
+  }, []);
   useWheel(now);
   const moved = (event: PointerEvent): void => {
     const { current } = now;

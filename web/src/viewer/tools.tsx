@@ -53,18 +53,19 @@ export function NumberField({ label, value, step, onChange }: NumberProps) {
 }
 
 interface ChoiceProps {
-  /** For screen readers only: the visible choice explains itself. */
+  /** For screen readers only, unless it is `shown`: most visible choices explain themselves. */
   label: string;
+  shown?: boolean;
   title: string;
   value: string;
   choices: { value: string; label: string }[];
   onChange: (value: string) => void;
 }
 
-export function ChoiceField({ label, title, value, choices, onChange }: ChoiceProps) {
+export function ChoiceField({ label, shown, title, value, choices, onChange }: ChoiceProps) {
   return (
     <label class="field">
-      <span class="unseen">{label}</span>
+      <span class={shown ? "" : "unseen"}>{label}</span>
       <select value={value} title={title} onChange={(event) => onChange(event.currentTarget.value)}>
         {choices.map((one) => (
           <option key={one.value} value={one.value}>

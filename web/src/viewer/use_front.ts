@@ -23,23 +23,42 @@ export interface Front {
   visible: ImageEntry[];
   /** Names of the images of blink and side by side. */
   ticked: string[];
+  /** The images that are compared, as far as they are there. */
+  pair: Pair;
 }
 
-/** Which images are shown: Shift comes before blinking, and blinking before the chosen image. */
+/** Names of two images that are compared; "" if there is none. */
+export interface Pair {
+  a: string;
+  b: string;
+}
+
+/** A is the result and B the reference, unless the view names others that are there. */
+export function pairOf(images: ImageEntry[], view: ViewState): Pair {
+  const named = (name: string, kind: string): string =>
+    (
+      images.find((image) => image.name === name && image.kind !== "map") ??
+      images.find((image) => image.kind === kind)
+    )?.name ?? "";
+  return { a: named(view.a, "result"), b: named(view.b, "reference") };
+}
+
+/** Which images are shown: Shift (image B) comes before blinking, and blinking before the chosen image. */
 export function useFront(images: ImageEntry[], view: ViewState, blinking: boolean): Front {
   const [shift, setShift] = useState(false);
   useHeldKey("shift", setShift);
-  const reference = images.find((image) => image.kind === "reference");
+  const pair = pairOf(images, view);
+  const [imageA, imageB] = [pair.a, pair.b].map((name) => images.find((one) => one.name === name));
   const chosen = images.find((image) => image.name === view.image) ?? images[0];
   const names = view.ticked.filter((name) => images.some((image) => image.name === name));
   const ticked = names.length > 0 ? names : images.slice(0, 2).map((image) => image.name);
   const blink = useBlink(blinking, ticked);
-  const front = (shift && reference) || images.find((image) => image.name === blink) || chosen;
-  const other = front?.kind === "reference" ? images[0] : reference;
+  const front = (shift && imageB) || images.find((image) => image.name === blink) || chosen;
+  const other = front === imageB ? imageA : imageB;
   const visible = useMemo((): ImageEntry[] => {
     if (!front) return [];
     if (view.mode === "side") return images.filter((image) => ticked.includes(image.name));
     return view.mode === "swipe" && other && other !== front ? [front, other] : [front];
   }, [images, view.mode, front, other, ticked.join()]);
-  return { front, visible, ticked };
+  return { front, visible, ticked, pair };
 }

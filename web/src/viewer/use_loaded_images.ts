@@ -4,7 +4,9 @@ import type { ImageEntry } from "../data/types";
 import { seenChannels } from "./channels";
 import type { Size } from "./geometry";
 import { isMap } from "./paint_settings";
+import { kDifference } from "./difference";
 import { rangeOf, type Range, type Statistics } from "./statistics";
+import { useDifference } from "./use_difference";
 import type { Front } from "./use_front";
 import { knownStatistics, useStatistics, useWorst } from "./use_counted";
 import { isRaster, useRasters, type Loaded } from "./use_rasters";
@@ -54,18 +56,27 @@ export function useLoadedImages(
   session: Session,
   images: ImageEntry[],
   view: ViewState,
-  { front, visible }: Front,
+  { front, visible, pair }: Front,
 ): LoadedImages {
-  const ofKind = (kind: string): ImageEntry[] => images.filter((image) => image.kind === kind);
-  const wanted = [...ofKind("result"), ...ofKind("reference"), ...visible].map(({ name }) => name);
-  const rasters = useRasters(session, images, [...new Set(wanted)], view.layer);
+  const wanted = [pair.a, pair.b, ...visible.map(({ name }) => name)];
+  const files = useRasters(session, images, [...new Set(wanted)], view.layer);
+  const loadedAs = (name: string): Raster | undefined => {
+    const loaded = files.get(name);
+    return isRaster(loaded) ? loaded : undefined;
+  };
+  const [result, reference] = [loadedAs(pair.a), loadedAs(pair.b)];
+  const isSeen = visible.some(({ name }) => name === kDifference);
+  const difference = useDifference(
+    isSeen ? result : undefined,
+    isSeen ? reference : undefined,
+    view.measure,
+  );
+  const rasters = new Map(files).set(kDifference, difference);
   const rasterOf = (image: ImageEntry | undefined): Raster | undefined => {
     const loaded = image && rasters.get(image.name);
     return isRaster(loaded) ? loaded : undefined;
   };
   const raster = rasterOf(front);
-  const result = rasterOf(ofKind("result")[0]);
-  const reference = rasterOf(ofKind("reference")[0]);
   const worst = useErrors(raster, result, reference, front !== undefined && isMap(front));
   const statistics = useStatistics(raster, undefined);
   const layered = view.layer !== "";

@@ -20,7 +20,7 @@ export function useRasters(
   const requested = useRef(new Set<string>());
   const abort = useRef(new AbortController());
   const { source, run } = session;
-  const key = images.map((image) => image.file).join("\n");
+  const key = images.map((image) => `${image.run ?? run} ${image.file}`).join("\n");
   useEffect(() => {
     abort.current = new AbortController();
     requested.current = new Set();
@@ -30,7 +30,8 @@ export function useRasters(
   useEffect(() => {
     const { signal } = abort.current;
     for (const image of images) {
-      if (!wanted.includes(image.name) || requested.current.has(image.name)) continue;
+      if (!image.file || !wanted.includes(image.name) || requested.current.has(image.name))
+        continue;
       requested.current.add(image.name);
       const put = (value: Loaded): void => {
         if (!signal.aborted) setLoaded((old) => new Map(old).set(image.name, value));
@@ -38,7 +39,7 @@ export function useRasters(
       // A map has no layers, whichever layer is chosen for the images.
       const own = image.kind === "map" ? "" : layer;
       source
-        .raster(run, image.file, own, signal)
+        .raster(image.run ?? run, image.file, own, signal)
         .then(put, (error: unknown) => put({ problem: `${image.name}: ${messageOf(error)}` }));
     }
   }, [source, run, key, layer, wanted.join("\n")]);

@@ -2,6 +2,11 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { note, type Route } from "../route";
 import { parseView, viewQuery, type ViewState } from "./view_state";
 
+let writePending = (): void => undefined;
+
+/** Writes the last change of the view to the address now, so that a link can take it along. */
+export const flushView = (): void => writePending();
+
 const kWriteDelay_ms = 250; // browsers allow about a hundred changes of the address in 30 seconds
 
 /** The view, kept equal to the address: its own changes are written there after a short delay. */
@@ -15,17 +20,26 @@ export function useView(route: Route): [ViewState, (view: ViewState) => void] {
     written.current = address;
     setView(parseView(route.query));
   }, [address]);
-  useEffect(() => () => clearTimeout(timer.current), []);
+  useEffect(
+    () => () => {
+      clearTimeout(timer.current);
+      writePending = () => undefined;
+    },
+    [],
+  );
   return [
     view,
     (next) => {
       setView(next);
       clearTimeout(timer.current);
-      timer.current = setTimeout(() => {
+      writePending = () => {
+        clearTimeout(timer.current);
         timer.current = undefined;
+        writePending = () => undefined;
         written.current = JSON.stringify(viewQuery(next));
         note(viewQuery(next));
-      }, kWriteDelay_ms);
+      };
+      timer.current = setTimeout(writePending, kWriteDelay_ms);
     },
   ];
 }

@@ -2,9 +2,14 @@
 
 export type Mode = "flip" | "swipe" | "side";
 export type Curve = "srgb" | "gamma" | "linear" | "false";
+export type Measure = "signed" | "absolute" | "relative" | "squared" | "flip";
 
 export interface ViewState {
   image: string; // name of the image in front
+  a: string; // names of the images that are compared: A is compared with B
+  b: string;
+  measure: Measure; // of their difference
+  more: string[]; // names of images beside those of the target
   mode: Mode;
   zoom: number; // screen pixels per pixel; 0 fits the whole image
   x: number; // position in the image at the centre of a pane
@@ -25,6 +30,10 @@ export interface ViewState {
 
 export const kDefaultView: ViewState = {
   image: "result",
+  a: "result",
+  b: "reference",
+  measure: "signed",
+  more: [],
   mode: "flip",
   zoom: 0,
   x: 0,
@@ -52,6 +61,7 @@ const oneOf = <T extends string>(text: string | undefined, allowed: readonly T[]
   allowed.find((one) => one === text) ?? fallback;
 
 export const kModes: readonly Mode[] = ["flip", "swipe", "side"];
+export const kMeasures: readonly Measure[] = ["signed", "absolute", "relative", "squared", "flip"];
 export const kCurves: readonly Curve[] = ["srgb", "gamma", "linear", "false"];
 
 export function parseView(query: Record<string, string>): ViewState {
@@ -63,6 +73,10 @@ export function parseView(query: Record<string, string>): ViewState {
   }
   return {
     image: query["img"] || kDefaultView.image,
+    a: query["a"] || kDefaultView.a,
+    b: query["b"] || kDefaultView.b,
+    measure: oneOf(query["diff"], kMeasures, "signed"),
+    more: query["more"] ? query["more"].split("|") : [],
     mode: oneOf(query["mode"], kModes, "flip"),
     zoom: Math.min(512, Math.max(0, finite(query["zoom"], 0))),
     x: finite(query["x"], 0),
@@ -92,6 +106,10 @@ export function viewQuery(view: ViewState): Record<string, string> {
   const unless = (value: number, usual: number): string => (value === usual ? "" : short(value));
   return {
     img: view.image === kDefaultView.image ? "" : view.image,
+    a: view.a === kDefaultView.a ? "" : view.a,
+    b: view.b === kDefaultView.b ? "" : view.b,
+    diff: view.measure === "signed" ? "" : view.measure,
+    more: view.more.join("|"),
     mode: view.mode === "flip" ? "" : view.mode,
     zoom: unless(view.zoom, 0),
     x: view.zoom ? short(view.x) : "",

@@ -8,7 +8,7 @@ export interface WorstPixel {
 }
 
 export interface Worst {
-  /** The pixels with the largest errors, in descending order. */
+  /** The worst pixels of separate spots, at least kApart pixels apart, in descending order. */
   pixels: WorstPixel[];
   /** Number of pixels with an error above 0. */
   count: number;
@@ -17,58 +17,65 @@ export interface Worst {
 }
 
 const kMost = 1000;
+const kApart = 8;
 const kTile = 32;
 
-/** The kMost largest errors, in a binary heap with the smallest of them at the root. */
-class Largest {
-  private readonly errors = new Float64Array(kMost);
-  private readonly places = new Float64Array(kMost);
-  private size = 0;
+/** The largest error of each square of kApart pixels, and its place; 0 where there is none. */
+class Spots {
+  private readonly columns: number;
+  private readonly errors: Float64Array;
+  private readonly places: Float64Array;
 
-  get least(): number {
-    return this.size < kMost ? -Infinity : (this.errors[0] ?? 0);
+  constructor(
+    private readonly width: number,
+    height: number,
+  ) {
+    this.columns = Math.ceil(width / kApart);
+    const count = this.columns * Math.ceil(height / kApart);
+    this.errors = new Float64Array(count);
+    this.places = new Float64Array(count);
   }
 
-  add(error: number, place: number): void {
-    if (this.size < kMost) {
-      let at = this.size++;
-      for (
-        let parent = (at - 1) >> 1;
-        at > 0 && (this.errors[parent] ?? 0) > error;
-        parent = (at - 1) >> 1
-      ) {
-        this.move(parent, at);
-        at = parent;
-      }
-      this.put(at, error, place);
-      return;
-    }
-    let at = 0;
-    for (;;) {
-      let child = 2 * at + 1;
-      if (child >= this.size) break;
-      if (child + 1 < this.size && (this.errors[child + 1] ?? 0) < (this.errors[child] ?? 0))
-        ++child;
-      if ((this.errors[child] ?? 0) >= error) break;
-      this.move(child, at);
-      at = child;
-    }
-    this.put(at, error, place);
-  }
-
-  sorted(): { error: number; place: number }[] {
-    return Array.from({ length: this.size }, (_, i) => ({
-      error: this.errors[i] ?? 0,
-      place: this.places[i] ?? 0,
-    })).sort((a, b) => b.error - a.error || a.place - b.place);
-  }
-
-  private move(from: number, to: number): void {
-    this.put(to, this.errors[from] ?? 0, this.places[from] ?? 0);
-  }
-  private put(at: number, error: number, place: number): void {
+  add(error: number, x: number, y: number): void {
+    const at = Math.floor(y / kApart) * this.columns + Math.floor(x / kApart);
+    if (error <= (this.errors[at] ?? 0)) return;
     this.errors[at] = error;
-    this.places[at] = place;
+    this.places[at] = y * this.width + x;
+  }
+
+  /**
+   * The largest errors, the largest first, without those that are nearer than kApart to a larger one: what
+   * a walk over the worst pixels along one edge would show is one spot.
+   */
+  apart(): WorstPixel[] {
+    const order = [...this.errors.keys()].filter((at) => (this.errors[at] ?? 0) > 0);
+    order.sort(
+      (a, b) =>
+        (this.errors[b] ?? 0) - (this.errors[a] ?? 0) ||
+        (this.places[a] ?? 0) - (this.places[b] ?? 0),
+    );
+    const kept = new Map<number, WorstPixel>(); // by square
+    for (const at of order) {
+      const place = this.places[at] ?? 0;
+      const spot = { x: place % this.width, y: Math.floor(place / this.width) };
+      if (this.isNear(kept, at, spot)) continue;
+      kept.set(at, { ...spot, error: this.errors[at] ?? 0 });
+      if (kept.size === kMost) break;
+    }
+    return [...kept.values()];
+  }
+
+  private isNear(
+    kept: Map<number, WorstPixel>,
+    at: number,
+    { x, y }: { x: number; y: number },
+  ): boolean {
+    for (const row of [-1, 0, 1])
+      for (const column of [-1, 0, 1]) {
+        const other = kept.get(at + row * this.columns + column);
+        if (other && Math.abs(other.x - x) < kApart && Math.abs(other.y - y) < kApart) return true;
+      }
+    return false;
   }
 }
 
@@ -102,7 +109,7 @@ export async function worstOf(
   reference: Raster | undefined,
   signal: AbortSignal,
 ): Promise<Worst> {
-  const largest = new Largest();
+  const spots = new Spots(raster.width, raster.height);
   const columns = Math.ceil(raster.width / kTile);
   const sums = new Float64Array(columns * Math.ceil(raster.height / kTile));
   let count = 0;
@@ -115,7 +122,7 @@ export async function worstOf(
       ++count;
       const tile = row + Math.floor(((begin + i) % raster.width) / kTile);
       sums[tile] = (sums[tile] ?? 0) + Math.min(error, 1e30);
-      if (error > largest.least) largest.add(error, begin + i);
+      spots.add(error, (begin + i) % raster.width, Math.floor((begin + i) / raster.width));
     }
   });
   let best = -1;
@@ -131,11 +138,7 @@ export async function worstOf(
   const x = (best % columns) * kTile;
   const y = Math.floor(best / columns) * kTile;
   return {
-    pixels: largest.sorted().map(({ error, place }) => ({
-      x: place % raster.width,
-      y: Math.floor(place / raster.width),
-      error,
-    })),
+    pixels: spots.apart(),
     count,
     tile:
       best < 0

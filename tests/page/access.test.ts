@@ -1,0 +1,75 @@
+// axe-core finds nothing serious on any view, in light and dark, on a desktop and a phone.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
+import { drawn, launch, open } from "./browser";
+import { Scratch, serve, type Served } from "./runs";
+
+const source = process.env["ORBS_SOURCE_DIR"] ?? "";
+const axe = createRequire(join(source, "web/package.json"))("axe-core") as { source: string };
+
+const scratch = new Scratch();
+let browser: Browser;
+let small: Served;
+
+before(async () => {
+  browser = await launch();
+  small = await serve(scratch.run("small"), scratch.run("before"));
+});
+
+after(async () => {
+  await browser?.close();
+  small?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+interface Violation {
+  id: string;
+  impact: string;
+  nodes: { html: string; failureSummary: string }[];
+}
+
+const views: Record<string, { address: string; ready: string; image?: string }> = {
+  overview: { address: "#/?by=target", ready: ".cell a" },
+  gallery: { address: "#/?as=gallery&q=known", ready: ".picture img" },
+  target: { address: "#/case/m1_values/values/one", ready: ".readout", image: "result" },
+  difference: {
+    address: "#/case/m1_values/values/one?more=two&b=two&img=difference",
+    ready: ".legend",
+    image: "difference",
+  },
+  compare: { address: "#/compare", ready: ".compare section" },
+  charts: { address: "#/charts", ready: ".plot canvas" },
+};
+
+for (const [name, { address, ready, image }] of Object.entries(views))
+  for (const look of [
+    { colorScheme: "light", viewport: { width: 1280, height: 900 } },
+    { colorScheme: "dark", viewport: { width: 390, height: 844 } },
+  ] as const)
+    test(`${name} is accessible, ${look.colorScheme}, ${look.viewport.width} px wide`, async () => {
+      const { page } = await open(browser, small.url + address, look);
+      await page.locator(ready).first().waitFor();
+      if (image) await drawn(page, image);
+      await page.evaluate(axe.source);
+      const violations = await page.evaluate(async () => {
+        const { axe: own } = globalThis as unknown as {
+          axe: { run: (options: object) => Promise<{ violations: Violation[] }> };
+        };
+        return (await own.run({ resultTypes: ["violations"] })).violations;
+      });
+      const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      assert.deepEqual(
+        serious.map(
+          ({ id, nodes }) =>
+            `${id}: ${nodes
+              .slice(0, 3)
+              .map((node) => node.html)
+              .join(" ")}`,
+        ),
+        [],
+      );
+      await page.close();
+    });

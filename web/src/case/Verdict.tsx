@@ -1,0 +1,36 @@
+import { reasonOf, stateOf, type Session } from "../common/session";
+import { StateMark } from "../common/StateMark";
+
+const kNone = "none of the usual faults";
+
+interface Props {
+  session: Session;
+  index: number;
+  /** Which usual fault explains a failure; "" if none was tried. */
+  diagnosis: string;
+}
+
+/** The verdict with its first reason and the diagnosis; the other reasons are folded away. */
+export function Verdict({ session, index, diagnosis }: Props) {
+  const [first = "", ...others] = reasonOf(session.overview, index).split("; ");
+  return (
+    <div class="reason">
+      <StateMark state={stateOf(session.overview, index)} /> {first}
+      {others.length > 0 ? (
+        <details class="more-reasons">
+          <summary>and {others.length} more</summary>
+          <ul>
+            {others.map((reason) => (
+              <li key={reason}>{reason}</li>
+            ))}
+          </ul>
+        </details>
+      ) : null}
+      {diagnosis ? (
+        <span class={`diagnosis ${diagnosis.startsWith(kNone) ? "quiet" : ""}`}>
+          Diagnosis: {diagnosis}
+        </span>
+      ) : null}
+    </div>
+  );
+}

@@ -1,0 +1,98 @@
+// Differences of two images, computed from their values: A − B in several measures.
+import { floatsOf, type Raster } from "../data/raster";
+import type { ImageEntry } from "../data/types";
+import { flipMap } from "./flip";
+import { forEachRow } from "./statistics";
+import type { Measure } from "./view_state";
+
+interface Kind {
+  label: string;
+  /** What the values are, with the names of the images for A and B. */
+  definition: string;
+  signed: boolean;
+  /** Fixed, so that maps of different images can be compared. */
+  scaleMaximum: number;
+}
+
+export const kMeasureKinds: Record<Measure, Kind> = {
+  signed: { label: "A − B", definition: "A − B", signed: true, scaleMaximum: 0.2 },
+  absolute: { label: "|A − B|", definition: "|A − B|", signed: false, scaleMaximum: 0.2 },
+  relative: {
+    label: "relative",
+    definition: "(A − B) / (|B| + 0.01)",
+    signed: true,
+    scaleMaximum: 0.5,
+  },
+  squared: { label: "squared", definition: "(A − B)²", signed: false, scaleMaximum: 0.04 },
+  flip: {
+    label: "FLIP",
+    definition: "LDR-FLIP of A and B (Andersson et al. 2020), clamped to [0, 1], 67 px per degree",
+    signed: false,
+    scaleMaximum: 1,
+  },
+};
+
+export const kDifference = "difference";
+
+/** The entry of the difference among the images; its pixels are computed, not loaded. */
+export function differenceEntry(a: string, b: string, measure: Measure): ImageEntry {
+  const { definition, signed, scaleMaximum } = kMeasureKinds[measure];
+  const where = measure === "flip" ? "" : " in each channel; linear";
+  return {
+    name: kDifference,
+    kind: "map",
+    file: "",
+    definition: `${definition}${where}; A is ${a}, B is ${b}`,
+    signed,
+    scale_maximum: scaleMaximum,
+  };
+}
+
+const kFormulas: Record<Exclude<Measure, "flip">, (a: number, b: number) => number> = {
+  signed: (a, b) => a - b,
+  absolute: (a, b) => Math.abs(a - b),
+  relative: (a, b) => (a - b) / (Math.abs(b) + 0.01),
+  squared: (a, b) => (a - b) * (a - b),
+};
+
+/** Throws an Error with a message if the images cannot be subtracted. */
+export async function differenceOf(
+  a: Raster,
+  b: Raster,
+  measure: Measure,
+  signal: AbortSignal,
+): Promise<Raster> {
+  const { width, height } = a;
+  if (width !== b.width || height !== b.height)
+    throw new Error(
+      `there is no difference of ${width} × ${height} and ${b.width} × ${b.height} pixels`,
+    );
+  const names = a.channels.slice(0, Math.min(3, b.channels.length));
+  const exact = [...a.channels, ...b.channels].every((channel) => channel.exact);
+  const raster = (planes: Float32Array[], channels: string[]): Raster => ({
+    width,
+    height,
+    layer: "",
+    layers: [""],
+    channels: channels.map((name) => ({ name, type: "float", exact })),
+    attributes: {},
+    planes,
+  });
+  if (measure === "flip") {
+    if (names.length < 3) throw new Error("FLIP needs the channels R, G and B");
+    return raster([await flipMap(a, b, signal)], ["FLIP"]);
+  }
+  const formula = kFormulas[measure];
+  const planes = names.map(() => new Float32Array(width * height));
+  await forEachRow(a, undefined, signal, (begin, end) => {
+    planes.forEach((plane, c) => {
+      const [one, other] = [floatsOf(a, c, begin, end), floatsOf(b, c, begin, end)];
+      for (let i = 0; i < one.length; ++i)
+        plane[begin + i] = formula(one[i] ?? NaN, other[i] ?? NaN);
+    });
+  });
+  return raster(
+    planes,
+    names.map(({ name }) => name),
+  );
+}
