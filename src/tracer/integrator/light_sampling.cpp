@@ -58,7 +58,7 @@ EmissionHit emission_at_surface(const World& world,
   const float cosine = std::abs(dot(surface.point.geometric_normal, ray.direction));
   // Of emissive surfaces, only triangles are in the table of emitters.
   const bool is_light_sampled =
-      material.emitter_pdf_per_area > 0 && world.objects[surface.hit.object].kind != ObjectKind::Sphere;
+      material.emitter_pdf_per_area > 0 && !is_analytic(world.objects[surface.hit.object].kind);
   return {emitted_radiance(world, material, apply(material.radiance.uv, texture_coordinates(world, surface))),
           is_light_sampled && cosine > 0 ? material.emitter_pdf_per_area * dot(d, d) / cosine : 0,
           is_light_sampled};
