@@ -167,10 +167,10 @@ class PlyReader {
     return row_;
   }
 
-  float value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
+  double value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
     for (const char* name : names)
       if (const auto found = row.find(name); found != row.end() && !found->second.empty())
-        return static_cast<float>(found->second.front());
+        return found->second.front();
     if (is_required)
       fail(fmt::format("vertices lack the property '{}'{}", *names.begin(),
                        std::string_view(*names.begin()).starts_with('n')
@@ -185,16 +185,19 @@ class PlyReader {
     const bool has_normals = std::any_of(element.properties.begin(), element.properties.end(),
                                          [](const Property& property) { return property.name == "nx"; });
     out_.lacks_normals = !has_normals && normals_ == FileNormals::MayLack;
+    std::vector<Vec3d> positions;
     for (std::size_t i = 0; i < element.count; ++i) {
       const Row& row = read_row(element);
-      mesh.positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
+      const auto rounded = [&](std::initializer_list<const char*> names, bool is_required) {
+        return static_cast<float>(value(row, names, is_required));
+      };
+      positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
       const bool needs = !out_.lacks_normals;
-      mesh.normals.push_back(
-          {value(row, {"nx"}, needs), value(row, {"ny"}, needs), value(row, {"nz"}, needs)});
-      mesh.tangents.push_back(
-          {value(row, {"tx"}, false), value(row, {"ty"}, false), value(row, {"tz"}, false)});
-      mesh.uvs.push_back({value(row, {"u", "s"}, false), value(row, {"v", "t"}, false)});
+      mesh.normals.push_back({rounded({"nx"}, needs), rounded({"ny"}, needs), rounded({"nz"}, needs)});
+      mesh.tangents.push_back({rounded({"tx"}, false), rounded({"ty"}, false), rounded({"tz"}, false)});
+      mesh.uvs.push_back({rounded({"u", "s"}, false), rounded({"v", "t"}, false)});
     }
+    place_vertices(positions, out_);
   }
 
   void read_faces(const Element& element) {
