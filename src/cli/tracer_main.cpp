@@ -13,6 +13,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -215,6 +216,11 @@ void stamp(orbs::tracer::Rendering& rendering,
     header["orbs.stokes"] =
         "S0 to S3 in the frame of the image, for a viewer who faces the source: S1 > 0 horizontal, S2 > 0 at "
         "+45 degrees (right and up), S3 > 0 right-circular (the field rotates clockwise)";
+  if (!world.solids.empty()) {
+    const auto counts = orbs::tracer::root_counts(world.solids);
+    header["orbs.undecided_roots"] = std::to_string(counts.undecided);
+    header["orbs.unfinished_roots"] = std::to_string(counts.unfinished);
+  }
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 
@@ -252,6 +258,8 @@ int run(const Options& options) {
   if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
   if (options.light_connections == "always")
     world.connects_light_vertices = tracer::supports_light_connections(world);
+  // What the trial rendering met is no part of the image.
+  for (auto& solid : world.solids) solid.counts = std::make_unique<tracer::RootCounts>();
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);

@@ -29,6 +29,16 @@ std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
       return fmt::format(
           "{} is a sphere and no thin optical element: an axis can be projected into flat surfaces only",
           display_name("shape", scene.spheres[i].name, i));
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    bool is_shown = false;
+    for_each_leaf(scene.shapes[i], scene.shapes[i].material,
+                  [&](const Shape&, int own) { is_shown = is_shown || own == material; });
+    if (is_shown)
+      return fmt::format(
+          "{} is {} and no thin optical element: an axis can be projected into the flat surfaces of meshes only",
+          display_name("shape", scene.shapes[i].name, scene.spheres.size() + i),
+          what_is(scene.shapes[i].form));
+  }
   return "";
 }
 

@@ -114,6 +114,10 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     note(found, {Effect::AnalyticShape, true, "is a sphere by its formula"},
          display_name("shape", scene.spheres[i].name, i));
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    note(found,
+         {Effect::AnalyticShape, true, fmt::format("is {} by its formula", what_is(scene.shapes[i].form))},
+         display_name("shape", scene.shapes[i].name, scene.spheres.size() + i));
 }
 
 void add_outputs(const Scene& scene, SceneEffects& found) {

@@ -4,6 +4,7 @@
 #include "scene/lower_light.h"
 
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,6 +46,24 @@ const char* level_for(Effect effect) {
 
 }  // namespace
 
+std::vector<CalledFeature> features_of_shapes(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    features.push_back(
+        {"S1", display_name("shape", scene.spheres[i].name, i) + " is a sphere by its formula"});
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const auto name = display_name("shape", scene.shapes[i].name, scene.spheres.size() + i);
+    if (std::holds_alternative<CsgForm>(scene.shapes[i].form))
+      features.push_back({"S4", name + " is a solid by CSG"});
+    for_each_leaf(scene.shapes[i], 0, [&](const Shape& leaf, int) {
+      features.push_back(
+          {level_of(leaf.form), fmt::format("{} {} {} by its formula", name,
+                                            &leaf == &scene.shapes[i] ? "is" : "has", what_is(leaf.form))});
+    });
+  }
+  return features;
+}
+
 std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
   std::vector<CalledFeature> features{{"G1", "the scene is made of triangles"},
                                       {"G2", "the scene has a camera"}};
@@ -60,9 +79,7 @@ std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
           {has_several_materials(mesh) ? "G5" : "G4",
            fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
   }
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-    features.push_back(
-        {"S1", display_name("shape", scene.spheres[i].name, i) + " is a sphere by its formula"});
+  for (auto& feature : features_of_shapes(scene)) features.push_back(std::move(feature));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     if (!seen.contains(static_cast<int>(i)))
       features.push_back(
@@ -110,10 +127,16 @@ std::vector<CalledFeature> features_of_effects(const Scene& scene) {
   return features;
 }
 
+std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
+  if (!scene.ambient_occlusion) return {};
+  return {{"I1", "the image is ambient occlusion"}};
+}
+
 std::vector<CalledFeature> features_called_for(const Scene& scene) {
   std::map<std::string, std::string> found;
-  for (const auto& features : {features_of_geometry(scene), features_of_materials(scene),
-                               features_of_lights(scene), features_of_effects(scene)})
+  for (const auto& features :
+       {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
+        features_of_effects(scene), features_of_integrator(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});

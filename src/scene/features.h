@@ -18,14 +18,18 @@ struct CalledFeature {
 /// that no instance shows call for nothing. Glossy reflection calls for A2 and rough glass for A4: no M level
 /// defines them, these levels test them. Our own groups: E1 conductors, and rough dielectrics, by their
 /// indices, and lights that reflect (a smooth dielectric is the smooth glass of M8), E2 spectra, E3
-/// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 spheres by formula.
+/// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 quadrics by formula, S2 tori and
+/// superellipsoids, S3 implicit surfaces, S4 solids by CSG; I1 ambient occlusion.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be
 /// called for by several objects.
 std::vector<CalledFeature> features_of_geometry(const Scene& scene);
+/// The part of features_of_geometry that shapes by their formula call for.
+std::vector<CalledFeature> features_of_shapes(const Scene& scene);
 std::vector<CalledFeature> features_of_materials(const Scene& scene);
 std::vector<CalledFeature> features_of_lights(const Scene& scene);
+std::vector<CalledFeature> features_of_integrator(const Scene& scene);
 /// E2 to E6 where the scene calls for the effect that they name, E1 for lights that reflect.
 std::vector<CalledFeature> features_of_effects(const Scene& scene);
 

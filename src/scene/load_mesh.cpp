@@ -1,6 +1,7 @@
 #include "scene/load_mesh.h"
 
 #include "base/text.h"
+#include "scene/crease_normals.h"
 #include "scene/load_generator.h"
 #include "scene/ply.h"
 #include "scene/read_obj.h"
@@ -51,12 +52,31 @@ MeshFile inline_mesh(json::ObjectReader& in) {
   return file;
 }
 
+std::string index_problem(const Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const auto corner : mesh.triangles[i])
+      if (corner >= count)
+        return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
+  return "";
+}
+
 MeshFile mesh_of_file(json::ObjectReader& in, const DataFolders& folders) {
   const auto file = existing_file(in, "file", folders);
   const auto extension = file.extension();
+  const auto normals = in.has("crease_angle") ? FileNormals::MayLack : FileNormals::Required;
   if (extension != ".obj" && extension != ".ply") in.fail("file", "must end in .obj or .ply");
   return with_note("loading the mesh that " + in.place("file") + " names",
-                   [&] { return extension == ".obj" ? read_obj(file) : read_ply(file); });
+                   [&] { return extension == ".obj" ? read_obj(file, normals) : read_ply(file, normals); });
+}
+
+// Normals of a file that has none, by the angle that the scene gives.
+void add_normals(json::ObjectReader& in, MeshFile& file) {
+  const double crease_deg = in.number("crease_angle", {0, 180});
+  if (!file.lacks_normals)
+    in.fail("crease_angle", "the file has normals, which are used as given: leave the key out");
+  if (const auto problem = index_problem(file.mesh); !problem.empty()) in.fail("file", problem);
+  compute_normals(file.mesh, crease_deg);
 }
 
 void assign_runs(json::ObjectReader& in, const Names& materials, Mesh& mesh) {
@@ -144,6 +164,7 @@ MeshFile load_source(json::ObjectReader& in,
   else
     in.fail("", "needs one of: generator, file, positions, parts");
   if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
+  if (from_file && in.has("crease_angle")) add_normals(in, file);
   assign_materials(in, materials, file, from_file);
   return file;
 }
@@ -193,11 +214,7 @@ std::string mesh_problem(const Mesh& mesh) {
     if (!is_finite(mesh.normals[i]) || dot(mesh.normals[i], mesh.normals[i]) == 0)
       return fmt::format("normal {} must be finite and not zero: normals are used as given", i);
   }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (const auto corner : mesh.triangles[i])
-      if (corner >= count)
-        return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
-  return "";
+  return index_problem(mesh);
 }
 
 }  // namespace orbs::scene

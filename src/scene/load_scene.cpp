@@ -7,6 +7,7 @@
 #include "scene/load_light.h"
 #include "scene/load_material.h"
 #include "scene/load_mesh.h"
+#include "scene/shapes/load_shape.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +72,20 @@ Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
   return texture;
 }
 
+AmbientOcclusion load_ambient_occlusion(json::ObjectReader& in) {
+  AmbientOcclusion occlusion;
+  if (in.has("distance")) occlusion.distance_m = in.number("distance", kLength);
+  const bool is_uniform = in.one_of_or("weight", "cosine", {"cosine", "uniform"}) == "uniform";
+  occlusion.weight = is_uniform ? OcclusionWeight::Uniform : OcclusionWeight::Cosine;
+  return occlusion;
+}
+
 void load_integrator(json::ObjectReader in, Scene& scene) {
+  if (in.one_of_or("type", "path", {"path", "ambient_occlusion"}) == "ambient_occlusion") {
+    scene.ambient_occlusion = load_ambient_occlusion(in);
+    in.finish();
+    return;
+  }
   if (in.has("trace_depth") && in.holds_text("trace_depth")) {
     in.one_of("trace_depth", {"unlimited"});
     scene.trace_depth = kUnlimitedDepth;
@@ -99,17 +113,6 @@ void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& s
   const auto radiance = load_radiance(in, "environment", data);
   scene.environment = radiance.rgb;
   scene.environment_spectrum = radiance.spectrum;
-}
-
-Sphere load_shape(json::ObjectReader in, const Names& materials) {
-  in.one_of("type", {"sphere"});
-  Sphere sphere;
-  sphere.name = in.text_or("name", "");
-  sphere.centre_m = in.vec3("centre", kPlace);
-  sphere.radius_m = in.number("radius", kLength);
-  sphere.material = materials.find(in, "material");
-  in.finish();
-  return sphere;
 }
 
 // Meshes whose vertices are relative to an origin get it back by the matrices of their instances, in double.
@@ -151,10 +154,15 @@ Scene load_document(const json::Document& document, const DataFolders& folders, 
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
   move_to_origins(origins, scene.instances);
-  for (auto& entry : in.objects_or_none("shapes")) scene.spheres.push_back(load_shape(entry, materials));
+  for (auto& entry : in.objects_or_none("shapes")) load_shape(entry, materials, scene);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
   if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
-  if (in.has("outputs")) scene.outputs = load_outputs(in.object("outputs"));
+  if (in.has("outputs")) {
+    scene.outputs = load_outputs(in.object("outputs"));
+    if (scene.ambient_occlusion && scene.outputs != Outputs{})
+      in.fail("outputs",
+              "ambient occlusion has no light paths that Stokes vectors or classes could be told of");
+  }
   in.finish();
   scene.spectra = std::move(data.spectra);
   scene.notes = {std::move(data.files), std::move(data.warnings)};

@@ -6,6 +6,7 @@
 #include "scene/lower_geometry.h"
 #include "scene/lower_light.h"
 #include "scene/lower_material.h"
+#include "scene/shapes/tessellate.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,9 @@ std::string lower_effects(Scene& scene, const Capabilities& capabilities) {
 
 std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
   if (!capabilities.contains("S1")) tessellate_spheres(scene);
+  for (const char* level : {"S1", "S2"})
+    if (!capabilities.contains(level)) tessellate_shapes(scene, level);
+  if (const auto reason = lacking(features_of_shapes(scene), capabilities); !reason.empty()) return reason;
   if (!capabilities.contains("G1") && !capabilities.contains("G2"))
     return "the scene is made of triangles, which needs G1";
   if (!capabilities.contains("G3")) {
@@ -69,6 +73,7 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;
+  if (auto reason = lacking(features_of_integrator(scene), capabilities); !reason.empty()) return reason;
   for (auto* const step : {lower_materials, lower_effects, lower_lights, lower_geometry})
     if (auto reason = step(lowered, capabilities); !reason.empty()) return reason;
   return lowered;

@@ -21,7 +21,8 @@ using Capabilities = std::set<std::string>;
 ///   without M5  texture matrices are applied to the texture coordinates
 ///   without M7  Oren-Nayar of roughness 0, which is Lambert's law, becomes it
 ///   without E1  smooth dielectrics that refract all wavelengths alike become glass
-///   without S1  spheres become meshes
+///   without S1  spheres, other quadrics and boxes become meshes
+///   without S2  tori and superellipsoids become meshes
 ///   without E2  spectra that their colours can stand for are left out
 ///   without L3  lights that are only moved and scaled get the scale in their sizes
 /// What is drawn stays the same, up to the rounding of coordinates to float.

@@ -4,6 +4,8 @@
 #include "base/files.h"
 #include "base/text.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -16,7 +18,9 @@ namespace orbs::scene {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "binary PLY is read and written without swapping bytes");
+              "binary PLY is written without swapping bytes, and read with swapping those of big-endian");
+
+enum class Encoding { Ascii, LittleEndian, BigEndian };
 
 struct Property {
   std::string name;
@@ -59,7 +63,8 @@ double number_from_bytes(const char* bytes, const std::string& type) {
 
 class PlyReader {
  public:
-  PlyReader(const std::string& name, std::string_view bytes) : name_(name), text_(bytes) {}
+  PlyReader(const std::string& name, std::string_view bytes, FileNormals normals)
+      : name_(name), text_(bytes), normals_(normals) {}
 
   MeshFile read() {
     read_header();
@@ -101,9 +106,11 @@ class PlyReader {
   void read_header_words(const std::vector<std::string>& words) {
     if (words.empty()) fail("a line of the header is empty");
     if (words[0] == "format" && words.size() == 3) {
-      binary_ = words[1] == "binary_little_endian";
-      if (!binary_ && words[1] != "ascii")
-        fail(fmt::format("format {} is not supported: use ascii or binary_little_endian", words[1]));
+      const auto found = encodings().find(words[1]);
+      if (found == encodings().end())
+        fail(fmt::format("format {} is not supported: use ascii, binary_little_endian or binary_big_endian",
+                         words[1]));
+      encoding_ = found->second;
       has_format_ = true;
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = to_integer(words[2]);
@@ -122,14 +129,25 @@ class PlyReader {
     }
   }
 
+  static const std::map<std::string, Encoding>& encodings() {
+    static const std::map<std::string, Encoding> kEncodings{{"ascii", Encoding::Ascii},
+                                                            {"binary_little_endian", Encoding::LittleEndian},
+                                                            {"binary_big_endian", Encoding::BigEndian}};
+    return kEncodings;
+  }
+
+  double next_binary_number(const std::string& type) {
+    const std::size_t size = bytes_of(type);
+    if (at_ + size > text_.size()) fail("the file ends within its data");
+    std::array<char, 8> bytes{};  // the largest type has eight
+    for (std::size_t i = 0; i < size && i < bytes.size(); ++i)
+      bytes[i] = text_[at_ + (encoding_ == Encoding::BigEndian ? size - 1 - i : i)];
+    at_ += size;
+    return number_from_bytes(bytes.data(), type);
+  }
+
   double next_number(const std::string& type) {
-    if (binary_) {
-      const std::size_t size = bytes_of(type);
-      if (at_ + size > text_.size()) fail("the file ends within its data");
-      const double value = number_from_bytes(text_.data() + at_, type);
-      at_ += size;
-      return value;
-    }
+    if (encoding_ != Encoding::Ascii) return next_binary_number(type);
     at_ = text_.find_first_not_of(" \t\r\n", at_);
     if (at_ == std::string::npos) fail("the file ends within its data");
     const auto end = std::min(text_.find_first_of(" \t\r\n", at_), text_.size());
@@ -154,13 +172,19 @@ class PlyReader {
       if (const auto found = row.find(name); found != row.end() && !found->second.empty())
         return found->second.front();
     if (is_required)
-      fail(fmt::format("vertices lack the property '{}': nothing is computed in its place", *names.begin()));
+      fail(fmt::format("vertices lack the property '{}'{}", *names.begin(),
+                       std::string_view(*names.begin()).starts_with('n')
+                           ? "; \"crease_angle\" in the scene has normals computed"
+                           : ""));
     return 0;
   }
 
   void read_vertices(const Element& element) {
     Mesh& mesh = out_.mesh;
     row_.clear();
+    const bool has_normals = std::any_of(element.properties.begin(), element.properties.end(),
+                                         [](const Property& property) { return property.name == "nx"; });
+    out_.lacks_normals = !has_normals && normals_ == FileNormals::MayLack;
     std::vector<Vec3d> positions;
     for (std::size_t i = 0; i < element.count; ++i) {
       const Row& row = read_row(element);
@@ -168,7 +192,8 @@ class PlyReader {
         return static_cast<float>(value(row, names, is_required));
       };
       positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
-      mesh.normals.push_back({rounded({"nx"}, true), rounded({"ny"}, true), rounded({"nz"}, true)});
+      const bool needs = !out_.lacks_normals;
+      mesh.normals.push_back({rounded({"nx"}, needs), rounded({"ny"}, needs), rounded({"nz"}, needs)});
       mesh.tangents.push_back({rounded({"tx"}, false), rounded({"ty"}, false), rounded({"tz"}, false)});
       mesh.uvs.push_back({rounded({"u", "s"}, false), rounded({"v", "t"}, false)});
     }
@@ -215,7 +240,8 @@ class PlyReader {
   std::string name_;
   std::string_view text_;
   std::size_t at_ = 0;
-  bool binary_ = false;
+  FileNormals normals_;
+  Encoding encoding_ = Encoding::Ascii;
   bool has_format_ = false;
   std::vector<Element> elements_;
   Row row_;
@@ -234,9 +260,13 @@ void append(std::string& out, Vec3f v) {
 
 }  // namespace
 
-MeshFile parse_ply(const std::string& name, std::string_view bytes) { return PlyReader(name, bytes).read(); }
+MeshFile parse_ply(const std::string& name, std::string_view bytes, FileNormals normals) {
+  return PlyReader(name, bytes, normals).read();
+}
 
-MeshFile read_ply(const std::filesystem::path& file) { return parse_ply(file.string(), read_file(file)); }
+MeshFile read_ply(const std::filesystem::path& file, FileNormals normals) {
+  return parse_ply(file.string(), read_file(file), normals);
+}
 
 void write_ply(const Mesh& mesh, const std::filesystem::path& file, PlyContent content) {
   const bool everything = content == PlyContent::Everything;

@@ -20,7 +20,7 @@ const std::set<std::string> kHarmless{"g", "mtllib", "o", "s"};
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& name) : name_(name) {}
+  ObjReader(const std::string& name, FileNormals normals) : name_(name), normals_rule_(normals) {}
 
   MeshFile read(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -30,6 +30,7 @@ class ObjReader {
       read_line(std::string_view(line).substr(0, line.find('#')));
     }
     if (out_.mesh.triangles.empty()) fail("there is no face in the file");
+    out_.lacks_normals = has_bare_corner_;
     place_vertices(places_, out_);
     return std::move(out_);
   }
@@ -94,13 +95,16 @@ class ObjReader {
     return static_cast<int>(at);
   }
 
-  Corner corner(const std::string& word) const {
+  Corner corner(const std::string& word) {
     const auto parts = split(word, '/');
-    if (parts.size() < 3 || parts[2].empty())
-      fail("each corner needs a normal (v//vn or v/vt/vn): normals are never computed");
+    const bool is_bare = parts.size() < 3 || parts[2].empty();
+    if (is_bare && normals_rule_ == FileNormals::Required)
+      fail("each corner needs a normal (v//vn or v/vt/vn); \"crease_angle\" in the scene has them computed");
+    if (places_.empty()) has_bare_corner_ = is_bare;
+    if (is_bare != has_bare_corner_) fail("some corners have a normal and others have none");
     Corner result{index(parts[0], positions_.size(), "position"), -1,
-                  index(parts[2], normals_.size(), "normal")};
-    if (!parts[1].empty()) result[1] = index(parts[1], uvs_.size(), "texture coordinate");
+                  is_bare ? -1 : index(parts[2], normals_.size(), "normal")};
+    if (parts.size() > 1 && !parts[1].empty()) result[1] = index(parts[1], uvs_.size(), "texture coordinate");
     return result;
   }
 
@@ -110,7 +114,7 @@ class ObjReader {
     if (is_new) {
       places_.push_back(positions_[static_cast<std::size_t>(c[0])]);
       mesh.uvs.push_back(c[1] < 0 ? Vec2f{} : uvs_[static_cast<std::size_t>(c[1])]);
-      mesh.normals.push_back(normals_[static_cast<std::size_t>(c[2])]);
+      mesh.normals.push_back(c[2] < 0 ? Vec3f{} : normals_[static_cast<std::size_t>(c[2])]);
       mesh.tangents.push_back({});
     }
     return entry->second;
@@ -131,6 +135,8 @@ class ObjReader {
   }
 
   std::string name_;
+  FileNormals normals_rule_;
+  bool has_bare_corner_ = false;  // the first corner has no normal
   int line_ = 0;
   int material_ = -1;
   std::vector<Vec3d> positions_;
@@ -144,8 +150,12 @@ class ObjReader {
 
 }  // namespace
 
-MeshFile parse_obj(const std::string& name, std::string_view text) { return ObjReader(name).read(text); }
+MeshFile parse_obj(const std::string& name, std::string_view text, FileNormals normals) {
+  return ObjReader(name, normals).read(text);
+}
 
-MeshFile read_obj(const std::filesystem::path& file) { return parse_obj(file.string(), read_file(file)); }
+MeshFile read_obj(const std::filesystem::path& file, FileNormals normals) {
+  return parse_obj(file.string(), read_file(file), normals);
+}
 
 }  // namespace orbs::scene

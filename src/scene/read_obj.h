@@ -8,9 +8,11 @@
 
 namespace orbs::scene {
 
-/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl; normals are required, nothing is recomputed.
-/// InputError with file and line.
-MeshFile read_obj(const std::filesystem::path& file);
-MeshFile parse_obj(const std::string& name, std::string_view text);
+/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl. Normals are used as given; where they
+/// may lack, all corners have one or none has. InputError with file and line.
+MeshFile read_obj(const std::filesystem::path& file, FileNormals normals = FileNormals::Required);
+MeshFile parse_obj(const std::string& name,
+                   std::string_view text,
+                   FileNormals normals = FileNormals::Required);
 
 }  // namespace orbs::scene

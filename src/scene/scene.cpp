@@ -18,6 +18,8 @@ std::set<int> visible_materials(const Scene& scene) {
       visible.insert(remapped(instance, material));
   }
   for (const auto& sphere : scene.spheres) visible.insert(sphere.material);
+  for (const auto& shape : scene.shapes)
+    for_each_leaf(shape, shape.material, [&](const Shape&, int material) { visible.insert(material); });
   return visible;
 }
 

@@ -4,11 +4,13 @@
 #include "base/vec.h"
 #include "scene/colour.h"
 #include "scene/material.h"
+#include "scene/shapes/shape.h"
 #include "scene/texture.h"
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -61,7 +63,7 @@ struct Instance {
   bool operator==(const Instance&) const = default;
 };
 
-/// A surface by its formula rather than by triangles; normals point out of the sphere, v runs from 0 at the
+/// A sphere by its formula that no matrix places; other shapes are in scene/shapes/shape.h. Normals point out of the sphere, v runs from 0 at the
 /// south pole (-Y) to 1, u around the equator from +Z towards +X.
 struct Sphere {
   std::string name;
@@ -131,6 +133,17 @@ struct Outputs {
   bool operator==(const Outputs&) const = default;
 };
 
+/// Which directions count how much.
+enum class OcclusionWeight { Cosine, Uniform };
+
+/// An integrator in place of light transport: the image is the share of the hemisphere about the visible point
+/// in which no surface lies nearer than the distance.
+struct AmbientOcclusion {
+  double distance_m = std::numeric_limits<double>::infinity();
+  OcclusionWeight weight = OcclusionWeight::Cosine;
+  bool operator==(const AmbientOcclusion&) const = default;
+};
+
 /// A trace depth that no path reaches: Russian roulette ends them all.
 constexpr int kUnlimitedDepth = 1'000'000;
 
@@ -152,8 +165,10 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Sphere> spheres;
+  std::vector<Shape> shapes;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
+  std::optional<AmbientOcclusion> ambient_occlusion;  // nothing: path tracing
   Outputs outputs;
   ReadNotes notes;
   bool operator==(const Scene&) const = default;

@@ -3,9 +3,11 @@
 #include "base/files.h"
 #include "json/writer.h"
 #include "scene/ply.h"
+#include "scene/shapes/write_shape.h"
 #include "scene/write_spectra.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -93,14 +95,15 @@ void write_shape(Writer& out, const SphereShape& s) {
   out.member("type", "sphere").member("radius", s.radius_m);
 }
 
-void write_spheres(Writer& out, const Scene& scene) {
-  if (scene.spheres.empty()) return;
+void write_shapes(Writer& out, const Scene& scene) {
+  if (scene.spheres.empty() && scene.shapes.empty()) return;
   out.key("shapes").begin_array();
   for (const auto& sphere : scene.spheres) {
     out.begin_object().member("type", "sphere").member("name", sphere.name);
     out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
     out.member("material", material_at(scene, sphere.material).name).end_object();
   }
+  for (const auto& shape : scene.shapes) write_shape(out, scene, shape);
   out.end_array();
 }
 
@@ -120,8 +123,20 @@ void write_light(Writer& out, const Scene& scene, const Light& light) {
   out.end_object();
 }
 
+void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
+  out.member("type", "ambient_occlusion");
+  if (std::isfinite(occlusion.distance_m)) out.member("distance", occlusion.distance_m);
+  out.member("weight", occlusion.weight == OcclusionWeight::Uniform ? "uniform" : "cosine");
+  out.end_object();
+}
+
 void write_settings(Writer& out, const Scene& scene) {
-  out.key("integrator").begin_object().key("trace_depth");
+  out.key("integrator").begin_object();
+  if (scene.ambient_occlusion) {
+    write_occlusion(out, *scene.ambient_occlusion);
+    return;
+  }
+  out.key("trace_depth");
   if (scene.trace_depth == kUnlimitedDepth)
     out.value("unlimited");
   else
@@ -149,7 +164,7 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   out.end_array().key("instances").begin_array();
   for (const auto& instance : scene.instances) write_instance(out, scene, instance);
   out.end_array();
-  write_spheres(out, scene);
+  write_shapes(out, scene);
   out.key("lights").begin_array();
   for (const auto& light : scene.lights) write_light(out, scene, light);
   out.end_array();

@@ -1,8 +1,10 @@
 #include "studies/probe_scene.h"
 
+#include "base/error.h"
 #include "image/image_io.h"
 #include "scene/lower_effects.h"
 #include "scene/lower_geometry.h"
+#include "scene/shapes/tessellate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +99,13 @@ void fit_camera(scene::Camera& camera, int most_px) {
 ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
   scene::Scene scene = original;
   scene::tessellate_spheres(scene);
+  for (const char* level : {"S1", "S2"}) scene::tessellate_shapes(scene, level);
+  if (!scene.shapes.empty())
+    throw InputError(
+        fmt::format("scene '{}': {} is {}, of which there are no triangles to number; take a scene "
+                    "without S3 and S4",
+                    scene.name, scene::display_name("shape", scene.shapes.front().name, 0),
+                    what_is(scene.shapes.front().form)));
   scene::drop_spectra(scene);
   scene.outputs = {};
   for (auto& light : scene.lights) light.reflectance = {};

@@ -3,6 +3,7 @@
 #include "adapters/format_limits.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
+#include "adapters/povray/shapes.h"
 
 #include <set>
 
@@ -52,6 +53,13 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
     if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
   }
   for (const int texture : textures) note(texture_limit(scene.textures[static_cast<std::size_t>(texture)]));
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    note(povray::shape_limit(scene, scene.shapes[i],
+                             scene::display_name("shape", scene.shapes[i].name, scene.spheres.size() + i)));
+  for (const auto& sphere : scene.spheres)
+    if (texture_of(material_at(scene, sphere.material).model))
+      note(
+          "a sphere by its formula has a texture: POV-Ray's own shapes have texture coordinates of their own");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(povray::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   if (settings.photons == 0 && needs_caustics(scene, materials))

@@ -7,6 +7,7 @@
 #include "adapters/povray/materials.h"
 #include "adapters/povray/meshes.h"
 #include "adapters/povray/sdl.h"
+#include "adapters/povray/shapes.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/camera_frame.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -100,23 +102,42 @@ std::string settings_text(const scene::Scene& scene, const PovraySettings& setti
       photons_text(scene, settings));
 }
 
+// What belongs to a whole object of mirror or glass.
+std::string photon_target_text(const scene::Scene& scene, int material, const PovraySettings& settings) {
+  std::string text;
+  const auto& model = material_at(scene, material).model;
+  if (const auto* glass = std::get_if<scene::Glass>(&model))
+    text += fmt::format(" interior {{ ior {} }}", glass->ior);
+  if (const auto* glass = std::get_if<scene::Dielectric>(&model)) {
+    const auto [ior, dispersion] = povray::dispersion_of(*glass);
+    text += fmt::format(" interior {{ ior {} dispersion {} dispersion_samples {} }}", ior, dispersion,
+                        settings.dispersion_samples);
+  }
+  if (settings.photons > 0) text += " photons { target reflection on refraction on collect off }";
+  return text;
+}
+
 std::string object_text(const scene::Scene& scene,
                         const scene::Instance& instance,
                         const povray::DeclaredMesh& mesh,
                         const PovraySettings& settings) {
-  std::string extras;
-  if (mesh.material >= 0) {
-    const auto& model = material_at(scene, mesh.material).model;
-    if (const auto* glass = std::get_if<scene::Glass>(&model))
-      extras += fmt::format(" interior {{ ior {} }}", glass->ior);
-    if (const auto* glass = std::get_if<scene::Dielectric>(&model)) {
-      const auto [ior, dispersion] = povray::dispersion_of(*glass);
-      extras += fmt::format(" interior {{ ior {} dispersion {} dispersion_samples {} }}", ior, dispersion,
-                            settings.dispersion_samples);
-    }
-    if (settings.photons > 0) extras += " photons { target reflection on refraction on collect off }";
-  }
+  const auto extras = mesh.material < 0 ? "" : photon_target_text(scene, mesh.material, settings);
   return fmt::format("object {{ {} {}{} }}\n", mesh.name, povray::matrix(instance.matrix), extras);
+}
+
+std::string shape_text(const scene::Scene& scene, const scene::Shape& shape, const PovraySettings& settings) {
+  const auto material = povray::photon_material(scene, shape);
+  return fmt::format("// shape {}\n{}{} }}\n", comment_text(shape.name), povray::open_shape_text(shape),
+                     material ? photon_target_text(scene, *material, settings) : "");
+}
+
+// Spheres without a matrix as the other shapes.
+std::vector<scene::Shape> all_shapes(const scene::Scene& scene) {
+  std::vector<scene::Shape> shapes;
+  for (const auto& sphere : scene.spheres)
+    shapes.push_back({sphere.name, scene::SphereForm{sphere.centre_m, sphere.radius_m}, {}, sphere.material});
+  shapes.insert(shapes.end(), scene.shapes.begin(), scene.shapes.end());
+  return shapes;
 }
 
 struct Text {
@@ -127,19 +148,16 @@ struct Text {
 
 Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const std::string& stem) {
   Text text;
-  std::set<int> materials;
   std::string objects;
   for (const scene::Instance& instance : scene.instances) {
     objects += fmt::format("// instance {}\n", comment_text(instance.name));
     for (const auto& mesh : povray::declared_meshes(scene, instance, text.meshes))
       objects += object_text(scene, instance, mesh, settings);
-    const auto& given = mesh_of(scene, instance).triangle_materials;
-    for (const int m : std::set<int>(given.begin(), given.end()))
-      materials.insert(scene::remapped(instance, m));
   }
+  for (const scene::Shape& shape : all_shapes(scene)) objects += shape_text(scene, shape, settings);
   text.scene = settings_text(scene, settings) + camera_text(scene.camera) +
                fmt::format("background {{ {} }}\n", colour(scene.environment));
-  for (const int index : materials) {
+  for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     text.scene += fmt::format("// material {}\n", comment_text(material.name)) +
                   povray::material_declaration(scene, index, stem);

@@ -1,5 +1,7 @@
 #include "tracer/accel/accel.h"
 
+#include "tracer/accel/solid_geometry.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -244,6 +246,8 @@ Accel::Accel(const AccelGeometry& geometry) : state_(std::make_unique<State>()) 
       state_->add_instance(object, geometry.meshes[object.mesh], id);
     if (object.kind == ObjectKind::Sphere)
       state_->add_curved(surface_of(geometry.spheres[object.sphere]), id);
+    if (object.kind == ObjectKind::Solid)
+      State::attach(state_->top, make_solid_geometry(state_->device, geometry.solids[object.solid]), id);
     if (object.kind != ObjectKind::Light) continue;
     const auto& shape = geometry.lights[object.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape)) state_->add_rect(*rect, id);

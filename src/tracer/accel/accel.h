@@ -3,6 +3,7 @@
 #include "tracer/geometry/ray.h"
 #include "tracer/geometry/render_object.h"
 #include "tracer/light/emitter.h"
+#include "tracer/shapes/solid.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,6 +17,7 @@ struct AccelGeometry {
   const std::vector<RenderObject>& objects;
   const std::vector<TriangleMesh>& meshes;
   const std::vector<SphereSurface>& spheres;
+  const std::vector<Solid>& solids;
   const std::vector<AreaLight>& lights;
 };
 

@@ -1,5 +1,6 @@
 #include "tracer/kernels/kernels.h"
 
+#include "tracer/integrator/ambient_occlusion.h"
 #include "tracer/render/render_pass.h"
 #include "tracer/transport/polarised_transport.h"
 #include "tracer/transport/rgb_transport.h"
@@ -17,6 +18,7 @@ extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport,
 extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport, 4>>;
 
 PassRenderer* kernel_for(const World& world) {
+  if (world.ambient_occlusion) return render_ambient_occlusion;
   switch (world.transport) {
     case scene::LightTransport::Rgb:
       return world.has_appearance_materials ? render_pass<RgbBoundaryTransport> : render_pass<RgbTransport>;

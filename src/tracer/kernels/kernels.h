@@ -17,7 +17,7 @@ using PassRenderer = void(const World& world,
                           Rendering& out,
                           const std::function<void()>& tile_done);
 
-/// render_pass of the cheapest transport that has what the world needs.
+/// render_pass of the cheapest transport that has what the world needs, or another integrator.
 PassRenderer* kernel_for(const World& world);
 
 }  // namespace orbs::tracer

@@ -2,6 +2,7 @@
 
 #include "scene/world_bounds.h"
 #include "tracer/geometry/affine.h"
+#include "tracer/shapes/build_solids.h"
 
 #include <limits>
 
@@ -85,6 +86,16 @@ void add_spheres(const scene::Scene& scene, Vec3d origin, World& world) {
     object.sphere = world.spheres.size();
     world.spheres.push_back(
         {cast<float>(sphere.centre_m - origin), static_cast<float>(sphere.radius_m), sphere.material});
+    world.objects.push_back(std::move(object));
+  }
+}
+
+void add_solids(const scene::Scene& scene, Vec3d origin, World& world) {
+  for (const auto& shape : scene.shapes) {
+    RenderObject object;
+    object.kind = ObjectKind::Solid;
+    object.solid = world.solids.size();
+    world.solids.push_back(make_solid(shape, origin));
     world.objects.push_back(std::move(object));
   }
 }

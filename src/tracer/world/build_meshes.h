@@ -14,5 +14,6 @@ Mat4 relative_to(Mat4 matrix, Vec3d origin);
 void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied_triangles, World& world);
 
 void add_spheres(const scene::Scene& scene, Vec3d origin, World& world);
+void add_solids(const scene::Scene& scene, Vec3d origin, World& world);
 
 }  // namespace orbs::tracer

@@ -60,7 +60,8 @@ bool supports_light_paths(const World& world) {
   const bool has_fluorescence = std::any_of(
       world.materials.begin(), world.materials.end(),
       [](const auto& material) { return std::holds_alternative<FluorescentMaterial>(material.model); });
-  return !is_polarised && !lights_reflect && !has_fluorescence && !world.emitters.empty();
+  return !world.ambient_occlusion && !is_polarised && !lights_reflect && !has_fluorescence &&
+         !world.emitters.empty();
 }
 
 // Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
@@ -77,11 +78,13 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
   world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
+  world.ambient_occlusion = scene.ambient_occlusion;
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
   add_materials(scene, colours, world);
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
+  add_solids(scene, origin, world);
   add_lights(scene, origin, colours, world);
   build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
@@ -91,8 +94,8 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   if (settings.mirrored_light && settings.direct_light != DirectLight::Bsdf) find_mirror_planes(world);
   if (settings.light_paths && supports_light_paths(world))
     world.caustic_casters = find_caustic_casters(world);
-  world.accel =
-      std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres, world.lights});
+  world.accel = std::make_unique<Accel>(
+      AccelGeometry{world.objects, world.meshes, world.spheres, world.solids, world.lights});
   return world;
 }
 

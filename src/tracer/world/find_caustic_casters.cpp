@@ -26,7 +26,7 @@ class Box {
 
 template <typename F>
 void for_each_near_specular_corner(const World& world, const RenderObject& object, const F& visit) {
-  if (object.kind == ObjectKind::Light || object.kind == ObjectKind::Sphere) return;
+  if (object.kind == ObjectKind::Light || is_analytic(object.kind)) return;
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const int material = object.material_of[static_cast<std::size_t>(mesh.materials[i])];
@@ -38,7 +38,17 @@ void for_each_near_specular_corner(const World& world, const RenderObject& objec
   }
 }
 
+std::optional<BoundingSphere> sphere_about(const World& world, const Solid& solid) {
+  const bool is_caster = std::any_of(solid.leaves.begin(), solid.leaves.end(), [&](const SolidLeaf& leaf) {
+    return world.materials[static_cast<std::size_t>(leaf.material)].is_near_specular;
+  });
+  if (!is_caster) return std::nullopt;
+  const Vec3d centre = (solid.low + solid.high) * 0.5;
+  return BoundingSphere{cast<float>(centre), static_cast<float>(length(solid.high - centre))};
+}
+
 std::optional<BoundingSphere> sphere_about(const World& world, const RenderObject& object) {
+  if (object.kind == ObjectKind::Solid) return sphere_about(world, world.solids[object.solid]);
   if (object.kind == ObjectKind::Sphere) {
     const SphereSurface& sphere = world.spheres[object.sphere];
     if (!world.materials[static_cast<std::size_t>(sphere.material)].is_near_specular) return std::nullopt;

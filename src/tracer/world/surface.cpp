@@ -1,6 +1,7 @@
 #include "tracer/world/surface.h"
 
 #include "tracer/sampling/warps.h"
+#include "tracer/shapes/solid_hit.h"
 
 #include <algorithm>
 
@@ -81,6 +82,33 @@ SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const 
   return out;
 }
 
+// The hit point is known in double. What remains is the rounding of the point and of the origin beside it.
+constexpr float kSolidRounding = 4 * 0x1p-24F;
+
+SurfacePoint point_on_shape(const Solid& solid, const Ray& ray, const Hit& hit) {
+  const SolidPoint point = point_on_solid(solid, ray, hit);
+  SurfacePoint out;
+  out.material = point.material;
+  out.position = cast<float>(point.position);
+  out.geometric_normal = cast<float>(point.normal);
+  out.shading_normal = out.geometric_normal;
+  out.position_error = kSolidRounding * largest_magnitude(out.position);
+  return out;
+}
+
+// Surfaces other than meshes in world space.
+SurfacePoint other_point(const World& world, const RenderObject& object, const Ray& ray, const Hit& hit) {
+  if (object.kind == ObjectKind::Sphere) return point_on_sphere(world.spheres[object.sphere], ray, hit);
+  if (object.kind == ObjectKind::Solid) return point_on_shape(world.solids[object.solid], ray, hit);
+  return point_on_instance(world, object, hit);
+}
+
+Vec2f uv_of_sphere(Vec3f n) {
+  const float around = std::atan2(n.x, n.z) / (2 * kPi);
+  // Rounding only: n is a unit vector.
+  return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
+}
+
 Vec3f normal_of(const RectEmitter& rect, Vec3f) { return rect.normal; }
 Vec3f normal_of(const DiskEmitter& disk, Vec3f) { return disk.normal; }
 // The gradient of |inverse (p - centre)|^2.
@@ -126,9 +154,7 @@ SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit)
 
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   const RenderObject& object = world.objects[hit.object];
-  if (object.kind != ObjectKind::WorldMesh)
-    return object.kind == ObjectKind::Sphere ? point_on_sphere(world.spheres[object.sphere], ray, hit)
-                                             : point_on_instance(world, object, hit);
+  if (object.kind != ObjectKind::WorldMesh) return other_point(world, object, ray, hit);
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
   SurfacePoint out;
@@ -146,12 +172,10 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
 Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
   const Hit& hit = surface.hit;
   const RenderObject& object = world.objects[hit.object];
-  if (object.kind == ObjectKind::Sphere) {
-    const Vec3f n = surface.point.geometric_normal;
-    const float around = std::atan2(n.x, n.z) / (2 * kPi);
-    // Rounding only: n is a unit vector.
-    return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
-  }
+  if (is_analytic(object.kind))
+    return object.kind == ObjectKind::Sphere
+               ? uv_of_sphere(surface.point.geometric_normal)
+               : texture_coordinates(world.solids[object.solid], hit, surface.point.position);
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const auto& corners = mesh.triangles[hit.primitive];
   const float b1 = hit.barycentric.x;

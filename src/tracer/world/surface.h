@@ -19,7 +19,7 @@ struct SurfacePoint {
 /// Fills mesh.triangle_cache.
 void fill_triangle_cache(TriangleMesh& mesh);
 
-/// The point where the ray hits a mesh or a sphere.
+/// The point where the ray hits a mesh or a shape.
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
 
 /// The point where the ray hits a light, on its bright side. It has no material.

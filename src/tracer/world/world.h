@@ -11,9 +11,11 @@
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
 #include "tracer/light/light_bvh.h"
+#include "tracer/shapes/solid.h"
 #include "tracer/world/camera.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace orbs::tracer {
@@ -26,12 +28,14 @@ struct World {
   bool has_appearance_materials = false;                         // a surface shows one
   bool wants_stokes = false;
   Radiance environment;
+  std::optional<scene::AmbientOcclusion> ambient_occlusion;  // in place of path tracing
   int trace_depth = 1;                     // most scattering events of a path
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
   std::vector<TexelGrid> textures;
   std::vector<SurfaceMaterial> materials;
   std::vector<TriangleMesh> meshes;
   std::vector<SphereSurface> spheres;
+  std::vector<Solid> solids;
   std::vector<RenderObject> objects;
   std::vector<AreaLight> lights;
   EmitterTable emitters;

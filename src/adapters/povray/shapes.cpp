@@ -1,0 +1,108 @@
+#include "adapters/povray/shapes.h"
+
+#include "adapters/povray/isosurface.h"
+#include "adapters/povray/materials.h"
+#include "adapters/povray/sdl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters::povray {
+
+namespace {
+
+using namespace scene;
+
+// x^2 - c y^2 + z^2 - b y - a; the widest circle bounds it, so that rays elsewhere are not tried.
+std::string quadric_text(const RevolvedQuadric& q) {
+  double widest = 0;
+  for (const double y : {q.y_low, q.y_high}) widest = std::max(widest, q.a + y * (q.b + y * q.c));
+  const double r = std::sqrt(widest) * 1.001;
+  const std::string quadric = fmt::format("quadric {{ <1,{},1>, <0,0,0>, <0,{},0>, {}", -q.c, -q.b, -q.a);
+  if (!q.has_caps)
+    return fmt::format("{} clipped_by {{ box {{ <{},{},{}>, <{},{},{}> }} }} bounded_by {{ clipped_by }}",
+                       quadric, -r, q.y_low, -r, r, q.y_high, r);
+  return fmt::format(
+      "intersection {{ {} }} plane {{ <0,1,0>, {} }} plane {{ <0,-1,0>, {} }} bounded_by {{ box {{ <{},{},{}>, "
+      "<{},{},{}> }} }}",
+      quadric, q.y_high, -q.y_low, -r, q.y_low - 0.001 * r, -r, r, q.y_high + 0.001 * r, r);
+}
+
+struct FormText {
+  bool is_operand;
+
+  template <typename F>
+  std::string operator()(const F& form) const {
+    return quadric_text(revolved(form));
+  }
+  std::string operator()(const SphereForm& f) const {
+    return fmt::format("sphere {{ {}, {}", vector(f.centre_m), f.radius_m);
+  }
+  std::string operator()(const DiskForm& f) const {
+    return fmt::format("disc {{ <0,0,0>, <0,1,0>, {}", f.radius_m);
+  }
+  std::string operator()(const BoxForm& f) const {
+    return fmt::format("box {{ {}, {}", vector(-f.half_sizes_m), vector(f.half_sizes_m));
+  }
+  std::string operator()(const HalfSpaceForm&) const { return "plane { <0,1,0>, 0"; }
+  std::string operator()(const TorusForm& f) const {
+    return fmt::format("torus {{ {}, {} sturm", f.major_radius_m, f.minor_radius_m);
+  }
+  // The axis of POV-Ray's is z.
+  std::string operator()(const SuperellipsoidForm& f) const {
+    return fmt::format("superellipsoid {{ <{},{}> matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>", f.east_west,
+                       f.north_south);
+  }
+  std::string operator()(const ImplicitForm& f) const { return isosurface_text(f, is_operand); }
+  // merge: a union would keep the faces inside.
+  std::string operator()(const CsgForm& f) const {
+    constexpr std::array kWords{"merge", "intersection", "difference"};
+    std::string text = fmt::format("{} {{", kWords[static_cast<std::size_t>(f.operation)]);
+    for (const Shape& operand : f.operands) {
+      text += fmt::format("\n  {}", std::visit(FormText{true}, operand.form));
+      if (operand.material >= 0) text += fmt::format(" texture {{ Material{} }}", operand.material);
+      text += fmt::format(" {} }}", matrix(operand.matrix));
+    }
+    return text;
+  }
+};
+
+}  // namespace
+
+std::string open_shape_text(const Shape& shape) {
+  return fmt::format("{} texture {{ Material{} }} {}", std::visit(FormText{false}, shape.form),
+                     shape.material, matrix(shape.matrix));
+}
+
+std::optional<int> photon_material(const Scene& scene, const Shape& shape) {
+  std::optional<int> found;
+  for_each_leaf(shape, shape.material, [&](const Shape&, int material) {
+    const auto surface = surface_of(material_at(scene, material).model);
+    if (surface == Surface::Glass || (surface == Surface::Mirror && !found)) found = material;
+  });
+  return found;
+}
+
+std::string shape_limit(const Scene& scene, const Shape& shape, const std::string& display_name) {
+  std::set<int> glasses;
+  std::string problem;
+  for_each_leaf(shape, shape.material, [&](const Shape& leaf, int index) {
+    const Material& material = material_at(scene, index);
+    if (texture_of(material.model))
+      problem = fmt::format("{} has a texture: POV-Ray's own shapes have texture coordinates of their own",
+                            display_name);
+    if (surface_of(material.model) == Surface::Glass) glasses.insert(index);
+    if (const auto* form = std::get_if<ImplicitForm>(&leaf.form))
+      if (const auto reason = isosurface_limit(*form); !reason.empty())
+        problem = fmt::format("{}: {}", display_name, reason);
+  });
+  if (glasses.size() > 1)
+    return fmt::format("{} is made of several glasses: an object of POV-Ray has one interior", display_name);
+  return problem;
+}
+
+}  // namespace orbs::adapters::povray
