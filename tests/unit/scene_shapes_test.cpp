@@ -101,7 +101,7 @@ TEST(Formula, RefusesSayWhere) {
   expect_part(formula_refusal("x^y"), "the exponent must be a constant; write exp(b * log(a)) for a^b");
   expect_part(formula_refusal("x + 1 / 0"), "this constant has no finite value");
   expect_part(formula_refusal("sin(x, y)"), "expected ')', found ','");
-  expect_part(formula_refusal(std::string(200, '(') + "x"), "more than 100 brackets");
+  expect_part(formula_refusal(fmt::format("{}x", std::string(200, '('))), "more than 100 brackets");
   expect_part(formula_refusal(std::string(20000, ' ')), "at most 10000 are read");
 }
 
