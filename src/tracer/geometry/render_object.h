@@ -49,6 +49,7 @@ struct RenderObject {
   Affine normal_to_world;
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle: index into World::mirror_planes or -1; empty without any
+  std::vector<int> emitters;       // per triangle: index into World::emitters or -1; empty without any
 };
 
 }  // namespace orbs::tracer

@@ -83,7 +83,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_lights(scene, origin, colours, world);
-  build_emitters(world);
+  build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
   world.direct_light = settings.direct_light;
   world.roulette = settings.roulette;
@@ -102,6 +102,10 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   const double factor = scene::enlargement_to(scene, kLeastRadius_m);
   if (factor == 1) return make_world_as_is(scene, settings);
   return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
+}
+
+bool supports_light_connections(const World& world) {
+  return supports_light_paths(world) && world.direct_light == DirectLight::Mis && world.trace_depth >= 2;
 }
 
 }  // namespace orbs::tracer
