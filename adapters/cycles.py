@@ -108,7 +108,7 @@ def build(scene, folder, scale_option):
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
     around = cycles_materials.Surroundings(textures, scales_radiance)
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
-    add_camera(scene["camera"], scale)
+    add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], meshes, instances, lights))
     add_environment(scene.get("environment", [0, 0, 0]))
     add_instances(meshes, instances, materials, scale)
     for index, light in enumerate(lights):
@@ -228,7 +228,29 @@ def world_matrix(numbers, scale):
     return Matrix.Scale(scale, 4) @ Matrix(rows)
 
 
-def add_camera(camera, scale):
+def farthest_distance(position, meshes, instances, lights):
+    """An upper bound of the distance in metres from the camera to what is drawn; 0 if nothing is."""
+    boxes = {}
+    for _, mesh, _, _ in instances:
+        if mesh not in boxes:
+            boxes[mesh] = cycles_meshes.bounds(meshes[mesh][0], IDENTITY)
+    placed = [(boxes[mesh], matrix) for _, mesh, matrix, _ in instances]
+    placed += [(cycles_meshes.bounds(shape, IDENTITY), matrix) for _, shape, matrix in lights]
+    corners = [Matrix((matrix[0:4], matrix[4:8], matrix[8:12], matrix[12:16])) @ Vector((x[0], y[1], z[2]))
+               for (low, high), matrix in placed for x in (low, high) for y in (low, high) for z in (low, high)]  # fmt: skip
+    return max(((corner - Vector(position)).length for corner in corners), default=0.0)
+
+
+def clip_distances(scale, farthest):
+    """near and far do not clip in orbs-scene/1, but Blender's cameras must. What they keep grows and shrinks with the scene,
+    down to 1e-6, the least that Blender stores."""
+    start, end = 1e-4 * scale, 1e6
+    if farthest > 0:
+        start, end = min(start, 1e-4 * scale * farthest), max(end, 2 * scale * farthest)
+    return max(start, 1e-6), end
+
+
+def add_camera(camera, scale, farthest):
     checked(camera, "camera", ["position", "look_at"],
             ["up", "fov_y", "width", "height", "near", "far", "focus_distance"])  # fmt: skip
     position = Vector(camera["position"])
@@ -239,7 +261,7 @@ def add_camera(camera, scale):
     data = bpy.data.cameras.new("camera")
     data.sensor_fit = "VERTICAL"
     data.angle_y = math.radians(camera.get("fov_y", 90.0))
-    data.clip_start, data.clip_end = 1e-4 * scale, 1e6  # near and far do not clip in orbs-scene/1
+    data.clip_start, data.clip_end = clip_distances(scale, farthest)
     item = add_object("camera", data)
     axes = Matrix((right, back.cross(right), back)).transposed().to_4x4()
     item.matrix_world = Matrix.Translation(scale * position) @ axes
