@@ -10,7 +10,7 @@ AddCommand add_run_command, add_serve_command, add_report_command, add_compare_c
 AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
-AddCommand add_sensitivity_command, add_cost_command;
+AddCommand add_sensitivity_command, add_cost_command, add_stability_command;
 
 namespace {
 
@@ -42,6 +42,8 @@ constexpr std::array kCommands{
             "Measure which slight faults pass silently, and the rate of false alarms",
             add_sensitivity_command},
     Command{"cost", kStudies, "Measure how long each renderer takes to a given error", add_cost_command},
+    Command{"stability", kStudies, "Measure how far each renderer's images follow changes of a scene",
+            add_stability_command},
     Command{"bench", kStudies, "Measure speed and noise of renderers side by side", add_bench_command},
     Command{"effect-cost", kStudies,
             "Measure what each effect of light costs, and what leaving it out changes",

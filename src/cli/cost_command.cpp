@@ -14,6 +14,7 @@
 #include "studies/cost_json.h"
 #include "studies/cost_report.h"
 #include "studies/cost_study.h"
+#include "studies/cost_svg.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ namespace {
 struct CostOptions {
   TargetFilters filters;
   std::vector<std::string> requirements, renderers;
-  std::string size, output, resume, show;
+  std::string size, output, resume, show, svg;
   std::string time = "20m", target = "35dB";
   studies::CostRequest request;
   bool as_markdown = false;
@@ -86,6 +87,8 @@ void add_options(CLI::App& command, CostOptions& options) {
                    ->check(not_empty("a folder or a file"));
   resume->excludes(output);
   show->excludes(output)->excludes(resume);
+  command.add_option("--svg", options.svg, "Also draw all curves into this SVG file")
+      ->check(not_empty("a file"));
   command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every goal");
 }
 
@@ -94,8 +97,9 @@ std::filesystem::path cost_file(const std::string& place) {
   return std::filesystem::is_directory(path) ? path / results::kCostFile : path;
 }
 
-void print(const studies::CostRecord& record, bool as_markdown) {
-  print_clean("{}", as_markdown ? studies::cost_markdown(record) : studies::cost_table(record));
+void report(const studies::CostRecord& record, const CostOptions& options) {
+  print_clean("{}", options.as_markdown ? studies::cost_markdown(record) : studies::cost_table(record));
+  if (!options.svg.empty()) write_file(options.svg, studies::cost_svg(record));
 }
 
 // What an interrupted study had measured. Times of another machine are no part of the same study.
@@ -133,7 +137,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   }
   record = studies::measure_cost(plan, request, std::move(record), context);
   write_file(request.folder / "cost.csv", studies::cost_csv(record));
-  print(record, options.as_markdown);
+  report(record, options);
   print_clean("all numbers: {}\nnext: orbs serve {}   (shows the curves in the browser)\n",
               (request.folder / results::kCostFile).string(), request.folder.string());
   return record.is_finished ? 0 : kInterrupted;
@@ -151,7 +155,7 @@ void add_cost_command(CLI::App& command, const Program& program, Action& action)
   command.callback([=, &program, &action] {
     action = [=, &program] {
       if (!options->show.empty()) {
-        print(studies::read_cost_file(cost_file(options->show)), options->as_markdown);
+        report(studies::read_cost_file(cost_file(options->show)), *options);
         return 0;
       }
       return measure(read_configuration(*configuration, program), *options, program);

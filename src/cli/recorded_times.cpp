@@ -1,10 +1,14 @@
 #include "cli/recorded_times.h"
 
 #include "base/error.h"
+#include "json/document.h"
+#include "json/object_reader.h"
 #include "registry/image_size.h"
+#include "results/field_reader.h"
 #include "results/read_record.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -43,23 +47,49 @@ void take_times(const results::RunRecord& run,
   }
 }
 
+// data/bench/render-times.json, which data/bench/render_times.py makes of a run.
+void take_shipped_times(const runner::Plan& plan, RecordedTimes& times) {
+  const auto file = plan.root / "data/bench/render-times.json";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
+  const auto document = json::parse_file(file);
+  json::ObjectReader in(document);
+  results::check_format(in, "orbs-render-times/1");
+  in.text("machine");
+  const bool is_same_suite = in.text("suite") == plan.suite.name;
+  const bool is_same_size = in.text("size") == registry::size_text(plan.settings.size_divisor);
+  for (auto& render : in.objects("renders")) {
+    const auto scene = render.text("scene");
+    const auto renderer = render.text("renderer");
+    const double seconds_per_sample = render.number("cpu_seconds", json::kPositive) /
+                                      render.integer("spp", 1, std::numeric_limits<int>::max());
+    render.finish();
+    if (!is_same_suite || !is_same_size) continue;
+    for (const auto& planned : plan.jobs)
+      if (plan.scenes[planned.scene].name == scene &&
+          plan.renderers[planned.renderer].entry.name == renderer &&
+          times.seconds.emplace(planned.id, seconds_per_sample * planned.spp / plan.threads).second)
+        ++times.from_elsewhere;
+  }
+  in.finish();
+}
+
 }  // namespace
 
-std::map<std::string, double> recorded_seconds(const runner::Plan& plan,
-                                               const fs::path& folder,
-                                               const fs::path& resumed) {
-  std::map<std::string, double> seconds;
+RecordedTimes recorded_times(const runner::Plan& plan, const fs::path& folder, const fs::path& resumed) {
+  RecordedTimes times;
   for (const auto& run : earlier_runs(folder, resumed)) {
-    if (seconds.size() == plan.jobs.size()) break;
+    if (times.seconds.size() == plan.jobs.size()) break;
     std::error_code ignored;
     if (!fs::exists(run / "results.json", ignored)) continue;
     try {
-      take_times(results::read_results_file(run / "results.json"), plan, seconds);
+      take_times(results::read_results_file(run / "results.json"), plan, times.seconds);
     } catch (const InputError&) {
       continue;  // it has no times that could be used, and this is no place to complain about it
     }
   }
-  return seconds;
+  take_shipped_times(plan, times);
+  return times;
 }
 
 std::string duration_text(double seconds) {
@@ -70,15 +100,18 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / kHour);
 }
 
-std::string amount_text(const runner::Plan& plan, const std::map<std::string, double>& seconds) {
+std::string amount_text(const runner::Plan& plan, const RecordedTimes& times) {
   const auto count = plan.jobs.size();
   auto text = fmt::format("{} render{}", count, count == 1 ? "" : "s");
   double sum = 0;
-  for (const auto& [id, time] : seconds) sum += time;
-  if (seconds.empty()) return text + "; no earlier run here says how long they take";
+  for (const auto& [id, time] : times.seconds) sum += time;
+  if (times.seconds.empty()) return text + "; no earlier run here says how long they take";
   text += fmt::format(", about {}", duration_text(sum / plan.settings.jobs));
-  if (seconds.size() < count)
-    text += fmt::format(" for {} of them, the others have no recorded time", seconds.size());
+  if (times.from_elsewhere > 0)
+    text += times.from_elsewhere == times.seconds.size() ? ", as another machine took"
+                                                         : ", in part by the times of another machine";
+  if (times.seconds.size() < count)
+    text += fmt::format(" for {} of them, the others have no recorded time", times.seconds.size());
   return text;
 }
 

@@ -6,7 +6,9 @@
 #include "cli/show_runs.h"
 #include "report/cost_page_file.h"
 #include "report/page_file.h"
+#include "report/stability_page_file.h"
 #include "results/cost_study.h"
+#include "results/stability_study.h"
 
 #include <optional>
 
@@ -33,11 +35,13 @@ int write_report(const ReportOptions& options, const Program& program) {
   settings.exact = options.exact;
   const auto folder =
       options.run.empty() ? newest_runs_and_studies().front() : std::filesystem::path(options.run);
-  const bool is_study = results::holds_cost_study(folder);
+  const bool is_stability = results::holds_stability_study(folder);
+  const bool is_study = is_stability || results::holds_cost_study(folder);
   settings.most_bytes = static_cast<std::size_t>(
       options.most_megabytes.value_or(is_study ? kStudyMegabytes : kRunMegabytes) * kMegabyte);
-  const auto page = is_study ? report::cost_page_file(folder, settings)
-                             : report::page_file(results::read_run_folder(folder), settings);
+  const auto page = is_stability ? report::stability_page_file(folder, settings)
+                    : is_study   ? report::cost_page_file(folder, settings)
+                                 : report::page_file(results::read_run_folder(folder), settings);
   write_file(options.output, page.text);
   print_clean("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
               page.images);
@@ -54,13 +58,13 @@ void add_report_command(CLI::App& command, const Program& program, Action& actio
   const auto options = std::make_shared<ReportOptions>();
   command.add_option(
       "run", options->run,
-      "Folder of the run or cost study (default: the newest outputs-* or cost-* in the working folder)");
+      "Folder of the run or study (default: the newest outputs-*, cost-* or stability-* in the working folder)");
   command.add_option("-o,--output", options->output, "The file to write")
       ->required()
       ->check(not_empty("a file"));
   command
       .add_option("--most-megabytes", options->most_megabytes,
-                  "Room for images; those of failures come first (default: 100, of a cost study 5)")
+                  "Room for images; those of failures come first (default: 100, of a study 5)")
       ->check(zero_or_more());
   command.add_flag("--exact", options->exact, "Store images with all digits instead of as 16-bit floats");
   command.callback(

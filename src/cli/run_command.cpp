@@ -157,7 +157,7 @@ runner::RunFile run_file_of(const registry::Configuration& configuration,
 // Before anything starts: a configuration that was found above may not be the one that was meant.
 void announce(const registry::Configuration& configuration,
               const runner::Plan& plan,
-              const std::map<std::string, double>& seconds,
+              const RecordedTimes& times,
               const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& renderer : plan.renderers) names.push_back(renderer.entry.name);
@@ -165,7 +165,7 @@ void announce(const registry::Configuration& configuration,
   print_clean(stderr, "configuration: {}{}\n", configuration.file.string(),
               is_here ? "" : ", which is not in this folder");
   print_clean(stderr, "suite {} with {}: {}\n", plan.suite.name, fmt::join(names, ", "),
-              amount_text(plan, seconds));
+              amount_text(plan, times));
   for (const auto& left : plan.left_out)
     print_clean(stderr, "left out: {}: {}\n", left.renderer, left.reason);
   print_clean(stderr, "results: {}\n", folder.string());
@@ -219,13 +219,13 @@ int run_plan(const registry::Configuration& configuration,
   std::filesystem::path folder;
   runner::RunContext context;
   context.file = run_file_of(configuration, plan, options.resume, folder);
-  const auto seconds = recorded_seconds(plan, std::filesystem::current_path(),
-                                        options.resume.empty() ? std::filesystem::path() : folder);
-  announce(configuration, plan, seconds, folder);
+  const auto times = recorded_times(plan, std::filesystem::current_path(),
+                                    options.resume.empty() ? std::filesystem::path() : folder);
+  announce(configuration, plan, times, folder);
   context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;
   context.rendering.stop = &catch_interrupts();
-  const auto record = render_with_progress(plan, folder, seconds, context);
+  const auto record = render_with_progress(plan, folder, times.seconds, context);
   print_end(record, folder);
   if (plan.settings.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);

@@ -4,6 +4,7 @@
 #include "base/terminal.h"
 #include "cli/interrupt.h"
 #include "results/cost_study.h"
+#include "results/stability_study.h"
 #include "server/serve.h"
 
 #include <algorithm>
@@ -60,7 +61,9 @@ std::vector<fs::path> newest_runs_and_studies() {
   return newest_folders([](const fs::path& folder) {
     const auto name = folder.filename().string();
     return (name.starts_with("outputs-") && fs::exists(folder / "results.json")) ||
-           ((name.starts_with("outputs-") || name.starts_with("cost-")) && results::holds_cost_study(folder));
+           ((name.starts_with("outputs-") || name.starts_with("cost-")) &&
+            results::holds_cost_study(folder)) ||
+           (name.starts_with("stability-") && results::holds_stability_study(folder));
   });
 }
 

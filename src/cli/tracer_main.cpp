@@ -4,7 +4,9 @@
 #include "image/image_io.h"
 #include "scene/effects.h"
 #include "scene/load_scene.h"
+#include "tracer/choose_light_connections.h"
 #include "tracer/choose_light_paths.h"
+#include "tracer/choose_light_selection.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
 
@@ -37,8 +39,10 @@ struct Options {
   bool as_json = false;
   orbs::tracer::RenderSettings render;
   std::string light_paths = "auto";
+  std::string light_connections = "auto";
   std::string direct_light = "mis";
   std::string sampler = "sobol";
+  std::string light_selection = "auto";
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
@@ -72,10 +76,20 @@ void add_algorithm_options(CLI::App& app, Options& options) {
          "next-event estimation)")
       ->check(CLI::IsMember({"mis", "light", "bsdf"}))
       ->capture_default_str();
+  app.add_option("--light-selection", options.light_selection,
+                 "which of several emitters light sampling takes: bvh (by what each may contribute to the "
+                 "point), power (by its power alone) or auto (what a trial rendering shows to be better)")
+      ->check(CLI::IsMember({"auto", "bvh", "power"}))
+      ->capture_default_str();
   app.add_option(
          "--light-paths", options.light_paths,
          "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
          "or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_option("--light-connections", options.light_connections,
+                 "connections of camera paths to the first hits of light paths (bidirectional): auto (if a "
+                 "trial rendering shows that they reduce noise), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
@@ -191,9 +205,11 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.sampler"] = options.sampler;
   header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
+  header["orbs.light_selection"] = world.light_bvh.empty() ? "power" : "bvh";
   header["orbs.roulette"] = world.roulette ? "yes" : "no";
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
+  header["orbs.light_connections"] = world.connects_light_vertices ? "yes" : "no";
   header["orbs.transport"] = std::string(orbs::scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =
@@ -222,13 +238,20 @@ int run(const Options& options) {
     orbs::print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  auto world = tracer::make_world(scene, {.transport = options.transport,
-                                          .may_lose_effects = options.may_lose_effects,
-                                          .light_paths = options.light_paths != "never",
-                                          .mirrored_light = !options.has_no_mirrored_light,
-                                          .direct_light = direct_light_named(options.direct_light),
-                                          .roulette = !options.has_no_roulette});
+  auto world = tracer::make_world(
+      scene, {.transport = options.transport,
+              .may_lose_effects = options.may_lose_effects,
+              .light_paths = options.light_paths != "never",
+              .mirrored_light = !options.has_no_mirrored_light,
+              .direct_light = direct_light_named(options.direct_light),
+              .light_selection = options.light_selection == "power" ? tracer::LightSelection::Power
+                                                                    : tracer::LightSelection::Bvh,
+              .roulette = !options.has_no_roulette});
+  if (options.light_selection == "auto") tracer::choose_light_selection(world, options.render.threads);
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
+  if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
+  if (options.light_connections == "always")
+    world.connects_light_vertices = tracer::supports_light_connections(world);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);

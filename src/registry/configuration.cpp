@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "json/document.h"
 #include "json/object_reader.h"
+#include "registry/image_size.h"
 #include "registry/limits.h"
 #include "registry/placeholders.h"
 #include "registry/plain_name.h"
@@ -160,6 +161,13 @@ std::map<std::string, double> load_scene_settings(ObjectReader settings) {
   return numbers;
 }
 
+// The full size has the settings of the entry itself.
+int divisor_of(ObjectReader& sizes, const std::string& size) {
+  for (const int divisor : kSizeDivisors)
+    if (divisor != 1 && size == size_text(divisor)) return divisor;
+  sizes.fail(size, "is no reduced size; expected 1/2, 1/4 or 1/8");
+}
+
 std::vector<QualityRung> load_cost_ladder(ObjectReader& in) {
   std::vector<QualityRung> ladder;
   std::set<std::string> names;
@@ -190,6 +198,11 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   }
   renderer.scene_format = in.text_or("scene_format", kNeutralFormat);
   if (in.has("scene_settings")) renderer.scene_settings = load_scene_settings(in.object("scene_settings"));
+  if (in.has("scene_settings_of_sizes")) {
+    auto sizes = in.object("scene_settings_of_sizes");
+    for (const auto& size : sizes.keys())
+      renderer.scene_settings_of_sizes[divisor_of(sizes, size)] = load_scene_settings(sizes.object(size));
+  }
   if (in.has("transports")) {
     auto words = in.object("transports");
     for (const auto& name : words.keys()) {

@@ -5,6 +5,7 @@
 #include "adapters/transports.h"
 #include "base/error.h"
 #include "registry/filters.h"
+#include "registry/image_size.h"
 #include "registry/placeholders.h"
 
 #include <algorithm>
@@ -21,6 +22,13 @@ void take_executable(ChosenRenderer& chosen, const std::string& given) {
     throw InputError(fmt::format("{}; -e needs the program of renderer '{}'",
                                  adapters::program_problem(given), chosen.entry.name));
   chosen.executable = *found;
+}
+
+registry::Renderer at_size(registry::Renderer renderer, int size_divisor) {
+  const auto own = renderer.scene_settings_of_sizes.find(size_divisor);
+  if (own != renderer.scene_settings_of_sizes.end())
+    for (const auto& [name, value] : own->second) renderer.scene_settings[name] = value;
+  return renderer;
 }
 
 }  // namespace
@@ -49,9 +57,10 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
         "-e/--exec is the program of one renderer, but {} are chosen; name one with -r", names.size()));
   for (const auto& renderer : all) {
     if (std::find(names.begin(), names.end(), renderer.name) == names.end()) continue;
-    adapters::check_scene_settings(renderer);
+    ChosenRenderer chosen{at_size(renderer, plan.settings.size_divisor), {}};
+    for (const int divisor : registry::kSizeDivisors)
+      adapters::check_scene_settings(at_size(renderer, divisor));
     adapters::check_transports(renderer);
-    ChosenRenderer chosen{renderer, {}};
     if (!plan.settings.executable.empty()) {
       take_executable(chosen, plan.settings.executable);
     } else if (const auto found = installed_executable(renderer, plan.root, plan.build)) {

@@ -18,16 +18,18 @@ std::vector<Vector> vectors(json::ObjectReader& in, const std::string& key, std:
     in.fail(key, fmt::format("must hold groups of {} numbers, holds {}", width, numbers.size()));
   std::vector<Vector> out(numbers.size() / width);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i].x = static_cast<float>(numbers[i * width]);
-    out[i].y = static_cast<float>(numbers[i * width + 1]);
-    if constexpr (requires { out[i].z; }) out[i].z = static_cast<float>(numbers[i * width + 2]);
+    using Real = decltype(out[i].x);
+    out[i].x = static_cast<Real>(numbers[i * width]);
+    out[i].y = static_cast<Real>(numbers[i * width + 1]);
+    if constexpr (requires { out[i].z; }) out[i].z = static_cast<Real>(numbers[i * width + 2]);
   }
   return out;
 }
 
-Mesh inline_mesh(json::ObjectReader& in) {
-  Mesh mesh;
-  mesh.positions = vectors<Vec3f>(in, "positions", 3);
+MeshFile inline_mesh(json::ObjectReader& in) {
+  MeshFile file;
+  place_vertices(vectors<Vec3d>(in, "positions", 3), file);
+  Mesh& mesh = file.mesh;
   mesh.normals = vectors<Vec3f>(in, "normals", 3);
   mesh.tangents.resize(mesh.positions.size());
   mesh.uvs.resize(mesh.positions.size());
@@ -46,7 +48,7 @@ Mesh inline_mesh(json::ObjectReader& in) {
       in.fail_at("triangles", i, fmt::format("must be a whole number, is {}", corners[i]));
     mesh.triangles[i / 3][i % 3] = static_cast<std::uint32_t>(corners[i]);
   }
-  return mesh;
+  return file;
 }
 
 MeshFile mesh_of_file(json::ObjectReader& in, const DataFolders& folders) {
@@ -106,16 +108,18 @@ void assign_materials(json::ObjectReader& in, const Names& materials, MeshFile& 
   }
 }
 
-void append_moved(Mesh& whole, const Mesh& part, const Mat4& matrix) {
+// Appends to `places` where the vertices lie, and everything else to `whole`.
+void append_moved(Mesh& whole, std::vector<Vec3d>& places, const MeshFile& file, const Mat4& matrix) {
+  const Mesh& part = file.mesh;
   const Mat4 back = inverse(matrix).value();  // load_matrix has refused singular ones
-  const auto first = static_cast<std::uint32_t>(whole.positions.size());
+  const auto first = static_cast<std::uint32_t>(places.size());
   const bool moves = !(matrix == Mat4{});
   const auto unit = [](Vec3d v) { return length(v) > 0 ? normalised(v) : v; };
   for (std::size_t i = 0; i < part.positions.size(); ++i) {
-    const Vec3d p = cast<double>(part.positions[i]);
+    const Vec3d p = cast<double>(part.positions[i]) + file.origin_m;
     const Vec3d n = cast<double>(part.normals[i]);
     const Vec3d t = cast<double>(part.tangents[i]);
-    whole.positions.push_back(moves ? cast<float>(transform_point(matrix, p)) : part.positions[i]);
+    places.push_back(moves ? transform_point(matrix, p) : p);
     whole.normals.push_back(moves ? cast<float>(unit(transform_normal(back, n))) : part.normals[i]);
     whole.tangents.push_back(moves ? cast<float>(unit(transform_direction(matrix, t))) : part.tangents[i]);
     whole.uvs.push_back(part.uvs[i]);
@@ -125,10 +129,10 @@ void append_moved(Mesh& whole, const Mesh& part, const Mat4& matrix) {
                                   part.triangle_materials.end());
 }
 
-Mesh load_source(json::ObjectReader& in,
-                 const DataFolders& folders,
-                 const Names& materials,
-                 SceneBudget& left) {
+MeshFile load_source(json::ObjectReader& in,
+                     const DataFolders& folders,
+                     const Names& materials,
+                     SceneBudget& left) {
   MeshFile file;
   const bool from_file = in.has("file");
   if (from_file)
@@ -136,32 +140,39 @@ Mesh load_source(json::ObjectReader& in,
   else if (in.has("generator"))
     file.mesh = load_generated(in, left);
   else if (in.has("positions"))
-    file.mesh = inline_mesh(in);
+    file = inline_mesh(in);
   else
     in.fail("", "needs one of: generator, file, positions, parts");
   if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
   assign_materials(in, materials, file, from_file);
-  return std::move(file.mesh);
+  return file;
 }
 
 }  // namespace
 
-Mesh load_mesh(json::ObjectReader in, const DataFolders& folders, const Names& materials, SceneBudget& left) {
-  Mesh mesh;
+MeshFile load_mesh(json::ObjectReader in,
+                   const DataFolders& folders,
+                   const Names& materials,
+                   SceneBudget& left) {
+  MeshFile file;
   const std::string name = in.text("name");
   if (in.has("parts")) {
+    std::vector<Vec3d> places;
     for (auto& part : in.objects("parts")) {
       const Mat4 matrix = load_matrix(part, "matrix");
-      append_moved(mesh, load_source(part, folders, materials, left), matrix);
+      append_moved(file.mesh, places, load_source(part, folders, materials, left), matrix);
       part.finish();
     }
+    place_vertices(places, file);
   } else {
-    mesh = load_source(in, folders, materials, left);
+    file = load_source(in, folders, materials, left);
   }
   in.finish();
-  mesh.name = name;
-  if (const auto problem = mesh_problem(mesh); !problem.empty()) in.fail("", problem);
-  return mesh;
+  file.mesh.name = name;
+  if (const auto problem = mesh_problem(file.mesh); !problem.empty()) in.fail("", problem);
+  if (largest_magnitude(file.origin_m) > kFarthest_m)
+    in.fail("", fmt::format("the mesh lies farther out than {} m", kFarthest_m));
+  return file;
 }
 
 std::string mesh_problem(const Mesh& mesh) {

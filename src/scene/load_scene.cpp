@@ -112,6 +112,14 @@ Sphere load_shape(json::ObjectReader in, const Names& materials) {
   return sphere;
 }
 
+// Meshes whose vertices are relative to an origin get it back by the matrices of their instances, in double.
+void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& instances) {
+  for (auto& instance : instances) {
+    const Vec3d origin = origins[static_cast<std::size_t>(instance.mesh)];
+    if (!(origin == Vec3d{})) instance.matrix = instance.matrix * translation(origin);
+  }
+}
+
 Scene load_document(const json::Document& document, const DataFolders& folders, SceneBudget left) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-scene/1"});
@@ -133,12 +141,16 @@ Scene load_document(const json::Document& document, const DataFolders& folders, 
     scene.materials.push_back(load_material(entry, textures, data));
   }
   Names meshes("mesh");
+  std::vector<Vec3d> origins;
   for (auto& entry : in.objects_or_none("meshes")) {
     meshes.add(entry, "name");
-    scene.meshes.push_back(load_mesh(entry, folders, materials, left));
+    auto file = load_mesh(entry, folders, materials, left);
+    scene.meshes.push_back(std::move(file.mesh));
+    origins.push_back(file.origin_m);
   }
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
+  move_to_origins(origins, scene.instances);
   for (auto& entry : in.objects_or_none("shapes")) scene.spheres.push_back(load_shape(entry, materials));
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
   if (in.has("integrator")) load_integrator(in.object("integrator"), scene);

@@ -149,10 +149,10 @@ class PlyReader {
     return row_;
   }
 
-  float value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
+  double value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
     for (const char* name : names)
       if (const auto found = row.find(name); found != row.end() && !found->second.empty())
-        return static_cast<float>(found->second.front());
+        return found->second.front();
     if (is_required)
       fail(fmt::format("vertices lack the property '{}': nothing is computed in its place", *names.begin()));
     return 0;
@@ -161,14 +161,18 @@ class PlyReader {
   void read_vertices(const Element& element) {
     Mesh& mesh = out_.mesh;
     row_.clear();
+    std::vector<Vec3d> positions;
     for (std::size_t i = 0; i < element.count; ++i) {
       const Row& row = read_row(element);
-      mesh.positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
-      mesh.normals.push_back({value(row, {"nx"}, true), value(row, {"ny"}, true), value(row, {"nz"}, true)});
-      mesh.tangents.push_back(
-          {value(row, {"tx"}, false), value(row, {"ty"}, false), value(row, {"tz"}, false)});
-      mesh.uvs.push_back({value(row, {"u", "s"}, false), value(row, {"v", "t"}, false)});
+      const auto rounded = [&](std::initializer_list<const char*> names, bool is_required) {
+        return static_cast<float>(value(row, names, is_required));
+      };
+      positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
+      mesh.normals.push_back({rounded({"nx"}, true), rounded({"ny"}, true), rounded({"nz"}, true)});
+      mesh.tangents.push_back({rounded({"tx"}, false), rounded({"ty"}, false), rounded({"tz"}, false)});
+      mesh.uvs.push_back({rounded({"u", "s"}, false), rounded({"v", "t"}, false)});
     }
+    place_vertices(positions, out_);
   }
 
   void read_faces(const Element& element) {

@@ -30,6 +30,7 @@ class ObjReader {
       read_line(std::string_view(line).substr(0, line.find('#')));
     }
     if (out_.mesh.triangles.empty()) fail("there is no face in the file");
+    place_vertices(places_, out_);
     return std::move(out_);
   }
 
@@ -42,9 +43,9 @@ class ObjReader {
     const std::string kind = words.front();
     words.erase(words.begin());
     if (kind == "v") {
-      positions_.push_back(vec3(words));
+      positions_.push_back(vec3<double>(words));
     } else if (kind == "vn") {
-      normals_.push_back(vec3(words));
+      normals_.push_back(vec3<float>(words));
     } else if (kind == "vt") {
       uvs_.push_back(vec2(words));
     } else if (kind == "usemtl") {
@@ -57,20 +58,22 @@ class ObjReader {
     }
   }
 
-  float number(const std::string& word) const {
+  template <typename Real>
+  Real number(const std::string& word) const {
     const auto value = to_number(word);
     if (!value) fail(fmt::format("'{}' is not a number", word));
-    return static_cast<float>(*value);
+    return static_cast<Real>(*value);
   }
 
-  Vec3f vec3(const std::vector<std::string>& words) const {
+  template <typename Real>
+  Vec3<Real> vec3(const std::vector<std::string>& words) const {
     if (words.size() < 3) fail("expected three numbers");
-    return {number(words[0]), number(words[1]), number(words[2])};
+    return {number<Real>(words[0]), number<Real>(words[1]), number<Real>(words[2])};
   }
 
   Vec2f vec2(const std::vector<std::string>& words) const {
     if (words.size() < 2) fail("expected two numbers");
-    return {number(words[0]), number(words[1])};
+    return {number<float>(words[0]), number<float>(words[1])};
   }
 
   void use_material(const std::vector<std::string>& words) {
@@ -103,9 +106,9 @@ class ObjReader {
 
   std::uint32_t vertex(const Corner& c) {
     Mesh& mesh = out_.mesh;
-    const auto [entry, is_new] = vertices_.emplace(c, static_cast<std::uint32_t>(mesh.positions.size()));
+    const auto [entry, is_new] = vertices_.emplace(c, static_cast<std::uint32_t>(places_.size()));
     if (is_new) {
-      mesh.positions.push_back(positions_[static_cast<std::size_t>(c[0])]);
+      places_.push_back(positions_[static_cast<std::size_t>(c[0])]);
       mesh.uvs.push_back(c[1] < 0 ? Vec2f{} : uvs_[static_cast<std::size_t>(c[1])]);
       mesh.normals.push_back(normals_[static_cast<std::size_t>(c[2])]);
       mesh.tangents.push_back({});
@@ -130,10 +133,11 @@ class ObjReader {
   std::string name_;
   int line_ = 0;
   int material_ = -1;
-  std::vector<Vec3f> positions_;
+  std::vector<Vec3d> positions_;
   std::vector<Vec3f> normals_;
   std::vector<Vec2f> uvs_;
   std::map<Corner, std::uint32_t> vertices_;
+  std::vector<Vec3d> places_;             // of the vertices
   std::map<std::string, int> materials_;  // place in material_names
   MeshFile out_;
 };

@@ -8,6 +8,7 @@
 #include "json/writer.h"
 #include "report/packed_image.h"
 #include "results/cost_study.h"
+#include "results/stability_study.h"
 #include "server/refuse.h"
 #include "server/request_gate.h"
 
@@ -59,7 +60,8 @@ std::string runs_json(Site& site) {
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     const auto& served = site.runs[i];
     out.begin_object().member("name", site.names[i]);
-    out.member("kind", std::holds_alternative<std::unique_ptr<ServedStudy>>(served) ? "cost" : "run");
+    const auto* study = std::get_if<std::unique_ptr<ServedStudy>>(&served);
+    out.member("kind", study != nullptr ? (*study)->kind() : "run");
     out.member("started", std::visit([](const auto& one) { return std::string(one->started()); }, served));
     out.end_object();
   }
@@ -134,7 +136,7 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
   if (rest.starts_with("image/")) return send_image(site, folder, after("image/"), layer, response);
   if (rest.starts_with("file/")) return send_file(folder, after("file/"), response);
   const auto* owner = std::get_if<std::unique_ptr<ServedRun>>(&served);
-  if (owner == nullptr) return refuse(response, 404, "a cost study has only images and files");
+  if (owner == nullptr) return refuse(response, 404, "a study has only images and files");
   auto& run = **owner;
   if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
   if (rest == "events") return send_events(site.listeners, run, response);
@@ -145,7 +147,8 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
 }  // namespace
 
 Served open_served(const fs::path& folder) {
-  if (results::holds_cost_study(folder)) return std::make_unique<ServedStudy>(folder);
+  if (results::holds_cost_study(folder) || results::holds_stability_study(folder))
+    return std::make_unique<ServedStudy>(folder);
   return std::make_unique<ServedRun>(folder);
 }
 

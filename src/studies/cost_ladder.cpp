@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -40,7 +41,14 @@ void set_rungs(CostLadder& ladder, const CostPilot& pilot, int last_spp, int cou
 }
 
 CostLadder settings_ladder(const CostPilot& pilot) {
-  return {pilot.target, pilot.renderer, pilot.settings, "", ""};
+  CostLadder ladder{pilot.target, pilot.renderer, pilot.settings, "", ""};
+  const auto tried = pilot.setting_seconds.size();
+  if (tried == 0 || tried == pilot.settings.size()) return ladder;
+  ladder.rungs.resize(tried);
+  ladder.note =
+      fmt::format("the budget ends at '{}', {:.3g} s a render; '{}' would take longer",
+                  ladder.rungs.back().name, pilot.setting_seconds.back(), pilot.settings[tried].name);
+  return ladder;
 }
 
 // Sets so many rungs at every ladder by samples; the seconds of all together.
@@ -50,9 +58,9 @@ double refill(const std::vector<CostPilot>& pilots,
               std::vector<CostLadder>& ladders) {
   double sum = 0;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (!pilots[i].settings.empty()) continue;
-    set_rungs(ladders[i], pilots[i], power_of_two_from(wanted_samples(pilots[i], settings)), rungs);
-    sum += *expected_seconds(pilots[i], ladders[i], settings);
+    if (pilots[i].settings.empty())
+      set_rungs(ladders[i], pilots[i], power_of_two_from(wanted_samples(pilots[i], settings)), rungs);
+    sum += expected_seconds(pilots[i], ladders[i], settings);
   }
   return sum;
 }
@@ -74,11 +82,27 @@ std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
 
 }  // namespace
 
-std::optional<double> expected_seconds(const CostPilot& pilot,
-                                       const CostLadder& ladder,
-                                       const CostSettings& settings) {
-  if (!pilot.settings.empty()) return std::nullopt;
+int renders_per_rung(const CostPilot& pilot, const CostSettings& settings) {
+  return pilot.is_noise_free ? std::min(settings.seeds, 2) : settings.seeds;
+}
+
+bool may_try_next_setting(const CostPilot& pilot, const CostSettings& settings, double share_seconds) {
+  const auto& tried = pilot.setting_seconds;
+  if (tried.empty()) return !pilot.settings.empty();
+  if (tried.size() == pilot.settings.size()) return false;
+  constexpr double kUsualGrowth = 2;
+  const double growth =
+      tried.size() == 1 ? kUsualGrowth : std::max(1.0, tried.back() / tried[tried.size() - 2]);
+  const double sum = std::accumulate(tried.begin(), tried.end(), tried.back() * growth);
+  return sum * renders_per_rung(pilot, settings) <= share_seconds;
+}
+
+double expected_seconds(const CostPilot& pilot, const CostLadder& ladder, const CostSettings& settings) {
   double seconds = settings.seeds * pilot.fixed_seconds;
+  if (!pilot.settings.empty())
+    return std::accumulate(pilot.setting_seconds.begin(), pilot.setting_seconds.end(), 0.0) *
+               renders_per_rung(pilot, settings) +
+           seconds;
   for (const auto& rung : ladder.rungs)
     seconds += settings.seeds * (pilot.fixed_seconds + seconds_per_sample(pilot) * rung.spp);
   return seconds;
@@ -99,9 +123,9 @@ std::vector<CostLadder> choose_ladders(const std::vector<CostPilot>& pilots,
     if (!dearest) break;  // nothing is left to be saved
     const auto& pilot = pilots[*dearest];
     auto& ladder = ladders[*dearest];
-    sum -= *expected_seconds(pilot, ladder, settings);
+    sum -= expected_seconds(pilot, ladder, settings);
     set_rungs(ladder, pilot, ladder.rungs.back().spp / 2, rungs);
-    sum += *expected_seconds(pilot, ladder, settings);
+    sum += expected_seconds(pilot, ladder, settings);
     const double wanted = wanted_samples(pilot, settings);
     if (ladder.rungs.back().spp < wanted)
       ladder.note = fmt::format("the budget ends at {} spp; {:g} dB may need {:.0f} spp, {:.3g} s a render",

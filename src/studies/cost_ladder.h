@@ -18,13 +18,22 @@ struct CostPilot {
   double psnr_srgb8 = 0;           // its error
   int least_spp = 1;               // the fewest samples of a rung
   std::vector<CostRung> settings;  // the rungs that the configuration lists; none: samples
+  /// Wall clock of the settings that were tried, the first of the list; the study has no more of them.
+  std::vector<double> setting_seconds = {};
+  bool is_noise_free = false;
 };
 
+/// Renders of each rung: without random samples, every further image would be the same, and its time is
+/// measured twice.
+int renders_per_rung(const CostPilot& pilot, const CostSettings& settings);
+
+/// Whether all renders of one more setting are expected to fit into this share of the budget, in seconds. The
+/// times of settings are not known before they are rendered: each is expected to take as much longer than the
+/// one before as that one did. The first is always tried.
+bool may_try_next_setting(const CostPilot& pilot, const CostSettings& settings, double share_seconds);
+
 /// The wall clock that all renders of the ladder are expected to take, those of the fixed cost included.
-/// Nothing for settings, whose times are not known before they are rendered.
-std::optional<double> expected_seconds(const CostPilot& pilot,
-                                       const CostLadder& ladder,
-                                       const CostSettings& settings);
+double expected_seconds(const CostPilot& pilot, const CostLadder& ladder, const CostSettings& settings);
 
 /// The ladders of all pilots. The last rung has enough samples to be past the target, for an error whose
 /// square falls as 1 / samples; each has half the samples of the next. Where all together would exceed the

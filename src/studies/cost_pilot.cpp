@@ -20,9 +20,33 @@ std::vector<CostRung> settings_rungs(const registry::Renderer& entry) {
   return rungs;
 }
 
+// Renders one setting after the other while the next is expected to fit into the share of the budget.
+std::optional<CostPilot> try_settings(const CostStudy& study,
+                                      CostRender wanted,
+                                      double share_seconds,
+                                      CostPilot found) {
+  while (may_try_next_setting(found, study.record.settings, share_seconds)) {
+    const auto& setting = found.settings[found.setting_seconds.size()];
+    wanted.rung = setting.name;
+    wanted.spp = setting.spp;
+    const auto made = measured_render(study, wanted);
+    if (!made) return std::nullopt;
+    found.setting_seconds.push_back(
+        std::min(made->wall_seconds, made->cpu_seconds));  // as for the fixed cost
+    study.context.say(fmt::format("pilot  {:<10} {:<18} {:>10}  {:5.2f} dB  {:6.2f} s",
+                                  study.plan.renderers[wanted.renderer].entry.name,
+                                  study.record.targets[wanted.target].name, setting.name,
+                                  made->psnr_srgb8.value_or(0), found.setting_seconds.back()));
+  }
+  return found;
+}
+
 // Every pilot is also the warm-up of its renderer and scene: file caches are filled when the rounds begin.
 // Nothing when the user interrupts.
-std::optional<CostPilot> pilot(const CostStudy& study, std::size_t target, std::size_t renderer) {
+std::optional<CostPilot> pilot(const CostStudy& study,
+                               std::size_t target,
+                               std::size_t renderer,
+                               double share_seconds) {
   constexpr int kPilotSpp = 8;  // enough: the error of an image is a mean over all its pixels
   const auto& entry = study.plan.renderers[renderer].entry;
   CostPilot found{target, renderer, 0, kPilotSpp, 0, 0, 1, settings_rungs(entry)};
@@ -31,11 +55,12 @@ std::optional<CostPilot> pilot(const CostStudy& study, std::size_t target, std::
   if (!fixed) return std::nullopt;
   // Not its wall clock where that is longer: other work on the machine would count for every render.
   found.fixed_seconds = std::min(fixed->wall_seconds, fixed->cpu_seconds);
-  if (!found.settings.empty()) return found;
-  wanted.purpose = kOfRung;
-  wanted.spp = found.spp;
+  found.is_noise_free = entry.is_noise_free;
   constexpr int kPilotSeed = 900;  // of no rung
+  wanted.purpose = kOfRung;
   wanted.seed = kPilotSeed;
+  if (!found.settings.empty()) return try_settings(study, wanted, share_seconds, found);
+  wanted.spp = found.spp;
   const auto made = measured_render(study, wanted);
   if (!made) return std::nullopt;
   // Not its wall clock: other work on the machine would count for every sample of every rung.
@@ -55,6 +80,8 @@ bool choose_rungs(CostStudy& study, double budget_seconds) {
   std::vector<CostLadder> unrendered;
   std::set<std::pair<std::size_t, std::size_t>> seen;
   const auto begin = std::chrono::steady_clock::now();
+  const double share_seconds =
+      budget_seconds / std::max<double>(1, static_cast<double>(study.plan.jobs.size()));
   for (const auto& planned : study.plan.targets) {
     if (planned.jobs.size() != 1) continue;
     const auto& targets = study.record.targets;
@@ -64,7 +91,7 @@ bool choose_rungs(CostStudy& study, double budget_seconds) {
     const auto index = static_cast<std::size_t>(target - targets.begin());
     if (!seen.insert({index, planned.renderer}).second) continue;
     try {
-      const auto found = pilot(study, index, planned.renderer);
+      const auto found = pilot(study, index, planned.renderer, share_seconds);
       if (!found) return false;
       pilots.push_back(*found);
     } catch (const InputError& e) {
@@ -75,9 +102,8 @@ bool choose_rungs(CostStudy& study, double budget_seconds) {
   const auto say_expected = [&](const char* what, const std::vector<CostLadder>& ladders) {
     double seconds = 0;
     for (std::size_t i = 0; i < pilots.size(); ++i)
-      seconds += expected_seconds(pilots[i], ladders[i], settings).value_or(0);
-    study.context.say(fmt::format(
-        "{}: about {:.0f} s (ladders of settings, which have no estimate, not counted)", what, seconds));
+      seconds += expected_seconds(pilots[i], ladders[i], settings);
+    study.context.say(fmt::format("{}: about {:.0f} s", what, seconds));
   };
   if (study.request.rungs.empty()) {
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();

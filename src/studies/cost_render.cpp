@@ -44,7 +44,10 @@ std::optional<CostRender> measured_render(const CostStudy& study,
   if (is_fixed) scene.camera.width_px = scene.camera.height_px = kFewestPixels;
   const auto folder = study.scratch.path() / "render";
   std::filesystem::remove_all(folder);
-  const auto prepared = runner::prepare_render(with_settings(chosen, wanted.rung), study.plan, scene, folder);
+  // What settings ask for may cost as much in few pixels as in many, so the fixed cost is that of the first.
+  const auto& ladder = chosen.entry.cost_ladder;
+  const auto& rung = is_fixed && !ladder.empty() ? ladder.front().name : wanted.rung;
+  const auto prepared = runner::prepare_render(with_settings(chosen, rung), study.plan, scene, folder);
   wanted.load = runner::load_average();
   wanted.order = static_cast<int>(study.record.renders.size());
   const auto made = runner::render_once(prepared,

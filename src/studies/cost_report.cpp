@@ -35,7 +35,9 @@ const CostCurve* find_curve(const CostRecord& record,
   return nullptr;
 }
 
+// One render says nothing of its interval.
 std::string seconds_text(const Interval& seconds) {
+  if (seconds.low == seconds.high) return fmt::format("{:.2g} s (one render)", seconds.value);
   return fmt::format("{:.2g} s ({:.2g}-{:.2g})", seconds.value, seconds.low, seconds.high);
 }
 

@@ -30,16 +30,6 @@ std::string or_number(const std::string& name, std::size_t index) {
   return name.empty() ? fmt::format("{}", index) : fmt::format("'{}'", name);
 }
 
-void fit_camera(scene::Camera& camera, int most_px) {
-  const int longer = std::max(camera.width_px, camera.height_px);
-  if (longer <= most_px) return;
-  const auto fitted = [&](int side) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * most_px / longer)));
-  };
-  camera.width_px = fitted(camera.width_px);
-  camera.height_px = fitted(camera.height_px);
-}
-
 // Material index of a mesh in the scene -> index of its object in the probe.
 using Renumbering = std::map<int, int>;
 
@@ -93,6 +83,16 @@ class IdPassBuilder {
 };
 
 }  // namespace
+
+void fit_camera(scene::Camera& camera, int most_px) {
+  const int longer = std::max(camera.width_px, camera.height_px);
+  if (longer <= most_px) return;
+  const auto fitted = [&](int side) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * most_px / longer)));
+  };
+  camera.width_px = fitted(camera.width_px);
+  camera.height_px = fitted(camera.height_px);
+}
 
 ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
   scene::Scene scene = original;

@@ -22,6 +22,10 @@ struct ProbeScene {
   std::vector<ProbeObject> objects;
 };
 
+/// Reduces the image to at most `most_px` pixels at the longer side, with about its shape; a smaller one
+/// stays.
+void fit_camera(scene::Camera& camera, int most_px);
+
 /// The scene with a camera of at most `most_px` pixels on the longer side, where each object emits a flat
 /// colour of its own. A mesh with several instances gets its materials by remap lists.
 ProbeScene make_id_pass(const scene::Scene& original, int most_px);

@@ -55,7 +55,7 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
     ASSERT_EQ(answer.status, 0) << renderer.name << ": " << answer.text;
     headers[renderer.name] = image::read_image(sandbox.folder() / "out.exr").attributes;
   }
-  EXPECT_EQ(headers.size(), 9U);
+  EXPECT_EQ(headers.size(), 11U);
   EXPECT_EQ(headers["orbs-independent"]["orbs.sampler"], "independent");
   EXPECT_EQ(headers["orbs-stratified"]["orbs.sampler"], "stratified");
   EXPECT_EQ(headers["orbs-sobol-1"]["orbs.replicates"], "1");
@@ -64,5 +64,7 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   EXPECT_EQ(headers["orbs-light-only"]["orbs.direct_light"], "light");
   EXPECT_EQ(headers["orbs-no-roulette"]["orbs.roulette"], "no");
   EXPECT_EQ(headers["orbs-no-light-paths"]["orbs.light_paths"], "no");
+  EXPECT_EQ(headers["orbs-selection-by-power"]["orbs.light_selection"], "power");
+  EXPECT_EQ(headers["orbs-light-connections"]["orbs.light_connections"], "yes");
   EXPECT_EQ(headers["orbs-no-mirrored-light"]["orbs.mirrored_light"], "no");
 }

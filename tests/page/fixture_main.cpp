@@ -1,11 +1,13 @@
 // Makes the runs that the browser tests look at:
 //   orbs-page-fixture small|before|many|huge <folder>   a finished run
 //   orbs-page-fixture cost <folder>                      a cost study
+//   orbs-page-fixture stability <folder>                 a study of stability
 //   orbs-page-fixture live <folder>                      a live run: each line on stdin completes a
 //                                                        render, the end of stdin the run
 #include "base/error.h"
 #include "page/fixture_cost.h"
 #include "page/fixture_runs.h"
+#include "page/fixture_stability.h"
 
 #include <cstdio>
 #include <string_view>
@@ -22,6 +24,7 @@ int main(int argc, char** argv) {
     if (what == "many") write_run_of_many_cells(folder);
     if (what == "huge") write_run_of_huge_images(folder);
     if (what == "cost") write_cost_study(folder);
+    if (what == "stability") write_stability_study(folder);
     if (what == "live") play_live_run(folder);
   } catch (const orbs::InputError& e) {
     std::fputs(e.what(), stderr);

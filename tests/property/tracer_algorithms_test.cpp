@@ -16,10 +16,14 @@ using tracer::RenderSettings;
 using tracer::Sampler;
 using tracer::WorldSettings;
 
-image::Image image_of(const scene::Scene& scene, const WorldSettings& world, const RenderSettings& settings) {
+image::Image image_of(const scene::Scene& scene,
+                      const WorldSettings& world_settings,
+                      const RenderSettings& settings,
+                      bool connects_light_vertices = false) {
   const std::atomic<bool> never{false};
-  return tracer::render(tracer::make_world(scene, world), settings, never, [](const tracer::Progress&) {})
-      .image;
+  auto world = tracer::make_world(scene, world_settings);
+  world.connects_light_vertices = connects_light_vertices;
+  return tracer::render(world, settings, never, [](const tracer::Progress&) {}).image;
 }
 
 // A scene of data/bench with this width; the height follows.
@@ -60,6 +64,7 @@ struct Algorithm {
   const char* name;
   WorldSettings world;
   RenderSettings render;
+  bool connects_light_vertices = false;
 };
 
 const Algorithm kAlgorithms[] = {
@@ -72,6 +77,10 @@ const Algorithm kAlgorithms[] = {
     {"bsdf_alone_without_light_paths", {.light_paths = false, .direct_light = DirectLight::Bsdf}, {}},
     {"no_roulette", {.roulette = false}, {}},
     {"no_light_paths", {.light_paths = false}, {}},
+    {"selection_by_power", {.light_selection = tracer::LightSelection::Power}, {}},
+    {"light_connections", {}, {}, true},
+    {"light_connections_without_light_paths", {.light_paths = false}, {}, true},
+    {"light_connections_alone", {.light_paths = false, .mirrored_light = false}, {}, true},
     {"no_mirrored_light", {.mirrored_light = false}, {}},
     {"no_mirrored_light_and_no_light_paths", {.light_paths = false, .mirrored_light = false}, {}},
 };
@@ -130,7 +139,7 @@ TEST_P(TracerAlgorithm, HasTheSameExpectedImage) {
   RenderSettings settings = GetParam().render;
   settings.samples_per_pixel = 1024;
   settings.seed = 2;
-  const auto other = image_of(scene, GetParam().world, settings);
+  const auto other = image_of(scene, GetParam().world, settings, GetParam().connects_light_vertices);
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Sum a = sum_of_quarter(usual, quarter);
     const Sum b = sum_of_quarter(other, quarter);

@@ -6,6 +6,7 @@
 #include "metrics/noise_test.h"
 #include "scene/load_scene.h"
 #include "tracer/choose_light_paths.h"
+#include "tracer/choose_light_selection.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
 
@@ -53,6 +54,7 @@ TEST_P(UnbiasedSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
   scene.camera.width_px = kSide_px;
   scene.camera.height_px = kSide_px;
   auto world = tracer::make_world(scene);
+  tracer::choose_light_selection(world);
   tracer::choose_light_paths(world);
   const auto reference = rendered(world, kReferenceFactor * GetParam().spp, 1000);
   for (const std::uint64_t seed : {1U, 2U}) {

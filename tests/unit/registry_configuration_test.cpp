@@ -138,6 +138,15 @@ TEST(Configuration, LimitsOfARendererStandInPlaceOfThoseOfTheFile) {
   EXPECT_FALSE(limits.output_bytes);
 }
 
+TEST(Configuration, SettingsOfSizesAreKnownByTheirDivisor) {
+  const auto renderer = with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/4": {"photons": 5}})");
+  EXPECT_EQ(load(renderer).renderers.at(0).scene_settings_of_sizes.at(4).at("photons"), 5);
+  EXPECT_EQ(
+      message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/3": {"photons": 5}})")),
+      "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1~13: is no reduced size; expected "
+      "1/2, 1/4 or 1/8");
+}
+
 TEST(Configuration, ScalesOfSamplesMustBePositive) {
   EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "spp_scale_of_scenes": {"101": 0})")),
             "configuration.json:3:163: /renderers/0/spp_scale_of_scenes/101: must be above 0, is 0");

@@ -193,6 +193,23 @@ TEST(CostLadder, EndsWhereTheBudgetEndsAndSaysSo) {
   EXPECT_NE(ladders.at(1).note.find("35 dB may need 120 spp"), std::string::npos) << ladders[1].note;
   double sum = 0;
   for (const auto& [pilot, ladder] : {std::pair{cheap, ladders[0]}, {dear, ladders[1]}})
-    sum += *expected_seconds(pilot, ladder, CostSettings{});
+    sum += expected_seconds(pilot, ladder, CostSettings{});
   EXPECT_LE(sum, 600);
+}
+
+TEST(CostLadder, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
+  CostPilot pilot{
+      .fixed_seconds = 0.5, .settings = {{"low", 1}, {"usual", 1}, {"fine", 1}}, .is_noise_free = true};
+  const CostSettings settings{.seeds = 4};
+  EXPECT_TRUE(may_try_next_setting(pilot, settings, 0));  // or nothing would be known
+  pilot.setting_seconds = {1};
+  EXPECT_FALSE(may_try_next_setting(pilot, settings, 5.9));  // 2 renders of 1 s and of 2 s
+  EXPECT_TRUE(may_try_next_setting(pilot, settings, 6.1));
+  pilot.setting_seconds = {1, 5};
+  EXPECT_FALSE(may_try_next_setting(pilot, settings, 61));  // 2 renders of 1 s, 5 s and 25 s
+  EXPECT_TRUE(may_try_next_setting(pilot, settings, 63));
+  const auto ladder = choose_ladders({pilot}, settings, 60).at(0);
+  ASSERT_EQ(ladder.rungs.size(), 2);
+  EXPECT_EQ(ladder.note, "the budget ends at 'usual', 5 s a render; 'fine' would take longer");
+  EXPECT_DOUBLE_EQ(expected_seconds(pilot, ladder, settings), 2 * 6 + 4 * 0.5);
 }

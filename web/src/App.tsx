@@ -1,3 +1,4 @@
+import type { ComponentChildren } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { CasePage } from "./case/CasePage";
 import { ChartsPage } from "./charts/ChartsPage";
@@ -8,21 +9,23 @@ import type { Received } from "./common/request";
 import { runNamed, runQuery, type Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
 import { CostPage } from "./cost/CostPage";
-import type { CostStudy } from "./cost/types";
 import { useStudy } from "./cost/use_study";
 import type { Source } from "./data/source";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
-import { go, note, useRoute, type Route } from "./route";
+import { go, note, useRoute } from "./route";
+import { StabilityPage } from "./stability/StabilityPage";
 import { useSession } from "./use_session";
 
 export function App({ source }: { source: Source }) {
   const route = useRoute();
   const [help, setHelp] = useState(false);
   const run = runNamed(source, route.query["run"], 0);
-  const isStudy = source.kinds[run] === "cost";
+  const kind = source.kinds[run];
+  const isStudy = kind === "cost" || kind === "stability";
   const session = useSession(source, isStudy ? -1 : run);
-  const study = useStudy(source, isStudy ? run : -1);
+  const study = useStudy(source, kind === "cost" ? run : -1, source.study);
+  const stability = useStudy(source, kind === "stability" ? run : -1, source.stability);
   const query = runQuery(source, run);
   useEffect(() => {
     if (source.runs.length > 1 && !route.query["run"]) note(query);
@@ -42,7 +45,7 @@ export function App({ source }: { source: Source }) {
   const [view = ""] = route.path;
   useEffect(() => {
     const name = source.runs[run] ?? "";
-    const shown = isStudy ? "cost" : view || "overview";
+    const shown = isStudy ? kind : view || "overview";
     document.title = [...route.path.slice(1).reverse(), shown, name, "orbs"]
       .filter(Boolean)
       .join(" · ");
@@ -56,13 +59,22 @@ export function App({ source }: { source: Source }) {
         source={source}
         run={run}
         session={session}
-        study={study.value}
+        study={study.value ?? stability.value}
         route={route}
         onHelp={() => setHelp(true)}
       />
-      <main id="content" tabIndex={-1} class={`view-${isStudy ? "cost" : view || "overview"}`}>
+      <main id="content" tabIndex={-1} class={`view-${isStudy ? kind : view || "overview"}`}>
         {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
-        {isStudy ? <StudyView source={source} run={run} received={study} route={route} /> : null}
+        {kind === "cost" ? (
+          <StudyView received={study}>
+            {(value) => <CostPage source={source} run={run} study={value} route={route} />}
+          </StudyView>
+        ) : null}
+        {kind === "stability" ? (
+          <StudyView received={stability}>
+            {(value) => <StabilityPage source={source} run={run} study={value} route={route} />}
+          </StudyView>
+        ) : null}
         {run >= 0 && !isStudy && session === undefined ? (
           <p class="loading">Reading the run …</p>
         ) : null}
@@ -76,20 +88,16 @@ export function App({ source }: { source: Source }) {
   );
 }
 
-function StudyView({
-  source,
-  run,
+function StudyView<Study>({
   received: { value, problem },
-  route,
+  children,
 }: {
-  source: Source;
-  run: number;
-  received: Received<CostStudy>;
-  route: Route;
+  received: Received<Study>;
+  children: (value: Study) => ComponentChildren;
 }) {
-  if (value) return <CostPage source={source} run={run} study={value} route={route} />;
-  if (problem !== undefined) return <p role="alert">The cost study cannot be shown: {problem}</p>;
-  return <p class="loading">Reading the cost study …</p>;
+  if (value) return <>{children(value)}</>;
+  if (problem !== undefined) return <p role="alert">The study cannot be shown: {problem}</p>;
+  return <p class="loading">Reading the study …</p>;
 }
 
 function View({ session, view }: { session: Session; view: string }) {

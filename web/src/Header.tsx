@@ -1,22 +1,33 @@
 import { seconds } from "./common/format";
 import { runQuery, type Session } from "./common/session";
-import type { CostStudy } from "./cost/types";
 import type { Source } from "./data/source";
+import type { Host } from "./data/types";
 import { go, routeText, type Route } from "./route";
+
+/** What the header says of a study of any kind. */
+interface StudyFacts {
+  finished: boolean;
+  suite: string;
+  started: string;
+  orbs_version: string;
+  host: Host;
+  size?: string;
+}
 
 interface Props {
   source: Source;
   /** Index of the run; -1 if the address names a run that does not exist. */
   run: number;
   session: Session | string | undefined;
-  /** The cost study, if the index is that of one. */
-  study: CostStudy | undefined;
+  /** The study, if the index is that of one. */
+  study: StudyFacts | undefined;
   route: Route;
   onHelp: () => void;
 }
 
 export function Header({ source, run: index, session, study, route, onHelp }: Props) {
-  const isStudy = source.kinds[index] === "cost";
+  const kind = source.kinds[index];
+  const isStudy = kind === "cost" || kind === "stability";
   const [view = ""] = isStudy ? [] : route.path;
   const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
@@ -33,7 +44,7 @@ export function Header({ source, run: index, session, study, route, onHelp }: Pr
       <nav aria-label="Views">
         <span class="brand">orbs</span>
         {isStudy ? (
-          link([], "Cost")
+          link([], kind === "cost" ? "Cost" : "Stability")
         ) : (
           <>
             {link([], "Overview")}
@@ -52,7 +63,7 @@ export function Header({ source, run: index, session, study, route, onHelp }: Pr
             >
               {source.runs.map((name, i) => (
                 <option key={name} value={name}>
-                  {source.kinds[i] === "cost" ? `${name} (cost)` : name}
+                  {source.kinds[i] === "run" ? name : `${name} (${source.kinds[i]})`}
                 </option>
               ))}
             </select>
@@ -84,8 +95,9 @@ function routeTo(source: Source, from: number, name: string, route: Route): Rout
     : { path: [], query: { run: name } };
 }
 
-function studyText(study: CostStudy): string {
-  const size = study.size === "1" ? [] : [`measured at ${study.size}`];
+function studyText(study: StudyFacts): string {
+  const size =
+    study.size === undefined || study.size === "1" ? [] : [`measured at ${study.size}`];
   const { host } = study;
   return [
     ...size,

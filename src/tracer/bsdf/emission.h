@@ -10,7 +10,6 @@ struct EmissionMaterial {
   template <typename Value, std::size_t N>
   using Bsdfs = BsdfList<>;  // Lambert's, which is black
   TexturedColour radiance;
-  float emitter_pdf_per_area = 0;  // with which light sampling picks a point, selection included; 1 / m^2
 };
 
 inline EmissionMaterial make_material(const scene::Emission& m, const SceneColours& colours) {

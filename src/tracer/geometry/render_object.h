@@ -27,6 +27,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> materials;                 // per triangle
   std::vector<TriangleCache> triangle_cache;  // per triangle
+  bool is_vast = false;  // much larger than all else: places on it follow from the ray, see surface_point
 };
 
 struct SphereSurface {
@@ -48,6 +49,7 @@ struct RenderObject {
   Affine normal_to_world;
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle: index into World::mirror_planes or -1; empty without any
+  std::vector<int> emitters;       // per triangle: index into World::emitters or -1; empty without any
 };
 
 }  // namespace orbs::tracer

@@ -38,8 +38,9 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
   const SurfacePoint& point = surface.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_camera);
-  // As on camera paths, only the direction to the light must agree with both normals.
-  if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return std::nullopt;
+  if (!sides_agree(point.geometric_normal, point.shading_normal, to_camera) ||
+      !sides_agree(point.geometric_normal, point.shading_normal, to_light))
+    return std::nullopt;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f wo = frame.to_local(to_camera);
   const Vec3f wi = frame.to_local(to_light);

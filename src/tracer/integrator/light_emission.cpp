@@ -1,5 +1,6 @@
 #include "tracer/integrator/light_emission.h"
 
+#include "tracer/geometry/frame.h"
 #include "tracer/light/emitter_sampling.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"
@@ -52,25 +53,65 @@ EmittingPoint point_on(const TriangleEmitter& t, float u, float v, float side) {
           rounding_of(t), interpolated_uv(t, b)};
 }
 
-}  // namespace
+EmittingPoint point_on(const World& world,
+                       std::size_t emitter,
+                       const std::array<float, 4>& at,
+                       const std::array<float, 4>& choice) {
+  if (emitter >= world.emitters.light_count())
+    return point_on(world.emitters.triangle(emitter), at[0], at[1], choice[2]);
+  return std::visit([&](const auto& shape) { return point_on(shape, at[0], at[1]); },
+                    world.lights[emitter].shape);
+}
 
-EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice) {
+EmittedRay emitted_ray(
+    const World& world, std::size_t emitter, const EmittingPoint& from, Vec3f direction, float pdf) {
   EmittedRay out;
-  out.emitter = world.emitters.pick(choice[0]);
-  const EmittingPoint from =
-      out.emitter < world.emitters.light_count()
-          ? std::visit([&](const auto& shape) { return point_on(shape, at[0], at[1]); },
-                       world.lights[out.emitter].shape)
-          : point_on(world.emitters.triangle(out.emitter), at[0], at[1], choice[2]);
-  const auto to =
-      sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
+  out.emitter = emitter;
   out.position = from.position;
   out.texture_uv = from.texture_uv;
   // The origin is offset by the rounding error of the point and of the emitter's surface in the accelerator.
-  out.ray = {from.position + from.normal * (2 * from.position_error), to.direction};
-  const float cosine = dot(from.normal, to.direction);
-  if (cosine > 0) out.weight = cosine / (world.emitters.probability(out.emitter) * from.pdf_area * to.pdf);
+  out.ray = {from.position + from.normal * (2 * from.position_error), direction};
+  const float cosine = dot(from.normal, direction);
+  if (cosine > 0) out.weight = cosine / (world.emitters.probability(emitter) * from.pdf_area * pdf);
   return out;
+}
+
+float pdf_area(const RectEmitter& rect, Vec3f) { return 1 / rect.area; }
+float pdf_area(const DiskEmitter& disk, Vec3f) { return 1 / disk.area; }
+
+// As in point_on.
+float pdf_area(const SphereEmitter& sphere, Vec3f position) {
+  const Vec3f d = position - sphere.centre;
+  const Vec3f p{dot(sphere.inverse[0], d), dot(sphere.inverse[1], d), dot(sphere.inverse[2], d)};
+  const Vec3f normal = sphere.inverse[0] * p.x + sphere.inverse[1] * p.y + sphere.inverse[2] * p.z;
+  return 1 / (4 * kPi * sphere.determinant * length(normal));
+}
+
+}  // namespace
+
+EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice) {
+  const std::size_t emitter = world.emitters.pick(choice[0]);
+  const EmittingPoint from = point_on(world, emitter, at, choice);
+  const auto to =
+      sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
+  return emitted_ray(world, emitter, from, to.direction, to.pdf);
+}
+
+EmittedRay emit_by_cosine(const World& world,
+                          const std::array<float, 4>& at,
+                          const std::array<float, 4>& choice) {
+  const std::size_t emitter = world.emitters.pick(choice[0]);
+  const EmittingPoint from = point_on(world, emitter, at, choice);
+  const Vec3f local = sample_cosine(at[2], at[3]);
+  return emitted_ray(world, emitter, from, frame_around(from.normal).to_world(local), local.z * kInvPi);
+}
+
+float emission_pdf(const World& world, std::size_t emitter, Vec3f position) {
+  const float selection = world.emitters.probability(emitter);
+  if (emitter >= world.emitters.light_count())
+    return selection * 0.5F / world.emitters.triangle(emitter).area;  // each of its sides
+  return selection * std::visit([&](const auto& shape) { return pdf_area(shape, position); },
+                                world.lights[emitter].shape);
 }
 
 Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {

@@ -8,21 +8,26 @@
 namespace orbs::tracer {
 
 /// Radiance that the surface hit by a ray emits back along it, and what MIS needs: the pdf per solid angle
-/// with which light sampling at `sampled_from` picks that direction. `sampled_from` is the origin of the ray,
+/// with which light sampling at `sampled_from` picks that direction. Its position is the origin of the ray,
 /// or its mirror image.
 struct EmissionHit {
   Radiance radiance;
   float light_pdf = 0;
   bool is_light_sampled = false;  // by light sampling and light paths; false for emissive spheres
+  /// Density with which light paths start there (light_emission.h); 0 if camera paths connect to none.
+  float emission_pdf = 0;
 };
 
-EmissionHit emission_at_light(
-    const World& world, const RenderObject& object, const Ray& ray, const Hit& hit, Vec3f sampled_from);
+EmissionHit emission_at_light(const World& world,
+                              const RenderObject& object,
+                              const Ray& ray,
+                              const Hit& hit,
+                              const LightSampleContext& sampled_from);
 EmissionHit emission_at_surface(const World& world,
                                 const SurfaceHit& surface,
                                 const EmissionMaterial& material,
                                 const Ray& ray,
-                                Vec3f sampled_from);
+                                const LightSampleContext& sampled_from);
 
 /// A point sampled on an emitter.
 struct LightSample {
@@ -31,6 +36,7 @@ struct LightSample {
   Vec3f target;   // end of the shadow ray, off the surface of the emitter
   float pdf = 0;  // per solid angle, selection of the emitter included
   std::size_t emitter = 0;
+  float emission_pdf = 0;  // as in EmissionHit
 };
 
 /// Whether there is next-event estimation at all.
@@ -38,7 +44,14 @@ inline bool samples_lights(const World& world) {
   return !world.emitters.empty() && world.direct_light != DirectLight::Bsdf;
 }
 
-/// Nothing if the sampled emitter does not shine on `from`. pick, u and v in [0, 1).
-std::optional<LightSample> sample_light(const World& world, Vec3f from, float pick, float u, float v);
+/// Probability with which light sampling for this point selects the emitter.
+float selection_probability(const World& world, const LightSampleContext& at, std::size_t emitter);
+
+/// Pdf per solid angle, selection included, with which sample_light samples this point of the emitter.
+float light_pdf(const World& world, const LightSampleContext& at, std::size_t emitter, Vec3f position);
+
+/// Nothing if the sampled emitter does not shine on the point. pick, u and v in [0, 1).
+std::optional<LightSample> sample_light(
+    const World& world, const LightSampleContext& at, float pick, float u, float v);
 
 }  // namespace orbs::tracer

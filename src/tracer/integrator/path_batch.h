@@ -1,26 +1,19 @@
 #pragma once
 
+#include "tracer/accel/timed_traversal.h"
 #include "tracer/geometry/lanes.h"
 #include "tracer/geometry/ray.h"
+#include "tracer/integrator/light_vertex.h"
 #include "tracer/integrator/path_class.h"
-#include "tracer/sampling/sampler.h"
+#include "tracer/integrator/sample.h"
 #include "tracer/transport/transport.h"
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
 /// The state of the path tracer.
 namespace orbs::tracer {
-
-/// One camera sample.
-struct Sample {
-  int x = 0;  // pixel
-  int y = 0;
-  SampleBlock block;
-  std::uint32_t index = 0;  // within the block
-};
 
 /// A contribution with its class of light path, recorded for --split-paths.
 struct ClassedRadiance {
@@ -50,7 +43,15 @@ struct PathState {
   /// vertex.
   bool came_by_mirror = false;
   float mirror_probability = 0;  // with which the vertex picks this mirror
-  Vec3f mirrored_vertex;         // the vertex, mirrored in the plane
+  /// The last vertex, or its mirror image where the path came by a mirror: where next-event estimation could
+  /// have sampled what the ray hits. Not the origin of the ray, which is offset from it: close to an emitter
+  /// the pdfs at both differ.
+  LightSampleContext light_sample;
+  /// Density per m^2 with which the last vertex but one sampled the last one, where it could have connected
+  /// to the same point as a light vertex; else 0.
+  float arrival_pdf = 0;
+  /// connection_pdf of what the ray hits, over its emission_pdf.
+  float connection_pdf = 0;
   PathClass events;
   Vec2f first_light_numbers;  // of the four random numbers of PixelAndFirstLight, the two for the light
 };
@@ -103,6 +104,7 @@ struct PathBatch {
   std::vector<Ray> shadow_rays;
   std::vector<ShadowPayload<T>> shadow_payloads;  // of shadow_rays
   std::vector<std::uint8_t> blocked;
+  LightVertexPool light_vertices;        // empty unless World::connects_light_vertices
   std::vector<ClassedRadiance> classed;  // filled if split_paths
   bool split_paths = false;
   double traversal_seconds = 0;  // inside the accelerator, summed over all batches
@@ -135,15 +137,6 @@ void add_contribution(PathBatch<T>& batch,
                       int path_class) {
   path.radiance = T::add(path.radiance, light);
   if (batch.split_paths) batch.classed.push_back({path.sample, path_class, T::to_rgb(light, path.lambda)});
-}
-
-/// Runs a traversal and adds its duration to the batch. There are three for each bounce of a whole batch, so
-/// the clock is read rarely.
-template <typename Batch, typename F>
-void timed_traversal(Batch& batch, const F& traverse) {
-  const auto start = std::chrono::steady_clock::now();
-  traverse();
-  batch.traversal_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace orbs::tracer

@@ -24,6 +24,13 @@ Scattering<typename T::Bsdf> scattering_at(const VertexLanes<T>& vertices,
           lane_of(wi, lane)};
 }
 
+/// Surfaces that are not diffuse may transmit, so light may reach them from behind.
+template <Transport T>
+LightSampleContext light_sample_context(const VertexLanes<T>& vertices, std::size_t lane) {
+  const bool is_diffuse = event_of(vertices.bsdf[lane]) == Event::Diffuse;
+  return {lane_of(vertices.position, lane), is_diffuse ? lane_of(vertices.shading_normal, lane) : Vec3f{}};
+}
+
 /// Random numbers for the choice of an emitter and of a point on it. At the first bounce the point takes the
 /// two numbers that the pixel position leaves of its set of four, so that pixel and light are stratified
 /// jointly.
@@ -53,6 +60,7 @@ struct LightLanes {
   Vec8 position{};
   std::array<Vec3f, kLanes> target{};
   Float8 pdf{};
+  Float8 emission_pdf{};  // as in LightSample
   std::array<Radiance, kLanes> radiance;
 };
 
@@ -65,13 +73,14 @@ LightLanes sample_lights(const PathBatch<T>& batch,
   const auto numbers = light_numbers(batch, world, vertices, bounce);
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (!vertices.samples_light[lane]) continue;
-    const auto light = sample_light(world, lane_of(vertices.position, lane), numbers[0][lane],
+    const auto light = sample_light(world, light_sample_context(vertices, lane), numbers[0][lane],
                                     numbers[1][lane], numbers[2][lane]);
     // Lights are flat or convex, so none illuminates itself. But rounding can make it seem so.
     if (!light || static_cast<int>(light->emitter) == vertices.own_light[lane]) continue;
     set_lane(out.position, lane, light->position);
     out.target[lane] = light->target;
     out.pdf[lane] = light->pdf;
+    out.emission_pdf[lane] = light->emission_pdf;
     out.radiance[lane] = light->radiance;
   }
   return out;
@@ -90,13 +99,18 @@ void sample_direct_light(PathBatch<T>& batch,
   const Vec8 wi = frame.to_local(direction);
   std::array<typename T::Value, kLanes> f_cos;
   Float8 bsdf_pdf{};
+  Float8 connected_pdf{};
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (!(light.pdf[lane] > 0)) continue;
     const auto value = evaluate(vertices.bsdf[lane], lane_of(wo, lane), lane_of(wi, lane));
     f_cos[lane] = value.f_cos;
     bsdf_pdf[lane] = value.pdf;
+    if (!world.connects_light_vertices) continue;
+    const float cosine = std::abs(dot(lane_of(vertices.geometric_normal, lane), lane_of(direction, lane)));
+    connected_pdf[lane] =
+        connection_pdf(light.emission_pdf[lane], cosine, batch.paths[vertices.path[lane]].arrival_pdf);
   }
-  const Float8 weight = light_weight(world.direct_light, light.pdf, bsdf_pdf) / light.pdf;
+  const Float8 weight = light_weight(world.direct_light, light.pdf, bsdf_pdf, connected_pdf) / light.pdf;
   const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
   const Vec8 origin =
       offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);

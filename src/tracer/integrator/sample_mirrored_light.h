@@ -30,7 +30,7 @@ void sample_mirrored_light(PathBatch<T>& batch,
                                   std::min(count - 1, static_cast<int>(u[3] * static_cast<float>(count))));
   const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(chosen)];
   const Vec3f mirrored_position = mirrored(plane, position);
-  const auto light = sample_light(world, mirrored_position, u[0], u[1], u[2]);
+  const auto light = sample_light(world, {mirrored_position, {}}, u[0], u[1], u[2]);
   if (!light || !(height_over(plane, light->position) > 0)) return;
   const Vec3f direction = mirrored_direction(plane, normalised(light->position - mirrored_position));
   const Vec3f wo = frame.to_local(lane_of(vertices.to_viewer, lane));
@@ -42,7 +42,7 @@ void sample_mirrored_light(PathBatch<T>& batch,
   PathClass events = path.events;
   events.append(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
   events.append(Event::Specular, false);
-  const float weight = light_weight(world.direct_light, pdf, value.pdf) / pdf;
+  const float weight = light_weight(world.direct_light, pdf, value.pdf, 0.0F) / pdf;
   const auto emitted = T::radiance(world, light->radiance, path.lambda) * weight;
   batch.mirror_rays.push_back(
       {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});

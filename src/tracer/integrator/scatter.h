@@ -5,6 +5,7 @@
 #include "tracer/integrator/sample_direct_light.h"
 #include "tracer/world/surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -19,7 +20,13 @@ template <Transport T>
 bool survives_roulette(PathState<T>& path, const World& world, float u) {
   if (!world.roulette) return T::magnitude(path.throughput) > 0;
   if (path.scatterings < 2) return true;
-  const float probability = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
+  // A path between lossless mirrors never loses throughput. From a depth on that no limit of a scene file
+  // reaches, some end anyway: that is unbiased as well, and every render ends.
+  constexpr int kDeepest = 1000;
+  constexpr float kMostSurvivors = 0.95F;
+  const float by_throughput = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
+  const float probability =
+      path.scatterings > kDeepest ? std::min(by_throughput, kMostSurvivors) : by_throughput;
   if (probability >= 1) return true;
   if (u >= probability) return false;
   path.throughput = T::scaled(path.throughput, 1 / probability);
@@ -35,12 +42,24 @@ void note_mis_state(
   path.came_by_mirror = could_have_sampled && vertices.mirror_plane[lane] >= 0;
   if (path.came_by_mirror) {
     const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(vertices.mirror_plane[lane])];
-    const int count = count_planes_facing(world.mirror_planes, path.ray.origin);
-    path.mirror_probability = is_in_front(plane, path.ray.origin) ? 1 / static_cast<float>(count) : 0;
-    path.mirrored_vertex = mirrored(plane, path.ray.origin);
+    const Vec3f vertex = path.light_sample.position;
+    const int count = count_planes_facing(world.mirror_planes, vertex);
+    path.mirror_probability = is_in_front(plane, vertex) ? 1 / static_cast<float>(count) : 0;
+    path.light_sample = {mirrored(plane, vertex), {}};
     return;
   }
   path.bsdf_pdf = is_delta(vertices.bsdf[lane]) ? 0 : pdf;
+  path.light_sample = light_sample_context(vertices, lane);
+}
+
+/// Records what the weights of MIS need if the next ray hits an emitter that a connection to this vertex
+/// could have come from.
+template <Transport T>
+void note_connection(PathState<T>& path, Vec3f geometric_normal) {
+  path.connection_pdf = 0;
+  if (!(path.bsdf_pdf > 0) || path.came_by_mirror) return;
+  path.connection_pdf =
+      connection_pdf(1, std::abs(dot(geometric_normal, path.ray.direction)), path.arrival_pdf);
 }
 
 /// Samples the BSDF of each vertex and gives the paths their next rays; those that survive are appended to
@@ -78,6 +97,7 @@ void scatter(PathBatch<T>& batch,
     path.events.append(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
     path.ray.origin = lane_of(origin, lane);
     path.ray.direction = lane_of(direction, lane);
+    if (world.connects_light_vertices) note_connection(path, lane_of(vertices.geometric_normal, lane));
     ++path.scatterings;
     // The fourth number is free: sample() uses three at most.
     if (survives_roulette<T>(path, world, u[3][lane])) batch.survivors.push_back(vertices.path[lane]);

@@ -18,7 +18,9 @@ void add_emission(PathBatch<T>& batch, const World& world, PathState<T>& path, c
   const float light_pdf =
       path.came_by_mirror ? emission.light_pdf * path.mirror_probability : emission.light_pdf;
   // A bsdf_pdf of zero: light sampling could not have found the emitter.
-  const float weight = path.bsdf_pdf > 0 ? bsdf_weight(world.direct_light, path.bsdf_pdf, light_pdf) : 1;
+  const float weight = path.bsdf_pdf > 0 ? bsdf_weight(world.direct_light, path.bsdf_pdf, light_pdf,
+                                                       path.connection_pdf * emission.emission_pdf)
+                                         : 1;
   const auto light = T::radiance(world, emission.radiance, path.lambda) * weight;
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
 }
@@ -28,13 +30,6 @@ void add_environment(PathBatch<T>& batch, const World& world, PathState<T>& path
   if (is_dark(world.environment)) return;
   const auto light = T::radiance(world, world.environment, path.lambda);
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());
-}
-
-/// The point at which next-event estimation could have sampled what this ray hits, and at which its pdf is
-/// evaluated for MIS: the last vertex, or its mirror image.
-template <Transport T>
-Vec3f pdf_origin(const PathState<T>& path) {
-  return path.came_by_mirror ? path.mirrored_vertex : path.ray.origin;
 }
 
 /// Records what is_left_to_light_paths needs to know of the surface at which the path is about to scatter.
@@ -50,6 +45,16 @@ void note_near_specular(PathState<T>& path,
   const bool is_first = is_at_first_surface(path);
   path.near_specular_beyond_first = material.is_near_specular && !is_first;
   if (is_first) path.is_reached_by_light_paths = !material.is_near_specular;
+}
+
+/// Records the density of the vertex that the path has reached, for the weights of connections to it. A delta
+/// function cannot connect, nor can the camera, and near-specular surfaces are no light vertices.
+template <Transport T>
+void note_arrival(PathState<T>& path, const SurfaceHit& surface) {
+  path.arrival_pdf = 0;
+  if (!(path.bsdf_pdf > 0) || path.came_by_mirror || surface.material.is_near_specular) return;
+  const float cosine = std::abs(dot(surface.point.geometric_normal, path.ray.direction));
+  path.arrival_pdf = path.bsdf_pdf * cosine / (surface.hit.distance * surface.hit.distance);
 }
 
 /// Appends a vertex and returns its lane. The caller makes the BSDF.
@@ -84,7 +89,7 @@ void shade_light_hit(PathBatch<T>& batch,
                      const Hit& hit) {
   PathState<T>& path = batch.paths[index];
   const RenderObject& object = world.objects[hit.object];
-  add_emission<T>(batch, world, path, emission_at_light(world, object, path.ray, hit, pdf_origin(path)));
+  add_emission<T>(batch, world, path, emission_at_light(world, object, path.ray, hit, path.light_sample));
   const AreaLight& light = world.lights[object.light];
   if (light.reflectance == Vec3f{} || path.scatterings == world.trace_depth) return;
   const SurfacePoint point = light_point(light, path.ray, hit);
@@ -120,16 +125,19 @@ void shade_hit(PathBatch<T>& batch,
   const SurfaceHit surface{point, material, hit};
   if (const auto* emission = std::get_if<EmissionMaterial>(&material.model)) {
     add_emission<T>(batch, world, path,
-                    emission_at_surface(world, surface, *emission, path.ray, pdf_origin(path)));
+                    emission_at_surface(world, surface, *emission, path.ray, path.light_sample));
     return;
   }
   if (path.scatterings == world.trace_depth) return;
   const Vec3f to_viewer = -path.ray.direction;
+  // A facet that is seen from behind at an interpolated normal in front would scatter to the far side of the
+  // wall. At exactly grazing view nothing is reflected either.
+  if (!sides_agree(point.geometric_normal, point.shading_normal, to_viewer)) return;
   const float side = dot(point.shading_normal, to_viewer);
-  if (side == 0) return;  // exactly at grazing view nothing is reflected
   const int mirror_plane =
       world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.object, hit.primitive);
   note_near_specular<T>(path, world, material, mirror_plane);
+  if (world.connects_light_vertices) note_arrival<T>(path, surface);
   const std::size_t lane = push_vertex(vertices, index, sample, point, to_viewer);
   vertices.mirror_plane[lane] = mirror_plane;
   const auto bounce = static_cast<std::uint32_t>(path.scatterings);

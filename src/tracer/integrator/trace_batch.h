@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tracer/integrator/connect_light_vertices.h"
+#include "tracer/integrator/light_path_batch.h"
 #include "tracer/integrator/sample_direct_light.h"
 #include "tracer/integrator/sample_mirrored_light.h"
 #include "tracer/integrator/scatter.h"
@@ -44,6 +46,8 @@ void scatter_vertices(PathBatch<T>& batch, const World& world, const VertexLanes
   const Vec8 wo = frame.to_local(vertices.to_viewer);
   sample_direct_light(batch, world, vertices, frame, wo, bounce);
   sample_mirrored_light(batch, world, vertices, frame, bounce);
+  if constexpr (TracesFromLights<T>)
+    if (world.connects_light_vertices) connect_light_vertices(batch, world, vertices, frame, wo, bounce);
   scatter(batch, world, vertices, frame, wo, bounce);
 }
 
@@ -65,6 +69,10 @@ void shade_batch(PathBatch<T>& batch, const World& world, std::span<const Sample
 template <Transport T>
 void trace_batch(PathBatch<T>& batch, const World& world, std::span<const Sample> samples) {
   start_paths(batch, world, samples);
+  if (world.connects_light_vertices) {
+    trace_light_vertices(batch.light_vertices, world, samples);
+    batch.traversal_seconds += batch.light_vertices.traversal_seconds;
+  }
   for (int bounce = 0; !batch.active.empty(); ++bounce) {
     batch.rays.clear();
     for (const std::uint32_t path : batch.active) batch.rays.push_back(batch.paths[path].ray);

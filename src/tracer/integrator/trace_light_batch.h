@@ -30,8 +30,7 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
   const SurfacePoint& point = surface.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_light);
-  // As on camera paths, only the direction to the light must agree with both normals.
-  if (side == 0 || !sides_agree(point.geometric_normal, point.shading_normal, to_light)) return false;
+  if (!sides_agree(point.geometric_normal, point.shading_normal, to_light)) return false;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
   const Vec3f from = frame.to_local(to_light);
   if (!(from.z > 0)) return false;  // by rounding at grazing angles
@@ -42,6 +41,7 @@ bool scatter_light(LightPath<T>& path, SampleBlock block, const World& world, co
   const auto chosen = sample(bsdf, from, u);
   if (!chosen) return false;
   const Vec3f direction = frame.to_world(chosen->wi);
+  if (!sides_agree(point.geometric_normal, point.shading_normal, direction)) return false;
   // The adjoint BSDF over the BSDF for shading normals (Veach 1997, eq. 5.19). Radiance is not compressed by
   // refraction on a light path, so that factor is divided out.
   const float adjoint = surface_cosine(point, direction) * from.z /

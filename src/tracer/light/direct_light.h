@@ -10,15 +10,20 @@ namespace orbs::tracer {
 /// expected image is the same.
 enum class DirectLight { Mis, Light, Bsdf };
 
-/// Weight of a light sample with this pdf, which BSDF sampling would find with bsdf_pdf.
+/// How light sampling selects one of several emitters: in proportion to its power alone, or by what it may
+/// contribute to the point (light_bvh.h). The expected image is the same.
+enum class LightSelection { Power, Bvh };
+
+/// Weight of a light sample with this pdf, which BSDF sampling would find with bsdf_pdf and a connection to a
+/// light vertex with connection_pdf (integrator/light_vertex.h; 0 if there are none).
 template <typename Real>
-Real light_weight(DirectLight direct_light, Real pdf, Real bsdf_pdf) {
-  return direct_light == DirectLight::Mis ? mis_weight(pdf, bsdf_pdf) : Real{} + 1.0F;
+Real light_weight(DirectLight direct_light, Real pdf, Real bsdf_pdf, Real connection_pdf) {
+  return direct_light == DirectLight::Mis ? mis_weight(pdf, bsdf_pdf, connection_pdf) : Real{} + 1.0F;
 }
 
 /// Weight of an emitter that BSDF sampling found with this pdf; light_pdf is zero if light sampling cannot
 /// find it.
-inline float bsdf_weight(DirectLight direct_light, float pdf, float light_pdf) {
+inline float bsdf_weight(DirectLight direct_light, float pdf, float light_pdf, float connection_pdf) {
   switch (direct_light) {
     case DirectLight::Mis:
       break;
@@ -27,7 +32,7 @@ inline float bsdf_weight(DirectLight direct_light, float pdf, float light_pdf) {
     case DirectLight::Bsdf:
       return 1;
   }
-  return mis_weight(pdf, light_pdf);
+  return mis_weight(pdf, light_pdf, connection_pdf);
 }
 
 }  // namespace orbs::tracer

@@ -53,4 +53,12 @@ Real mis_weight(Real pdf, Real other_pdf) {
   return 1.0F / (1.0F + ratio * ratio);
 }
 
+/// The same for three techniques.
+template <typename Real>
+Real mis_weight(Real pdf, Real other_pdf, Real third_pdf) {
+  const Real other = other_pdf / pdf;
+  const Real third = third_pdf / pdf;
+  return 1.0F / (1.0F + other * other + third * third);
+}
+
 }  // namespace orbs::tracer

@@ -1,6 +1,7 @@
 #include "tracer/world/build_lights.h"
 
 #include "image/colour.h"
+#include "tracer/light/emitter_bounds.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/build_meshes.h"
 
@@ -91,7 +92,7 @@ float mean_brightness(const World& world, const EmissionMaterial& material) {
 }
 
 void add_emissive_triangles(const World& world,
-                            const RenderObject& object,
+                            RenderObject& object,
                             std::vector<float>& powers,
                             std::vector<TriangleEmitter>& out) {
   const TriangleMesh& mesh = world.meshes[object.mesh];
@@ -111,6 +112,8 @@ void add_emissive_triangles(const World& world,
     const float area = 0.5F * length(normal);
     const float power = area * mean_brightness(world, *emission);
     if (!(power > 0)) continue;  // a degenerate or black triangle; rays that hit it still see its emission
+    if (object.emitters.empty()) object.emitters.assign(mesh.triangles.size(), -1);
+    object.emitters[i] = static_cast<int>(powers.size());
     powers.push_back(power);
     out.push_back({p[0], p[1] - p[0], p[2] - p[0], normalised(normal), area, uv, material});
   }
@@ -128,20 +131,20 @@ void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& col
   }
 }
 
-void build_emitters(World& world) {
+void build_emitters(World& world, LightSelection selection) {
   std::vector<float> powers;
   std::vector<TriangleEmitter> triangles;
   for (const AreaLight& light : world.lights) powers.push_back(power_of(world, light));
-  for (const RenderObject& object : world.objects)
-    if (object.kind == ObjectKind::WorldMesh || object.kind == ObjectKind::InstancedMesh)
-      add_emissive_triangles(world, object, powers, triangles);
-  double total = 0;
-  for (const float power : powers) total += power;
-  for (SurfaceMaterial& material : world.materials) {
-    auto* emission = std::get_if<EmissionMaterial>(&material.model);
-    if (emission != nullptr && total > 0)
-      emission->emitter_pdf_per_area = static_cast<float>(mean_brightness(world, *emission) / total);
+  std::vector<EmitterGroup> groups;
+  for (std::size_t i = 0; i < world.lights.size(); ++i) groups.push_back({i, 1});
+  for (RenderObject& object : world.objects) {
+    if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) continue;
+    const std::size_t first = powers.size();
+    add_emissive_triangles(world, object, powers, triangles);
+    if (powers.size() > first) groups.push_back({first, powers.size() - first});
   }
+  if (selection == LightSelection::Bvh)
+    world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers), groups);
   world.emitters.build(powers, std::move(triangles), world.lights.size());
 }
 

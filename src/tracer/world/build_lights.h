@@ -9,7 +9,8 @@ namespace orbs::tracer {
 /// Adds the area lights, in coordinates relative to `origin`.
 void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& colours, World& world);
 
-/// Fills world.emitters from lights and emissive triangles, once materials, meshes and lights are there.
-void build_emitters(World& world);
+/// Fills world.emitters from lights and emissive triangles, once materials, meshes and lights are there, and
+/// world.light_bvh if it is to select them.
+void build_emitters(World& world, LightSelection selection);
 
 }  // namespace orbs::tracer

@@ -1,5 +1,6 @@
 #include "tracer/world/build_meshes.h"
 
+#include "scene/world_bounds.h"
 #include "tracer/geometry/affine.h"
 
 #include <limits>
@@ -7,6 +8,10 @@
 namespace orbs::tracer {
 
 namespace {
+
+// The rounding of the corners of a mesh that is 256 times as large as the scene on it is 1e-5 of that scene,
+// and what follows from it 1e-4.
+constexpr double kVast = 256;
 
 constexpr std::size_t kNotAdded = std::numeric_limits<std::size_t>::max();
 
@@ -47,7 +52,9 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
     copied += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
   }
   std::vector<std::size_t> shared(scene.meshes.size(), kNotAdded);
-  for (const auto& instance : scene.instances) {
+  const auto is_vast = scene::vast_instances(scene, kVast);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const auto& instance = scene.instances[i];
     const auto index = static_cast<std::size_t>(instance.mesh);
     const Mat4 matrix = relative_to(instance.matrix, origin);
     RenderObject object;
@@ -56,6 +63,7 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
     if (copied <= most_copied_triangles || uses[index] == 1) {
       object.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
+      world.meshes.back().is_vast = is_vast[i];
     } else {
       if (shared[index] == kNotAdded) {
         shared[index] = world.meshes.size();

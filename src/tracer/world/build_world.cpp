@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "scene/camera_frame.h"
+#include "scene/relation_motion.h"
+#include "scene/rescaled.h"
 #include "tracer/world/build_lights.h"
 #include "tracer/world/build_materials.h"
 #include "tracer/world/build_meshes.h"
@@ -61,9 +63,12 @@ bool supports_light_paths(const World& world) {
   return !is_polarised && !lights_reflect && !has_fluorescence && !world.emitters.empty();
 }
 
-}  // namespace
+// Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
+// places. No radiance depends on a scale, so a small scene is enlarged by a power of two: bit for bit the
+// same image as of the larger scene.
+constexpr double kLeastRadius_m = 0x1p-4;
 
-World make_world(const scene::Scene& scene, const WorldSettings& settings) {
+World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings) {
   World world;
   world.transport = checked_transport(scene, settings);
   const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
@@ -78,7 +83,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_lights(scene, origin, colours, world);
-  build_emitters(world);
+  build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
   world.direct_light = settings.direct_light;
   world.roulette = settings.roulette;
@@ -89,6 +94,18 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   world.accel =
       std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres, world.lights});
   return world;
+}
+
+}  // namespace
+
+World make_world(const scene::Scene& scene, const WorldSettings& settings) {
+  const double factor = scene::enlargement_to(scene, kLeastRadius_m);
+  if (factor == 1) return make_world_as_is(scene, settings);
+  return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
+}
+
+bool supports_light_connections(const World& world) {
+  return supports_light_paths(world) && world.direct_light == DirectLight::Mis && world.trace_depth >= 2;
 }
 
 }  // namespace orbs::tracer

@@ -23,6 +23,7 @@ struct WorldSettings {
   bool mirrored_light = true;
   /// The expected image is the same for all; only its noise differs.
   DirectLight direct_light = DirectLight::Mis;
+  LightSelection light_selection = LightSelection::Bvh;
   /// Off: paths end at the trace depth or where they carry nothing, not by Russian roulette.
   bool roulette = true;
 };
@@ -30,5 +31,9 @@ struct WorldSettings {
 /// Throws InputError if a texture cannot be read, or if the given transport lacks effects that the scene
 /// calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
+
+/// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their
+/// connections are weighted against the techniques of DirectLight::Mis.
+bool supports_light_connections(const World& world);
 
 }  // namespace orbs::tracer

@@ -46,6 +46,27 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   return out;
 }
 
+// A place on a triangle that is much larger than the scene on it: interpolated from the corners it would be
+// off by their rounding, within the plane as well. By the ray it is as accurate as its distance. The bound of
+// the error perpendicular to the plane counts each axis with the share of the normal: of a level ground with
+// the height of its corners, however far out they lie.
+void place_by_ray(const TriangleMesh& mesh, const Ray& ray, const Hit& hit, SurfacePoint& out) {
+  const auto& corners = mesh.triangles[hit.primitive];
+  const auto largest_at = [&](float Vec3f::*axis) {
+    float largest_so_far = 0;
+    for (const auto corner : corners)
+      largest_so_far = std::max(largest_so_far, std::abs(mesh.positions[corner].*axis));
+    return largest_so_far;
+  };
+  const Vec3f n = out.geometric_normal;
+  const Vec3f share{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+  const Vec3f size{largest_at(&Vec3f::x), largest_at(&Vec3f::y), largest_at(&Vec3f::z)};
+  out.position = ray.origin + ray.direction * hit.distance;
+  // Divided by the 1-norm of the normal, with which offset_origin multiplies.
+  out.position_error = kTriangleRounding * (dot(share, size) / (share.x + share.y + share.z) +
+                                            largest_magnitude(ray.origin) + hit.distance);
+}
+
 // The hit point is projected onto the sphere along its normal. What remains is the rounding of the sum, of
 // the normalisation, and of centre and radius in the intersection test of the next ray: less than 8 half ulp.
 constexpr float kSphereRounding = 8 * 0x1p-24F;
@@ -118,6 +139,7 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
                            ? triangle.shading_normal
                            : unit_or(interpolated_normal(mesh, hit), triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
+  if (mesh.is_vast) place_by_ray(mesh, ray, hit, out);
   return out;
 }
 

@@ -39,6 +39,12 @@ Vec2f texture_coordinates(const World& world, const SurfaceHit& surface);
 /// already.
 Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv);
 
+/// Index of the triangle of the object in World::emitters, or -1.
+inline int emitter_of(const World& world, std::uint32_t object, std::uint32_t triangle) {
+  const auto& emitters = world.objects[object].emitters;
+  return emitters.empty() ? -1 : emitters[triangle];
+}
+
 /// Material of a triangle in the table of emitters.
 inline const EmissionMaterial& emission_of(const World& world, const TriangleEmitter& triangle) {
   return std::get<EmissionMaterial>(world.materials[static_cast<std::size_t>(triangle.material)].model);

@@ -10,6 +10,7 @@
 #include "tracer/light/direct_light.h"
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
+#include "tracer/light/light_bvh.h"
 #include "tracer/world/camera.h"
 
 #include <memory>
@@ -34,10 +35,13 @@ struct World {
   std::vector<RenderObject> objects;
   std::vector<AreaLight> lights;
   EmitterTable emitters;
+  LightBvh light_bvh;  // of the emitters; empty: light sampling selects them by power alone
   /// Empty unless light paths are traced. They then carry all light that leaves its emitter towards a
   /// near-specular surface and reaches the camera from another surface that is not near-specular, or by the
   /// tail of its lobe (kTailPdf); camera paths skip that light.
   std::vector<BoundingSphere> caustic_casters;
+  /// Camera paths also connect to the first hits of light paths (connect_light_vertices.h).
+  bool connects_light_vertices = false;
   std::vector<MirrorPlane> mirror_planes;
   DirectLight direct_light = DirectLight::Mis;
   bool roulette = true;

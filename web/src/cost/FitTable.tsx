@@ -5,10 +5,11 @@ import type { CostStudy, Curve } from "./types";
 
 const kColumns: Column[] = [
   { label: "Renderer" },
-  { label: "Fixed cost", title: "CPU seconds of an image of one pixel: start, reading, building" },
+  { label: "Fixed cost", title: "CPU seconds of an image of 4 x 4 px: start, reading, building" },
   { label: "v", title: "relMSE(t) = b² + v / tᵖ, t in CPU seconds above the fixed cost" },
   { label: "p", title: "1 for independent samples; larger is faster" },
   { label: "b²", title: "the part of the relMSE that no time removes" },
+  { label: "Misfit", title: "chi² per degree of freedom: about 1 where the curve fits its points" },
   { label: "Floor" },
 ];
 
@@ -32,6 +33,7 @@ export function FitTable({ study, curves }: { study: CostStudy; curves: Curve[] 
               <td>{withEnds(curve.fit?.variance ?? null)}</td>
               <td>{withEnds(curve.fit?.exponent ?? null)}</td>
               <td>{withEnds(curve.fit?.bias_squared ?? null)}</td>
+              <td>{curve.fit ? curve.fit.misfit.toPrecision(2) : "–"}</td>
               <td>{floorText(curve)}</td>
             </tr>
           ))}

@@ -54,6 +54,7 @@ export interface Fit {
   bias_squared: MaybeInterval;
   variance: MaybeInterval;
   exponent: MaybeInterval;
+  misfit: number;
   has_floor: boolean;
   floor_named: string;
 }

@@ -15,6 +15,8 @@ function bytesOf(id: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
+const noStudy = () => Promise.reject(new Error("this file holds a run, no study"));
+
 /** The page written by `orbs report`: script elements of the file hold all data. */
 export function embeddedSource(): Source {
   const written = JSON.parse(textOf("orbs-overview")) as Overview;
@@ -48,8 +50,9 @@ export function embeddedSource(): Source {
       const element = document.getElementById(`thumbnail-${index}`);
       return element ? `data:image/png;base64,${element.textContent ?? ""}` : undefined;
     },
-    study: () => Promise.reject(new Error("this file holds a run, no cost study")),
-    picture: () => Promise.reject(new Error("this file holds a run, no cost study")),
+    study: noStudy,
+    stability: noStudy,
+    picture: noStudy,
     fileAddress: () => undefined,
     follow: () => () => undefined,
   };

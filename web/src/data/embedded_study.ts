@@ -1,22 +1,25 @@
 import type { CostStudy } from "../cost/types";
+import type { StabilityStudy } from "../stability/types";
 import { textOf } from "./embedded";
 import type { Source } from "./source";
 
-const noRun = () => Promise.reject(new Error("this file holds a cost study, no run"));
+const noRun = () => Promise.reject(new Error("this file holds a study, no run"));
 
-/** The page of a cost study written by `orbs report`. */
+/** The page of a study of cost or stability written by `orbs report`. */
 export function embeddedStudy(): Source {
-  const study = JSON.parse(textOf("orbs-cost")) as CostStudy;
+  const kind = document.getElementById("orbs-cost") ? "cost" : "stability";
+  const study: unknown = JSON.parse(textOf(`orbs-${kind}`));
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
   return {
-    runs: [JSON.parse(textOf("orbs-cost-name")) as string],
-    kinds: ["cost"],
+    runs: [JSON.parse(textOf(`orbs-${kind}-name`)) as string],
+    kinds: [kind],
     isServed: false,
     overview: noRun,
     target: noRun,
     raster: noRun,
     thumbnail: async () => undefined,
-    study: async () => study,
+    study: async () => study as CostStudy,
+    stability: async () => study as StabilityStudy,
     picture: async (_run, file) => {
       const element = elements[file];
       if (!element)

@@ -1,4 +1,5 @@
 import type { CostStudy } from "../cost/types";
+import type { StabilityStudy } from "../stability/types";
 import { pngAddress } from "./display";
 import { unpack, type Raster } from "./raster";
 import type { Kind, Source } from "./source";
@@ -49,6 +50,8 @@ export async function servedSource(): Promise<Source> {
       (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
     raster,
     study: async (run) => (await (await get(fileAddress(run, "cost.json"))).json()) as CostStudy,
+    stability: async (run) =>
+      (await (await get(fileAddress(run, "stability.json"))).json()) as StabilityStudy,
     picture: async (run, file) =>
       file.endsWith(".exr") ? pngAddress(await raster(run, file, "")) : fileAddress(run, file),
     thumbnail: async (run, _index, detail) => {

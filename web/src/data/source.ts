@@ -1,4 +1,5 @@
 import type { CostStudy } from "../cost/types";
+import type { StabilityStudy } from "../stability/types";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
 import type { Raster } from "./raster";
@@ -9,11 +10,11 @@ import type { Overview, TargetDetail, Progress } from "./types";
 export type Update = Progress | "disconnected" | "closed";
 
 /** What a folder holds. */
-export type Kind = "run" | "cost";
+export type Kind = "run" | "cost" | "stability";
 
 /** Where the page gets its data from: a server, or the page's own file. */
 export interface Source {
-  /** Names of the runs and cost studies; the page opens with the first. */
+  /** Names of the runs and studies; the page opens with the first. */
   runs: string[];
   kinds: Kind[];
   /** False for a page in one file, whose data never changes. */
@@ -30,7 +31,9 @@ export interface Source {
   ): Promise<string | undefined>;
   /** A cost study as it is now. */
   study(run: number): Promise<CostStudy>;
-  /** Address of an image of a cost study, ready to be shown; rejects with an Error that says why. */
+  /** A study of stability as it is now. */
+  stability(run: number): Promise<StabilityStudy>;
+  /** Address of an image of a study, ready to be shown; rejects with an Error that says why. */
   picture(run: number, file: string): Promise<string>;
   /** Address of a file of the run; undefined if the source has no files. */
   fileAddress(run: number, file: string): string | undefined;
@@ -39,6 +42,7 @@ export interface Source {
 }
 
 export async function openSource(): Promise<Source> {
-  if (document.getElementById("orbs-cost")) return embeddedStudy();
+  if (document.getElementById("orbs-cost") || document.getElementById("orbs-stability"))
+    return embeddedStudy();
   return document.getElementById("orbs-overview") ? embeddedSource() : servedSource();
 }

@@ -1,0 +1,155 @@
+#include "base/error.h"
+#include "base/files.h"
+#include "base/terminal.h"
+#include "base/text_table.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/study_context.h"
+#include "results/stability_study.h"
+#include "runner/make_plan.h"
+#include "runner/run_file.h"
+#include "scene/load_scene.h"
+#include "studies/stability_json.h"
+#include "studies/stability_report.h"
+#include "studies/stability_study.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct StabilityOptions {
+  TargetFilters filters;
+  std::vector<std::string> files, requirements, renderers, relations;
+  std::string output, resume, show;
+  studies::StabilitySettings settings;
+  bool as_markdown = false;
+};
+
+void add_study_options(CLI::App& command, StabilityOptions& options) {
+  constexpr int kMostThreads = 1024;
+  command.add_option("files", options.files, "Scene files to render in place of scenes of the suite");
+  add_filter_options(command, options.filters);
+  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
+  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
+  command.add_option("--relation", options.relations, "Relations, by name or pattern (default: all)")
+      ->delimiter(',');
+  command.add_option("--size", options.settings.size_px, "Longer side of the images in pixels")
+      ->check(CLI::Range(8, 1024))
+      ->capture_default_str();
+  command.add_option("--spp", options.settings.spp, "Samples per pixel")
+      ->check(CLI::Range(2, 1 << 16))
+      ->capture_default_str();
+  command.add_option("--seeds", options.settings.seeds, "Pairs of images of each step")
+      ->check(CLI::Range(2, 1024))
+      ->capture_default_str();
+  command.add_option("--threads", options.settings.threads, "Threads of each render")
+      ->check(CLI::Range(1, kMostThreads))
+      ->capture_default_str();
+}
+
+void add_folder_options(CLI::App& command, StabilityOptions& options) {
+  auto* output = command
+                     .add_option("-o,--output", options.output,
+                                 "New folder of the study (default: stability-YYMMDD-HHMMSS)")
+                     ->check(not_empty("a folder"));
+  auto* resume =
+      command
+          .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
+          ->check(not_empty("a folder"));
+  auto* show =
+      command
+          .add_option("--show", options.show,
+                      "Print the tables of a study (its folder or stability.json) and render nothing")
+          ->check(not_empty("a folder or a file"));
+  resume->excludes(output);
+  show->excludes(output)->excludes(resume);
+  command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown");
+}
+
+std::filesystem::path stability_file(const std::string& place) {
+  const std::filesystem::path path(place);
+  return std::filesystem::is_directory(path) ? path / results::kStabilityFile : path;
+}
+
+void print(const studies::StabilityRecord& record, bool as_markdown) {
+  print_clean("{}", as_markdown ? studies::stability_markdown(record) : studies::stability_table(record));
+}
+
+int status_of(const studies::StabilityRecord& record) { return studies::all_hold(record) ? 0 : 1; }
+
+// The scenes of these files, known by their names without folder and ending.
+std::vector<runner::PlannedScene> scenes_of(const std::vector<std::string>& files) {
+  std::vector<runner::PlannedScene> scenes;
+  for (const std::filesystem::path file : files) {
+    auto scene =
+        with_note(fmt::format("reading scene '{}'", file.string()), [&] { return scene::load_scene(file); });
+    runner::PlannedScene planned;
+    planned.name = file.stem().string();
+    planned.file = std::filesystem::absolute(file);
+    planned.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    scenes.push_back(std::move(planned));
+  }
+  return scenes;
+}
+
+int measure(const registry::Configuration& configuration,
+            const StabilityOptions& options,
+            const Program& program) {
+  studies::StabilityRequest request{options.settings, studies::stability_relations(options.relations), {}};
+  auto settings = filtered_settings(configuration, options.filters);
+  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
+  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
+  settings.size_divisor = 1;  // a study of stability has a size of its own
+  auto plan = runner::make_plan(configuration, settings, program.folder);
+  if (!options.files.empty()) plan.scenes = scenes_of(options.files);
+  const auto context = study_context(program, stderr);
+  studies::StabilityRecord record;
+  if (options.resume.empty()) {
+    request.folder = runner::make_run_folder(options.output, "stability");
+  } else {
+    request.folder = std::filesystem::absolute(options.resume);
+    record = studies::read_stability_file(stability_file(options.resume));
+  }
+  record = studies::measure_stability(plan, request, std::move(record), context);
+  print(record, options.as_markdown);
+  print_clean("all numbers: {}\nnext: orbs serve {}   (shows the breaks in the browser)\n",
+              (request.folder / results::kStabilityFile).string(), request.folder.string());
+  return record.is_finished ? status_of(record) : kInterrupted;
+}
+
+std::string footer() {
+  std::vector<std::string_view> names;
+  for (const auto& relation : studies::stability_relations({})) names.push_back(relation.of_scenes.name);
+  constexpr std::size_t kColumns = 100;
+  return fmt::format(
+      "Renders each scene and changed forms of it, such as the same world 10 km away, whose images are known to\n"
+      "be equal, and says how far each renderer follows. It needs no reference.\n"
+      "Exit status: 0 all relations hold, 1 one breaks or nothing was measured.\nRelations: {}",
+      fmt::join(wrapped(fmt::format("{}", fmt::join(names, ", ")), kColumns), "\n"));
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<StabilityOptions>();
+  add_study_options(command, *options);
+  add_folder_options(command, *options);
+  command.footer(footer());
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      if (options->show.empty())
+        return measure(read_configuration(*configuration, program), *options, program);
+      const auto record = studies::read_stability_file(stability_file(options->show));
+      print(record, options->as_markdown);
+      return status_of(record);
+    };
+  });
+}
+
+}  // namespace orbs::cli

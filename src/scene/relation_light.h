@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <variant>
+
+/// Changes of the light and of colours.
+namespace orbs::scene {
+
+/// All emission times `factor`: environment, emissive materials and lights, as colours and as spectra.
+Scene with_emission_times(const Scene& scene, double factor);
+
+/// Each colour (r, g, b) as (g, b, r). The reason if a surface, a light or a texture is more than a colour of
+/// three channels.
+std::variant<Scene, std::string> with_rotated_channels(const Scene& scene);
+
+}  // namespace orbs::scene

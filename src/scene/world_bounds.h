@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace orbs::scene {
+
+/// A box along the axes of the world.
+struct WorldBounds {
+  Vec3d low;
+  Vec3d high;
+};
+
+inline double radius_of(const WorldBounds& bounds) { return 0.5 * length(bounds.high - bounds.low); }
+
+/// The box around the vertices of an instance, which has at least one.
+WorldBounds world_bounds(const Scene& scene, const Instance& instance);
+
+WorldBounds joined(const WorldBounds& a, const WorldBounds& b);
+
+/// The box around all that is drawn; of lights, around the box of their shape. Nothing if nothing is drawn.
+std::optional<WorldBounds> world_bounds(const Scene& scene);
+
+/// A box around that one, not more than about twice as large: around the boxes of the meshes along their own
+/// axes. Its time does not grow with the product of instances and vertices.
+std::optional<WorldBounds> rough_bounds(const Scene& scene);
+
+/// For each instance, whether it is more than `ratio` times as large as all that is smaller, the camera
+/// included: the ground or the walls around a small scene.
+std::vector<bool> vast_instances(const Scene& scene, double ratio);
+
+}  // namespace orbs::scene

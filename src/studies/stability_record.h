@@ -1,0 +1,144 @@
+#pragma once
+
+#include "results/fields.h"
+#include "results/host_record.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What a study of stability measured. Each member is also listed in the struct's fields(), see
+/// results/fields.h, so that a study is stored and resumed.
+namespace orbs::studies {
+
+struct StabilitySettings {
+  int size_px = 48;  // longer side of the images
+  int spp = 64;
+  int seeds = 2;
+  int threads = 1;
+  double mean_bound = 1e-3;   // a relation is broken where the mean is off by more than this for sure
+  double block_bound = 2e-2;  // or the mean of a block
+  bool operator==(const StabilitySettings&) const = default;
+};
+
+template <class Visitor, results::RecordOf<StabilitySettings> Record>
+void fields(Visitor& visit, Record& settings) {
+  visit.at_least("size_px", settings.size_px, 1);
+  visit.at_least("spp", settings.spp, 1);
+  visit.at_least("seeds", settings.seeds, 1);
+  visit.at_least("threads", settings.threads, 1);
+  visit("mean_bound", settings.mean_bound);
+  visit("block_bound", settings.block_bound);
+}
+
+struct StabilityRenderer {
+  std::string name;
+  std::string version;
+};
+
+template <class Visitor, results::RecordOf<StabilityRenderer> Record>
+void fields(Visitor& visit, Record& renderer) {
+  visit.required("name", renderer.name);
+  visit("version", renderer.version);
+}
+
+struct StabilityScene {
+  std::string name;
+};
+
+template <class Visitor, results::RecordOf<StabilityScene> Record>
+void fields(Visitor& visit, Record& scene) {
+  visit.required("name", scene.name);
+}
+
+/// A relation that the study measured, see stability_relation.h.
+struct StabilityRelationRecord {
+  std::string name;
+  std::string change;
+  std::string unit;
+  bool is_ladder = false;
+  bool is_exact = false;
+};
+
+template <class Visitor, results::RecordOf<StabilityRelationRecord> Record>
+void fields(Visitor& visit, Record& relation) {
+  visit.required("name", relation.name);
+  visit("change", relation.change);
+  visit("unit", relation.unit);
+  visit("is_ladder", relation.is_ladder);
+  visit("is_exact", relation.is_exact);
+}
+
+/// Outcomes of a step.
+inline constexpr const char* kHolds = "holds";
+inline constexpr const char* kBreaks = "breaks";
+inline constexpr const char* kNoImage = "no image";
+inline constexpr const char* kTooNoisy = "inconclusive";
+inline constexpr const char* kNotApplicable = "not applicable";
+
+/// One relation at one magnitude, on one scene, by one renderer.
+struct StabilityStep {
+  std::size_t scene = 0;
+  std::size_t renderer = 0;
+  std::size_t relation = 0;
+  double magnitude = 1;
+  std::string outcome = kHolds;
+  std::string reason = {};    // of an outcome other than kHolds
+  bool is_bit_equal = false;  // all pairs of images are
+  double mean = 0;            // relative to the mean of the original image
+  double mean_error = 0;      // standard error
+  double block = 0;           // of the block that differs most for sure, relative to its mean
+  double block_error = 0;
+  int block_x = 0;
+  int block_y = 0;
+  double confidence = 0;    // that the greater of both is no noise
+  std::string images = {};  // folder of the first break's images, relative to the study's; else ""
+};
+
+template <class Visitor, results::RecordOf<StabilityStep> Record>
+void fields(Visitor& visit, Record& step) {
+  visit.required("scene", step.scene);
+  visit.required("renderer", step.renderer);
+  visit.required("relation", step.relation);
+  visit("magnitude", step.magnitude);
+  visit.required("outcome", step.outcome);
+  visit("reason", step.reason);
+  visit("is_bit_equal", step.is_bit_equal);
+  visit("mean", step.mean);
+  visit("mean_error", step.mean_error);
+  visit("block", step.block);
+  visit("block_error", step.block_error);
+  visit("block_x", step.block_x);
+  visit("block_y", step.block_y);
+  visit("confidence", step.confidence);
+  visit("images", step.images);
+}
+
+struct StabilityRecord {
+  std::string orbs_version;
+  std::string started;  // local time, ISO 8601
+  bool is_finished = false;
+  std::string suite;
+  StabilitySettings settings;
+  results::Host host;
+  std::vector<StabilityRenderer> renderers;
+  std::vector<StabilityScene> scenes;
+  std::vector<StabilityRelationRecord> relations;
+  std::vector<StabilityStep> steps;
+};
+
+template <class Visitor, results::RecordOf<StabilityRecord> Record>
+void fields(Visitor& visit, Record& record) {
+  visit("orbs_version", record.orbs_version);
+  visit("started", record.started);
+  visit("finished", record.is_finished);
+  visit("suite", record.suite);
+  visit("settings", record.settings);
+  visit("host", record.host);
+  visit("renderers", record.renderers);
+  visit("scenes", record.scenes);
+  visit("relations", record.relations);
+  visit("steps", record.steps);
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tracer/sampling/sampler.h"
+
+#include <cstdint>
+
+namespace orbs::tracer {
+
+/// One camera sample.
+struct Sample {
+  int x = 0;  // pixel
+  int y = 0;
+  SampleBlock block;
+  std::uint32_t index = 0;  // within the block
+};
+
+}  // namespace orbs::tracer

@@ -1,0 +1,150 @@
+#include "tracer/light/light_bvh.h"
+
+#include <algorithm>
+#include <array>
+
+namespace orbs::tracer {
+
+namespace {
+
+constexpr float kBelowOne = 0x1.fffffep-1F;  // quotients may round to one
+
+float along(Vec3f v, std::size_t axis) { return std::array{v.x, v.y, v.z}[axis]; }
+
+template <typename Leaves>
+std::size_t longest_axis(const Leaves& leaves, std::size_t begin, std::size_t end) {
+  std::size_t longest = 0;
+  float length = -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float low = along(centre_of(leaves[begin].first), axis);
+    float high = low;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const float at = along(centre_of(leaves[i].first), axis);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    if (!(high - low > length)) continue;
+    length = high - low;
+    longest = axis;
+  }
+  return longest;
+}
+
+// Tighter than what pairwise merging leaves: of a tessellated ball about its radius.
+float radius_about(Vec3f centre, const std::vector<LightBounds>& emitters, const EmitterGroup& group) {
+  float radius = 0;
+  for (std::size_t i = group.first; i < group.first + group.count; ++i)
+    radius = std::max(radius, length(centre_of(emitters[i]) - centre) + emitters[i].radius);
+  return radius;
+}
+
+}  // namespace
+
+LightBvh::LightBvh(const std::vector<LightBounds>& emitters, const std::vector<EmitterGroup>& groups) {
+  std::vector<Leaf> leaves;
+  power_up_to_.resize(emitters.size());
+  for (const EmitterGroup& group : groups) {
+    LightBounds bounds = emitters[group.first];
+    power_up_to_[group.first] = bounds.power;
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
+      bounds = merged(bounds, emitters[i]);
+      power_up_to_[i] = power_up_to_[i - 1] + emitters[i].power;
+    }
+    bounds.power = power_up_to_[group.first + group.count - 1];
+    bounds.radius = radius_about(centre_of(bounds), emitters, group);
+    if (bounds.power > 0) leaves.emplace_back(bounds, group);
+  }
+  if (leaves.size() < 2) return;
+  nodes_.reserve(2 * leaves.size() - 1);
+  leaf_of_.assign(emitters.size(), 0);
+  build(leaves, 0, leaves.size(), 0);
+}
+
+// Halves of equal count keep the tree balanced: its depth bounds both the time of a selection and how finely
+// u is divided. Equal centres are ordered by number, so that the tree does not depend on the sort.
+std::uint32_t LightBvh::build(std::vector<Leaf>& leaves,
+                              std::size_t begin,
+                              std::size_t end,
+                              std::uint32_t parent) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back({.bounds = {}, .parent = parent, .group = {}});
+  if (end - begin == 1) {
+    const auto& [bounds, group] = leaves[begin];
+    nodes_[index].bounds = bounds;
+    nodes_[index].group = group;
+    std::fill_n(leaf_of_.begin() + static_cast<std::ptrdiff_t>(group.first), group.count, index);
+    return index;
+  }
+  const std::size_t axis = longest_axis(leaves, begin, end);
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end), [&](const Leaf& a, const Leaf& b) {
+    const float first = along(centre_of(a.first), axis);
+    const float second = along(centre_of(b.first), axis);
+    return first != second ? first < second : a.second.first < b.second.first;
+  });
+  const std::uint32_t left = build(leaves, begin, middle, index);
+  const std::uint32_t right = build(leaves, middle, end, index);
+  nodes_[index].left = left;
+  nodes_[index].right = right;
+  nodes_[index].bounds = merged(nodes_[left].bounds, nodes_[right].bounds);
+  return index;
+}
+
+float LightBvh::share_of_left(const Node& node, const LightSampleContext& at) const {
+  const float left = importance(nodes_[node.left].bounds, at);
+  const float right = importance(nodes_[node.right].bounds, at);
+  return left > 0 || right > 0 ? left / (left + right) : -1;
+}
+
+SelectedEmitter LightBvh::select_within(const EmitterGroup& group, float u) const {
+  const auto begin = power_up_to_.begin() + static_cast<std::ptrdiff_t>(group.first);
+  const auto end = begin + static_cast<std::ptrdiff_t>(group.count);
+  const float total = *(end - 1);
+  const auto found = std::min(std::upper_bound(begin, end, u * total), end - 1);
+  const auto emitter = static_cast<std::size_t>(found - power_up_to_.begin());
+  return {emitter, group.count == 1 ? 1 : power_of(emitter) / total};
+}
+
+float LightBvh::power_of(std::size_t emitter) const {
+  const std::size_t first = nodes_[leaf_of_[emitter]].group.first;
+  return power_up_to_[emitter] - (emitter > first ? power_up_to_[emitter - 1] : 0);
+}
+
+std::optional<SelectedEmitter> LightBvh::select(const LightSampleContext& at, float u) const {
+  std::uint32_t index = 0;
+  float probability = 1;
+  while (nodes_[index].right != 0) {
+    const float left = share_of_left(nodes_[index], at);
+    if (left < 0) return std::nullopt;
+    if (u < left) {
+      probability *= left;
+      u = std::min(u / left, kBelowOne);
+      index = nodes_[index].left;
+    } else {
+      probability *= 1 - left;
+      u = std::min((u - left) / (1 - left), kBelowOne);
+      index = nodes_[index].right;
+    }
+  }
+  auto selected = select_within(nodes_[index].group, u);
+  selected.probability *= probability;
+  return selected;
+}
+
+float LightBvh::probability(const LightSampleContext& at, std::size_t emitter) const {
+  std::uint32_t index = leaf_of_[emitter];
+  if (index == 0) return 0;
+  const EmitterGroup& group = nodes_[index].group;
+  float probability = group.count == 1 ? 1 : power_of(emitter) / power_up_to_[group.first + group.count - 1];
+  while (index != 0) {
+    const Node& parent = nodes_[nodes_[index].parent];
+    const float left = share_of_left(parent, at);
+    if (left < 0) return 0;
+    probability *= parent.left == index ? left : 1 - left;
+    index = nodes_[index].parent;
+  }
+  return probability;
+}
+
+}  // namespace orbs::tracer

@@ -1,0 +1,63 @@
+// Closed forms for lamps that are very near, very large or very small, and paths that nothing ends.
+#include "unit/tracer_scenes.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+constexpr const char* kWhiteFloor =
+    R"("materials": [{"name": "w", "type": "lambert", "reflectance": [1, 1, 1]}],
+    "meshes": [{"name": "f", "generator": "plane", "half_size": 0.25, "material": "w"}],
+    "instances": [{"mesh": "f", "matrix": [{"rotate_y": 17}]}], "lights": [)";
+
+// Mean and standard error of the floor's radiance, from 64 pixels.
+void expect_radiance(const std::string& eye, const std::string& lamp, double expected) {
+  const auto image =
+      tests::render_text(tests::scene_text(eye, "[0, 0, 0]", 8, 1, kWhiteFloor + lamp + "]", "0.02"),
+                         {.samples_per_pixel = 256})
+          .image;
+  EXPECT_NEAR(tests::mean_of_channel(image, 0), expected,
+              4 * tests::error_of_mean(image, 0) + 1e-3 * expected)
+      << lamp;
+}
+
+}  // namespace
+
+// A floor under a lamp that covers the sky has the lamp's radiance. The ends of shadow rays were pushed off
+// the lamp by more than its height: 0.598.
+TEST(ExtremeLamps, JustAboveTheFloorAndOfAThousandKilometresCoverTheSky) {
+  expect_radiance("[3e-7, 5e-7, 1e-7]", R"({"type": "rect", "half_width": 1, "half_length": 1,
+    "radiance": [1, 1, 1], "matrix": [{"translate": [0, 1e-6, 0]}]})",
+                  1);
+  expect_radiance("[0.05, 0.2, -0.02]", R"({"type": "rect", "half_width": 1e6, "half_length": 1e6,
+    "radiance": [1, 1, 1], "matrix": [{"translate": [0, 1, 0]}]})",
+                  1);
+}
+
+// A small sphere far away: L r^2 cos / d^2, with d^2 = 0.3^2 + 1.1^2 + 0.2^2 and cos = 1.1 / d. Its side was
+// decided by the difference of two places that floats hardly tell apart: 0.650 at 1e-7 m, black at 1e-9 m.
+TEST(ExtremeLamps, SmallSpheresShineInFull) {
+  const double d = std::sqrt(0.3 * 0.3 + 1.1 * 1.1 + 0.2 * 0.2);
+  for (const double r : {1e-4, 1e-6, 1e-7, 1e-9})
+    expect_radiance("[0.05, 0.2, -0.02]",
+                    fmt::format(R"({{"type": "sphere", "radius": {0}, "radiance": [{1}, {1}, {1}],
+                      "matrix": [{{"translate": [0.3, 1.1, 0.2]}}]}})",
+                                r, 1 / (r * r)),
+                    1.1 / (d * d * d));
+}
+
+// Between lossless mirrors no path loses throughput, and without a limit none would ever end.
+TEST(EndlessPaths, InAClosedMirrorRoomEnd) {
+  const auto image = tests::render_text(R"({"format": "orbs-scene/1", "name": "room",
+    "camera": {"position": [0.1, 0.2, 0.3], "look_at": [1, 0.4, 0.2], "width": 4, "height": 4},
+    "materials": [{"name": "m", "type": "mirror", "reflectance": [1, 1, 1]}],
+    "meshes": [{"name": "room", "generator": "cube", "half_size": 1, "material": "m"}],
+    "instances": [{"mesh": "room"}], "environment": [1, 1, 1],
+    "integrator": {"trace_depth": "unlimited"}})",
+                                        {.samples_per_pixel = 4})
+                         .image;
+  EXPECT_LT(tests::mean_of_channel(image, 0), 0.01);
+}

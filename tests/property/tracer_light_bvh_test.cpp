@@ -1,0 +1,147 @@
+// The light BVH: what it selects, with which probability, and that no light is ever left out.
+#include "base/random.h"
+#include "tracer/light/emitter_bounds.h"
+#include "tracer/light/emitter_sampling.h"
+#include "tracer/light/light_bvh.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+using namespace orbs::tracer;
+
+float uniform(std::uint64_t i, std::uint64_t d) { return static_cast<float>(mix(i, d) >> 40) * 0x1p-24F; }
+
+Vec3f point_in_cube(std::uint64_t i, float half) {
+  return {half * (2 * uniform(i, 0) - 1), half * (2 * uniform(i, 1) - 1), half * (2 * uniform(i, 2) - 1)};
+}
+
+Vec3f direction(std::uint64_t i) { return normalised(point_in_cube(i, 1)); }
+
+struct Emitters {
+  std::vector<AreaLight> lights;
+  std::vector<TriangleEmitter> triangles;
+  std::vector<float> powers;
+};
+
+AreaLight light_of(const EmitterShape& shape) {
+  AreaLight light;
+  light.shape = shape;
+  light.radiance = {{1, 1, 1}, -1};
+  return light;
+}
+
+// Rectangles that face all ways, balls, and triangles, in a cube of 4 m.
+Emitters many_emitters() {
+  Emitters out;
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    const Vec3f normal = direction(100 + i);
+    const Vec3f a = normalised(cross(normal, direction(200 + i))) * 0.3F;
+    const Vec3f b = cross(normal, a);
+    out.lights.push_back(light_of(RectEmitter{point_in_cube(300 + i, 2), a, b, normal, 0.36F, true}));
+  }
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    SphereEmitter ball;
+    ball.centre = point_in_cube(400 + i, 2);
+    ball.axes = {Vec3f{0.2F, 0, 0}, Vec3f{0, 0.2F, 0}, Vec3f{0, 0, 0.2F}};
+    ball.inverse = {Vec3f{5, 0, 0}, Vec3f{0, 5, 0}, Vec3f{0, 0, 5}};
+    ball.determinant = 0.008F;
+    out.lights.push_back(light_of(ball));
+  }
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Vec3f edge1 = direction(500 + i) * 0.4F;
+    const Vec3f edge2 = direction(600 + i) * 0.4F;
+    const Vec3f normal = cross(edge1, edge2);
+    out.triangles.push_back(
+        {point_in_cube(700 + i, 2), edge1, edge2, normalised(normal), 0.5F * length(normal), {}, 0});
+  }
+  for (std::size_t i = 0; i < out.lights.size() + out.triangles.size(); ++i)
+    out.powers.push_back(0.1F + uniform(i, 9));
+  return out;
+}
+
+// The last seven triangles are one object.
+LightBvh bvh_of(const Emitters& e) {
+  constexpr std::size_t kTogether = 7;
+  const std::size_t alone = e.powers.size() > kTogether ? e.powers.size() - kTogether : e.powers.size();
+  std::vector<EmitterGroup> groups;
+  for (std::size_t i = 0; i < alone; ++i) groups.push_back({i, 1});
+  if (alone < e.powers.size()) groups.push_back({alone, kTogether});
+  return LightBvh(bounds_of(e.lights, e.triangles, e.powers), groups);
+}
+
+// Whether a point of the emitter, sampled from the context, is on the side of its normal.
+bool shines_on(const Emitters& e, std::size_t emitter, const LightSampleContext& at, float u, float v) {
+  Vec2f uv;
+  const auto point = emitter < e.lights.size()
+                         ? sample_towards(e.lights[emitter].shape, at.position, u, v)
+                         : sample_towards(e.triangles[emitter - e.lights.size()], at.position, {u, v}, uv);
+  if (!point) return false;
+  return at.normal == Vec3f{} || dot(at.normal, point->position - at.position) > 1e-4F;
+}
+
+}  // namespace
+
+TEST(LightBvh, SelectsWithTheProbabilityThatItStates) {
+  const Emitters e = many_emitters();
+  const LightBvh bvh = bvh_of(e);
+  constexpr int kSteps = 100000;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    const Vec3f position = point_in_cube(i, 3);
+    const LightSampleContext at{position,
+                                i % 2 == 0 ? normalised(-position) : Vec3f{}};  // towards the middle
+    std::vector<int> counts(e.powers.size());
+    for (int k = 0; k < kSteps; ++k) {
+      const auto selected = bvh.select(at, (static_cast<float>(k) + 0.5F) / kSteps);
+      ASSERT_TRUE(selected.has_value());
+      ++counts[selected->emitter];
+      EXPECT_NEAR(selected->probability, bvh.probability(at, selected->emitter), 1e-5F);
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      const double probability = bvh.probability(at, k);
+      sum += probability;
+      EXPECT_NEAR(counts[k], probability * kSteps, 3) << k;
+    }
+    EXPECT_NEAR(sum, 1, 1e-5);
+  }
+}
+
+TEST(LightBvh, NeverLeavesOutAnEmitterThatShinesOnThePoint) {
+  const Emitters e = many_emitters();
+  const LightBvh bvh = bvh_of(e);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const LightSampleContext at{point_in_cube(i, 2.5F), direction(5000 + i)};
+    for (std::size_t k = 0; k < e.powers.size(); ++k) {
+      if (!shines_on(e, k, at, uniform(i, 3), uniform(i, 4))) continue;
+      EXPECT_GT(bvh.probability(at, k), 0) << "point " << i << ", emitter " << k;
+    }
+  }
+}
+
+TEST(LightBvh, LeavesOutEmittersBehindThePointOrTurnedAway) {
+  Emitters e;
+  const Vec3f a{0.1F, 0, 0};
+  const Vec3f b{0, 0, 0.1F};
+  e.lights = {light_of(RectEmitter{{0, 2, 0}, a, b, {0, -1, 0}, 0.04F, true}),   // above, shines down
+              light_of(RectEmitter{{0, 2, 0}, a, b, {0, 1, 0}, 0.04F, true}),    // above, shines up
+              light_of(RectEmitter{{0, -2, 0}, a, b, {0, 1, 0}, 0.04F, true})};  // below, shines up
+  e.powers = {1, 100, 100};
+  const LightBvh bvh = bvh_of(e);
+  const LightSampleContext floor{{0, 0, 0}, {0, 1, 0}};
+  EXPECT_FLOAT_EQ(bvh.probability(floor, 0), 1);
+  EXPECT_EQ(bvh.probability(floor, 1), 0);
+  EXPECT_EQ(bvh.probability(floor, 2), 0);
+  const LightSampleContext glass{{0, 0, 0}, {}};
+  EXPECT_GT(bvh.probability(glass, 2), 0);
+  const LightSampleContext top{{0, 3, 0}, {0, 1, 0}};
+  EXPECT_FALSE(bvh.select(top, 0.5F).has_value());
+}
+
+TEST(LightBvh, EmittersWithoutPowerAreNeverSelected) {
+  Emitters e = many_emitters();
+  e.powers[3] = 0;
+  const LightBvh bvh = bvh_of(e);
+  EXPECT_EQ(bvh.probability({{0, 0, 0}, {}}, 3), 0);
+}
