@@ -62,7 +62,7 @@ Related rotate(const Scene& scene, double) {
 Related mirror(const Scene& scene, double) { return turned(scene, scaling({-1, 1, 1}), MirroredImage{}); }
 Related triangle_order(const Scene& scene, double) { return related(scene, with_triangles_reversed(scene)); }
 Related object_order(const Scene& scene, double) {
-  if (scene.instances.size() + scene.spheres.size() < 2) return "it has one object";
+  if (scene.instances.size() + scene.spheres.size() + scene.shapes.size() < 2) return "it has one object";
   return related(scene, with_objects_reversed(scene));
 }
 Related light_order(const Scene& scene, double) {

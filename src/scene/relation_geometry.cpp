@@ -111,6 +111,7 @@ Scene with_objects_reversed(const Scene& scene) {
   Scene out = scene;
   std::reverse(out.instances.begin(), out.instances.end());
   std::reverse(out.spheres.begin(), out.spheres.end());
+  std::reverse(out.shapes.begin(), out.shapes.end());
   return out;
 }
 

@@ -49,7 +49,7 @@ std::optional<Ground> find_ground(const Scene& scene) {
     if (scene.camera.position_m.y <= bounds.high.y) continue;
     if (!ground || radius_of(bounds) > radius_of(ground->bounds)) ground = Ground{i, bounds, {}};
   }
-  if (ground && scene.instances.size() + scene.spheres.size() + scene.lights.size() > 1)
+  if (ground && scene.instances.size() + scene.spheres.size() + scene.shapes.size() + scene.lights.size() > 1)
     ground->others = bounds_without(scene, ground->instance);
   return ground;
 }

@@ -32,6 +32,8 @@ Scene moved(const Scene& scene, const Mat4& motion) {
     sphere.centre_m = transform_point(motion, sphere.centre_m);
     sphere.radius_m *= scale;
   }
+  for (auto& shape : out.shapes) shape.matrix = motion * shape.matrix;
+  if (out.ambient_occlusion) out.ambient_occlusion->distance_m *= scale;
   for (auto& material : out.materials)
     std::visit(
         [&](auto& model) {

@@ -1,5 +1,7 @@
 #include "scene/world_bounds.h"
 
+#include "scene/shapes/shape_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -47,6 +49,8 @@ std::optional<WorldBounds> with_shapes_and_lights(const Scene& scene, std::optio
     const Vec3d extent{sphere.radius_m, sphere.radius_m, sphere.radius_m};
     add({sphere.centre_m - extent, sphere.centre_m + extent});
   }
+  for (const auto& shape : scene.shapes)
+    for (const Vec3d corner : bounding_corners(shape)) add({corner, corner});
   for (const auto& light : scene.lights)
     add(around(light.matrix, std::visit([](const auto& shape) { return half_size(shape); }, light.shape)));
   return bounds;
