@@ -215,10 +215,10 @@ TEST(PageFile, HoldsNoMarkupOfTheRunAndKeepsToItsSize) {
   EXPECT_EQ(all.text.substr(0, 6), "before");
   EXPECT_TRUE(all.left_out.empty());
   EXPECT_FALSE(holds(all.text, "<img")) << "text of the run stands there as markup";
-  EXPECT_EQ(all.images, 7U);
+  EXPECT_EQ(all.images, 8U);
   const auto none = report::page_file(view, {scratch.path() / "web", 0, true});
   EXPECT_EQ(none.images, 0U);
-  EXPECT_EQ(none.left_out.size(), 7U);
+  EXPECT_EQ(none.left_out.size(), 8U);
   // What failed comes first.
   EXPECT_EQ(none.left_out.front(), "one/values/result.exr");
   EXPECT_THROW(report::page_file(view, {scratch.path() / "nowhere", 0, true}), InputError);

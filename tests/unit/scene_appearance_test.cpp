@@ -150,7 +150,7 @@ const std::vector<BrokenScene> kBroken{
      "[0.3, 0, 0]",
      "[0.3, 0, 0.1]",
      {"/reradiation/shares/1", "longer wavelengths only"}},
-    {"UnknownShape", "\"type\": \"sphere\"", "\"type\": \"cone\"", {"'cone' is not one of: sphere"}},
+    {"UnknownShape", "\"type\": \"sphere\"", "\"type\": \"pyramid\"", {"'pyramid' is not one of: sphere"}},
     {"UnknownDepth", "\"unlimited\"", "\"endless\"", {"'endless' is not one of: unlimited"}},
     {"FilmOfNothing",
      "\"height_nm\": 550",
