@@ -4,6 +4,7 @@
 #include "scene/load_scene.h"
 #include "scene/lower.h"
 #include "scene/shapes/evaluate.h"
+#include "scene/shapes/parse_expression.h"
 #include "scene/shapes/tessellate.h"
 #include "scene/write_scene.h"
 #include "structure/source_files.h"

@@ -1,6 +1,7 @@
 #include "scene/shapes/load_shape.h"
 
 #include "base/error.h"
+#include "scene/shapes/parse_expression.h"
 
 #include <fmt/format.h>
 
