@@ -55,21 +55,20 @@ struct Subject {
   std::string target;
 };
 
-std::vector<Subject> subjects() {
+std::vector<Subject> subjects(const registry::Suite& suite) {
   std::vector<Subject> found;
   std::set<std::string> names;
-  const auto configuration = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json");
-  for (const auto& one_case : registry::load_cases(configuration.suites.front()))
+  for (const auto& one_case : registry::load_cases(suite))
     for (const auto& scene : one_case.scenes)
       if (names.insert(scene.name).second)
         found.push_back({registry::reduced_case(one_case, kDivisor), scene.name});
   return found;
 }
 
-image::Image reference_of(const registry::Case& one_case, const std::string& target) {
-  const auto folder =
-      registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites.front().references;
-  auto reference = judge::load_reference(one_case, target, folder, {}, {}, kDivisor);
+image::Image reference_of(const registry::Suite& suite,
+                          const registry::Case& one_case,
+                          const std::string& target) {
+  auto reference = judge::load_reference(one_case, target, suite.references, {}, {}, kDivisor);
   EXPECT_TRUE(reference.image) << reference.problem;
   return std::move(*reference.image);
 }
@@ -78,15 +77,16 @@ image::Image reference_of(const registry::Case& one_case, const std::string& tar
 
 // Every fourth fault of each target, another quarter each time: 300 images.
 TEST(DiagnosisRates, AreHighAndSeldomWrong) {
-  const auto all = subjects();
+  const auto suite = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites.front();
+  const auto all = subjects(suite);
   std::vector<std::vector<studies::FaultDiagnosis>> found(all.size());
   for_each_index(static_cast<int>(all.size()), 2, [&](int index) {
     constexpr int kStep = 4;
     const auto& [one_case, target] = all[static_cast<std::size_t>(index)];
     std::map<std::string, image::Image> others;
     for (const auto& scene : one_case.scenes)
-      if (scene.name != target) others[scene.name] = reference_of(one_case, scene.name);
-    const auto reference = reference_of(one_case, target);
+      if (scene.name != target) others[scene.name] = reference_of(suite, one_case, scene.name);
+    const auto reference = reference_of(suite, one_case, target);
     found[static_cast<std::size_t>(index)] =
         studies::diagnose_faults({one_case, target, reference, control_of(reference), others}, index, kStep);
   });
