@@ -1,4 +1,5 @@
 #include "scene/shapes/shape.h"
+
 #include "scene/shapes/parse_expression.h"
 
 #include <fmt/format.h>
