@@ -3,13 +3,11 @@
 #include "base/text.h"
 #include "judge/gate.h"
 #include "judge/noise.h"
+#include "judge/pixel_checks.h"
 #include "judge/provenance.h"
 #include "metrics/bias_message.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,42 +29,6 @@ void take(TargetRecord& record, Verdict verdict, const std::string& reason) {
     record.verdict = verdict;
     record.reason = reason;
   }
-}
-
-std::array<double, 3> mean_of_region(const image::Image& image, const Rectangle& region) {
-  std::array<double, 3> sum{};
-  const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
-                                    image::channel_index(image, "B")};
-  for (int y = region.y0; y < region.y1; ++y)
-    for (int x = region.x0; x < region.x1; ++x)
-      for (std::size_t c = 0; c < 3; ++c)
-        sum.at(c) += static_cast<double>(image.at(x, y, static_cast<std::size_t>(channels.at(c))));
-  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
-  for (auto& value : sum) value /= count;
-  return sum;
-}
-
-Check check_pixels(const registry::PixelCheck& check, const image::Image& image) {
-  if (!check.not_measured.empty()) {
-    const auto what = fmt::format("pixels {}", rectangle_text(check.region));
-    return {what, false, fmt::format("{}: {}", what, check.not_measured), {}, {}, false};
-  }
-  const auto mean = mean_of_region(image, check.region);
-  Check out{fmt::format("pixels {}", rectangle_text(check.region)), true, "", {}, {}};
-  for (std::size_t c = 0; c < 3; ++c)
-    out.passed = out.passed && std::fabs(mean.at(c) - check.expected.at(c)) <= check.tolerance;
-  out.reason =
-      fmt::format("{} have the linear mean ({:.6g}), expected ({:.6g}) within {} ({})", out.what,
-                  fmt::join(mean, ", "), fmt::join(check.expected, ", "), check.tolerance, check.why);
-  return out;
-}
-
-double pixel_excess(const registry::PixelCheck& check, const image::Image& image) {
-  const auto mean = mean_of_region(image, check.region);
-  double farthest = 0;
-  for (std::size_t c = 0; c < 3; ++c)
-    farthest = std::max(farthest, std::fabs(mean.at(c) - check.expected.at(c)));
-  return check.tolerance > 0 ? farthest / check.tolerance : std::numeric_limits<double>::infinity();
 }
 
 Check check_share(const registry::PathShare& share, const std::map<std::string, std::string>& provenance) {
@@ -125,7 +87,8 @@ std::vector<GateResult> check_conditions(const Case& one_case,
     record.checks.push_back(check_pixels(pixels, result));
     const auto& check = record.checks.back();
     if (check.measured && !check.passed)
-      results.push_back({Verdict::Fail, check.reason, pixel_excess(pixels, result)});
+      results.push_back(
+          {verdict_of_missed_check(pixels, result), check.reason, excess_of_missed_check(pixels, result)});
   }
   for (const auto& share : one_case.path_shares) {
     if (share.scene != record.target) continue;
@@ -198,6 +161,19 @@ std::vector<std::string> gate_metrics(const Case& one_case) {
   return names;
 }
 
+// Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.
+void judge_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
+  const auto negatives = is_difference(one_case, record.target) || !one_case.negative_values.empty()
+                             ? metrics::NegativePixels::Allowed
+                             : metrics::NegativePixels::Refused;
+  if (refuse_negative(one_case, metrics::count_faults(result, negatives), record)) return;
+  take_worst(check_conditions(one_case, result, record), record);
+  const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(),
+                                       [](const Check& check) { return check.measured; });
+  take(record, is_measured ? Verdict::Pass : Verdict::Inconclusive,
+       is_measured ? "" : "none of the pixel checks, which alone judge it, can be measured at this size");
+}
+
 }  // namespace
 
 metrics::Mask mask_of(const Case& one_case, const std::string& target) {
@@ -218,6 +194,10 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
                                                const Reference& reference,
                                                const JudgeSettings& settings,
                                                TargetRecord& record) {
+  if (!registry::no_reference_reason(one_case, record.target).empty()) {
+    judge_by_checks(one_case, result, record);
+    return std::nullopt;
+  }
   record.reference = reference.file.string();
   const auto negatives = is_difference(one_case, record.target) || !one_case.negative_values.empty()
                              ? metrics::NegativePixels::Allowed

@@ -37,8 +37,9 @@ std::string conditions_text(const registry::Case& one_case, const std::string& t
         text += fmt::format("mask {}\n", rectangle_text(rectangle));
   for (const auto& check : one_case.pixel_checks)
     if (check.target == target)
-      text += fmt::format("pixels {} {} {}\n", rectangle_text(check.region), fmt::join(check.expected, " "),
-                          check.tolerance);
+      text += fmt::format("pixels {} {} {}{}\n", rectangle_text(check.region), fmt::join(check.expected, " "),
+                          check.tolerance,
+                          check.standard_errors > 0 ? fmt::format(" {}", check.standard_errors) : "");
   for (const auto& share : one_case.path_shares)
     if (share.scene == target) text += fmt::format("path {} {}\n", share.path_class, share.min_share);
   if (!one_case.negative_values.empty()) text += "negative values\n";

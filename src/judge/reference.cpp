@@ -120,6 +120,8 @@ Reference load_reference(const registry::Case& one_case,
                          const ReferenceCopies& copies,
                          int size_divisor) {
   Reference reference;
+  if (const auto why = registry::no_reference_reason(one_case, target); !why.empty())
+    return {{}, std::nullopt, fmt::format("'{}' has no reference: {}", target, why)};
   const auto difference = std::find_if(one_case.differences.begin(), one_case.differences.end(),
                                        [&](const auto& d) { return d.name == target; });
   const bool is_difference = difference != one_case.differences.end();

@@ -1,5 +1,6 @@
 #include "references/references.h"
 
+#include "analytic/analytic_image.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
@@ -51,11 +52,16 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
         context.say(fmt::format("{} is judged by the reference of {}", scene.name, scene.reference));
         continue;
       }
+      if (!scene.no_reference.empty()) {
+        context.say(fmt::format("{} has no reference: {}", scene.name, scene.no_reference));
+        continue;
+      }
       WantedReference wanted{scene.name, scene.file, suite.references / (scene.name + ".exr"), scene.spp};
       const auto read = with_note(fmt::format("reading scene '{}'", scene.name),
                                   [&] { return scene::load_scene(scene.file, suite.data); });
       wanted.pixels =
           static_cast<std::size_t>(read.camera.width_px) * static_cast<std::size_t>(read.camera.height_px);
+      wanted.analytic = scene.analytic;
       raise_to_needs(cases, wanted);
       all.push_back(std::move(wanted));
     }
@@ -99,6 +105,15 @@ bool is_kept(const WantedReference& wanted,
   return true;
 }
 
+// The formula's image is exact: no pass, no noise.
+void compute_reference(const WantedReference& wanted, const ReferenceSettings& settings) {
+  const auto scene = scene::load_scene(wanted.file);
+  const auto image = with_note(fmt::format("computing the image of scene '{}'", wanted.name), [&] {
+    return analytic::analytic_image(wanted.analytic->image, scene.camera);
+  });
+  store_analytic_reference(image, wanted, settings.reason);
+}
+
 }  // namespace
 
 int render_references(const registry::Configuration& configuration,
@@ -112,6 +127,11 @@ int render_references(const registry::Configuration& configuration,
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& wanted = all[i];
     if (is_kept(wanted, settings, context)) continue;
+    if (wanted.analytic) {
+      compute_reference(wanted, settings);
+      context.say(fmt::format("[{}/{}] {:<18} by its formula", i + 1, all.size(), wanted.name));
+      continue;
+    }
     auto unfinished = unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
     const auto rendered = render_reference(wanted, settings, context, unfinished);
     if (!rendered) {

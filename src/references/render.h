@@ -3,6 +3,7 @@
 #include "references/passes.h"
 #include "references/settings.h"
 #include "references/unfinished.h"
+#include "registry/analytic.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -20,6 +21,7 @@ struct WantedReference {
   double noise_db = 0;     // PSNR that the noise alone must reach
   std::size_t pixels = 0;  // of the camera
   bool split_paths = false;
+  std::optional<registry::AnalyticReference> analytic = {};  // then it is computed and not rendered
 };
 
 struct RenderedReference {

@@ -48,6 +48,15 @@ std::string commands_of(const RenderedReference& rendered, bool split_paths) {
   return fmt::format("{}", fmt::join(commands, " + "));
 }
 
+// What rendered and computed references have in common.
+void stamp_origin(const WantedReference& wanted, const std::string& reason, image::Image& image) {
+  auto& provenance = image.attributes;
+  provenance["orbs.scene_hash"] =
+      hash_text(runner::scene_content_hash(scene::load_scene(wanted.file), wanted.file));
+  provenance["orbs.date"] = local_time_now();
+  provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
+}
+
 void stamp(const RenderedReference& rendered,
            const WantedReference& wanted,
            const std::string& reason,
@@ -58,13 +67,10 @@ void stamp(const RenderedReference& rendered,
   provenance["orbs.commit"] = plus == std::string::npos ? "unknown" : version.substr(plus + 1);
   provenance["orbs.spp"] = std::to_string(rendered.sum.spp);
   provenance["orbs.settings"] = commands_of(rendered, wanted.split_paths);
-  provenance["orbs.scene_hash"] =
-      hash_text(runner::scene_content_hash(scene::load_scene(wanted.file), wanted.file));
   provenance["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
   provenance["orbs.cpu"] = runner::this_host().cpu;
-  provenance["orbs.date"] = local_time_now();
   provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
-  provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
+  stamp_origin(wanted, reason, image);
   for (const auto& [name, share] : path_shares(rendered.image))
     provenance["orbs.path." + name] = fmt::format("{:.6g}", share);
 }
@@ -74,6 +80,19 @@ image::Image as_stored(const image::Image& image, image::Precision precision) {
   const ScratchFolder scratch("orbs-reference");
   image::write_exr(image, scratch.path() / "stored.exr", precision);
   return image::read_image(scratch.path() / "stored.exr");
+}
+
+void write_reference(image::Image image,
+                     const WantedReference& wanted,
+                     const std::string& reason,
+                     image::Precision precision) {
+  image.attributes["orbs.image_hash"] = judge::image_hash(as_stored(image, precision));
+  std::error_code ignored;
+  if (std::filesystem::exists(wanted.target, ignored)) note_replaced(wanted.target, reason);
+  image::write_exr(image, wanted.target, precision);
+  auto hashes = results::read_image_hashes(wanted.target.parent_path());
+  hashes[wanted.target.stem().string()] = image.attributes["orbs.image_hash"];
+  results::write_image_hashes(hashes, wanted.target.parent_path());
 }
 
 }  // namespace
@@ -126,13 +145,20 @@ void store_reference(const RenderedReference& rendered,
   auto image = shortened_image(rendered.image);
   const auto precision = fits_half(image) ? image::Precision::Half : image::Precision::Float;
   stamp(rendered, wanted, reason, image);
-  image.attributes["orbs.image_hash"] = judge::image_hash(as_stored(image, precision));
-  std::error_code ignored;
-  if (std::filesystem::exists(wanted.target, ignored)) note_replaced(wanted.target, reason);
-  image::write_exr(image, wanted.target, precision);
-  auto hashes = results::read_image_hashes(wanted.target.parent_path());
-  hashes[wanted.target.stem().string()] = image.attributes["orbs.image_hash"];
-  results::write_image_hashes(hashes, wanted.target.parent_path());
+  write_reference(std::move(image), wanted, reason, precision);
+}
+
+void store_analytic_reference(const image::Image& computed,
+                              const WantedReference& wanted,
+                              const std::string& reason) {
+  auto image = computed;
+  image.attributes["orbs.kind"] = "analytic";
+  image.attributes["orbs.program"] = "orbs reference";
+  image.attributes["orbs.law"] = wanted.analytic->law;
+  image.attributes["orbs.source"] = wanted.analytic->source;
+  image.attributes["orbs.noise_psnr_srgb8_db"] = "inf";
+  stamp_origin(wanted, reason, image);
+  write_reference(std::move(image), wanted, reason, image::Precision::Float);
 }
 
 int note_image_hashes(const std::filesystem::path& references) {

@@ -25,6 +25,13 @@ void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason);
 
+/// The same for an image that follows from a formula: without variances, as 32-bit floats, not shortened. The
+/// provenance has kind "analytic", the law and its source in place of samples and seeds, and an infinite
+/// noise_psnr_srgb8_db.
+void store_analytic_reference(const image::Image& computed,
+                              const WantedReference& wanted,
+                              const std::string& reason);
+
 /// Adds the pixel hash of every reference that the file of image hashes does not name. Returns how many these
 /// are. InputError when one cannot be read.
 int note_image_hashes(const std::filesystem::path& references);

@@ -47,8 +47,15 @@ CaseScene load_case_scene(ObjectReader in,
   if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
   scene.camera_paths = in.integer_or("camera_paths", scene.camera_paths, 1, kMostCameraPaths);
+  scene.wall_seconds = in.number_or("wall_seconds", 0, json::kPositive);
   if (in.has("reference")) scene.reference = in.text("reference");
   if (scene.reference == scene.name) in.fail("reference", "is the scene itself; leave it out");
+  if (in.has("analytic")) scene.analytic = load_analytic(in.object("analytic"));
+  if (in.has("no_reference")) scene.no_reference = in.text("no_reference");
+  if (in.has("no_reference") && scene.no_reference.empty())
+    in.fail("no_reference", "must say why pixel checks alone judge the scene");
+  if ((scene.reference.empty() ? 0 : 1) + (scene.analytic ? 1 : 0) + (scene.no_reference.empty() ? 0 : 1) > 1)
+    in.fail("", "has more than one of 'reference', 'analytic' and 'no_reference'; keep one");
   in.finish();
   return scene;
 }
@@ -98,6 +105,7 @@ PixelCheck load_pixel_check(ObjectReader in, const std::set<std::string>& names)
   const auto expected = in.numbers("expected", 3);
   std::copy(expected.begin(), expected.end(), check.expected.begin());
   check.tolerance = in.number("tolerance", json::kNotNegative);
+  check.standard_errors = in.number_or("standard_errors", 0, json::kNotNegative);
   check.why = in.text("why");
   in.finish();
   return check;
@@ -145,6 +153,25 @@ void load_scenes(ObjectReader& in, Case& one_case) {
     one_case.path_shares.push_back(load_path_share(std::move(entry), scenes));
 }
 
+// A target without reference and checks would pass whatever it shows. A difference has a reference if both of
+// its scenes have one.
+void refuse_unjudged(const ObjectReader& in, const Case& one_case) {
+  for (const auto& difference : one_case.differences) {
+    const auto lacks = [&](const std::string& name) { return !no_reference_reason(one_case, name).empty(); };
+    if (lacks(difference.of) != lacks(difference.minus))
+      in.fail("differences",
+              fmt::format("'{}' is of a scene with a reference and one without", difference.name));
+  }
+  for (const auto& target : target_names(one_case)) {
+    if (no_reference_reason(one_case, target).empty()) continue;
+    const bool is_checked = std::any_of(one_case.pixel_checks.begin(), one_case.pixel_checks.end(),
+                                        [&](const auto& check) { return check.target == target; });
+    if (!is_checked)
+      in.fail("scenes",
+              fmt::format("'{}' has no reference and no pixel check: nothing would judge it", target));
+  }
+}
+
 }  // namespace
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
@@ -160,6 +187,7 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
   one_case.typical_mistake = in.text("typical_mistake");
   one_case.gates = load_gates(in);
   load_scenes(in, one_case);
+  refuse_unjudged(in, one_case);
   if (in.has("negative_values")) {
     one_case.negative_values = in.text("negative_values");
     if (one_case.negative_values.empty()) in.fail("negative_values", "must say why they are right here");
@@ -179,6 +207,14 @@ std::vector<std::string> target_names(const Case& one_case) {
 
 const std::string& reference_name(const CaseScene& scene) {
   return scene.reference.empty() ? scene.name : scene.reference;
+}
+
+std::string no_reference_reason(const Case& one_case, const std::string& target) {
+  for (const auto& scene : one_case.scenes)
+    if (scene.name == target) return scene.no_reference;
+  for (const auto& difference : one_case.differences)
+    if (difference.name == target) return no_reference_reason(one_case, difference.of);
+  return "";
 }
 
 }  // namespace orbs::registry

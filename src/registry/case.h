@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/rectangle.h"
+#include "registry/analytic.h"
 #include "registry/gates.h"
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,10 @@ struct CaseScene {
   std::filesystem::path file;
   int spp = 64;
   int camera_paths = 0;  // that the mean of the image needs, over all pixels; a reduced run makes up for them
+  double wall_seconds = 0;     // that a render may take; 0: as long as its renderer may
   std::string reference = {};  // the scene of the suite whose image this one is by definition; "": its own
+  std::optional<AnalyticReference> analytic = {};  // the formula of its reference, where there is one
+  std::string no_reference = {};  // why it has no reference and pixel checks alone judge it; "": it has one
 };
 
 /// An image made by subtraction, judged like a scene: of - minus.
@@ -40,6 +45,9 @@ struct PixelCheck {
   double tolerance = 0;
   std::string why;
   std::string not_measured = {};  // why it cannot be measured at a reduced size; "" if it can
+  /// 0: the mean itself must lie within the tolerance. Else the mean with so many standard errors on either
+  /// side: all of it within is right, all of it beyond is wrong, and anything between is inconclusive.
+  double standard_errors = 0;
 };
 
 /// The least share of a light-path class in the mean radiance of the reference, or the case proves nothing
@@ -77,5 +85,8 @@ std::vector<std::string> target_names(const Case& one_case);
 
 /// The scene whose reference a scene is judged by: mostly its own.
 const std::string& reference_name(const CaseScene& scene);
+
+/// Why pixel checks alone judge the target, a scene or a difference of scenes; "" where a reference does.
+std::string no_reference_reason(const Case& one_case, const std::string& target);
 
 }  // namespace orbs::registry

@@ -54,10 +54,10 @@ void check_references(const std::vector<Case>& cases) {
   std::set<std::string> with_reference;
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes)
-      if (scene.reference.empty()) with_reference.insert(scene.name);
+      if (scene.reference.empty() && scene.no_reference.empty()) with_reference.insert(scene.name);
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes)
-      if (!with_reference.contains(reference_name(scene)))
+      if (scene.no_reference.empty() && !with_reference.contains(reference_name(scene)))
         throw InputError(fmt::format(
             "{}: scene '{}' is to be judged by the reference of '{}', but no scene of the suite with a "
             "reference of its own has that name{}",

@@ -12,6 +12,7 @@
 #include "metrics/seeds.h"
 #include "runner/host.h"
 #include "runner/job_folder.h"
+#include "runner/job_limits.h"
 #include "runner/outcome.h"
 #include "runner/prepare.h"
 #include "runner/render_seconds.h"
@@ -169,7 +170,8 @@ Execution execute(const Plan& plan,
                   const std::string& version,
                   const WorkFolders& folders,
                   const std::atomic<bool>* stop) {
-  const auto& renderer = plan.renderers[planned.renderer].entry;
+  auto renderer = plan.renderers[planned.renderer].entry;
+  renderer.limits = limits_of(plan, planned);
   Execution execution{skipped_record(plan, planned), {}};
   auto& record = execution.record;
   record.program.version = version;

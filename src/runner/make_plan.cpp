@@ -48,7 +48,7 @@ std::string reference_hash(const registry::CaseScene& judged,
     for (const auto& scene : one_case.scenes)
       if (scene.name == registry::reference_name(judged))
         return hash_text(scene_content_hash(loaded(scene, suite, by_file), scene.file));
-  return "";  // load_cases has seen to it that there is one
+  return "";  // it has none: load_cases has seen to it that there is one wherever one must be
 }
 
 void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
@@ -60,8 +60,8 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
       if (known) continue;
       with_note(fmt::format("reading {}", one_case.file.string()),
                 [&] { loaded(wanted, plan.suite, by_file); });
-      plan.scenes.push_back(
-          {wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()], "", wanted.camera_paths});
+      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()], "",
+                             wanted.camera_paths, wanted.wall_seconds});
       plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
     }
 }

@@ -3,6 +3,7 @@
 #include "adapters/job.h"
 #include "adapters/native_scene.h"
 #include "base/files.h"
+#include "runner/job_limits.h"
 #include "runner/prepare.h"
 #include "runner/scene_hash.h"
 
@@ -54,7 +55,7 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
 }
 
 std::string limits_hash(const Plan& plan, const PlannedJob& job) {
-  const auto& limits = plan.renderers[job.renderer].entry.limits;
+  const auto limits = limits_of(plan, job);
   return hash_text(content_hash(fmt::format("{} {} {} {} {}", limits.wall_seconds,
                                             limits.cpu_seconds.value_or(0), limits.memory_bytes.value_or(0),
                                             limits.output_bytes.value_or(0), limits.grace_seconds)));

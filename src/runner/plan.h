@@ -26,6 +26,7 @@ struct PlannedScene {
   std::shared_ptr<const scene::Scene> scene;  // with the camera of the run's size
   std::string size_problem{};                 // why it cannot be rendered at that size; "" if it can
   int camera_paths = 0;                       // of the whole image that its means need, see enough_spp
+  double wall_seconds = 0;                    // of the case, for one render; 0: the renderer's limit alone
 };
 
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.

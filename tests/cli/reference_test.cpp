@@ -61,6 +61,26 @@ TEST(Reference, CarriesItsProvenance) {
   EXPECT_FALSE(sandbox.has("references/grey.history.json"));  // it is the first
 }
 
+TEST(Reference, OfAFormulaIsComputed) {
+  const Sandbox sandbox;
+  std::filesystem::remove(sandbox.folder() / "references" / "grey.exr");
+  cli_tests::replace_in(
+      sandbox, "cases/m1_grey/case.json", R"("file": "grey.json", "spp": 8})",
+      R"("file": "grey.json", "spp": 8, "analytic": {"formula": "constant", "law": "L = rho",
+                        "source": "Lambert 1760", "value": [0.5, 0.25, 0.125]}})");
+  const auto answer = sandbox.orbs({"reference", "-s", "grey", "-c", "m1_grey"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  const auto image = image::read_image(sandbox.folder() / "references" / "grey.exr");
+  EXPECT_EQ(image.channel_count(), 3U);
+  EXPECT_EQ(image.at(5, 5, 1), 0.25F);
+  const auto& provenance = image.attributes;
+  EXPECT_EQ(provenance.at("orbs.kind"), "analytic");
+  EXPECT_EQ(provenance.at("orbs.law"), "L = rho");
+  EXPECT_EQ(provenance.at("orbs.source"), "Lambert 1760");
+  EXPECT_EQ(provenance.at("orbs.image_hash"), judge::image_hash(image));
+  EXPECT_FALSE(provenance.contains("orbs.spp"));
+}
+
 TEST(Reference, ThatIsReplacedLeavesItsProvenanceInItsHistory) {
   const Sandbox sandbox;
   const auto file = sandbox.folder() / "references" / "grey.exr";

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+/// Directional albedo: what a surface shows in a constant environment of radiance 1.
+namespace orbs::analytic {
+
+/// Of the Oren-Nayar model without interreflection and of reflectance 1, at the angle theta (radians) to the
+/// normal; the integral of the BRDF of the scene format, times the cosine, in closed form:
+/// A + 2 B / pi (sin(theta) (theta - sin(theta) cos(theta)) / 2 + tan(theta) (1 - sin(theta)^3) / 3).
+double oren_nayar_albedo(double roughness, double theta);
+
+/// Of the scene format's ggx without a Fresnel factor (D of Walter et al. 2007, height-correlated G2 of Heitz
+/// 2014), by the product of Gauss and Legendre's rule over the cosine of the incident direction and the
+/// midpoint rule over the azimuth. For alpha >= 0.1.
+double ggx_albedo(double alpha, double cosine);
+
+/// Nodes and weights of Gauss and Legendre's rule on [0, 1].
+struct Quadrature {
+  std::vector<double> nodes;
+  std::vector<double> weights;
+};
+Quadrature gauss_legendre(int count);
+
+}  // namespace orbs::analytic

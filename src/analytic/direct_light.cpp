@@ -1,0 +1,118 @@
+#include "analytic/direct_light.h"
+
+#include "analytic/form_factor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace orbs::analytic {
+
+namespace {
+
+struct Hit {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3d normal;  // unit, of the front
+};
+
+struct Intersect {
+  const Ray& ray;
+
+  std::optional<Hit> plane(Vec3d point, Vec3d normal) const {
+    const double along = dot(normal, ray.direction);
+    const double distance = dot(normal, point - ray.origin) / along;
+    if (along == 0 || !(distance > 0)) return std::nullopt;
+    return Hit{distance, normal};
+  }
+  std::optional<Hit> operator()(const registry::FlatPolygon& polygon) const {
+    const auto& corners = polygon.corners;
+    const auto normal = normalised(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const auto hit = plane(corners.front(), normal);
+    if (!hit) return std::nullopt;
+    const auto point = ray.origin + ray.direction * hit->distance;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto edge = corners[(i + 1) % corners.size()] - corners[i];
+      if (dot(cross(edge, point - corners[i]), normal) < 0) return std::nullopt;
+    }
+    return hit;
+  }
+  std::optional<Hit> operator()(const registry::RoundDisk& disk) const {
+    const auto hit = plane(disk.centre, disk.normal);
+    if (!hit || length(ray.origin + ray.direction * hit->distance - disk.centre) > disk.radius_m)
+      return std::nullopt;
+    return hit;
+  }
+  // The nearer hit, or that of a ray from within.
+  std::optional<Hit> operator()(const registry::FormulaSphere& sphere) const {
+    const auto to_centre = sphere.centre - ray.origin;
+    const double middle = dot(to_centre, ray.direction);
+    const double aside = length(to_centre - ray.direction * middle);
+    if (aside > sphere.radius_m) return std::nullopt;
+    const double half = std::sqrt((sphere.radius_m - aside) * (sphere.radius_m + aside));
+    const double distance = middle - half > 0 ? middle - half : middle + half;
+    if (!(distance > 0)) return std::nullopt;
+    return Hit{distance, normalised(ray.direction * distance - to_centre)};
+  }
+};
+
+// Between the rows of the table, as LM-63 profiles are read; black beyond its ends.
+double candela_factor(const registry::AnalyticSource& source, Vec3d point) {
+  if (!source.candela_centre) return 1;
+  const auto direction = normalised(point - *source.candela_centre);
+  const double degrees = std::acos(std::clamp(-direction.y, -1.0, 1.0)) * 180 / std::numbers::pi;
+  const auto& rows = source.candela;
+  if (degrees < rows.front().first || degrees > rows.back().first) return 0;
+  const auto next =
+      std::find_if(rows.begin() + 1, rows.end() - 1, [&](const auto& row) { return degrees <= row.first; });
+  const auto& [low, at_low] = *(next - 1);
+  const auto& [high, at_high] = *next;
+  return at_low + (at_high - at_low) * (degrees - low) / (high - low);
+}
+
+// All surfaces in whose plane the point does not lie, relative to it: that leaves out its own.
+std::vector<Corners> blockers_at(const registry::DirectLight& image, Vec3d point) {
+  constexpr double kInPlane = 1e-9;
+  std::vector<Corners> blockers;
+  if (!image.has_shadows) return blockers;
+  for (const auto& surface : image.surfaces) {
+    auto corners = seen_from(point, std::get<registry::FlatPolygon>(surface.shape).corners);
+    const auto normal = normalised(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    if (std::fabs(dot(normal, corners.front())) > kInPlane) blockers.push_back(std::move(corners));
+  }
+  return blockers;
+}
+
+double lit(const registry::DirectLight& image, double reflectance, Vec3d point, Vec3d normal) {
+  double sum = image.environment;
+  const auto blockers = blockers_at(image, point);
+  for (const auto& source : image.sources) {
+    const auto seen = coverage(source.shape, source.window, blockers, point, normal);
+    const double radiance = seen.shows_front ? source.radiance * candela_factor(source, point) : 0;
+    // What is seen through a window, a mirror's say, hides nothing.
+    sum += seen.form_factor * (radiance - (source.window.empty() ? image.environment : 0));
+  }
+  return reflectance * sum;
+}
+
+}  // namespace
+
+double direct_light(const registry::DirectLight& image, const Ray& ray) {
+  Hit nearest;
+  const registry::AnalyticSurface* met = nullptr;
+  for (const auto& surface : image.surfaces)
+    if (const auto hit = std::visit(Intersect{ray}, surface.shape); hit && hit->distance < nearest.distance) {
+      nearest = *hit;
+      met = &surface;
+    }
+  if (met == nullptr) return image.environment;
+  const bool is_front = dot(nearest.normal, ray.direction) < 0;
+  // The inside of a sphere shines, as that of a room does.
+  const bool shines = is_front || std::holds_alternative<registry::FormulaSphere>(met->shape);
+  if (!met->reflectance) return shines ? met->radiance : 0;
+  return lit(image, *met->reflectance, ray.origin + ray.direction * nearest.distance,
+             is_front ? nearest.normal : -nearest.normal);
+}
+
+}  // namespace orbs::analytic

@@ -1,0 +1,122 @@
+#include "registry/analytic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orbs::registry {
+
+namespace {
+
+using json::ObjectReader;
+
+std::vector<Vec3d> load_corners(ObjectReader& in, const std::string& key) {
+  std::vector<Vec3d> corners;
+  for (const auto& row : in.number_rows(key, 3)) corners.push_back({row[0], row[1], row[2]});
+  if (corners.size() < 3) in.fail(key, fmt::format("must hold at least 3 points, holds {}", corners.size()));
+  return corners;
+}
+
+Vec3d load_unit(ObjectReader& in, const std::string& key) {
+  const auto direction = in.vec3(key);
+  if (!(length(direction) > 0)) in.fail(key, "must be a direction, is zero");
+  return normalised(direction);
+}
+
+AnalyticShape load_shape(ObjectReader& in) {
+  if (in.has("corners")) return FlatPolygon{load_corners(in, "corners")};
+  if (in.has("normal"))
+    return RoundDisk{in.vec3("centre"), load_unit(in, "normal"), in.number("radius", json::kPositive)};
+  return FormulaSphere{in.vec3("centre"), in.number("radius", json::kPositive)};
+}
+
+AnalyticSurface load_surface(ObjectReader in) {
+  AnalyticSurface surface{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}};
+  if (in.has("reflectance")) {
+    if (!std::holds_alternative<FlatPolygon>(surface.shape))
+      in.fail("reflectance", "only polygons are lit; give spheres and disks a radiance");
+    surface.reflectance = in.number("reflectance", {0, 1});
+  }
+  in.finish();
+  return surface;
+}
+
+AnalyticSource load_source(ObjectReader in) {
+  AnalyticSource source{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}, {}, {}};
+  if (in.has("window")) source.window = load_corners(in, "window");
+  if (in.has("candela")) {
+    source.candela_centre = in.vec3("candela_centre");
+    for (const auto& row : in.number_rows("candela", 2)) source.candela.emplace_back(row[0], row[1]);
+    if (source.candela.size() < 2 || !std::is_sorted(source.candela.begin(), source.candela.end()))
+      in.fail("candela", "must hold at least two pairs of degrees and factor, by ascending degrees");
+  }
+  in.finish();
+  return source;
+}
+
+DirectLight load_direct_light(ObjectReader& in) {
+  DirectLight image;
+  image.environment = in.number_or("environment", 0, json::kNotNegative);
+  for (auto& entry : in.objects("surfaces")) image.surfaces.push_back(load_surface(std::move(entry)));
+  for (auto& entry : in.objects_or_none("sources")) image.sources.push_back(load_source(std::move(entry)));
+  if (image.surfaces.empty()) in.fail("surfaces", "must hold at least one surface");
+  image.has_shadows = in.boolean_or("shadows", false);
+  const auto is_polygon = [](const auto& one) { return std::holds_alternative<FlatPolygon>(one.shape); };
+  if (image.has_shadows && !(std::all_of(image.surfaces.begin(), image.surfaces.end(), is_polygon) &&
+                             std::all_of(image.sources.begin(), image.sources.end(), is_polygon)))
+    in.fail("shadows", "have a closed form where all surfaces and sources are polygons");
+  return image;
+}
+
+std::array<double, 3> three_numbers(ObjectReader& in, const std::string& key, json::Range range) {
+  const auto numbers = in.numbers(key, 3, range);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+FresnelPlane load_fresnel_plane(ObjectReader& in) {
+  FresnelPlane image;
+  image.normal = load_unit(in, "normal");
+  image.n = three_numbers(in, "n", json::kPositive);
+  if (in.has("k")) image.k = three_numbers(in, "k", json::kNotNegative);
+  image.radiance = in.number("radiance", json::kPositive);
+  constexpr int kMostPlates = 1000;
+  image.plates = in.integer_or("plates", 0, 0, kMostPlates);
+  return image;
+}
+
+AlbedoBall load_albedo_ball(ObjectReader& in) {
+  AlbedoBall image{
+      in.vec3("centre"), in.number("radius", json::kPositive), in.number("reflectance", {0, 1}), {}, {}};
+  if (in.has("oren_nayar_roughness")) image.oren_nayar_roughness = in.number("oren_nayar_roughness", {0, 1});
+  if (in.has("ggx_alpha")) image.ggx_alpha = in.number("ggx_alpha", {0.1, 1});
+  if (image.oren_nayar_roughness.has_value() == image.ggx_alpha.has_value())
+    in.fail("", "needs either 'oren_nayar_roughness' or 'ggx_alpha'");
+  return image;
+}
+
+MirrorCorridor load_mirror_corridor(ObjectReader& in) {
+  return {in.number("half_width", json::kPositive), in.number("floor"), in.number("reflectance", {0, 1})};
+}
+
+AnalyticImage load_image(ObjectReader& in) {
+  const auto formula =
+      in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "albedo_ball", "mirror_corridor"});
+  if (formula == "constant") return ConstantImage{three_numbers(in, "value", json::kNotNegative)};
+  if (formula == "direct_light") return load_direct_light(in);
+  if (formula == "fresnel_plane") return load_fresnel_plane(in);
+  if (formula == "albedo_ball") return load_albedo_ball(in);
+  return load_mirror_corridor(in);
+}
+
+}  // namespace
+
+AnalyticReference load_analytic(ObjectReader in) {
+  AnalyticReference reference{load_image(in), in.text("law"), in.text("source")};
+  if (reference.law.empty()) in.fail("law", "must say by which formula the image is known");
+  if (reference.source.empty()) in.fail("source", "must say where the formula comes from");
+  in.finish();
+  return reference;
+}
+
+}  // namespace orbs::registry

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "base/vec.h"
+#include "json/object_reader.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// Images that follow from a formula: what a case states of them. orbs::analytic computes them; no renderer
+/// has a part in it.
+namespace orbs::registry {
+
+/// Every pixel has this linear Rec.709 radiance.
+struct ConstantImage {
+  std::array<double, 3> value{};
+};
+
+/// Shapes of closed forms, in metres. The front of a polygon is the side from which its corners run
+/// counter-clockwise; it must be flat and convex.
+struct FlatPolygon {
+  std::vector<Vec3d> corners;
+};
+struct RoundDisk {
+  Vec3d centre;
+  Vec3d normal;  // unit, of the front
+  double radius_m = 1;
+};
+struct FormulaSphere {
+  Vec3d centre;
+  double radius_m = 1;
+};
+using AnalyticShape = std::variant<FlatPolygon, RoundDisk, FormulaSphere>;
+
+/// What camera rays meet. It shows its radiance in front and black behind, unless it has a reflectance: then
+/// it is lit by the sources, from both sides, by Lambert's law.
+struct AnalyticSurface {
+  AnalyticShape shape;
+  double radiance = 0;
+  std::optional<double> reflectance;
+};
+
+/// What lights the surfaces. Its back is black, and it hides what lies behind it.
+struct AnalyticSource {
+  AnalyticShape shape;
+  double radiance = 0;
+  std::vector<Vec3d> window;                       // corners of what it is seen through; none: everywhere
+  std::optional<Vec3d> candela_centre;             // where the directions of `candela` begin
+  std::vector<std::pair<double, double>> candela;  // degrees from -y, factor on the radiance; linear between
+};
+
+/// Direct light on diffuse surfaces, L = rho / pi E. The case's promise: seen from a lit point, sources do
+/// not overlap. With shadows, surfaces hide sources, and all of both are polygons; without, nothing does.
+struct DirectLight {
+  double environment = 0;
+  bool has_shadows = false;
+  std::vector<AnalyticSurface> surfaces;
+  std::vector<AnalyticSource> sources;
+};
+
+/// A plane between two media, or a stack of plates, that fills the image: radiance times what it reflects or
+/// transmits at the angle of each camera ray. n and k are those beyond the plane over those before it.
+struct FresnelPlane {
+  Vec3d normal;  // unit
+  std::array<double, 3> n{1, 1, 1};
+  std::array<double, 3> k{};
+  double radiance = 1;
+  int plates = 0;  // 0: what one plane reflects; else what so many plates transmit
+};
+
+/// A single convex ball in a constant environment of radiance 1: each pixel shows the directional albedo.
+struct AlbedoBall {
+  Vec3d centre;
+  double radius_m = 1;
+  double reflectance = 1;
+  std::optional<double> oren_nayar_roughness;  // as the scene format has it: sigma = roughness pi / 2
+  std::optional<double> ggx_alpha;             // one of the two
+};
+
+/// Mirrors at x = -half_width and x = half_width, a plane of radiance 1 at y = floor below the camera.
+struct MirrorCorridor {
+  double half_width_m = 1;
+  double floor_m = 0;
+  double reflectance = 1;
+};
+
+using AnalyticImage = std::variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, MirrorCorridor>;
+
+/// A reference that follows from a formula.
+struct AnalyticReference {
+  AnalyticImage image;
+  std::string law;     // the formula in words or symbols, with its numbers
+  std::string source;  // where it is derived
+};
+
+/// Reads the object "analytic" of a case's scene. InputError with file, line and key.
+AnalyticReference load_analytic(json::ObjectReader in);
+
+}  // namespace orbs::registry

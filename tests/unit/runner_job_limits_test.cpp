@@ -1,0 +1,18 @@
+#include "runner/job_limits.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+TEST(JobLimits, TheShorterTimeOfRendererAndCaseHolds) {
+  runner::Plan plan;
+  plan.renderers.push_back({{}, "/usr/bin/r"});
+  plan.renderers[0].entry.limits.wall_seconds = 100;
+  plan.scenes.push_back({"s", "s.json", 1, nullptr});
+  const runner::PlannedJob job;
+  EXPECT_EQ(runner::limits_of(plan, job).wall_seconds, 100);
+  plan.scenes[0].wall_seconds = 7;
+  EXPECT_EQ(runner::limits_of(plan, job).wall_seconds, 7);
+  plan.scenes[0].wall_seconds = 700;
+  EXPECT_EQ(runner::limits_of(plan, job).wall_seconds, 100);
+}
