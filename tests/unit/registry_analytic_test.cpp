@@ -89,8 +89,8 @@ TEST(AnalyticCases, ASceneWithoutReferenceNeedsAPixelCheck) {
   EXPECT_EQ(registry::no_reference_reason(checked, "b"), "");
   EXPECT_EQ(checked.pixel_checks[0].standard_errors, 4);
   EXPECT_NE(message_of(case_with(R"(, "no_reference": "it is black")",
-                                 std::string(kCheck) +
-                                     R"(, "differences": [{"name": "d", "of": "a", "minus": "b"}])"))
+                                 fmt::format("{}{}", kCheck,
+                                             R"(, "differences": [{"name": "d", "of": "a", "minus": "b"}])")))
                 .find("'d' is of a scene with a reference and one without"),
             std::string::npos);
 }
