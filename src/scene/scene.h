@@ -63,8 +63,8 @@ struct Instance {
   bool operator==(const Instance&) const = default;
 };
 
-/// A sphere by its formula that no matrix places; other shapes are in scene/shapes/shape.h. Normals point out of the sphere, v runs from 0 at the
-/// south pole (-Y) to 1, u around the equator from +Z towards +X.
+/// A sphere by its formula that no matrix places; other shapes are in scene/shapes/shape.h. Normals point out
+/// of the sphere, v runs from 0 at the south pole (-Y) to 1, u around the equator from +Z towards +X.
 struct Sphere {
   std::string name;
   Vec3d centre_m;
@@ -136,8 +136,8 @@ struct Outputs {
 /// Which directions count how much.
 enum class OcclusionWeight { Cosine, Uniform };
 
-/// An integrator in place of light transport: the image is the share of the hemisphere about the visible point
-/// in which no surface lies nearer than the distance.
+/// An integrator in place of light transport: the image is the share of the hemisphere about the visible
+/// point in which no surface lies nearer than the distance.
 struct AmbientOcclusion {
   double distance_m = std::numeric_limits<double>::infinity();
   OcclusionWeight weight = OcclusionWeight::Cosine;

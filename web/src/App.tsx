@@ -17,6 +17,26 @@ import { go, note, useRoute } from "./route";
 import { StabilityPage } from "./stability/StabilityPage";
 import { useSession } from "./use_session";
 
+function pageActions(query: Record<string, string>, onHelp: () => void): Action[] {
+  return [
+    { key: "?", label: "list of keys", group: "Page", run: onHelp },
+    { key: "Escape", label: "overview", group: "Page", run: () => go({ path: [], query }) },
+    {
+      key: "t",
+      label: "time and memory",
+      group: "Page",
+      run: () => go({ path: ["charts"], query }),
+    },
+    { key: "v", label: "compare", group: "Page", run: () => go({ path: ["compare"], query }) },
+  ];
+}
+
+function useTitle(parts: string[]) {
+  useEffect(() => {
+    document.title = parts.filter(Boolean).join(" · ");
+  });
+}
+
 export function App({ source }: { source: Source }) {
   const route = useRoute();
   const [help, setHelp] = useState(false);
@@ -30,26 +50,10 @@ export function App({ source }: { source: Source }) {
   useEffect(() => {
     if (source.runs.length > 1 && !route.query["run"]) note(query);
   }, [route]);
-  const actions: Action[] = [
-    { key: "?", label: "list of keys", group: "Page", run: () => setHelp(true) },
-    { key: "Escape", label: "overview", group: "Page", run: () => go({ path: [], query }) },
-    {
-      key: "t",
-      label: "time and memory",
-      group: "Page",
-      run: () => go({ path: ["charts"], query }),
-    },
-    { key: "v", label: "compare", group: "Page", run: () => go({ path: ["compare"], query }) },
-  ];
-  useActions(actions);
+  useActions(pageActions(query, () => setHelp(true)));
   const [view = ""] = route.path;
-  useEffect(() => {
-    const name = source.runs[run] ?? "";
-    const shown = isStudy ? kind : view || "overview";
-    document.title = [...route.path.slice(1).reverse(), shown, name, "orbs"]
-      .filter(Boolean)
-      .join(" · ");
-  });
+  const shown = isStudy ? kind : view || "overview";
+  useTitle([...route.path.slice(1).reverse(), shown, source.runs[run] ?? "", "orbs"]);
   return (
     <>
       <button class="skip" onClick={() => document.getElementById("content")?.focus()}>
@@ -63,7 +67,7 @@ export function App({ source }: { source: Source }) {
         route={route}
         onHelp={() => setHelp(true)}
       />
-      <main id="content" tabIndex={-1} class={`view-${isStudy ? kind : view || "overview"}`}>
+      <main id="content" tabIndex={-1} class={`view-${shown}`}>
         {run < 0 ? <NoSuchRun source={source} route={route} param="run" /> : null}
         {kind === "cost" ? (
           <StudyView received={study}>

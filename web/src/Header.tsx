@@ -96,8 +96,7 @@ function routeTo(source: Source, from: number, name: string, route: Route): Rout
 }
 
 function studyText(study: StudyFacts): string {
-  const size =
-    study.size === undefined || study.size === "1" ? [] : [`measured at ${study.size}`];
+  const size = study.size === undefined || study.size === "1" ? [] : [`measured at ${study.size}`];
   const { host } = study;
   return [
     ...size,

@@ -29,7 +29,7 @@ struct World {
   bool wants_stokes = false;
   Radiance environment;
   std::optional<scene::AmbientOcclusion> ambient_occlusion;  // in place of path tracing
-  int trace_depth = 1;                     // most scattering events of a path
+  int trace_depth = 1;                                       // most scattering events of a path
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
   std::vector<TexelGrid> textures;
   std::vector<SurfaceMaterial> materials;

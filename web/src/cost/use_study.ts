@@ -11,11 +11,7 @@ export function useStudy<Study extends { finished: boolean }>(
   read: (run: number) => Promise<Study>,
 ): Received<Study> {
   const [attempt, setAttempt] = useState(0);
-  const received = useRequest(
-    `study ${run}`,
-    attempt,
-    run < 0 ? undefined : () => read(run),
-  );
+  const received = useRequest(`study ${run}`, attempt, run < 0 ? undefined : () => read(run));
   const goesOn = source.isServed && received.value?.finished === false;
   useEffect(() => {
     if (!goesOn) return undefined;

@@ -56,7 +56,17 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
   );
 }
 
-function Picture({ source, run, file, label }: { source: Source; run: number; file: string; label: string }) {
+function Picture({
+  source,
+  run,
+  file,
+  label,
+}: {
+  source: Source;
+  run: number;
+  file: string;
+  label: string;
+}) {
   const { value, problem } = useRequest(`${run} ${file}`, "", () => source.picture(run, file));
   return (
     <figure>
@@ -67,7 +77,17 @@ function Picture({ source, run, file, label }: { source: Source; run: number; fi
 }
 
 /** The images of a first break. */
-function Pictures({ source, run, step, title }: { source: Source; run: number; step: Step; title: string }) {
+function Pictures({
+  source,
+  run,
+  step,
+  title,
+}: {
+  source: Source;
+  run: number;
+  step: Step;
+  title: string;
+}) {
   return (
     <section class="pictures" aria-label={`Images of ${title}`}>
       <h3>{title}</h3>
@@ -75,7 +95,12 @@ function Pictures({ source, run, step, title }: { source: Source; run: number; s
       <div class="break">
         <Picture source={source} run={run} file={`${step.images}/original.png`} label="original" />
         <Picture source={source} run={run} file={`${step.images}/changed.png`} label="changed" />
-        <Picture source={source} run={run} file={`${step.images}/difference.png`} label="changed − original" />
+        <Picture
+          source={source}
+          run={run}
+          file={`${step.images}/difference.png`}
+          label="changed − original"
+        />
       </div>
     </section>
   );
@@ -87,7 +112,8 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
   const relation = study.relations.find((one) => one.name === name);
   const steps = study.steps.filter(
     (step) =>
-      study.relations[step.relation]?.name === name && study.renderers[step.renderer]?.name === renderer,
+      study.relations[step.relation]?.name === name &&
+      study.renderers[step.renderer]?.name === renderer,
   );
   if (!relation || steps.length === 0) return null;
   const titleOf = (step: Step): string => {
@@ -140,7 +166,10 @@ export function StabilityPage({ source, run, study, route }: Props) {
   const rows: [string, string][] = [
     ["Scenes", study.scenes.map(({ name }) => name).join(", ")],
     ["Renderers", study.renderers.map(({ name, version }) => `${name}: ${version}`).join("; ")],
-    ["Images", `at most ${settings.size_px} px, ${settings.spp} samples per pixel, ${settings.seeds} seeds`],
+    [
+      "Images",
+      `at most ${settings.size_px} px, ${settings.spp} samples per pixel, ${settings.seeds} seeds`,
+    ],
     ...study.definitions.map(({ name, text }): [string, string] => [name, text]),
   ];
   return (
