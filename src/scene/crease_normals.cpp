@@ -73,9 +73,12 @@ class Splitter {
     const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
     const auto [known, is_new] = split_.try_emplace({corner, {normal.x, normal.y, normal.z}}, next);
     if (is_new) {
-      mesh_.positions.push_back(Vec3f{mesh_.positions[corner]});
-      mesh_.tangents.push_back(Vec3f{mesh_.tangents[corner]});
-      mesh_.uvs.push_back(Vec2f{mesh_.uvs[corner]});
+      const auto position = mesh_.positions[corner];
+      const auto tangent = mesh_.tangents[corner];
+      const auto uv = mesh_.uvs[corner];
+      mesh_.positions.push_back(position);
+      mesh_.tangents.push_back(tangent);
+      mesh_.uvs.push_back(uv);
       mesh_.normals.push_back(normal);
       has_normal_.push_back(true);
     }

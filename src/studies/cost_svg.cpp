@@ -165,10 +165,12 @@ std::string cost_svg(const CostRecord& record) {
       "<style>.g{{stroke:#ddd}}.t{{font-size:12px;fill:#111}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}",
       kColumns * kWidth, kLegend + static_cast<double>(rows) * kHeight, legend(record));
-  for (std::size_t i = 0; i < record.targets.size(); ++i)
-    out += fmt::format(
-        "<g transform=\"translate({} {})\">\n{}</g>\n", kWidth * static_cast<double>(i % kColumns),
-        kLegend + kHeight * static_cast<double>(i / kColumns), chart(record, numbers, axes, i));
+  for (std::size_t i = 0; i < record.targets.size(); ++i) {
+    const std::size_t row = i / kColumns;
+    const std::size_t column = i % kColumns;
+    out += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", kWidth * static_cast<double>(column),
+                       kLegend + kHeight * static_cast<double>(row), chart(record, numbers, axes, i));
+  }
   return out + "</svg>\n";
 }
 

@@ -23,7 +23,7 @@ int povray_aa_grid(int spp);
 /// `<stem>-texture<i>.<extension>`, all in the folder of `file`: POV-Ray's I/O restrictions let it read the
 /// folder that it is started in. Lower the scene first; povray_limits must be empty. InputError when a file
 /// cannot be read or written or when area_grid is no grid that POV-Ray weighs evenly.
-void write_povray(const scene::Scene& scene,
+void write_povray(const scene::Scene& given,
                   const PovraySettings& settings,
                   const std::filesystem::path& file);
 

@@ -90,7 +90,8 @@ struct Tessellation {
   std::optional<Mesh> operator()(const SphereForm& f) const {
     Mesh mesh = make_sphere({f.radius_m, kShapeSegments});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      mesh.uvs[i].y = 1 - static_cast<float>(i / (kShapeSegments + 1)) / kBands;
+      const std::size_t band = i / (kShapeSegments + 1);
+      mesh.uvs[i].y = 1 - static_cast<float>(band) / kBands;
       mesh.positions[i] = cast<float>(cast<double>(mesh.positions[i]) + f.centre_m);
     }
     return mesh;

@@ -57,14 +57,19 @@ std::optional<LightVertexScattering<T>> scattering_at(const World& world,
   return out;
 }
 
+/// The local frame of a vertex, and the direction to its viewer in it.
+struct LocalView {
+  Frame frame;
+  Vec3f wo;
+};
+
 /// Appends a shadow ray from the vertex of this lane to a light vertex.
 template <Transport T>
 void connect_light_vertex(PathBatch<T>& batch,
                           const World& world,
                           const VertexLanes<T>& vertices,
-                          const FrameOf<Vec8>& frame,
-                          Vec8 wo,
                           std::size_t lane,
+                          const LocalView& view,
                           const SelectedVertex& selected) {
   const LightVertex& vertex = selected.vertex;
   const PathState<T>& path = batch.paths[vertices.path[lane]];
@@ -74,9 +79,9 @@ void connect_light_vertex(PathBatch<T>& batch,
   if (!(distance2 > 0)) return;
   const Vec3f direction = d / std::sqrt(distance2);
   const Vec3f geometric_normal = lane_of(vertices.geometric_normal, lane);
-  const Frame here{lane_of(frame.x, lane), lane_of(frame.y, lane), lane_of(frame.z, lane)};
-  if (!sides_agree(geometric_normal, here.z, direction)) return;
-  const auto value = evaluate(vertices.bsdf[lane], lane_of(wo, lane), here.to_local(direction));
+  if (!sides_agree(geometric_normal, view.frame.z, direction)) return;
+  const Vec3f wi = view.frame.to_local(direction);
+  const auto value = evaluate(vertices.bsdf[lane], view.wo, wi);
   const float cos_arrival = std::abs(dot(vertex.point.geometric_normal, direction));
   if (!(value.pdf > 0) || !(cos_arrival > 0)) return;
   const auto there = scattering_at<T>(world, vertex, path, -direction);
@@ -88,10 +93,11 @@ void connect_light_vertex(PathBatch<T>& batch,
   const float factor = selected.weight * share * mis_weight(pdf, there->light_pdf, there->bsdf_pdf) *
                        area_over_angle * kPi / (vertex.emission_pdf * vertex.cos_light);
   PathClass events = path.events;
-  events.append(event_of(vertices.bsdf[lane]), dot(here.z, direction) < 0);
+  events.append(event_of(vertices.bsdf[lane]), wi.z < 0);
   events.append(there->event, there->is_transmitted);
   const auto throughput = T::chain(there->throughput, value.f_cos, [&] {
-    return scattering_at(vertices, frame, lane, wo, wo);  // unused: these transports carry plain factors
+    return Scattering<typename T::Bsdf>{vertices.bsdf[lane], view.frame, lane_of(vertices.to_viewer, lane),
+                                        view.wo, wi};
   });
   const Vec3f from = offset_origin(position, vertices.position_error[lane], geometric_normal, direction);
   const Vec3f to = offset_origin(vertex.point.position, vertex.point.position_error,
@@ -113,7 +119,9 @@ void connect_light_vertices(PathBatch<T>& batch,
     if (is_delta(vertices.bsdf[lane])) continue;
     const auto selected = select_vertex(batch.light_vertices, light_sample_context(vertices, lane),
                                         vertices.path[lane], bounce);
-    if (selected) connect_light_vertex<T>(batch, world, vertices, frame, wo, lane, *selected);
+    if (!selected) continue;
+    const Frame lane_frame{lane_of(frame.x, lane), lane_of(frame.y, lane), lane_of(frame.z, lane)};
+    connect_light_vertex<T>(batch, world, vertices, lane, {lane_frame, lane_of(wo, lane)}, *selected);
   }
 }
 
