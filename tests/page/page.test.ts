@@ -343,7 +343,7 @@ test("two runs: better, worse, new and removed", async () => {
   assert.match(await rows("new").innerText(), /m9_new/);
   assert.match(await rows("gone").innerText(), /g9_gone/);
   // "two" took twice as long before; "three" was rendered on another machine.
-  assert.match(await rows("better").innerText(), /× 0\.5$/);
+  assert.match(await rows("better").innerText(), /× 0\.5\tA × B$/);
   const line = await page.locator(".compare-time").innerText();
   assert.match(
     line,
