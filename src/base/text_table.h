@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-/// Tables of text for a terminal.
+/// Tables of text, for a terminal or a document.
 namespace orbs {
 
 /// The columns that `text` takes on a terminal: one per code point of UTF-8, none for ANSI escapes.
@@ -30,6 +30,9 @@ struct TableLook {
 std::string text_table(const std::vector<TableRow>& rows,
                        const std::vector<Align>& columns = {},
                        const TableLook& look = {});
+
+/// The same rows as a table of Markdown; the first is its head.
+std::string markdown_table(const std::vector<TableRow>& rows);
 
 /// The text in lines of at most `width` columns, broken between words; a longer word stays whole. `width` 0:
 /// one line. At least one line.

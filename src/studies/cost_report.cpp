@@ -160,17 +160,6 @@ std::string conditions(const CostRecord& record) {
       record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted");
 }
 
-std::string markdown_table(const std::vector<TableRow>& rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += fmt::format("| {} |\n", fmt::join(rows[i], " | "));
-    if (i > 0) continue;
-    for (std::size_t column = 0; column < rows[i].size(); ++column) text += "|---";
-    text += "|\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string cost_table(const CostRecord& record) {

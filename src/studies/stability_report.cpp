@@ -83,17 +83,6 @@ std::string conditions(const StabilityRecord& record) {
       100 * settings.block_bound);
 }
 
-std::string markdown_table(const std::vector<TableRow>& rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += fmt::format("| {} |\n", fmt::join(rows[i], " | "));
-    if (i > 0) continue;
-    for (std::size_t column = 0; column < rows[i].size(); ++column) text += "|---";
-    text += "|\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string break_text(const StabilityStep& step) {

@@ -1,8 +1,8 @@
 // Every sampling routine draws from the density that it states, cell by cell, over the range of its
 // parameters. Tests of totals and moments alone would let samples lie in wrong places. The level of the whole
 // file is 1 in 1000 by Bonferroni's correction; seeds are fixed, so a result does not change from run to run.
-#include "base/random.h"
 #include "property/chi_square.h"
+#include "property/hashed_numbers.h"
 #include "tracer/bsdf/materials.h"
 #include "tracer/light/caustic_casters.h"
 #include "tracer/light/emitter_sampling.h"
@@ -18,6 +18,7 @@ using namespace orbs::tracer;
 using tests::Cell;
 using tests::chi_square;
 using tests::ChiSquare;
+using tests::four_uniform;
 using Rgb = Vec3f;
 using TestedBsdf = tracer::AnyBsdf<Rgb, 1>;
 
@@ -25,12 +26,6 @@ constexpr double kPi64 = std::numbers::pi;
 constexpr int kMostTests = 400;  // more than this file makes
 constexpr double kLevel = 1e-3 / kMostTests;
 constexpr std::size_t kTrials = 40000;
-
-std::array<float, 4> numbers(std::uint64_t i) {
-  std::array<float, 4> u{};
-  for (std::uint64_t d = 0; d < 4; ++d) u[d] = static_cast<float>(mix(i, d) >> 40) * 0x1p-24F;
-  return u;
-}
 
 void expect_density(const ChiSquare& test, const std::string& name) {
   EXPECT_GT(test.p_value, kLevel) << name << ": chi^2 " << test.statistic << " at " << test.degrees
@@ -75,7 +70,7 @@ ChiSquare test_of(const TestedBsdf& bsdf, Vec3f wo, int side, Vec3d axis) {
   const LogPolarMap map(axis);
   std::vector<Vec2d> points;
   for (std::uint64_t i = 0; i < kTrials; ++i)
-    if (const auto chosen = sample(bsdf, wo, numbers(i)))
+    if (const auto chosen = sample(bsdf, wo, four_uniform(i)))
       if (chosen->wi.z * static_cast<float>(side) > 0)
         points.push_back(map.point_of(cast<double>(chosen->wi)));
   return chi_square(points, kTrials, map.domain(), [&](Vec2d p) {
@@ -147,7 +142,7 @@ TEST(SamplingDensity, OfRoughGlassWithAnIndexNextToOne) {
       int transmitted = 0;
       int wrong = 0;
       for (std::uint64_t i = 0; i < kTrials / 2; ++i) {
-        const auto chosen = sample(glass, wo, numbers(i));
+        const auto chosen = sample(glass, wo, four_uniform(i));
         if (!chosen || chosen->wi.z > 0) continue;
         ++transmitted;
         const float ratio = evaluate(glass, wo, chosen->wi).pdf / chosen->pdf;
@@ -165,7 +160,7 @@ TEST(SamplingDensity, OfRectangles) {
                            Vec3f{1.2F, 1.99F, 0}, Vec3f{0.5F, 1.999F, 1}, Vec3f{0.1F, 1.9999F, 0.1F}}) {
     std::vector<Vec2d> points;
     for (std::uint64_t i = 0; i < kTrials; ++i) {
-      const auto u = numbers(i);
+      const auto u = four_uniform(i);
       if (const auto point = sample_towards(EmitterShape(rect), from, u[0], u[1]))
         points.push_back({(point->position.x) / 0.5, double{point->position.z}});
     }
@@ -193,7 +188,7 @@ TEST(SamplingDensity, OfBalls) {
       const LogPolarMap map({0, 1, 0});
       std::vector<Vec2d> points;
       for (std::uint64_t i = 0; i < kTrials; ++i) {
-        const auto u = numbers(i);
+        const auto u = four_uniform(i);
         if (const auto point = sample_towards(EmitterShape(ball), from, u[0], u[1]))
           points.push_back(map.point_of(cast<double>(point->position - from)));
       }
@@ -221,7 +216,7 @@ TEST(SamplingDensity, OfDirectionsTowardsCasters) {
     const std::vector<BoundingSphere> some(casters.begin(), casters.begin() + static_cast<int>(count));
     std::vector<Vec2d> points;
     for (std::uint64_t i = 0; i < kTrials; ++i) {
-      const auto u = numbers(i);
+      const auto u = four_uniform(i);
       points.push_back(map.point_of(
           cast<double>(sample_towards_casters(some, {}, {0, 1, 0}, u[0], u[1], u[2]).direction)));
     }
@@ -248,7 +243,7 @@ TEST(SamplingDensity, ChiSquareFindsWrongSamples) {
   const auto test_with = [&](const auto& spoiled) {
     std::vector<Vec2d> points;
     for (std::uint64_t i = 0; i < kTrials; ++i) {
-      const auto u = numbers(i);
+      const auto u = four_uniform(i);
       points.push_back(map.point_of(cast<double>(spoiled(u))));
     }
     return chi_square(points, kTrials, map.domain(), [&](Vec2d p) {

@@ -1,6 +1,6 @@
 // Properties of every BSDF: its pdf is the density of its samples, the weight is f cos / pdf, energy is
 // conserved, and it is reciprocal.
-#include "base/random.h"
+#include "property/hashed_numbers.h"
 #include "tracer/bsdf/materials.h"
 
 #include <numbers>
@@ -11,6 +11,7 @@ namespace {
 
 using namespace orbs;
 using namespace orbs::tracer;
+using tests::four_uniform;
 using Rgb = Vec3f;
 using TestedBsdf = tracer::AnyBsdf<Rgb, 1>;
 
@@ -51,12 +52,6 @@ std::vector<NamedBsdf> smooth_enough_to_integrate() {
           {"dielectric with film", RoughDielectricBsdf<Rgb, 1>{filmed(1.5F), kGgx}}};
 }
 
-std::array<float, 4> numbers(std::uint64_t i) {
-  std::array<float, 4> u{};
-  for (std::uint64_t d = 0; d < 4; ++d) u[d] = static_cast<float>(mix(i, d) >> 40) * 0x1p-24F;
-  return u;
-}
-
 Vec3f direction(float cosine, float phi) {
   const float sine = std::sqrt(1 - cosine * cosine);
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
@@ -86,7 +81,7 @@ TEST(Bsdf, ThePdfIntegratesToTheShareOfAcceptedSamples) {
     for (const Vec3f wo : kViews) {
       int accepted = 0;
       for (int i = 0; i < kSamples; ++i)
-        accepted += sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i))).has_value() ? 1 : 0;
+        accepted += sample(bsdf, wo, four_uniform(static_cast<std::uint64_t>(i))).has_value() ? 1 : 0;
       const double share = accepted / double{kSamples};
       const double error = std::sqrt(std::max(share * (1 - share), 1e-6) / kSamples);
       EXPECT_NEAR(over_sphere([&](Vec3f wi) { return evaluate(bsdf, wo, wi).pdf; }), share, 4 * error + 3e-3)
@@ -98,7 +93,7 @@ TEST(Bsdf, WeightAndPdfOfASampleAreThoseOfItsDirection) {
   for (const auto& [name, bsdf] : smooth_enough_to_integrate())
     for (const Vec3f wo : kViews)
       for (std::uint64_t i = 0; i < 500; ++i) {
-        const auto chosen = sample(bsdf, wo, numbers(i));
+        const auto chosen = sample(bsdf, wo, four_uniform(i));
         if (!chosen || std::abs(chosen->wi.z) < 1e-3F)
           continue;  // at grazing angles wi.z itself has few digits
         const auto value = evaluate(bsdf, wo, chosen->wi);
@@ -117,7 +112,7 @@ TEST(Bsdf, NoneReflectsMoreThanItReceives) {
       double sum = 0;
       constexpr int kSamples = 20000;
       for (int i = 0; i < kSamples; ++i)
-        if (const auto chosen = sample(bsdf, wo, numbers(static_cast<std::uint64_t>(i))))
+        if (const auto chosen = sample(bsdf, wo, four_uniform(static_cast<std::uint64_t>(i))))
           sum += chosen->weight.x / chosen->radiance_scale;
       EXPECT_LT(sum / kSamples, 1 + 1e-5) << name;
       EXPECT_GT(sum / kSamples, 0.4)
@@ -146,7 +141,7 @@ TEST(Bsdf, TransmissionIsReciprocalUpToTheSquaredIndex) {
   int compared = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
     const Vec3f wo = kViews[i % kViews.size()];
-    const auto chosen = sample(from_outside, wo, numbers(i));
+    const auto chosen = sample(from_outside, wo, four_uniform(i));
     if (!chosen || !chosen->is_transmitted || chosen->wi.z > -0.05F) continue;
     const float there = evaluate(from_outside, wo, chosen->wi).f_cos.x / -chosen->wi.z;
     const float back = evaluate(from_inside, turned(chosen->wi), turned(wo)).f_cos.x / wo.z;

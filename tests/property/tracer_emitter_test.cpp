@@ -1,6 +1,6 @@
 // Light sampling: the pdf of a sample equals the pdf at its point, and the mean of 1 / pdf is the solid
 // angle.
-#include "base/random.h"
+#include "property/hashed_numbers.h"
 #include "tracer/light/emitter_sampling.h"
 #include "tracer/light/emitter_table.h"
 
@@ -10,8 +10,7 @@ namespace {
 
 using namespace orbs;
 using namespace orbs::tracer;
-
-float uniform(std::uint64_t i, std::uint64_t d) { return static_cast<float>(mix(i, d) >> 40) * 0x1p-24F; }
+using tests::uniform;
 
 RectEmitter rect(Vec3f centre, Vec3f a, Vec3f b, bool orthogonal) {
   return {centre, a, b, {0, -1, 0}, 4 * length(cross(a, b)), orthogonal};

@@ -1,5 +1,5 @@
 // The light BVH: what it selects, with which probability, and that no light is ever left out.
-#include "base/random.h"
+#include "property/hashed_numbers.h"
 #include "tracer/light/emitter_bounds.h"
 #include "tracer/light/emitter_sampling.h"
 #include "tracer/light/light_bvh.h"
@@ -10,8 +10,7 @@ namespace {
 
 using namespace orbs;
 using namespace orbs::tracer;
-
-float uniform(std::uint64_t i, std::uint64_t d) { return static_cast<float>(mix(i, d) >> 40) * 0x1p-24F; }
+using tests::uniform;
 
 Vec3f point_in_cube(std::uint64_t i, float half) {
   return {half * (2 * uniform(i, 0) - 1), half * (2 * uniform(i, 1) - 1), half * (2 * uniform(i, 2) - 1)};
