@@ -65,7 +65,19 @@ CONFIGURATION = {
     "suites": [{"name": "orbs", "cases": "data/cases/orbs", "references": "data/references/orbs"}],
     "renderers": [{"name": "r", "executable": "r", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]}],
 }
-FORMATS = {"scene": "orbs-scene/1", "case": "orbs-case/2", "configuration": "orbs-configuration/1"}
+RENDER_TIMES = {
+    "format": "orbs-render-times/1",
+    "machine": "2 cores",
+    "suite": "orbs",
+    "size": "1/4",
+    "renders": [{"renderer": "r", "scene": "1", "spp": 16, "cpu_seconds": 1.5}],
+}
+FORMATS = {
+    "scene": "orbs-scene/1",
+    "case": "orbs-case/2",
+    "configuration": "orbs-configuration/1",
+    "render times": "orbs-render-times/1",
+}
 # Path to a member, and the wrong value that it is given there; the word None takes the member away.
 WRONG = [
     (SCENE, ["colour"], 1),
@@ -132,6 +144,8 @@ WRONG = [
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"pattern": "(.*)", "file": "times.json", "key": "t"}),
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"file": "times.json"}),
     (CONFIGURATION, ["renderers", 0, "command"], "r scene"),
+    (RENDER_TIMES, ["size"], "1/3"),
+    (RENDER_TIMES, ["renders", 0, "cpu_seconds"], 0),
 ]
 
 
@@ -147,7 +161,12 @@ def changed(document, path, value):
     return document
 
 
-CONFIGURATIONS = {"configuration.json", "algorithms.json"}
+OTHER_THAN_SCENES = {
+    "case.json": "case",
+    "configuration.json": "configuration",
+    "algorithms.json": "configuration",
+    "render-times.json": "render times",
+}
 
 
 def main(root):
@@ -161,7 +180,7 @@ def main(root):
         return [f"{error.json_path}: {error.message[:300]}" for error in checkers[document["format"]].iter_errors(document)]
 
     problems = []
-    for right in (SCENE, CASE, CONFIGURATION):
+    for right in (SCENE, CASE, CONFIGURATION, RENDER_TIMES):
         problems += [f"example of {right['format']} is refused: {c}" for c in complaints(right)]
     for right, path, value in WRONG:
         if not complaints(changed(right, path, value)):
@@ -169,7 +188,7 @@ def main(root):
     files = [root / "configuration.json", *sorted((root / "data/cases").glob("*/*/*.json")), *sorted((root / "data/bench").glob("*.json"))]
     for file in files:
         document = json.loads(file.read_text())
-        expected = "case" if file.name == "case.json" else "configuration" if file.name in CONFIGURATIONS else "scene"
+        expected = OTHER_THAN_SCENES.get(file.name, "scene")
         if document.get("format") != FORMATS[expected]:
             problems.append(f"{file.relative_to(root)}: format is {document.get('format')!r}, not {FORMATS[expected]}")
         else:

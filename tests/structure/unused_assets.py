@@ -57,8 +57,6 @@ def instructions(tracer, scene, folder, name):
     counts = folder / f"{name}.callgrind"
     command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}", "--toggle-collect=orbs::tracer::render(*",
                tracer, str(file), "-o", str(folder / f"{name}.exr"),
-               # Trial images would be counted too, and a fluorescent material in the file forbids what they try.
-               "--light-connections", "never",
                "--spp", "8", "--width", "32", "--height", "32", "--threads", "1"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:

@@ -34,12 +34,9 @@ LightBounds bounds_of(const DiskEmitter& disk, float power) {
 // A sphere shows a quarter of its area to each side.
 LightBounds bounds_of(const SphereEmitter& sphere, float power) {
   const Vec3f half = root_of_squares(sphere.axes[0], sphere.axes[1], sphere.axes[2]);
-  // The longest half axis of the ellipsoid is at most the largest singular value of the axes, which the root
-  // of the sum of their squares bounds; of a ball it is the radius, which `half` has in each component.
-  const bool is_ball = half.x == half.y && half.y == half.z;
   return {.low = sphere.centre - half,
           .high = sphere.centre + half,
-          .radius = is_ball ? half.x : length(half),
+          .radius = length(half),
           .axis = {0, 0, 1},
           .power = power / 4};
 }

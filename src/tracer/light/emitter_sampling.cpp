@@ -121,15 +121,10 @@ bool shows_bright_side(const DiskEmitter& disk, Vec3f, Vec3f to_viewer) {
   return dot(disk.normal, to_viewer) > 0;
 }
 bool shows_bright_side(const SphereEmitter& sphere, Vec3f position, Vec3f to_viewer) {
-  // A point on a sphere that is hardly larger than the rounding of its place says nothing about the side.
-  // From outside, rays and samples meet the near side of a ball only, and that is bright.
-  constexpr float kTrusted = 64;
-  if (kTrusted * rounding_of(sphere) > std::cbrt(sphere.determinant)) {
-    const Vec3f viewer = to_local(sphere, (position - sphere.centre) + to_viewer);
-    return dot(viewer, viewer) > 1;
-  }
-  // The ray to the viewer must leave the ball; a surface point p has the local normal p.
-  return dot(to_local(sphere, position - sphere.centre), to_local(sphere, to_viewer)) > 0;
+  // From outside, rays, samples and light paths meet the near side of a ball only, and that is bright. The
+  // point itself says nothing of its side where the ball is hardly larger than the rounding of its place.
+  const Vec3f viewer = to_local(sphere, (position - sphere.centre) + to_viewer);
+  return dot(viewer, viewer) > 1;
 }
 
 }  // namespace

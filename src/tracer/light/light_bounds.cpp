@@ -1,5 +1,7 @@
 #include "tracer/light/light_bounds.h"
 
+#include "tracer/sampling/warps.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +42,6 @@ void merge_cones(const LightBounds& a, const LightBounds& b, LightBounds& out) {
   out.cos_spread = wide.cos_spread;
   if (between + narrow_angle <= wide_angle) return;
   const float half = (wide_angle + narrow_angle + between) / 2;
-  constexpr float kPi = 3.14159265F;
   const Vec3f across = narrow_axis - wide_axis * dot(wide_axis, narrow_axis);
   if (half >= kPi || !(dot(across, across) > 0)) {
     out.cos_spread = -1;

@@ -57,10 +57,9 @@ bool supports_light_paths(const World& world) {
   const bool is_polarised = scene::covers(world.transport, scene::LightTransport::Polarised);
   const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
                                           [](const auto& light) { return !(light.reflectance == Vec3f{}); });
-  const bool has_fluorescence = std::any_of(
-      world.materials.begin(), world.materials.end(),
-      [](const auto& material) { return std::holds_alternative<FluorescentMaterial>(material.model); });
-  return !world.ambient_occlusion && !is_polarised && !lights_reflect && !has_fluorescence &&
+  // Of the transport, not of the materials: one that no surface shows must change nothing.
+  const bool may_fluoresce = scene::covers(world.transport, scene::LightTransport::Bispectral);
+  return !world.ambient_occlusion && !is_polarised && !lights_reflect && !may_fluoresce &&
          !world.emitters.empty();
 }
 
