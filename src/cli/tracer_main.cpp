@@ -44,6 +44,7 @@ struct Options {
   std::string direct_light = "mis";
   std::string sampler = "sobol";
   std::string light_selection = "auto";
+  std::string intersection = "single";
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
@@ -92,6 +93,12 @@ void add_algorithm_options(CLI::App& app, Options& options) {
                  "connections of camera paths to the first hits of light paths (bidirectional): auto (if a "
                  "trial rendering shows that they reduce noise), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_option(
+         "--intersection", options.intersection,
+         "arithmetic of the tests of rays against triangles: single (Embree's own) or double (slower; "
+         "the difference of both images shows where rounding decides)")
+      ->check(CLI::IsMember({"single", "double"}))
       ->capture_default_str();
   app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
                "no next-event estimation by way of flat mirrors");
@@ -207,6 +214,7 @@ void stamp(orbs::tracer::Rendering& rendering,
   header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
   header["orbs.light_selection"] = world.light_bvh.empty() ? "power" : "bvh";
+  header["orbs.intersection"] = options.intersection;
   header["orbs.roulette"] = world.roulette ? "yes" : "no";
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
@@ -252,7 +260,9 @@ int run(const Options& options) {
               .direct_light = direct_light_named(options.direct_light),
               .light_selection = options.light_selection == "power" ? tracer::LightSelection::Power
                                                                     : tracer::LightSelection::Bvh,
-              .roulette = !options.has_no_roulette});
+              .roulette = !options.has_no_roulette,
+              .intersection = options.intersection == "double" ? tracer::Intersection::Double
+                                                               : tracer::Intersection::Single});
   if (options.light_selection == "auto") tracer::choose_light_selection(world, options.render.threads);
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);

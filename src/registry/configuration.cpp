@@ -235,6 +235,7 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   if (renderer.is_noise_free && uses_placeholder(renderer.command, "seed"))
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");
   renderer.has_box_filter = in.boolean_or("box_filter", renderer.has_box_filter);
+  if (in.has("double_precision")) renderer.double_precision = in.system_texts("double_precision");
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.cost_ladder = load_cost_ladder(in);
   renderer.environment = load_environment(in);

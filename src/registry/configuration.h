@@ -86,6 +86,8 @@ struct Renderer {
   /// A pixel is the plain mean over its square. Only then is an image of fewer pixels the average of the full
   /// one.
   bool has_box_filter = true;
+  /// Arguments that follow its command where it is to render in double precision; none: it cannot.
+  std::vector<std::string> double_precision{};
   RenderSeconds render_seconds;
   std::vector<QualityRung>
       cost_ladder;  // from cheap to accurate; none: orbs cost takes more and more samples

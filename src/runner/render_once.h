@@ -36,7 +36,7 @@ struct RenderSettings {
   int spp = 64;
   int seed = 1;
   int threads = 1;
-  std::vector<std::string> more_arguments{};  // for the built-in tracer
+  std::vector<std::string> more_arguments{};  // behind those of the entry's command
   bool may_be_negative = false;               // negative values are right, as of colours beyond Rec.709
 };
 

@@ -14,6 +14,7 @@ namespace {
 struct DifferenceSums {
   double level = 0;             // of the original images
   double difference = 0;        // mean over the pairs
+  double pixels = 0;            // mean of its absolute values
   double variance = 0;          // of that mean
   double squared_variance = 0;  // for the degrees of freedom
   double count = 0;
@@ -21,6 +22,7 @@ struct DifferenceSums {
   DifferenceSums& operator+=(const DifferenceSums& other) {
     level += other.level;
     difference += other.difference;
+    pixels += other.pixels;
     variance += other.variance;
     squared_variance += other.squared_variance;
     count += other.count;
@@ -43,7 +45,9 @@ DifferenceSums sums_of_pixel(const std::vector<image::Image>& original,
   sums.count = 1;
   for (std::size_t i = 0; i < original.size(); ++i) {
     sums.level += grey_at(original[i], x, y) / pairs;
-    sums.difference += (grey_at(changed[i], x, y) - grey_at(original[i], x, y)) / pairs;
+    const double difference = grey_at(changed[i], x, y) - grey_at(original[i], x, y);
+    sums.difference += difference / pairs;
+    sums.pixels += std::fabs(difference) / pairs;
   }
   if (original.size() == 1) return sums;
   for (std::size_t i = 0; i < original.size(); ++i) {
@@ -121,6 +125,7 @@ PairedDifference paired_difference(const std::vector<image::Image>& original,
   });
   const double looks = static_cast<double>(blocks.size()) + 1;
   out.mean = relative(whole, 0, original.size(), looks);
+  out.pixels = whole.pixels / (whole.level > 0 ? whole.level : whole.count);
   constexpr double kDarkest = 0.1;
   std::size_t index = 0;
   for_each_block(first, [&](int x, int y) {

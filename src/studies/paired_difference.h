@@ -23,6 +23,7 @@ struct PairedDifference {
   RelativeDifference largest;  // the block of 8 x 8 px that differs most for sure, relative to its mean
   int x = 0;                   // the block's upper left pixel
   int y = 0;
+  double pixels = 0;  // mean of the absolute differences of single pixels, relative to the image's mean
 };
 
 /// The colours of the image of a changed scene, turned back into what the original scene shows.

@@ -19,9 +19,11 @@ std::optional<std::vector<image::Image>> StabilityImages::render(const scene::Sc
                                                                  RenderChange change) const {
   const auto prepared = runner::prepare_render(renderer_, plan_, scene, folder);
   const auto one = [&](int spp, int seed) -> std::optional<image::Image> {
-    const int threads = change == RenderChange::Threads ? 3 : settings_.threads;
-    const auto made = runner::render_once(
-        prepared, {.spp = spp, .seed = seed, .threads = threads, .may_be_negative = true}, context_.stop);
+    runner::RenderSettings settings{
+        .spp = spp, .seed = seed, .threads = settings_.threads, .may_be_negative = true};
+    if (change == RenderChange::Threads) settings.threads = 3;
+    if (change == RenderChange::Precision) settings.more_arguments = renderer_.entry.double_precision;
+    const auto made = runner::render_once(prepared, settings, context_.stop);
     if (!made) return std::nullopt;
     return image::select_rgb(made->image, "");
   };

@@ -35,13 +35,19 @@ void put_definitions(Writer& out) {
   put_one("mean_error, block_error",
           "standard error from the scatter of each pixel's difference over the pairs; 0 with one pair, of a "
           "renderer without noise");
+  put_one(
+      "pixels",
+      "mean over pixels and pairs of the absolute difference, divided by the mean of the original: with other "
+      "random numbers mostly noise; by double precision, with the same ones, the share of the image that "
+      "rounding decides");
   put_one("confidence",
           "1 - probability that noise makes such a difference: Student's distribution with the degrees of "
           "freedom of Welch and Satterthwaite, times the number of blocks plus one");
   put_one(
       "outcome",
       "breaks: the mean is off by more than mean_bound or a block by more than block_bound, each with a "
-      "confidence of 0.9999; or an exact relation is not followed to the bit. no image: the renderer ends "
+      "confidence of 0.9999; or an exact relation is not followed to the bit; or pixels by double precision are "
+      "above pixels_bound. no image: the renderer ends "
       "without one. inconclusive: the standard error of the mean is above 0.25 %. not applicable: the scene "
       "has nothing that the relation changes");
   put_one("held_to", "of a ladder: the magnitude up to which all scenes held without a break before");

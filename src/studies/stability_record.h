@@ -16,8 +16,9 @@ struct StabilitySettings {
   int spp = 64;
   int seeds = 2;
   int threads = 1;
-  double mean_bound = 1e-3;   // a relation is broken where the mean is off by more than this for sure
-  double block_bound = 2e-2;  // or the mean of a block
+  double mean_bound = 1e-3;    // a relation is broken where the mean is off by more than this for sure
+  double block_bound = 2e-2;   // or the mean of a block
+  double pixels_bound = 1e-2;  // or, by double precision, single pixels by more than this in the mean
   bool operator==(const StabilitySettings&) const = default;
 };
 
@@ -29,6 +30,7 @@ void fields(Visitor& visit, Record& settings) {
   visit.at_least("threads", settings.threads, 1);
   visit("mean_bound", settings.mean_bound);
   visit("block_bound", settings.block_bound);
+  visit("pixels_bound", settings.pixels_bound);
 }
 
 struct StabilityRenderer {
@@ -69,6 +71,9 @@ void fields(Visitor& visit, Record& relation) {
   visit("is_exact", relation.is_exact);
 }
 
+/// The relation of single and double precision, see RenderChange::Precision.
+inline constexpr const char* kPrecisionRelation = "precision";
+
 /// Outcomes of a step.
 inline constexpr const char* kHolds = "holds";
 inline constexpr const char* kBreaks = "breaks";
@@ -91,8 +96,10 @@ struct StabilityStep {
   double block_error = 0;
   int block_x = 0;
   int block_y = 0;
-  double confidence = 0;    // that the greater of both is no noise
-  std::string images = {};  // folder of the first break's images, relative to the study's; else ""
+  double pixels = 0;      // mean of the absolute differences of single pixels, relative to the image's mean
+  double confidence = 0;  // that the greater of mean and block is no noise
+  std::string images =
+      {};  // folder of images relative to the study's: of first breaks and precision; else ""
 };
 
 template <class Visitor, results::RecordOf<StabilityStep> Record>
@@ -110,6 +117,7 @@ void fields(Visitor& visit, Record& step) {
   visit("block_error", step.block_error);
   visit("block_x", step.block_x);
   visit("block_y", step.block_y);
+  visit("pixels", step.pixels);
   visit("confidence", step.confidence);
   visit("images", step.images);
 }

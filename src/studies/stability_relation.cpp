@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "studies/stability_record.h"
 
 #include <algorithm>
 #include <set>
@@ -24,6 +25,8 @@ std::vector<StabilityRelation> all_relations() {
   all.push_back({{"seed", "other seeds", "", {1}, false, unchanged}, RenderChange::Seed});
   all.push_back({{"two_halves", "the mean of two renders with half the samples", "", {1}, false, unchanged},
                  RenderChange::TwoHalves});
+  all.push_back({{kPrecisionRelation, "rays meet triangles in double precision", "", {1}, false, unchanged},
+                 RenderChange::Precision});
   return all;
 }
 

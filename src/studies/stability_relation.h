@@ -11,9 +11,10 @@ namespace orbs::studies {
 /// What is rendered differently where the scene stays as it is.
 enum class RenderChange {
   None,
-  Threads,   // three threads instead of those of the study
-  Seed,      // other seeds
-  TwoHalves  // the mean of two renders with half the samples, of other seeds
+  Threads,    // three threads instead of those of the study
+  Seed,       // other seeds
+  TwoHalves,  // the mean of two renders with half the samples, of other seeds
+  Precision   // with the arguments that the entry names for double precision
 };
 
 /// A relation of scenes, or of two ways to render one scene.

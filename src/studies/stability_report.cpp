@@ -3,6 +3,7 @@
 #include "base/text_table.h"
 #include "studies/stability_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -67,6 +68,27 @@ std::vector<TableRow> break_rows(const StabilityRecord& record) {
   return rows;
 }
 
+bool shows_single_pixels(const StabilityRecord& record, const StabilityStep& step) {
+  return record.relations[step.relation].name == kPrecisionRelation && step.outcome != kNotApplicable;
+}
+
+// Scenes by double precision, the most sensitive first.
+std::vector<TableRow> precision_rows(const StabilityRecord& record) {
+  std::vector<const StabilityStep*> steps;
+  for (const auto& step : record.steps)
+    if (shows_single_pixels(record, step)) steps.push_back(&step);
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const auto* a, const auto* b) { return a->pixels > b->pixels; });
+  std::vector<TableRow> rows{{"renderer", "scene", "single pixels", "mean", "outcome"}};
+  for (const auto* step : steps)
+    rows.push_back({record.renderers[step->renderer].name, record.scenes[step->scene].name,
+                    fmt::format("{:.2g} %", 100 * step->pixels), fmt::format("{:+.2g} %", 100 * step->mean),
+                    step->outcome});
+  return rows;
+}
+
+constexpr std::string_view kPrecisionTitle = "Single against double precision: how far pixels differ";
+
 std::string conditions(const StabilityRecord& record) {
   std::vector<std::string> scenes;
   std::vector<std::string> versions;
@@ -93,16 +115,22 @@ std::string break_text(const StabilityStep& step) {
 
 std::string stability_table(const StabilityRecord& record) {
   const auto breaks = break_rows(record);
-  return fmt::format("{}\n{}{}", text_table(matrix_rows(record)),
-                     breaks.size() > 1 ? "First breaks\n" + text_table(breaks) + "\n" : "",
-                     conditions(record));
+  const auto precision = precision_rows(record);
+  return fmt::format(
+      "{}\n{}{}{}", text_table(matrix_rows(record)),
+      breaks.size() > 1 ? "First breaks\n" + text_table(breaks) + "\n" : "",
+      precision.size() > 1 ? fmt::format("{}\n{}\n", kPrecisionTitle, text_table(precision)) : "",
+      conditions(record));
 }
 
 std::string stability_markdown(const StabilityRecord& record) {
   const auto breaks = break_rows(record);
-  return fmt::format("{}{}\n{}", markdown_table(matrix_rows(record)),
-                     breaks.size() > 1 ? "\nFirst breaks:\n\n" + markdown_table(breaks) : "",
-                     conditions(record));
+  const auto precision = precision_rows(record);
+  return fmt::format(
+      "{}{}{}\n{}", markdown_table(matrix_rows(record)),
+      breaks.size() > 1 ? "\nFirst breaks:\n\n" + markdown_table(breaks) : "",
+      precision.size() > 1 ? fmt::format("\n{}:\n\n{}", kPrecisionTitle, markdown_table(precision)) : "",
+      conditions(record));
 }
 
 }  // namespace orbs::studies

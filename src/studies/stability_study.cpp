@@ -51,7 +51,7 @@ std::string step_folder(const StabilityRecord& record, const StabilityStep& step
 }
 
 void judge(const StabilitySettings& settings,
-           bool is_exact,
+           const StabilityRelation& relation,
            const PairedDifference& found,
            StabilityStep& step) {
   step.is_bit_equal = found.is_equal;
@@ -61,6 +61,7 @@ void judge(const StabilitySettings& settings,
   step.block_error = found.largest.standard_error;
   step.block_x = found.x;
   step.block_y = found.y;
+  step.pixels = found.pixels;
   const auto is_off = [](const RelativeDifference& one, double bound) {
     return one.confidence >= kSure && std::fabs(one.value) > bound;
   };
@@ -72,9 +73,14 @@ void judge(const StabilitySettings& settings,
   if (mean_is_off || block_is_off) {
     step.outcome = kBreaks;
     step.reason = break_text(step);
-  } else if (is_exact && !found.is_equal) {
+  } else if (relation.of_scenes.is_exact && !found.is_equal) {
     step.outcome = kBreaks;
     step.reason = "the images differ within noise, but they must be equal to the bit";
+    step.confidence = 1;
+  } else if (relation.render == RenderChange::Precision && found.pixels > settings.pixels_bound) {
+    step.outcome = kBreaks;
+    step.reason = fmt::format("single pixels differ by {:.2g} % in the mean: rounding decides what they show",
+                              100 * found.pixels);
     step.confidence = 1;
   } else if (found.mean.standard_error > kMostNoise) {
     step.outcome = kTooNoisy;
@@ -87,7 +93,7 @@ void keep_images(const StabilityStudy& study,
                  const std::vector<image::Image>& original,
                  const std::vector<image::Image>& changed,
                  StabilityStep& step) {
-  step.images = "breaks/" + step_folder(study.record, step);
+  step.images = "images/" + step_folder(study.record, step);
   const auto folder = study.request.folder / step.images;
   make_folder(folder);
   image::write_png(image::display_image(original.front()), folder / results::kOriginalImage);
@@ -112,8 +118,10 @@ bool measure_step(const StabilityStudy& study,
     auto changed = images.render(scenes.changed, folder / "changed", relation.render);
     if (!changed) return false;
     for (auto& image : *changed) image = original_of(image, scenes.image);
-    judge(study.request.settings, relation.of_scenes.is_exact, paired_difference(*original, *changed), step);
-    if (step.outcome == kBreaks && is_first_break) keep_images(study, *original, *changed, step);
+    judge(study.request.settings, relation, paired_difference(*original, *changed), step);
+    const bool is_condition_map = relation.render == RenderChange::Precision && !step.is_bit_equal;
+    if (is_condition_map || (step.outcome == kBreaks && is_first_break))
+      keep_images(study, *original, *changed, step);
   } catch (const InputError& e) {
     step.outcome = kNoImage;
     step.reason = clean_line(split(e.what(), '\n').front());
@@ -122,10 +130,15 @@ bool measure_step(const StabilityStudy& study,
   return true;
 }
 
-bool is_noise_free_change(const StabilityStudy& study, const StabilityStep& step) {
+// Why the renderer has no such change of rendering; "" where it has.
+std::string_view missing_change(const StabilityStudy& study, const StabilityStep& step) {
   const auto render = study.request.relations[step.relation].render;
-  return study.plan.renderers[step.renderer].entry.is_noise_free &&
-         (render == RenderChange::Seed || render == RenderChange::TwoHalves);
+  const auto& entry = study.plan.renderers[step.renderer].entry;
+  const bool is_of_noise = render == RenderChange::Seed || render == RenderChange::TwoHalves;
+  if (is_of_noise && entry.is_noise_free) return "the renderer has no random numbers";
+  if (render == RenderChange::Precision && entry.double_precision.empty())
+    return "the renderer's entry has no arguments for double_precision";
+  return "";
 }
 
 void say_step(const StabilityStudy& study, const StabilityStep& step) {
@@ -145,9 +158,9 @@ bool climb(StabilityStudy& study, StabilityImages& images, const scene::Scene& s
     if (const auto* earlier = find_step(study.record, step)) {
       made = *earlier;
     } else {
-      const auto related = is_noise_free_change(study, step)
-                               ? scene::Related{"the renderer has no random numbers"}
-                               : relation.apply(scene, magnitude);
+      const auto missing = missing_change(study, step);
+      const auto related =
+          missing.empty() ? relation.apply(scene, magnitude) : scene::Related{std::string(missing)};
       if (const auto* reason = std::get_if<std::string>(&related)) {
         // A ladder may end at what the scene format allows; that says nothing of the renderer.
         if (magnitude != relation.magnitudes.front()) return true;

@@ -49,6 +49,15 @@ TEST(Stability, ABreakEndsItsLadderAndIsShown) {
   EXPECT_TRUE(contains(shown.text, "| breaks at 2^10 |")) << shown.text;
 }
 
+TEST(Stability, PrecisionIsForEntriesThatNameItsArguments) {
+  const Sandbox sandbox;
+  sandbox.orbs(stability({"--relation", "precision", "-o", "s"}));
+  const auto record = record_of(sandbox, "s");
+  ASSERT_EQ(record.steps.size(), 1);
+  EXPECT_EQ(record.steps[0].outcome, "not applicable");
+  EXPECT_TRUE(contains(record.steps[0].reason, "double_precision")) << record.steps[0].reason;
+}
+
 TEST(Stability, ARendererWithoutImagesBreaks) {
   const Sandbox sandbox;
   const auto answer =

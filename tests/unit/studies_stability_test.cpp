@@ -185,7 +185,7 @@ TEST(ServerStudy, ServesAStudyOfStability) {
 
 TEST(StabilityRelations, AreChosenByPatterns) {
   EXPECT_EQ(stability_relations({"translate_*"}).size(), 2);
-  EXPECT_EQ(stability_relations({}).size(), scene::relations().size() + 3);
+  EXPECT_EQ(stability_relations({}).size(), scene::relations().size() + 4);
   try {
     stability_relations({"scale_upp"});
     FAIL() << "there is no such relation";

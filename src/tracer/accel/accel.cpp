@@ -1,5 +1,6 @@
 #include "tracer/accel/accel.h"
 
+#include "tracer/accel/double_triangles.h"
 #include "tracer/accel/solid_geometry.h"
 
 #include <algorithm>
@@ -143,6 +144,20 @@ CurvedSurface surface_of(const SphereSurface& sphere) {
   return {cast<double>(sphere.centre), inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
 }
 
+std::array<Vec3f, 4> corners_of(const RectEmitter& rect) {
+  return {rect.centre - rect.a - rect.b, rect.centre + rect.a - rect.b, rect.centre + rect.a + rect.b,
+          rect.centre - rect.a + rect.b};
+}
+constexpr std::array<std::array<std::uint32_t, 3>, 2> kRectTriangles{{{0, 1, 2}, {0, 2, 3}}};
+
+std::vector<DoubleTriangle> triangles_of(const RectEmitter& rect) {
+  const auto corners = corners_of(rect);
+  std::vector<DoubleTriangle> triangles;
+  for (const auto& [a, b, c] : kRectTriangles)
+    triangles.push_back({cast<double>(corners[a]), cast<double>(corners[b]), cast<double>(corners[c])});
+  return triangles;
+}
+
 void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
 
 }  // namespace
@@ -152,7 +167,7 @@ struct Accel::State {
   RTCScene top = nullptr;
   std::vector<RTCScene> mesh_scenes;
   std::vector<CurvedSurface> curved;
-  std::vector<std::array<Vec3f, 4>> rect_corners;
+  std::vector<std::vector<DoubleTriangle>> double_triangles;  // of the objects, where they are wanted
 
   State() : device(rtcNewDevice(nullptr)) {
     rtcSetDeviceErrorFunction(device, on_error, nullptr);
@@ -197,15 +212,18 @@ struct Accel::State {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<Vec3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 4));
-    vertices[0] = rect.centre - rect.a - rect.b;
-    vertices[1] = rect.centre + rect.a - rect.b;
-    vertices[2] = rect.centre + rect.a + rect.b;
-    vertices[3] = rect.centre - rect.a + rect.b;
+    const auto corners = corners_of(rect);
+    std::copy(corners.begin(), corners.end(), vertices);
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), 2));
-    constexpr std::array<std::uint32_t, 6> kCorners{0, 1, 2, 0, 2, 3};
-    std::copy(kCorners.begin(), kCorners.end(), indices);
+    for (const auto& triangle : kRectTriangles)
+      indices = std::copy(triangle.begin(), triangle.end(), indices);
     attach(top, geometry, id);
+  }
+
+  void add_double(std::vector<DoubleTriangle> triangles, unsigned int id) {
+    double_triangles.push_back(std::move(triangles));  // capacity was reserved: the references stay valid
+    attach(top, make_double_geometry(device, double_triangles.back()), id);
   }
 
   void add_curved(const CurvedSurface& surface, unsigned int id) {
@@ -237,20 +255,30 @@ struct Accel::State {
   }
 };
 
-Accel::Accel(const AccelGeometry& geometry) : state_(std::make_unique<State>()) {
+Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(std::make_unique<State>()) {
+  const bool is_double = intersection == Intersection::Double;
   state_->curved.reserve(geometry.objects.size());
+  state_->double_triangles.reserve(geometry.objects.size());
   for (unsigned int id = 0; id < geometry.objects.size(); ++id) {
     const RenderObject& object = geometry.objects[id];
-    if (object.kind == ObjectKind::WorldMesh) state_->add_mesh(state_->top, geometry.meshes[object.mesh], id);
-    if (object.kind == ObjectKind::InstancedMesh)
-      state_->add_instance(object, geometry.meshes[object.mesh], id);
+    const bool is_instance = object.kind == ObjectKind::InstancedMesh;
+    if (object.kind == ObjectKind::WorldMesh || is_instance) {
+      const TriangleMesh& mesh = geometry.meshes[object.mesh];
+      if (is_double)
+        state_->add_double(world_triangles(object, mesh), id);
+      else if (is_instance)
+        state_->add_instance(object, mesh, id);
+      else
+        state_->add_mesh(state_->top, mesh, id);
+    }
     if (object.kind == ObjectKind::Sphere)
       state_->add_curved(surface_of(geometry.spheres[object.sphere]), id);
     if (object.kind == ObjectKind::Solid)
       State::attach(state_->top, make_solid_geometry(state_->device, geometry.solids[object.solid]), id);
     if (object.kind != ObjectKind::Light) continue;
     const auto& shape = geometry.lights[object.light].shape;
-    if (const auto* rect = std::get_if<RectEmitter>(&shape)) state_->add_rect(*rect, id);
+    if (const auto* rect = std::get_if<RectEmitter>(&shape))
+      is_double ? state_->add_double(triangles_of(*rect), id) : state_->add_rect(*rect, id);
     if (const auto* disk = std::get_if<DiskEmitter>(&shape)) state_->add_curved(surface_of(*disk), id);
     if (const auto* sphere = std::get_if<SphereEmitter>(&shape)) state_->add_curved(surface_of(*sphere), id);
   }

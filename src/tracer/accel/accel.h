@@ -21,12 +21,16 @@ struct AccelGeometry {
   const std::vector<AreaLight>& lights;
 };
 
+/// The arithmetic of tests of rays against triangles. Double shows by comparison where rounding decides what
+/// a path meets; places and shading are in single precision in either case.
+enum class Intersection { Single, Double };
+
 /// Ray traversal by Embree, in robust mode: no ray passes between adjacent triangles. Rays are traced in
 /// packets of 16, which take two thirds of the time of single rays on small scenes; Embree itself falls back
 /// to single rays where a packet diverges.
 class Accel {
  public:
-  explicit Accel(const AccelGeometry& geometry);
+  explicit Accel(const AccelGeometry& geometry, Intersection intersection = Intersection::Single);
   ~Accel();
   Accel(const Accel&) = delete;
   Accel& operator=(const Accel&) = delete;

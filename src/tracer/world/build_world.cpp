@@ -94,7 +94,8 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   if (settings.light_paths && supports_light_paths(world))
     world.caustic_casters = find_caustic_casters(world);
   world.accel = std::make_unique<Accel>(
-      AccelGeometry{world.objects, world.meshes, world.spheres, world.solids, world.lights});
+      AccelGeometry{world.objects, world.meshes, world.spheres, world.solids, world.lights},
+      settings.intersection);
   return world;
 }
 

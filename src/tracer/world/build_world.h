@@ -26,6 +26,7 @@ struct WorldSettings {
   LightSelection light_selection = LightSelection::Bvh;
   /// Off: paths end at the trace depth or where they carry nothing, not by Russian roulette.
   bool roulette = true;
+  Intersection intersection = Intersection::Single;
 };
 
 /// Throws InputError if a texture cannot be read, or if the given transport lacks effects that the scene

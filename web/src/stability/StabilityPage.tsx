@@ -76,7 +76,7 @@ function Picture({
   );
 }
 
-/** The images of a first break. */
+/** The images of a first break, or of single against double precision. */
 function Pictures({
   source,
   run,
@@ -106,7 +106,7 @@ function Pictures({
   );
 }
 
-/** All steps of one relation by one renderer, and the images of its breaks. */
+/** All steps of one relation by one renderer, and the images that were kept. */
 function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: string }) {
   const [name, renderer] = chosen.split("/");
   const relation = study.relations.find((one) => one.name === name);
@@ -128,7 +128,15 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
       <table class="steps">
         <thead>
           <tr>
-            {["scene", "magnitude", "outcome", "mean", "worst block", "reason"].map((head) => (
+            {[
+              "scene",
+              "magnitude",
+              "outcome",
+              "mean",
+              "worst block",
+              "single pixels",
+              "reason",
+            ].map((head) => (
               <th key={head} scope="col">
                 {head}
               </th>
@@ -143,6 +151,9 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
               <td>{stepText(step)}</td>
               <td class="number">{percentText(step.mean, step.mean_error)}</td>
               <td class="number">{percentText(step.block, step.block_error)}</td>
+              <td class="number">
+                {step.pixels === undefined ? "–" : percentText(step.pixels, 0).replace("+", "")}
+              </td>
               <td class="quiet">{step.reason}</td>
             </tr>
           ))}

@@ -22,8 +22,10 @@ export interface Step {
   mean_error: number;
   block: number;
   block_error: number;
+  /** Mean of the absolute differences of single pixels; absent in older studies. */
+  pixels?: number;
   confidence: number;
-  /** Folder of the images of a first break; "" where there are none. */
+  /** Folder of images, of a first break or of double precision; "" where there are none. */
   images: string;
 }
 

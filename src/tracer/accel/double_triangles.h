@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/vec.h"
+#include "tracer/geometry/render_object.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+namespace orbs::tracer {
+
+using DoubleTriangle = std::array<Vec3d, 3>;
+
+struct TriangleHit {
+  double distance = 0;         // in units of the direction
+  std::array<double, 2> uv{};  // barycentric weights of the second and the third corner
+};
+
+/// The point of the triangle, edges included, that lies on the ray with near < distance < far: the watertight
+/// test of Woop, Benthin and Wald (2013, JCGT 2(1)), in double precision. Triangles that share an edge leave
+/// no gap: each computes the same edge function but for its sign.
+std::optional<TriangleHit> intersect(
+    const DoubleTriangle& triangle, Vec3d origin, Vec3d direction, double near, double far);
+
+/// The triangles of a mesh in world space. One of no area by the arithmetic of its shading has three equal
+/// corners, so that nothing hits it in double precision either.
+std::vector<DoubleTriangle> world_triangles(const RenderObject& object, const TriangleMesh& mesh);
+
+/// Triangles as a user geometry of Embree; hits are as of Embree's own. `triangles` must outlive it and must
+/// not move.
+RTCGeometry make_double_geometry(RTCDevice device, const std::vector<DoubleTriangle>& triangles);
+
+}  // namespace orbs::tracer
