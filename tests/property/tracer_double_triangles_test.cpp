@@ -19,11 +19,11 @@ Vec3d point_in_cube(std::uint64_t i, std::uint64_t d) {
 }
 
 DoubleTriangle random_triangle(std::uint64_t i) {
-  return {point_in_cube(i, 0), point_in_cube(i, 3), point_in_cube(i, 6)};
+  return {{point_in_cube(i, 0), point_in_cube(i, 3), point_in_cube(i, 6)}};
 }
 
 Vec3d point_at(const DoubleTriangle& triangle, double u, double v) {
-  return triangle[0] * (1 - u - v) + triangle[1] * u + triangle[2] * v;
+  return triangle.corners[0] * (1 - u - v) + triangle.corners[1] * u + triangle.corners[2] * v;
 }
 
 // A ground, a block that is turned and flattened by its instance, and a lamp: triangles of each kind.
@@ -52,7 +52,8 @@ TEST(DoubleTriangles, MeetsThePointThatTheRayIsAimedAt) {
     const Vec3d direction = point_at(triangle, u, v) - origin;
     const auto hit = tracer::intersect(triangle, origin, direction, 0, kFar);
     // The plane may be seen so obliquely that its rounding decides; the weights then mean little.
-    const Vec3d normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const Vec3d normal =
+        cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
     if (std::fabs(dot(normal, direction)) < 1e-6 || std::min({u, v, 1 - u - v}) < 1e-9) continue;
     ASSERT_TRUE(hit) << i;
     EXPECT_NEAR(hit->distance, 1, 1e-8) << i;
@@ -82,8 +83,8 @@ TEST(DoubleTriangles, LeaveNoGapAtSharedEdges) {
     const Vec3d b = point_in_cube(i, 3);
     const Vec3d middle = a * 0.5 + b * 0.5;
     const Vec3d aside = point_in_cube(i, 6);
-    const DoubleTriangle left{a, b, middle + aside};
-    const DoubleTriangle right{b, a, middle - aside};
+    const DoubleTriangle left{{a, b, middle + aside}};
+    const DoubleTriangle right{{b, a, middle - aside}};
     const Vec3d origin = cross(b - a, aside) * (3 + uniform(i, 9)) + point_in_cube(i, 10) * 0.1;
     const Vec3d direction = a + (b - a) * (0.1 + 0.8 * uniform(i, 13)) - origin;
     EXPECT_TRUE(tracer::intersect(left, origin, direction, 0, kFar) ||

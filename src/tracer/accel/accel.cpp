@@ -1,14 +1,13 @@
 #include "tracer/accel/accel.h"
 
+#include "tracer/accel/curved_surface.h"
 #include "tracer/accel/double_triangles.h"
 #include "tracer/accel/solid_geometry.h"
+#include "tracer/accel/user_geometry.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -19,130 +18,6 @@ namespace orbs::tracer {
 namespace {
 
 constexpr std::size_t kPacket = 16;
-
-// Distance along the ray to the unit disk y = 0 or the unit sphere in the local space of the shape, in double
-// precision because the origin may be far away in units of the shape. Nothing outside (near, far).
-std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
-  const double t = -o.y / d.y;
-  if (!(t > near && t < far)) return std::nullopt;
-  const double x = o.x + t * d.x;
-  const double z = o.z + t * d.z;
-  return x * x + z * z <= 1 ? std::optional(t) : std::nullopt;
-}
-
-std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far) {
-  // Solved from the point of closest approach, as b^2 - 4ac cancels for small distant spheres (Haines et al.
-  // 2019, Ray Tracing Gems, ch. 7).
-  const double dd = dot(d, d);
-  const double middle = -dot(o, d) / dd;
-  const Vec3d nearest = o + d * middle;
-  const double room = 1 - dot(nearest, nearest);
-  if (room < 0) return std::nullopt;
-  const double half = std::sqrt(room / dd);
-  for (const double t : {middle - half, middle + half})
-    if (t > near && t < far) return t;
-  return std::nullopt;
-}
-
-struct CurvedSurface {
-  Vec3d centre;
-  std::array<Vec3d, 3> inverse_rows;
-  bool is_sphere = false;
-};
-
-std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
-  const double determinant = dot(a, cross(b, c));
-  return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
-}
-
-std::optional<double> distance_to(
-    const CurvedSurface& surface, Vec3f origin, Vec3f direction, float near, float far) {
-  const auto local = [&](Vec3d v) {
-    return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v),
-                 dot(surface.inverse_rows[2], v)};
-  };
-  const Vec3d o = local(cast<double>(origin) - surface.centre);
-  const Vec3d d = local(cast<double>(direction));
-  return surface.is_sphere ? sphere_distance(o, d, near, far) : disk_distance(o, d, near, far);
-}
-
-std::optional<double> distance_to(const CurvedSurface& surface,
-                                  RTCRayN* rays,
-                                  unsigned int n,
-                                  unsigned int i) {
-  return distance_to(surface,
-                     {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
-                     {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
-                     RTCRayN_tnear(rays, n, i), RTCRayN_tfar(rays, n, i));
-}
-
-void curved_bounds(const RTCBoundsFunctionArguments* args) {
-  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
-  // The columns of the map are dual to the rows of its inverse. The image of the unit ball extends along a
-  // world axis by the length of the row of the map for that axis. One float step is added for rounding.
-  const auto columns =
-      inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
-  const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
-                     std::hypot(columns[0].y, columns[1].y, columns[2].y),
-                     std::hypot(columns[0].z, columns[1].z, columns[2].z)};
-  const auto low = [](double x) {
-    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
-  };
-  const auto high = [](double x) {
-    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-  };
-  RTCBounds& out = *args->bounds_o;
-  out.lower_x = low(surface.centre.x - extent.x);
-  out.lower_y = low(surface.centre.y - extent.y);
-  out.lower_z = low(surface.centre.z - extent.z);
-  out.upper_x = high(surface.centre.x + extent.x);
-  out.upper_y = high(surface.centre.y + extent.y);
-  out.upper_z = high(surface.centre.z + extent.z);
-}
-
-void curved_intersect(const RTCIntersectFunctionNArguments* args) {
-  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
-  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
-  RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
-  for (unsigned int i = 0; i < args->N; ++i) {
-    if (args->valid[i] == 0) continue;
-    const auto t = distance_to(surface, rays, args->N, i);
-    if (!t) continue;
-    RTCRayN_tfar(rays, args->N, i) = static_cast<float>(*t);
-    RTCHitN_geomID(hits, args->N, i) = args->geomID;
-    RTCHitN_primID(hits, args->N, i) = args->primID;
-    RTCHitN_instID(hits, args->N, i, 0) = args->context->instID[0];
-    RTCHitN_u(hits, args->N, i) = 0;
-    RTCHitN_v(hits, args->N, i) = 0;
-  }
-}
-
-void curved_occluded(const RTCOccludedFunctionNArguments* args) {
-  const auto& surface = *static_cast<const CurvedSurface*>(args->geometryUserPtr);
-  for (unsigned int i = 0; i < args->N; ++i)
-    if (args->valid[i] != 0 && distance_to(surface, args->ray, args->N, i))
-      RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
-}
-
-CurvedSurface surface_of(const DiskEmitter& disk) {
-  const Vec3d a = cast<double>(disk.a);
-  const Vec3d b = cast<double>(disk.b);
-  // The normal only completes the basis; the disk has no extent along it.
-  return {cast<double>(disk.centre),
-          inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
-}
-
-CurvedSurface surface_of(const SphereEmitter& sphere) {
-  return {
-      cast<double>(sphere.centre),
-      inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])),
-      true};
-}
-
-CurvedSurface surface_of(const SphereSurface& sphere) {
-  const double r = sphere.radius;
-  return {cast<double>(sphere.centre), inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
-}
 
 std::array<Vec3f, 4> corners_of(const RectEmitter& rect) {
   return {rect.centre - rect.a - rect.b, rect.centre + rect.a - rect.b, rect.centre + rect.a + rect.b,
@@ -223,19 +98,12 @@ struct Accel::State {
 
   void add_double(std::vector<DoubleTriangle> triangles, unsigned int id) {
     double_triangles.push_back(std::move(triangles));  // capacity was reserved: the references stay valid
-    attach(top, make_double_geometry(device, double_triangles.back()), id);
+    attach(top, make_user_geometry(device, std::span<const DoubleTriangle>(double_triangles.back())), id);
   }
 
   void add_curved(const CurvedSurface& surface, unsigned int id) {
     curved.push_back(surface);  // capacity was reserved: the pointer stays valid
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, 1);
-    rtcSetGeometryUserData(geometry, &curved.back());
-    rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* args) { curved_bounds(args); }, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, curved_intersect);
-    rtcSetGeometryOccludedFunction(geometry, curved_occluded);
-    attach(top, geometry, id);
+    attach(top, make_user_geometry(device, std::span<const CurvedSurface>(&curved.back(), 1)), id);
   }
 
   void add_instance(const RenderObject& object, const TriangleMesh& mesh, unsigned int id) {
@@ -274,7 +142,9 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(
     if (object.kind == ObjectKind::Sphere)
       state_->add_curved(surface_of(geometry.spheres[object.sphere]), id);
     if (object.kind == ObjectKind::Solid)
-      State::attach(state_->top, make_solid_geometry(state_->device, geometry.solids[object.solid]), id);
+      State::attach(
+          state_->top,
+          make_user_geometry(state_->device, std::span<const Solid>(&geometry.solids[object.solid], 1)), id);
     if (object.kind != ObjectKind::Light) continue;
     const auto& shape = geometry.lights[object.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape))

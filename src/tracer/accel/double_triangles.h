@@ -1,18 +1,17 @@
 #pragma once
 
-#include "base/vec.h"
+#include "tracer/accel/user_geometry.h"
 #include "tracer/geometry/render_object.h"
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
-
-#include <embree3/rtcore.h>
 
 namespace orbs::tracer {
 
-using DoubleTriangle = std::array<Vec3d, 3>;
+struct DoubleTriangle {
+  std::array<Vec3d, 3> corners;
+};
 
 struct TriangleHit {
   double distance = 0;         // in units of the direction
@@ -29,8 +28,8 @@ std::optional<TriangleHit> intersect(
 /// corners, so that nothing hits it in double precision either.
 std::vector<DoubleTriangle> world_triangles(const RenderObject& object, const TriangleMesh& mesh);
 
-/// Triangles as a user geometry of Embree; hits are as of Embree's own. `triangles` must outlive it and must
-/// not move.
-RTCGeometry make_double_geometry(RTCDevice device, const std::vector<DoubleTriangle>& triangles);
+/// For make_user_geometry; hits are as Embree's own of a triangle mesh.
+UserBounds bounds_of(const DoubleTriangle& triangle);
+std::optional<Hit> hit_of(const DoubleTriangle& triangle, unsigned int index, const UserRay& ray);
 
 }  // namespace orbs::tracer

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "tracer/accel/user_geometry.h"
 #include "tracer/shapes/solid.h"
-
-#include <embree3/rtcore.h>
 
 namespace orbs::tracer {
 
-/// A shape as a user geometry of Embree; hits have what intersect() in solid_hit.h says. `solid` must outlive
-/// the geometry and must not move.
-RTCGeometry make_solid_geometry(RTCDevice device, const Solid& solid);
+/// For make_user_geometry; hits have what intersect() in solid_hit.h says.
+UserBounds bounds_of(const Solid& solid);
+std::optional<Hit> hit_of(const Solid& solid, unsigned int index, const UserRay& ray);
 
 }  // namespace orbs::tracer

@@ -1,0 +1,91 @@
+#include "tracer/accel/curved_surface.h"
+
+#include <cmath>
+
+namespace orbs::tracer {
+
+namespace {
+
+// Distance along the ray to the unit disk y = 0 or the unit sphere in the local space of the shape, in double
+// precision because the origin may be far away in units of the shape. Nothing outside (near, far).
+std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
+  const double t = -o.y / d.y;
+  if (!(t > near && t < far)) return std::nullopt;
+  const double x = o.x + t * d.x;
+  const double z = o.z + t * d.z;
+  return x * x + z * z <= 1 ? std::optional(t) : std::nullopt;
+}
+
+std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far) {
+  // Solved from the point of closest approach, as b^2 - 4ac cancels for small distant spheres (Haines et al.
+  // 2019, Ray Tracing Gems, ch. 7).
+  const double dd = dot(d, d);
+  const double middle = -dot(o, d) / dd;
+  const Vec3d nearest = o + d * middle;
+  const double room = 1 - dot(nearest, nearest);
+  if (room < 0) return std::nullopt;
+  const double half = std::sqrt(room / dd);
+  for (const double t : {middle - half, middle + half})
+    if (t > near && t < far) return t;
+  return std::nullopt;
+}
+
+std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
+  const double determinant = dot(a, cross(b, c));
+  return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
+}
+
+std::optional<double> distance_to(const CurvedSurface& surface, const UserRay& ray) {
+  const auto local = [&](Vec3d v) {
+    return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v),
+                 dot(surface.inverse_rows[2], v)};
+  };
+  const Vec3d o = local(cast<double>(ray.origin) - surface.centre);
+  const Vec3d d = local(cast<double>(ray.direction));
+  return surface.is_sphere ? sphere_distance(o, d, ray.near, ray.far)
+                           : disk_distance(o, d, ray.near, ray.far);
+}
+
+}  // namespace
+
+CurvedSurface surface_of(const DiskEmitter& disk) {
+  const Vec3d a = cast<double>(disk.a);
+  const Vec3d b = cast<double>(disk.b);
+  // The normal only completes the basis; the disk has no extent along it.
+  return {cast<double>(disk.centre),
+          inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
+}
+
+CurvedSurface surface_of(const SphereEmitter& sphere) {
+  return {
+      cast<double>(sphere.centre),
+      inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])),
+      true};
+}
+
+CurvedSurface surface_of(const SphereSurface& sphere) {
+  const double r = sphere.radius;
+  return {cast<double>(sphere.centre), inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
+}
+
+// The columns of the map are dual to the rows of its inverse. The image of the unit ball extends along a
+// world axis by the length of the row of the map for that axis.
+UserBounds bounds_of(const CurvedSurface& surface) {
+  const auto columns =
+      inverse_rows(surface.inverse_rows[0], surface.inverse_rows[1], surface.inverse_rows[2]);
+  const Vec3d extent{std::hypot(columns[0].x, columns[1].x, columns[2].x),
+                     std::hypot(columns[0].y, columns[1].y, columns[2].y),
+                     std::hypot(columns[0].z, columns[1].z, columns[2].z)};
+  return {surface.centre - extent, surface.centre + extent};
+}
+
+std::optional<Hit> hit_of(const CurvedSurface& surface, unsigned int index, const UserRay& ray) {
+  const auto distance = distance_to(surface, ray);
+  if (!distance) return std::nullopt;
+  Hit hit;
+  hit.distance = static_cast<float>(*distance);
+  hit.primitive = index;
+  return hit;
+}
+
+}  // namespace orbs::tracer
