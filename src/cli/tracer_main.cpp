@@ -229,10 +229,16 @@ void stamp(orbs::tracer::Rendering& rendering,
     header["orbs.undecided_roots"] = std::to_string(counts.undecided);
     header["orbs.unfinished_roots"] = std::to_string(counts.unfinished);
   }
+  if (rendering.variance_leaves_floats) header["orbs.variance"] = "left out: beyond the range of floats";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
 
 void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
+  if (r.variance_leaves_floats)
+    orbs::print_clean(
+        stderr,
+        "orbs-tracer: warning: the variances are beyond the range of floats, so the image has none; "
+        "radiances between 1e-16 and 1e19 have them\n");
   if (r.bad_samples.count > 0)
     orbs::print_clean(
         stderr, "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",

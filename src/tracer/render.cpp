@@ -53,6 +53,10 @@ Rendering render(const World& world,
   }
   for (PixelSums& pixel : film.pixels) end_replicate(pixel);
   drop_unused_classes(film);
+  if (film.has_variance && !float_holds_variances(film)) {
+    film.has_variance = false;
+    out.variance_leaves_floats = true;
+  }
   out.image = resolve(film);
   out.seconds = seconds();
   out.cpu_seconds = cpu_seconds_now() - cpu_start;

@@ -49,6 +49,43 @@ TEST(ExtremeLamps, SmallSpheresShineInFull) {
                     1.1 / (d * d * d));
 }
 
+// The square of 1e25 is no float, and the infinite variances made every image certain to be right.
+TEST(ExtremeRadiances, HaveNoVariancesThatFloatsCannotHold) {
+  const auto floor_under = [](const std::string& radiance) {
+    const std::string lamp = fmt::format(
+        R"({{"type": "rect", "half_width": 1, "half_length": 1, "radiance": [{0}, {0}, {0}],
+        "matrix": [{{"translate": [0.5, 1, 0]}}]}}])",
+        radiance);
+    return tests::render_text(
+        tests::scene_text("[0.05, 0.2, -0.02]", "[0, 0, 0]", 4, 4, kWhiteFloor + lamp, "0.1"),
+        {.samples_per_pixel = 16});
+  };
+  for (const char* radiance : {"1e25", "1e-25"}) {
+    const auto made = floor_under(radiance);
+    EXPECT_TRUE(made.variance_leaves_floats) << radiance;
+    EXPECT_EQ(image::channel_index(made.image, "variance.R"), -1) << radiance;
+    EXPECT_GT(tests::mean_of_channel(made.image, 0), 0) << radiance;
+  }
+  for (const char* radiance : {"1e12", "1", "1e-10"}) {
+    const auto made = floor_under(radiance);
+    EXPECT_FALSE(made.variance_leaves_floats) << radiance;
+    EXPECT_GE(image::channel_index(made.image, "variance.R"), 0) << radiance;
+  }
+}
+
+// As a path that leaves a surface, a ray from a camera on one does not meet it again.
+TEST(CameraOnASurface, SeesWhatIsBeforeIt) {
+  for (const char* direction : {"[0, 1, 0.1]", "[0.3, 1, 0]"}) {
+    const auto image =
+        tests::render_text(
+            tests::scene_text("[0, 0, 0]", direction, 8, 8,
+                              std::string(kWhiteFloor) + R"(], "environment": [1, 2, 3])", "20"),
+            {.samples_per_pixel = 4})
+            .image;
+    EXPECT_EQ(tests::mean_of_channel(image, 0), 1) << direction;
+  }
+}
+
 // Between lossless mirrors no path loses throughput, and without a limit none would ever end.
 TEST(EndlessPaths, InAClosedMirrorRoomEnd) {
   const auto image = tests::render_text(R"({"format": "orbs-scene/1", "name": "room",

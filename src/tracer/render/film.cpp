@@ -3,6 +3,7 @@
 #include "tracer/integrator/path_class.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -53,6 +54,21 @@ Film make_film(int width, int height) {
   Film film{width, height, {}, {}, {}, true};
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
+}
+
+bool float_holds_variances(const Film& film) {
+  double largest = 0;
+  double brightest = 0;
+  for (const PixelSums& pixel : film.pixels) {
+    const Vec3d variance = variance_of_mean(pixel);
+    const Vec3d mean = mean_of(pixel);
+    largest = std::max({largest, variance.x, variance.y, variance.z});
+    brightest = std::max({brightest, mean.x, mean.y, mean.z});
+  }
+  const double colour_rounding = brightest * 0x1p-24;
+  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr double kLeast = std::numeric_limits<float>::min() * 0x1p24;  // smaller ones still count beside it
+  return largest <= colour_rounding * colour_rounding || (largest >= kLeast && largest <= kMost);
 }
 
 namespace {

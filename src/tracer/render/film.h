@@ -45,10 +45,15 @@ struct Film {
   std::vector<PixelSums> pixels;
   std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty if the class never occurred
   std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3; empty without Stokes output
-  bool has_variance = true;                    // its samples form more than one replicate
+  bool has_variance = true;  // its samples form more than one replicate, and float can hold the variances
 };
 
 Film make_film(int width, int height);
+
+/// Whether the largest variance of the pixels is a normal float with room for the digits of smaller ones:
+/// radiances from about 1e19 on, or of 1e-16 at most, have squares that no float holds. Noise
+/// below the rounding of the colours needs no holding.
+bool float_holds_variances(const Film& film);
 
 /// R, G, B and, where the film has it, variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which
 /// add up to R, G, B; with Stokes parameters S0.R to S3.B, S0 being R, G, B again.

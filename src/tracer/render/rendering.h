@@ -34,6 +34,7 @@ struct Rendering {
   /// Inside the accelerator, summed over all threads; wall clock, so it grows when cores are shared.
   double traversal_seconds = 0;
   std::uint64_t light_path_contributions = 0;  // splats of light paths to pixels
+  bool variance_leaves_floats = false;         // so the image has none, see float_holds_variances
   BadSamples bad_samples;
 };
 
