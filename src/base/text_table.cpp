@@ -127,7 +127,15 @@ std::string text_table(const std::vector<TableRow>& rows,
 std::string markdown_table(const std::vector<TableRow>& rows) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += fmt::format("| {} |\n", fmt::join(rows[i], " | "));
+    for (const auto& cell : rows[i]) {
+      text += "| ";
+      for (const char c : clean_line(cell)) {
+        if (c == '|' || c == '<') text += '\\';
+        text += c;
+      }
+      text += ' ';
+    }
+    text += "|\n";
     if (i > 0) continue;
     for (std::size_t column = 0; column < rows[i].size(); ++column) text += "|---";
     text += "|\n";

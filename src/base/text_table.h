@@ -31,7 +31,9 @@ std::string text_table(const std::vector<TableRow>& rows,
                        const std::vector<Align>& columns = {},
                        const TableLook& look = {});
 
-/// The same rows as a table of Markdown; the first is its head.
+/// The same rows as a table of Markdown (GitHub Flavored Markdown, section 4.10); the first is its head.
+/// Cells may hold text of strangers: each goes through clean_line, and what would end a cell or begin a tag
+/// is escaped.
 std::string markdown_table(const std::vector<TableRow>& rows);
 
 /// The text in lines of at most `width` columns, broken between words; a longer word stays whole. `width` 0:

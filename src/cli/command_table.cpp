@@ -10,7 +10,8 @@ AddCommand add_run_command, add_serve_command, add_report_command, add_compare_c
 AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
-AddCommand add_sensitivity_command, add_cost_command, add_stability_command;
+AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
+AddCommand add_history_command;
 
 namespace {
 
@@ -26,6 +27,10 @@ constexpr std::array kCommands{
     Command{"report", kResults, "Write the page of a run as one HTML file", add_report_command},
     Command{"compare", kResults, "Compare two images by every metric, and tell bias from noise",
             add_compare_command},
+    Command{"compare-runs", kResults, "Say what is worse or better in one run than in another, beyond chance",
+            add_compare_runs_command},
+    Command{"history", kResults, "Show verdicts, errors and times over many runs, and where they changed",
+            add_history_command},
     Command{"doctor", kLookUp, "List the renderers: what is installed, its version, what it declares",
             add_doctor_command},
     Command{"list", kLookUp, "List suites, renderers, requirements, cases and scenes", add_list_command},

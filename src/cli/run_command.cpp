@@ -8,11 +8,12 @@
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/recorded_times.h"
+#include "cli/run_options.h"
 #include "cli/run_progress.h"
 #include "cli/show_runs.h"
-#include "registry/image_size.h"
 #include "report/files.h"
 #include "report/table.h"
+#include "runner/accept_failures.h"
 #include "runner/execute.h"
 #include "runner/make_plan.h"
 #include "runner/plan_text.h"
@@ -29,112 +30,6 @@
 namespace orbs::cli {
 
 namespace {
-
-// The options of the command line; the configuration sets those that are not given.
-struct RunOptions {
-  std::string suite;
-  std::vector<std::string> cases, scenes, requirements, renderers;
-  std::string executable;
-  std::string output;
-  std::string resume;
-  int jobs = 1;
-  int threads = 0;
-  int seed = 1;
-  double spp_scale = 1;
-  std::string size;
-  bool log = true;
-  bool sandbox = false;
-  bool dry_run = false;
-  bool view = false;
-};
-
-void add_options(CLI::App& command, RunOptions& options) {
-  constexpr int kMost = 1024;
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", options.cases,
-                     "Only these cases: names or patterns like 'm*', separated by commas");
-  command.add_option("-s,--scene", options.scenes, "Only these scenes");
-  command.add_option("--requirement", options.requirements, "Only these requirements, for example 'M*,L3'");
-  command.add_option("-r,--renderer", options.renderers,
-                     "Only these renderers (default: all that are installed)");
-  command.add_option("-e,--exec", options.executable,
-                     "Program to start instead of the chosen renderer's own");
-  command
-      .add_option("-o,--output", options.output,
-                  "New folder for the results (default: outputs-YYMMDD-HHMMSS)")
-      ->check(not_empty("a folder"));
-  auto* resume = command
-                     .add_option("--resume", options.resume,
-                                 "Continue the run in this folder, with its own suite, cases and renderers")
-                     ->check(not_empty("a folder"));
-  command.add_option("-j,--jobs", options.jobs, "Number of renders at the same time (default: 1)")
-      ->check(CLI::Range(1, kMost));
-  command
-      .add_option("--threads", options.threads,
-                  "Threads of one render (default: 0, the cores divided by --jobs)")
-      ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "Seed of all renders (default: 1)")
-      ->check(zero_or_more())
-      ->check(CLI::Range(0, registry::kLargestSeed));
-  command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel (default: 1)")
-      ->check(above_zero());
-  add_size_option(command, options.size);
-  command.add_flag("-l,--log,!--no-log", options.log,
-                   "Keep log.txt of every render; --no-log keeps only those of failures");
-  command.add_flag("-v,--view,--visualize,!--no-view", options.view,
-                   "At the end, serve the results as a page and open it in the browser");
-  command.add_flag(
-      "--sandbox,!--no-sandbox", options.sandbox,
-      "Run renderers under bubblewrap: no network, no references, only their own folder writable");
-  command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
-                   "Print the renders and their commands, and start nothing");
-  for (const char* choice :
-       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--size"})
-    resume->excludes(command.get_option(choice)->option_text("NAMES"));
-  for (const char* number : {"--jobs", "--threads", "--seed", "--spp-scale"})
-    command.get_option(number)->option_text("NUMBER");
-  command.get_option("--exec")->option_text("PROGRAM");
-  command.get_option("--size")->option_text("SHARE");
-  command.get_option("--suite")->option_text("NAME");
-  command.get_option("--output")->option_text("FOLDER");
-  resume->option_text("FOLDER");
-}
-
-template <typename T>
-void take(const CLI::App& command, const char* option, const T& given, T& setting) {
-  if (command.count(option) > 0) setting = given;
-}
-
-void take_list(const CLI::App& command,
-               const char* option,
-               const std::vector<std::string>& given,
-               std::string& setting) {
-  if (command.count(option) > 0) setting = joined_list(given);
-}
-
-registry::RunSettings settings_of(const CLI::App& command,
-                                  const RunOptions& options,
-                                  registry::RunSettings settings) {
-  take(command, "--suite", options.suite, settings.suite);
-  take_list(command, "--case", options.cases, settings.cases);
-  take_list(command, "--scene", options.scenes, settings.scenes);
-  take_list(command, "--requirement", options.requirements, settings.requirements);
-  take_list(command, "--renderer", options.renderers, settings.renderers);
-  take(command, "--exec", options.executable, settings.executable);
-  take(command, "--output", options.output, settings.output);
-  take(command, "--jobs", options.jobs, settings.jobs);
-  take(command, "--threads", options.threads, settings.threads);
-  take(command, "--seed", options.seed, settings.seed);
-  take(command, "--spp-scale", options.spp_scale, settings.spp_scale);
-  if (command.count("--size") > 0) settings.size_divisor = registry::size_divisor(options.size);
-  take(command, "--log", options.log, settings.log);
-  take(command, "--sandbox", options.sandbox, settings.sandbox);
-  take(command, "--dry-run", options.dry_run, settings.dry_run);
-  take(command, "--view", options.view, settings.view);
-  if (command.count("--exec") > 0 && settings.executable.empty())
-    throw InputError("-e/--exec needs a program");
-  return settings;
-}
 
 // The run file of the folder that is resumed, or of a new folder, which is made.
 runner::RunFile run_file_of(const registry::Configuration& configuration,
@@ -225,8 +120,14 @@ int run_plan(const registry::Configuration& configuration,
   context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;
   context.rendering.stop = &catch_interrupts();
-  const auto record = render_with_progress(plan, folder, times.seconds, context);
+  auto record = render_with_progress(plan, folder, times.seconds, context);
+  const bool accepts = !options.accept_failures.empty() && !record.interrupted;
+  const auto accepted = accepts ? runner::accept_failures(configuration, options.accept_failures, record) : 0;
+  if (accepted > 0) report::write_reports(record, folder);
   print_end(record, folder);
+  if (accepts)
+    print_clean("{} known failure{} written to {}\n", accepted, accepted == 1 ? "" : "s",
+                configuration.file.string());
   if (plan.settings.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
@@ -236,11 +137,11 @@ int run_plan(const registry::Configuration& configuration,
 void add_run_command(CLI::App& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<RunOptions>();
-  add_options(command, *options);
+  add_run_options(command, *options);
   command.footer(
       "configuration.json can set the default of every option under \"defaults\".\n"
-      "Exit status: 0 if every target that a renderer declares passes, 1 if one fails, 2 if the run could not "
-      "start\nor every target is unsupported, 130 if it was interrupted (--resume continues it).");
+      "Exit status: 0 if every target that a renderer declares passes or is a known failure, 1 if one "
+      "fails or is\nnews of a known failure, 2 if the run could not start or every target is unsupported, 130 if it was interrupted (--resume continues it).");
   const auto* chosen = &command;
   command.callback([=, &program, &action] {
     action = [=, &program] {
@@ -252,7 +153,7 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
         resumed = file.settings;
       }
       const auto read = read_configuration(from, program);
-      const auto settings = settings_of(*chosen, *options, resumed.value_or(read.defaults));
+      const auto settings = run_settings(*chosen, *options, resumed.value_or(read.defaults));
       const auto plan = runner::make_plan(read, settings, program.folder);
       if (settings.sandbox)
         if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);

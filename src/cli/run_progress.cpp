@@ -23,19 +23,25 @@ std::string finished_line(std::size_t done,
                           const std::vector<results::TargetRecord>& targets) {
   // What was rendered and not judged for any case has no worse verdict than a pass.
   auto verdict = results::verdict_without_image(job.end.outcome).value_or(results::Verdict::Pass);
+  auto expectation = results::Expectation::None;
   std::string reason = job.end.reason;
   std::optional<double> psnr;
   for (const auto& target : targets) {
-    if (results::worse(verdict, target.verdict) != verdict) reason = target.reason;
-    verdict = results::worse(verdict, target.verdict);
+    if (&target == &targets.front() ||
+        results::is_worse(target.verdict, target.expectation, verdict, expectation)) {
+      verdict = target.verdict;
+      expectation = target.expectation;
+      reason = reason_text(target);
+    }
     for (const auto& measure : target.measures)
       if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
   }
-  const bool good = verdict == results::Verdict::Pass;
+  const auto state = state_name(verdict, expectation);
+  const bool good = state == verdict_name(results::Verdict::Pass);
   auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
                           fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
-                          good && targets.empty() ? "rendered" : verdict_name(verdict),
-                          report::decibels(psnr), job.cost.wall_seconds);
+                          good && targets.empty() ? "rendered" : state, report::decibels(psnr),
+                          job.cost.wall_seconds);
   if (!good) line += fmt::format("  {}", reason);
   return clean_line(line);
 }

@@ -1,5 +1,7 @@
 #include "json/locate.h"
 
+#include "json/writer.h"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -86,11 +88,16 @@ class Scanner {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-// Goes as far along the pointer as there are values; where the last of them starts.
-std::size_t enter_path(Scanner& scanner, std::string_view pointer) {
+// The parts of a JSON pointer, the last one first.
+std::vector<std::string> keys_of(std::string_view pointer) {
   nlohmann::json::json_pointer p{std::string(pointer)};
   std::vector<std::string> keys;
   for (; !p.empty(); p = p.parent_pointer()) keys.push_back(p.back());
+  return keys;
+}
+// Goes as far along the pointer as there are values; where the last of them starts.
+std::size_t enter_path(Scanner& scanner, std::string_view pointer) {
+  const auto keys = keys_of(pointer);
   std::size_t found = scanner.offset();
   for (auto key = keys.rbegin(); key != keys.rend() && scanner.enter(*key); ++key) found = scanner.offset();
   return found;
@@ -99,6 +106,32 @@ std::size_t enter_path(Scanner& scanner, std::string_view pointer) {
 std::string indent_at(std::string_view text, std::size_t offset) {
   const auto begin = text.rfind('\n', offset) + 1;  // npos + 1 == 0 on the first line
   return std::string(text.substr(begin, text.find_first_not_of(" \t", begin) - begin));
+}
+std::string indented(std::string_view value, const std::string& indent) {
+  std::string out;
+  for (const char c : value) {
+    out += c;
+    if (c == '\n') out += indent;
+  }
+  return out;
+}
+// `text` with one more item in the array or object that begins and ends at these offsets.
+std::string with_last(std::string_view text, std::size_t begin, std::size_t close, std::string_view item) {
+  const auto last = text.find_last_not_of(" \t\r\n", close - 1);
+  const bool is_first = last == begin;
+  auto indent = indent_at(text, last);
+  if (is_first) indent += "  ";
+  std::string out(text.substr(0, last + 1));
+  out += is_first ? "\n" : ",\n";
+  out += indent + indented(item, indent);
+  // What stood before the bracket stays, a line break where there was none.
+  const auto before_close = text.substr(last + 1, close - last - 1);
+  if (before_close.find('\n') == std::string_view::npos) {
+    out += '\n';
+    out += indent_at(text, begin);
+  }
+  out += text.substr(last + 1);
+  return out;
 }
 }  // namespace
 TextPosition position_of_offset(std::string_view text, std::size_t offset) {
@@ -111,30 +144,29 @@ TextPosition locate(std::string_view text, std::string_view pointer) {
   Scanner scanner(text);
   return position_of_offset(text, enter_path(scanner, pointer));
 }
+bool has_value(std::string_view text, std::string_view pointer) {
+  Scanner scanner(text);
+  const auto keys = keys_of(pointer);
+  return std::all_of(keys.rbegin(), keys.rend(), [&](const auto& key) { return scanner.enter(key); });
+}
+std::string with_value(std::string_view text, std::string_view pointer, std::string_view value) {
+  Scanner scanner(text);
+  const auto begin = enter_path(scanner, pointer);
+  scanner.value();
+  return std::string(text.substr(0, begin)) + indented(value, indent_at(text, begin)) +
+         std::string(text.substr(scanner.offset_here()));
+}
+std::string with_member(std::string_view text, std::string_view key, std::string_view value) {
+  Scanner scanner(text);
+  const auto begin = scanner.offset();
+  scanner.value();
+  return with_last(text, begin, scanner.offset_here() - 1, json_string(key) + ": " + std::string(value));
+}
 std::string with_element(std::string_view text, std::string_view array, std::string_view element) {
   Scanner scanner(text);
   const auto begin = enter_path(scanner, array);
   scanner.value();
-  const auto close = text.rfind(']', scanner.offset_here() - 1);
-  const auto last = text.find_last_not_of(" \t\r\n", close - 1);
-  const bool is_first = last == begin;
-  auto indent = indent_at(text, last);
-  if (is_first) indent += "  ";
-  std::string out(text.substr(0, last + 1));
-  out += is_first ? "\n" : ",\n";
-  out += indent;
-  for (const char c : element) {
-    out += c;
-    if (c == '\n') out += indent;
-  }
-  // What stood before the bracket stays, a line break where there was none.
-  const auto before_close = text.substr(last + 1, close - last - 1);
-  if (before_close.find('\n') == std::string_view::npos) {
-    out += '\n';
-    out += indent_at(text, begin);
-  }
-  out += text.substr(last + 1);
-  return out;
+  return with_last(text, begin, scanner.offset_here() - 1, element);
 }
 std::string excerpt(std::string_view text, TextPosition at) {
   std::size_t begin = 0;

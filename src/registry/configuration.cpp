@@ -269,6 +269,9 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   refuse_doubles(in.objects("renderers"));
   for (auto& entry : in.objects("renderers"))
     configuration.renderers.push_back(load_renderer(std::move(entry), limits));
+  std::vector<std::string> names;
+  for (const auto& renderer : configuration.renderers) names.push_back(renderer.name);
+  configuration.expected = load_expected(in, names);
   in.finish();
   return configuration;
 }

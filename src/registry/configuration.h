@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/process_limits.h"
+#include "registry/expected.h"
 #include "registry/features.h"
 #include "registry/run_settings.h"
 
@@ -100,6 +101,7 @@ struct Configuration {
   RunSettings defaults;
   std::vector<Suite> suites;
   std::vector<Renderer> renderers;
+  std::vector<ExpectedFailure> expected{};
 };
 
 /// Reads and checks the file. InputError with file, line and key: unknown keys, wrong types, names given

@@ -11,7 +11,6 @@ namespace orbs::report {
 
 namespace {
 
-using results::JobRecord;
 using results::RunRecord;
 using results::TargetRecord;
 
@@ -51,20 +50,21 @@ struct Cost {
   std::string machine;  // "" if it was rendered on two kinds of machine
 };
 
-Cost cost_of(const RunRecord& run, const TargetRecord& target) {
+Cost cost_of(const results::JobsById& jobs, const TargetRecord& target) {
   Cost cost;
-  for (const auto& id : target.jobs)
-    for (const auto& job : run.jobs) {
-      if (job.identity.id != id || job.cost.started.empty()) continue;
-      const auto machine = results::timing_machine(job.cost.host);
-      cost.machine = !cost.is_known || machine == cost.machine ? machine : "";
-      cost.is_known = true;
-      cost.wall_seconds += job.cost.wall_seconds;
-      cost.cpu_seconds += job.cost.cpu_seconds;
-      cost.has_render_seconds = cost.has_render_seconds && job.cost.render_seconds.has_value();
-      cost.render_seconds += job.cost.render_seconds.value_or(0);
-      cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, job.cost.peak_rss_bytes);
-    }
+  for (const auto& id : target.jobs) {
+    const auto found = jobs.find(id);
+    if (found == jobs.end() || found->second->cost.started.empty()) continue;
+    const auto& job = *found->second;
+    const auto machine = results::timing_machine(job.cost.host);
+    cost.machine = !cost.is_known || machine == cost.machine ? machine : "";
+    cost.is_known = true;
+    cost.wall_seconds += job.cost.wall_seconds;
+    cost.cpu_seconds += job.cost.cpu_seconds;
+    cost.has_render_seconds = cost.has_render_seconds && job.cost.render_seconds.has_value();
+    cost.render_seconds += job.cost.render_seconds.value_or(0);
+    cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, job.cost.peak_rss_bytes);
+  }
   return cost;
 }
 
@@ -79,18 +79,22 @@ std::string cost_fields(const Cost& cost) {
 
 std::string results_csv(const RunRecord& run) {
   const auto metrics = metric_names(run);
-  std::string text = "suite,size,requirement,case,target,renderer,declared,verdict,reason,diagnosis,remarks";
+  const auto jobs = jobs_by_id(run);
+  std::string text =
+      "suite,size,requirement,case,target,renderer,declared,verdict,expectation,expected,reason,diagnosis,"
+      "remarks";
   for (const auto& metric : metrics) text += fmt::format(",{}", metric);
   text += ",machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n";
   for (const auto& target : run.targets) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(run.size),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(run.suite), csv_field(run.size),
                         csv_field(target.requirement), csv_field(target.case_name), csv_field(target.target),
                         csv_field(target.renderer), target.declared, verdict_name(target.verdict),
+                        expectation_name(target.expectation), csv_field(target.expected),
                         csv_field(target.reason), csv_field(target.diagnosis),
                         csv_field(fmt::format("{}", fmt::join(target.remarks, "; "))));
     for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(target, metric));
-    text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(run, target)), csv_field(target.image),
-                        csv_field(results::command_of(run, target)));
+    text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(jobs, target)), csv_field(target.image),
+                        csv_field(results::command_of(jobs, target)));
   }
   return text;
 }

@@ -21,6 +21,8 @@ using results::Verdict;
 enum class Element { None, Failure, Error, Skipped };
 
 Element element_of(const Cell& cell) {
+  if (cell.expectation == results::Expectation::Known) return Element::Skipped;
+  if (state_name(cell.verdict, cell.expectation) == results::kUnexpectedPass) return Element::Failure;
   switch (cell.verdict) {
     case Verdict::Pass:
       return Element::None;
@@ -47,7 +49,8 @@ Element element_of(const Cell& cell) {
 }
 
 std::string verdict_element(const Cell& cell) {
-  const auto message = xml_text(fmt::format("{}: {}", verdict_name(cell.verdict), cell.reason));
+  const auto message =
+      xml_text(fmt::format("{}: {}", state_name(cell.verdict, cell.expectation), cell.reason));
   switch (element_of(cell)) {
     case Element::None:
       return "";
@@ -61,22 +64,27 @@ std::string verdict_element(const Cell& cell) {
   return "";
 }
 
-double seconds_of(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
+double seconds_of(const RunRecord& run,
+                  const results::JobsById& jobs,
+                  const std::string& requirement,
+                  const std::string& renderer) {
   double seconds = 0;
-  for (const auto& job : run.jobs)
-    for (const auto& target : run.targets)
-      if (target.requirement == requirement && target.renderer == renderer &&
-          target.jobs == std::vector{job.identity.id})
-        seconds += job.cost.wall_seconds;
+  for (const auto& target : run.targets)
+    if (target.requirement == requirement && target.renderer == renderer && target.jobs.size() == 1)
+      if (const auto job = jobs.find(target.jobs.front()); job != jobs.end())
+        seconds += job->second->cost.wall_seconds;
   return seconds;
 }
 
-std::string details(const RunRecord& run, const std::string& requirement, const std::string& renderer) {
+std::string details(const RunRecord& run,
+                    const results::JobsById& jobs,
+                    const std::string& requirement,
+                    const std::string& renderer) {
   std::string text;
   for (const auto& target : run.targets)
     if (target.requirement == requirement && target.renderer == renderer) {
-      text += fmt::format("{}: {}: {}\n  {}\n", target.target, verdict_name(target.verdict), target.reason,
-                          results::command_of(run, target));
+      text += fmt::format("{}: {}: {}\n  {}\n", target.target, state_name(target), reason_text(target),
+                          results::command_of(jobs, target));
       if (!target.diagnosis.empty()) text += fmt::format("{}: {}\n", target.target, target.diagnosis);
       for (const auto& remark : target.remarks) text += fmt::format("{}: {}\n", target.target, remark);
     }
@@ -84,22 +92,26 @@ std::string details(const RunRecord& run, const std::string& requirement, const 
 }
 
 std::string test_case(const RunRecord& run,
+                      const results::JobsById& jobs,
                       const RequirementRecord& requirement,
                       const std::string& renderer,
                       const Cell& cell) {
-  auto text = fmt::format(
-      "    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n", xml_text(run.suite + "." + renderer),
-      xml_text(requirement.code + " " + requirement.title), seconds_of(run, requirement.code, renderer));
+  auto text =
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
+                  xml_text(run.suite + "." + renderer), xml_text(requirement.code + " " + requirement.title),
+                  seconds_of(run, jobs, requirement.code, renderer));
   text +=
       fmt::format("      <properties><property name=\"lowest_psnr_srgb8_db\" value=\"{}\"/></properties>\n",
                   decibels(cell.lowest_psnr_db));
   text += verdict_element(cell);
   text += fmt::format("      <system-out>{}</system-out>\n    </testcase>\n",
-                      xml_text(details(run, requirement.code, renderer)));
+                      xml_text(details(run, jobs, requirement.code, renderer)));
   return text;
 }
 
-std::string test_suite(const RunRecord& run, const results::RendererRecord& renderer) {
+std::string test_suite(const RunRecord& run,
+                       const results::JobsById& jobs,
+                       const results::RendererRecord& renderer) {
   std::map<Element, int> counts;
   int tests = 0;
   std::string cases;
@@ -108,7 +120,7 @@ std::string test_suite(const RunRecord& run, const results::RendererRecord& rend
     if (cell == requirement.cells.end()) continue;
     ++tests;
     ++counts[element_of(cell->second)];
-    cases += test_case(run, requirement, renderer.name, cell->second);
+    cases += test_case(run, jobs, requirement, renderer.name, cell->second);
   }
   return fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
@@ -143,7 +155,8 @@ std::string xml_text(std::string_view text) {
 std::string junit_xml(const RunRecord& run) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   text += fmt::format("<testsuites name=\"orbs\" time=\"{:.3f}\">\n", run.wall_seconds);
-  for (const auto& renderer : run.renderers) text += test_suite(run, renderer);
+  const auto jobs = jobs_by_id(run);
+  for (const auto& renderer : run.renderers) text += test_suite(run, jobs, renderer);
   return text + "</testsuites>\n";
 }
 

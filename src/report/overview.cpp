@@ -39,6 +39,9 @@ struct Names {
 constexpr std::string_view kWaiting = "waiting";
 constexpr std::string_view kRunning = "running";
 
+// Behind these two: known failures, then unexpected passes.
+constexpr auto kKnownState = static_cast<double>(results::kVerdicts.size() + 2);
+
 double state_of(const TargetRecord& target,
                 const RunView& view,
                 const std::map<std::string, std::size_t>& jobs) {
@@ -54,6 +57,9 @@ double state_of(const TargetRecord& target,
   is_waiting = is_waiting || (view.is_live && target.jobs.size() > 1);
   if (is_running) return static_cast<double>(results::kVerdicts.size() + 1);
   if (is_waiting) return static_cast<double>(results::kVerdicts.size());
+  const auto state = state_name(target);
+  if (state == results::kKnown) return kKnownState;
+  if (state == results::kUnexpectedPass) return kKnownState + 1;
   const auto at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), target.verdict);
   return static_cast<double>(at - results::kVerdicts.begin());
 }
@@ -125,7 +131,7 @@ Columns columns_of(const RunView& view) {
     columns.cells["renderer"].push_back(columns.renderers.of(target.renderer));
     columns.cells["state"].push_back(state_of(target, view, jobs));
     columns.cells["declared"].push_back(target.declared ? 1 : 0);
-    columns.cells["reason"].push_back(columns.reasons.of(target.reason));
+    columns.cells["reason"].push_back(columns.reasons.of(reason_text(target)));
     const auto folder = std::filesystem::path(run.folder) / target.image;
     columns.cells["thumbnail"].push_back(
         !target.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
@@ -166,6 +172,8 @@ void write_states(Writer& out) {
         .end_object();
   for (const auto name : {kWaiting, kRunning})
     out.begin_object().member("name", name).member("failure", false).end_object();
+  out.begin_object().member("name", results::kKnown).member("failure", false).end_object();
+  out.begin_object().member("name", results::kUnexpectedPass).member("failure", true).end_object();
   out.end_array();
 }
 

@@ -25,7 +25,7 @@ std::vector<std::string> wanted_images(const RunView& view) {
   for (const bool failures : {true, false})
     for (const bool maps : {false, true})
       for (const auto& target : view.run.targets) {
-        if (results::counts_as_failure(target.verdict) != failures) continue;
+        if (results::counts_as_failure(target.verdict, target.expectation) != failures) continue;
         if (!maps) {
           files.push_back(target.image);
           files.push_back(target.reference_image);

@@ -23,10 +23,13 @@ namespace orbs::report {
 namespace {
 
 using results::Cell;
+using results::Expectation;
 using results::RunRecord;
 using results::Verdict;
 
-std::string_view ansi_colour(Verdict verdict) {
+std::string_view ansi_colour(Verdict verdict, Expectation expectation) {
+  if (expectation == Expectation::Known) return colour::kGreen;
+  if (expectation == Expectation::News) return colour::kRed;
   if (verdict == Verdict::Pass) return colour::kGreen;
   if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return colour::kFaint;
   return verdict == Verdict::Inconclusive ? colour::kYellow : colour::kRed;
@@ -38,9 +41,10 @@ struct PaintedRows {
   TableLook look;
 
   explicit PaintedRows(const TableStyle& style) : look{style.width, {}}, has_colour(style.colour) {}
-  void add(std::string cell, Verdict verdict) {
+  void add(std::string cell, Verdict verdict, Expectation expectation) {
     rows.back().push_back(std::move(cell));
-    if (has_colour) look.colours[{rows.size() - 1, rows.back().size() - 1}] = ansi_colour(verdict);
+    if (has_colour)
+      look.colours[{rows.size() - 1, rows.back().size() - 1}] = ansi_colour(verdict, expectation);
   }
   std::string text() const { return text_table(rows, {}, look); }
 
@@ -48,7 +52,7 @@ struct PaintedRows {
 };
 
 std::string cell_text(const Cell& cell) {
-  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), verdict_name(cell.verdict));
+  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), state_name(cell.verdict, cell.expectation));
 }
 
 // The columns of `renderers`.
@@ -65,7 +69,7 @@ std::string requirement_table(const RunRecord& run,
       if (cell == requirement.cells.end()) {
         table.rows.back().emplace_back();
       } else {
-        table.add(cell_text(cell->second), cell->second.verdict);
+        table.add(cell_text(cell->second), cell->second.verdict, cell->second.expectation);
       }
     }
   }
@@ -98,10 +102,13 @@ std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
 
 std::string counts_text(const results::RendererRecord& renderer) {
   std::vector<std::string> parts;
-  for (const auto verdict : results::kVerdicts)
-    if (const auto count = renderer.counts.find(std::string(verdict_name(verdict)));
-        count != renderer.counts.end())
+  const auto add = [&](std::string_view state) {
+    if (const auto count = renderer.counts.find(std::string(state)); count != renderer.counts.end())
       parts.push_back(fmt::format("{} {}", count->second, count->first));
+  };
+  for (const auto verdict : results::kVerdicts) add(verdict_name(verdict));
+  add(results::kKnown);
+  add(results::kUnexpectedPass);
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -130,7 +137,8 @@ struct SharedVerdict {
 // as are the targets of one requirement that fail for the same reason.
 bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
   const auto& first = *shared.first;
-  if (first.renderer != target.renderer || first.verdict != target.verdict || first.reason != target.reason)
+  if (first.renderer != target.renderer || first.verdict != target.verdict ||
+      reason_text(first) != reason_text(target))
     return false;
   if (shared.targets == std::vector{target.target}) {
     shared.requirements.push_back(target.requirement);
@@ -146,19 +154,22 @@ bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   std::vector<SharedVerdict> told;
   for (const auto& target : run.targets) {
-    if (target.verdict == Verdict::Pass || target.verdict == Verdict::Skipped) continue;
+    if (state_name(target) == verdict_name(Verdict::Pass) || target.verdict == Verdict::Skipped) continue;
     if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target); }))
       told.push_back({&target, {target.requirement}, {target.target}});
   }
   std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
     return shared.first->verdict != Verdict::Unsupported;
   });
+  std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
+    return counts_as_failure(shared.first->verdict, shared.first->expectation);
+  });
   PaintedRows table(style);
   for (const auto& [first, requirements, targets] : told) {
     table.rows.emplace_back();
-    table.add(std::string(verdict_name(first->verdict)), first->verdict);
+    table.add(std::string(state_name(*first)), first->verdict, first->expectation);
     for (auto cell : {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")),
-                      fmt::format("{}", fmt::join(targets, ", ")), first->reason})
+                      fmt::format("{}", fmt::join(targets, ", ")), reason_text(*first)})
       table.rows.back().push_back(std::move(cell));
   }
   return table.text();

@@ -100,7 +100,7 @@ std::string target_json(const RunView& view, std::size_t index) {
   Writer out;
   out.begin_object().member("case", target.case_name).member("target", target.target);
   out.member("renderer", target.renderer).member("requirement", target.requirement);
-  out.member("reason", target.reason).member("reference", target.reference);
+  out.member("reason", reason_text(target)).member("reference", target.reference);
   out.member("remarks", target.remarks);
   out.member("diagnosis", target.diagnosis);
   out.member("hidden", target.hidden);

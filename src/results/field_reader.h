@@ -87,6 +87,14 @@ class FieldReader {
     value = *verdict;
   }
 
+  void get(const std::string& key, Expectation& value) {
+    const auto name = in_.text(key);
+    const auto expectation = expectation_named(name);
+    if (!expectation)
+      in_.fail(key, fmt::format("'{}' is no expectation that this version of orbs knows", name));
+    value = *expectation;
+  }
+
   void get(const std::string& key, JobOutcome& value) {
     const auto name = in_.text(key);
     const auto outcome = job_outcome_named(name);

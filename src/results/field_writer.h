@@ -64,6 +64,7 @@ class FieldWriter {
 
  private:
   void put(Verdict verdict) { out_.value(verdict_name(verdict)); }
+  void put(Expectation expectation) { out_.value(expectation_name(expectation)); }
   void put(JobOutcome outcome) { out_.value(job_outcome_name(outcome)); }
   void put(std::size_t number) { out_.value(static_cast<unsigned long long>(number)); }
   void put(const std::vector<std::string>& texts) { out_.value(texts); }

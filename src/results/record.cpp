@@ -4,12 +4,17 @@
 
 namespace orbs::results {
 
-std::string command_of(const RunRecord& run, const TargetRecord& target) {
+JobsById jobs_by_id(const RunRecord& run) {
+  JobsById jobs;
+  for (const auto& job : run.jobs) jobs.try_emplace(job.identity.id, &job);
+  return jobs;
+}
+
+std::string command_of(const JobsById& jobs, const TargetRecord& target) {
   std::string commands;
   for (const auto& id : target.jobs)
-    for (const auto& job : run.jobs)
-      if (job.identity.id == id && !job.program.shell.empty())
-        commands += (commands.empty() ? "" : " ; ") + job.program.shell;
+    if (const auto job = jobs.find(id); job != jobs.end() && !job->second->program.shell.empty())
+      commands += (commands.empty() ? "" : " ; ") + job->second->program.shell;
   return commands;
 }
 
@@ -21,7 +26,7 @@ bool judged_nothing(const RunRecord& run) {
 int exit_status(const RunRecord& run) {
   if (judged_nothing(run)) return 2;
   const bool failed = std::any_of(run.targets.begin(), run.targets.end(), [](const TargetRecord& target) {
-    return target.declared && counts_as_failure(target.verdict);
+    return target.declared && counts_as_failure(target.verdict, target.expectation);
   });
   return failed ? 1 : 0;
 }

@@ -19,6 +19,7 @@ struct Cell {
   Verdict verdict = Verdict::Skipped;
   std::optional<double> lowest_psnr_db;  // infinite if all images equal their references
   std::string reason;                    // of the worst target
+  Expectation expectation = Expectation::None;
 };
 
 template <class Visitor, RecordOf<Cell> Record>
@@ -27,6 +28,7 @@ void fields(Visitor& visit, Record& cell) {
   visit.required("verdict", cell.verdict);
   visit.maybe_infinite("lowest_psnr_db", cell.lowest_psnr_db);
   visit("reason", cell.reason);
+  visit("expectation", cell.expectation);
 }
 
 struct RequirementRecord {
@@ -48,7 +50,7 @@ struct RendererRecord {
   std::string executable;
   std::string declared;               // ORB.S notation
   std::string measured;               // "" if nothing was judged
-  std::map<std::string, int> counts;  // verdict name -> requirements
+  std::map<std::string, int> counts;  // state name -> requirements
   double wall_seconds = 0;
   double cpu_seconds = 0;
 };
@@ -120,14 +122,19 @@ void fields(Visitor& visit, Record& run) {
   visit("jobs", run.jobs);
 }
 
+/// The renders of a run by their ids. Points into the record.
+using JobsById = std::map<std::string, const JobRecord*>;
+
+JobsById jobs_by_id(const RunRecord& run);
+
 /// The shell commands of the renders that the target's image is made from, joined by " ; ".
-std::string command_of(const RunRecord& run, const TargetRecord& target);
+std::string command_of(const JobsById& jobs, const TargetRecord& target);
 
 /// True if every target is unsupported, which says nothing about any renderer.
 bool judged_nothing(const RunRecord& run);
 
-/// 0 if nothing that counts failed, else 1: a failure counts if the renderer declares the requirement. 2 if
-/// nothing was judged.
+/// 0 if nothing that counts failed, else 1: a failure counts if the renderer declares the requirement and the
+/// configuration does not expect it. 2 if nothing was judged.
 int exit_status(const RunRecord& run);
 
 }  // namespace orbs::results

@@ -91,6 +91,8 @@ struct TargetRecord {
   bool declared = false;          // the renderer claims the requirement
   Verdict verdict = Verdict::Skipped;
   std::string reason;
+  Expectation expectation = Expectation::None;
+  std::string expected;  // why the failure is known, or what is news about it; "" if none is expected
   std::vector<Measure> measures;
   std::vector<Check> checks;
   std::vector<std::string> remarks;  // facts that change no verdict
@@ -113,6 +115,8 @@ void fields(Visitor& visit, Record& target) {
   visit("declared", target.declared);
   visit.required("verdict", target.verdict);
   visit("reason", target.reason);
+  visit("expectation", target.expectation);
+  visit("expected", target.expected);
   visit("measures", target.measures);
   visit("checks", target.checks);
   visit("remarks", target.remarks);
@@ -124,5 +128,14 @@ void fields(Visitor& visit, Record& target) {
   visit("reference_image", target.reference_image);
   visit("maps", target.maps);
 }
+
+/// "known", "unexpected pass", or the name of the verdict.
+inline std::string_view state_name(const TargetRecord& target) {
+  return state_name(target.verdict, target.expectation);
+}
+
+/// What is said of the target: why its failure is known or what is news about it, then the reason of its
+/// verdict.
+std::string reason_text(const TargetRecord& target);
 
 }  // namespace orbs::results

@@ -79,4 +79,49 @@ bool counts_as_failure(Verdict verdict) {
   return true;
 }
 
+std::string_view expectation_name(Expectation expectation) {
+  switch (expectation) {
+    case Expectation::None:
+      return "none";
+    case Expectation::Known:
+      return kKnown;
+    case Expectation::News:
+      return "news";
+  }
+  return {};
+}
+
+std::optional<Expectation> expectation_named(std::string_view name) {
+  for (const auto expectation : kExpectations)
+    if (expectation_name(expectation) == name) return expectation;
+  return std::nullopt;
+}
+
+std::string_view state_name(Verdict verdict, Expectation expectation) {
+  if (expectation == Expectation::Known) return kKnown;
+  if (expectation == Expectation::News && verdict == Verdict::Pass) return kUnexpectedPass;
+  return verdict_name(verdict);
+}
+
+bool counts_as_failure(Verdict verdict, Expectation expectation) {
+  if (expectation == Expectation::None) return counts_as_failure(verdict);
+  return expectation == Expectation::News;
+}
+
+namespace {
+
+// Places in the order of states; there is room between two verdicts.
+int badness(Verdict verdict, Expectation expectation) {
+  const auto place = [](Verdict of) { return 2 * static_cast<int>(of); };
+  if (expectation == Expectation::Known) return place(Verdict::Unsupported) + 1;
+  if (state_name(verdict, expectation) == kUnexpectedPass) return place(Verdict::Skipped) + 1;
+  return place(verdict);
+}
+
+}  // namespace
+
+bool is_worse(Verdict verdict, Expectation expectation, Verdict than, Expectation than_expectation) {
+  return badness(verdict, expectation) > badness(than, than_expectation);
+}
+
 }  // namespace orbs::results

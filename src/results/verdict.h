@@ -59,4 +59,30 @@ bool is_decided(Verdict verdict);
 /// True for every verdict that makes a run end with status 1: all but pass and unsupported.
 bool counts_as_failure(Verdict verdict);
 
+/// How a verdict compares with the failures that the configuration expects.
+enum class Expectation {
+  None,   // no failure is expected
+  Known,  // it is the failure that is expected, which makes no run fail
+  News,   // a failure is expected, but this is another one, a much worse one, or a pass
+};
+
+inline constexpr std::array kExpectations{Expectation::None, Expectation::Known, Expectation::News};
+
+/// "none", "known", "news".
+std::string_view expectation_name(Expectation expectation);
+std::optional<Expectation> expectation_named(std::string_view name);
+
+/// What reports call a verdict with its expectation: "known", "unexpected pass", else the name of the
+/// verdict.
+std::string_view state_name(Verdict verdict, Expectation expectation);
+inline constexpr std::string_view kKnown = "known";
+inline constexpr std::string_view kUnexpectedPass = "unexpected pass";
+
+/// As counts_as_failure(verdict), but a known failure does not count, and whatever is news does.
+bool counts_as_failure(Verdict verdict, Expectation expectation);
+
+/// Whether the first of two states is worse: in the order of the verdicts, with known failures after what is
+/// unsupported and unexpected passes after what was skipped.
+bool is_worse(Verdict verdict, Expectation expectation, Verdict than, Expectation than_expectation);
+
 }  // namespace orbs::results

@@ -11,6 +11,7 @@
 #include "registry/choose_cases.h"
 #include "registry/image_size.h"
 #include "runner/choose_renderers.h"
+#include "runner/expected.h"
 #include "runner/reduced_size.h"
 #include "runner/scene_hash.h"
 #include "scene/load_scene.h"
@@ -188,6 +189,8 @@ Plan make_plan(const registry::Configuration& configuration,
   choose_renderers(configuration, plan);
   const auto all = registry::load_cases(plan.suite);
   plan.cases = registry::choose_cases(all, settings);
+  refuse_unknown_expected(configuration, plan.suite, all);
+  plan.expected = configuration.expected;
   load_scenes(plan, all);
   for (const auto& one_case : plan.cases) {
     judge::refuse_unknown_metrics(one_case);

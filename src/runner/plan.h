@@ -65,6 +65,7 @@ struct Plan {
   std::map<std::string, std::string> reference_hashes;
   std::vector<PlannedJob> jobs;
   std::vector<PlannedTarget> targets;
+  std::vector<registry::ExpectedFailure> expected;  // of the configuration
 };
 
 }  // namespace orbs::runner

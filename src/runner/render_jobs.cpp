@@ -6,6 +6,7 @@
 #include "image/image_io.h"
 #include "results/read_record.h"
 #include "results/record_json.h"
+#include "runner/expected.h"
 #include "runner/host.h"
 #include "runner/judge_targets.h"
 #include "runner/outdated.h"
@@ -196,6 +197,7 @@ class JobRunner {
         files_hash(plan_, plan_.jobs[index], execution.record, folders_.unfinished);
     make_folder(folders_.unfinished / folder);
     judged_.targets[index] = judge_scene(plan_, index, execution, folders_);
+    mark_expected(plan_.expected, {{now.identity.renderer, now.program.version}}, judged_.targets[index]);
     write_file(folders_.unfinished / folder / "job.json",
                results::job_json(execution.record, judged_.targets[index]));
     put_in_place(folders_.unfinished / folder, folders_.run / folder);

@@ -10,6 +10,7 @@
 #include "results/run_folder.h"
 #include "results/work_folder.h"
 #include "runner/execute.h"
+#include "runner/expected.h"
 #include "runner/host.h"
 #include "runner/judge_targets.h"
 #include "runner/render_jobs.h"
@@ -119,6 +120,7 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   auto judged = render_jobs(plan, versions, folders, context.rendering);
   record.targets = all_targets(plan, judged, folders);
   record.jobs = std::move(judged.jobs);
+  mark_expected(plan.expected, record);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(), [](const JobRecord& job) {
     return job.end.outcome == results::JobOutcome::Skipped;

@@ -15,17 +15,19 @@ using results::Verdict;
 
 void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
   cell.declared = target.declared;
-  if (is_first || results::worse(cell.verdict, target.verdict) != cell.verdict) {
+  if (is_first || results::is_worse(target.verdict, target.expectation, cell.verdict, cell.expectation)) {
     cell.verdict = target.verdict;
-    cell.reason = target.reason;
+    cell.expectation = target.expectation;
+    cell.reason = reason_text(target);
   }
   for (const auto& measure : target.measures)
     if (measure.name == "psnr_srgb8")
       cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(measure.value), measure.value);
 }
 
-void fill_requirements(const Plan& plan, results::RunRecord& record) {
-  for (const auto& one_case : plan.cases) {
+void fill_requirements(results::RunRecord& record) {
+  record.requirements.clear();
+  for (const auto& one_case : record.cases) {
     const auto known = std::any_of(record.requirements.begin(), record.requirements.end(),
                                    [&](const auto& r) { return r.code == one_case.requirement; });
     if (!known) record.requirements.push_back({one_case.requirement, one_case.title, {}});
@@ -38,24 +40,19 @@ void fill_requirements(const Plan& plan, results::RunRecord& record) {
     }
 }
 
-results::RendererRecord renderer_record(const ChosenRenderer& chosen,
-                                        const std::string& version,
-                                        const results::RunRecord& run) {
-  results::RendererRecord record;
-  record.name = chosen.entry.name;
-  record.version = version;
-  record.executable = chosen.executable.string();
-  record.declared = registry::format_features(chosen.entry.declares);
+void fill_renderer(const results::RunRecord& run, results::RendererRecord& record) {
+  record.counts.clear();
+  record.wall_seconds = 0;
+  record.cpu_seconds = 0;
   record.measured = measured_features(run.requirements, record.name);
   for (const auto& requirement : run.requirements)
     if (const auto cell = requirement.cells.find(record.name); cell != requirement.cells.end())
-      ++record.counts[std::string(results::verdict_name(cell->second.verdict))];
+      ++record.counts[std::string(results::state_name(cell->second.verdict, cell->second.expectation))];
   for (const auto& job : run.jobs) {
     if (job.identity.renderer != record.name) continue;
     record.wall_seconds += job.cost.wall_seconds;
     record.cpu_seconds += job.cost.cpu_seconds;
   }
-  return record;
 }
 
 }  // namespace
@@ -78,11 +75,21 @@ std::string measured_features(const std::vector<results::RequirementRecord>& req
 }
 
 void summarise(const Plan& plan, const std::vector<std::string>& versions, results::RunRecord& record) {
-  record.requirements.clear();
   record.renderers.clear();
-  fill_requirements(plan, record);
-  for (std::size_t i = 0; i < plan.renderers.size(); ++i)
-    record.renderers.push_back(renderer_record(plan.renderers[i], versions[i], record));
+  for (std::size_t i = 0; i < plan.renderers.size(); ++i) {
+    const auto& chosen = plan.renderers[i];
+    auto& renderer = record.renderers.emplace_back();
+    renderer.name = chosen.entry.name;
+    renderer.version = versions[i];
+    renderer.executable = chosen.executable.string();
+    renderer.declared = registry::format_features(chosen.entry.declares);
+  }
+  summarise(record);
+}
+
+void summarise(results::RunRecord& record) {
+  fill_requirements(record);
+  for (auto& renderer : record.renderers) fill_renderer(record, renderer);
 }
 
 }  // namespace orbs::runner

@@ -43,8 +43,8 @@ RunRecord run_of(Verdict verdict, const std::string& reason) {
 TEST(Csv, HasOneRowPerImageAndRenderer) {
   EXPECT_EQ(
       orbs::report::results_csv(run_of(Verdict::Pass, "fine")),
-      "suite,size,requirement,case,target,renderer,declared,verdict,reason,diagnosis,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
-      "s,1,M1,m1,101,r,true,pass,fine,,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
+      "suite,size,requirement,case,target,renderer,declared,verdict,expectation,expected,reason,diagnosis,remarks,psnr_srgb8,l1,machine,wall_seconds,cpu_seconds,render_seconds,peak_rss_bytes,image,command\r\n"
+      "s,1,M1,m1,101,r,true,pass,none,,fine,,,41.25,0.5,\"a processor, 2 cores\",1.500,2.500,,1024,,\r\n");
 }
 
 TEST(Csv, HoldsDiagnosisAndRemarks) {
@@ -52,13 +52,13 @@ TEST(Csv, HoldsDiagnosisAndRemarks) {
   run.targets[0].diagnosis = "shifted by (2, 1) px: then 60.2 dB";
   run.targets[0].remarks = {"bias: a, b", "c"};
   EXPECT_NE(orbs::report::results_csv(run).find(
-                ",pass,fine,\"shifted by (2, 1) px: then 60.2 dB\",\"bias: a, b; c\",41.25"),
+                ",pass,none,,fine,\"shifted by (2, 1) px: then 60.2 dB\",\"bias: a, b; c\",41.25"),
             std::string::npos);
 }
 
 TEST(Csv, QuotesWhatWouldBreakARow) {
   const auto text = orbs::report::results_csv(run_of(Verdict::Fail, "a \"b\", c\nd"));
-  EXPECT_NE(text.find(",fail,\"a \"\"b\"\", c\nd\",,,41.25"), std::string::npos) << text;
+  EXPECT_NE(text.find(",fail,none,,\"a \"\"b\"\", c\nd\",,,41.25"), std::string::npos) << text;
 }
 
 TEST(Junit, EscapesWhatXmlCannotHold) {

@@ -9,6 +9,7 @@ export interface Look {
 // States with a symbol of their own. The appearance of any other follows from `failure` alone.
 const known: Record<string, Look> = {
   pass: { symbol: "✓", tone: "good" },
+  known: { symbol: "≈", tone: "good" },
   unsupported: { symbol: "–", tone: "quiet" },
   skipped: { symbol: "○", tone: "quiet" },
   waiting: { symbol: "·", tone: "quiet" },

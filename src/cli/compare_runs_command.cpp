@@ -1,0 +1,49 @@
+#include "base/terminal.h"
+#include "cli/command_table.h"
+#include "history/compare_runs.h"
+#include "results/run_folder.h"
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct Options {
+  std::string before;
+  std::string after;
+  bool as_markdown = false;
+  bool as_json = false;
+};
+
+int compare(const Options& options) {
+  const auto comparison = history::compare_runs(results::read_run_folder(options.before).run,
+                                                results::read_run_folder(options.after).run);
+  if (options.as_json) {
+    print_raw(stdout, history::comparison_json(comparison));
+  } else if (options.as_markdown) {
+    print_clean("{}", history::comparison_markdown(comparison));
+  } else {
+    print_clean("{}", history::comparison_text(comparison, terminal_width(STDOUT_FILENO)));
+  }
+  return history::exit_status(comparison);
+}
+
+}  // namespace
+
+void add_compare_runs_command(CLI::App& command, const Program& /*program*/, Action& action) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("before", options->before, "Folder of the earlier run")->required();
+  command.add_option("after", options->after, "Folder of the later run")->required();
+  auto* markdown = command.add_flag("--markdown", options->as_markdown, "Print Markdown for a pull request");
+  command.add_flag("--json", options->as_json, "Print everything as JSON, for programs")->excludes(markdown);
+  command.footer(
+      "Exit status: 0 if nothing is worse, 1 if a verdict, an error or a time is worse, 2 if the runs cannot be "
+      "compared.");
+  command.callback([=, &action] { action = [=] { return compare(*options); }; });
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,59 @@
+#include "history/change.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace orbs::history {
+
+std::string quantity_name(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::Verdict:
+      return "verdict";
+    case Quantity::Light:
+      return "light";
+    case Quantity::Error:
+      return "error";
+    case Quantity::Time:
+      return "time";
+  }
+  return {};
+}
+
+std::string direction_name(Direction direction) {
+  switch (direction) {
+    case Direction::Worse:
+      return "worse";
+    case Direction::Neither:
+      return "changed";
+    case Direction::Better:
+      return "better";
+  }
+  return {};
+}
+
+namespace {
+
+void keep_by_holm(std::vector<Candidate> candidates, double level, std::vector<Change>& changes) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.probability < b.probability; });
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].probability > level / static_cast<double>(candidates.size() - i)) return;
+    candidates[i].change.by_chance = candidates[i].probability;
+    changes.push_back(std::move(candidates[i].change));
+  }
+}
+
+}  // namespace
+
+void keep_significant(std::vector<Candidate> candidates, double level, std::vector<Change>& changes) {
+  const auto targets =
+      std::stable_partition(candidates.begin(), candidates.end(),
+                            [](const Candidate& candidate) { return candidate.change.target.empty(); });
+  std::vector<Candidate> of_targets(std::make_move_iterator(targets),
+                                    std::make_move_iterator(candidates.end()));
+  candidates.erase(targets, candidates.end());
+  keep_by_holm(std::move(candidates), level / 2, changes);
+  keep_by_holm(std::move(of_targets), level / 2, changes);
+}
+
+}  // namespace orbs::history

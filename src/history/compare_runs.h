@@ -1,0 +1,37 @@
+#pragma once
+
+#include "history/change.h"
+#include "results/record.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace orbs::history {
+
+struct RunComparison {
+  std::string before;  // names of the runs
+  std::string after;
+  std::size_t targets = 0;         // that both have
+  std::size_t tests = 0;           // of numbers
+  std::vector<Change> changes;     // the worst first
+  std::vector<std::string> notes;  // what was not compared, and why
+};
+
+/// Compares two runs target by target: verdicts, and numbers that changed beyond chance, see kFalseAlarms.
+/// InputError if nothing can be compared.
+RunComparison compare_runs(const results::RunRecord& before, const results::RunRecord& after);
+
+/// 1 if anything is worse, else 0.
+int exit_status(const RunComparison& comparison);
+
+/// A line on what was compared, a table of all changes, and what was not compared.
+std::string comparison_text(const RunComparison& comparison, int width);
+
+/// The same for a pull request.
+std::string comparison_markdown(const RunComparison& comparison);
+
+/// The same for programs (format "orbs-comparison/1").
+std::string comparison_json(const RunComparison& comparison);
+
+}  // namespace orbs::history

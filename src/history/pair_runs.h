@@ -1,0 +1,35 @@
+#pragma once
+
+#include "results/record.h"
+
+#include <string>
+#include <vector>
+
+namespace orbs::history {
+
+/// One target by one renderer in two runs. Points into both records.
+struct TargetPair {
+  const results::TargetRecord* before;
+  const results::TargetRecord* after;
+  std::string not_compared;  // why numbers are not compared ("64 spp before, 128 now"); "" if they are
+};
+
+/// One render in two runs, both of which left an image. Points into both records.
+struct JobPair {
+  const results::JobRecord* before;
+  const results::JobRecord* after;
+  std::string not_compared;  // why times are not compared; "" if they are
+};
+
+struct RunPair {
+  std::vector<TargetPair> targets;
+  std::vector<JobPair> jobs;
+  std::vector<std::string> only_before;  // "cycles 101": targets that only one run has
+  std::vector<std::string> only_after;
+};
+
+/// Pairs by case, target and renderer, and renders by scene and renderer. InputError if the runs are of
+/// different suites or sizes, or have no target in common.
+RunPair pair_runs(const results::RunRecord& before, const results::RunRecord& after);
+
+}  // namespace orbs::history

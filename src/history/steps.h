@@ -1,0 +1,21 @@
+#pragma once
+
+#include "history/change.h"
+#include "history/series.h"
+
+#include <vector>
+
+namespace orbs::history {
+
+/// Fewer runs say too little of their scatter for a step to be told from it.
+inline constexpr std::size_t kFewestRuns = 5;
+
+/// The clearest step of each number over the runs: light and time of each renderer as a whole, and light,
+/// error and time of each target. For each place between two runs Student's test compares the means before
+/// and after (the scatter within both is the noise, that of the machine from run to run included); the best
+/// place counts, and its probability is multiplied by the number of places. In 1 of 100 histories of equal
+/// programs any step is found (kFalseAlarms, shared as in compare_runs); smaller steps than kLeastLight,
+/// kLeastError and kLeastTime are not reported. Worse ones come first.
+std::vector<Change> find_steps(const History& history);
+
+}  // namespace orbs::history

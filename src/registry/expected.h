@@ -1,0 +1,44 @@
+#pragma once
+
+#include "json/object_reader.h"
+#include "registry/version_range.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbs::registry {
+
+/// A failure that is known: an entry under "expected" in configuration.json. It is named in every report and
+/// does not make a run fail.
+struct ExpectedFailure {
+  std::string place{};     // file:line of the entry, for messages; "" when it comes from no file
+  std::string renderer{};  // comma-separated patterns
+  VersionRange version{};  // of the renderer
+  std::string scene{};     // comma-separated patterns: names of targets
+  std::string verdict{};   // "fail", "crash", ...
+  std::string reason{};
+  /// The checks that were not met with their numbers, as they were when the failure was accepted; a check on
+  /// no number has none. Empty: whatever fails is expected.
+  std::map<std::string, std::optional<double>> measure{};
+};
+
+/// Reads the entries. InputError with file, line and key, also for a renderer that is none of `renderers`.
+/// Verdicts and scenes are checked where they are known.
+std::vector<ExpectedFailure> load_expected(json::ObjectReader& in, const std::vector<std::string>& renderers);
+
+/// The entry that counts for a target of a renderer in this version: the last one that matches. nullptr if
+/// there is none.
+const ExpectedFailure* find_expected(const std::vector<ExpectedFailure>& expected,
+                                     const std::string& renderer,
+                                     const std::string& version,
+                                     const std::string& target);
+
+/// The text of a configuration file with these entries under "expected". An entry that names the same
+/// renderer and scene, without patterns, is replaced and keeps its version; every other byte stays as it is.
+std::string with_expected(const std::string& text,
+                          const std::vector<ExpectedFailure>& present,
+                          const std::vector<ExpectedFailure>& added);
+
+}  // namespace orbs::registry
