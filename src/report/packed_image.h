@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Images in the form that the page reads (format "orbs-image/1"), so that no browser has to decode EXR.
+/// Images in the form that the page reads (format "orbs-image/2"), so that no browser has to decode EXR.
 namespace orbs::report {
 
 /// Exact: every number arrives as it stands in the image. Rounded: as half floats, 11 significant bits;
@@ -17,9 +17,10 @@ enum class Rounding { Exact, Rounded };
 /// B, "variance" for "variance.R".
 std::vector<std::string> layers_of(const image::Image& image);
 
-/// One layer as gzip of: the length of the header in 4 bytes, little-endian; the header, JSON, filled up with
-/// blanks so that what follows starts at a multiple of 8; for each channel its pixels by rows from the top,
-/// little-endian half or float as the header says. Exact channels are half where every value survives that.
+/// One layer as gzip of: the length of the header in 4 bytes, little-endian; the header, JSON; for each
+/// channel its pixels by rows from the top, half or float as the header says. Of a channel the highest bytes
+/// of all pixels come first, then the next lower ones and so on; each byte is stored less the one before it
+/// (modulo 256). Exact channels are half where every value survives that.
 /// The header holds width, height, layer, layers (all there are), channels (name, type, exact) and the
 /// image's text attributes. InputError when there is no such layer.
 std::string packed_image(const image::Image& image,

@@ -107,6 +107,14 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
+/** The highest bytes of all floats first, each less the one before it. */
+function separated(bytes: Buffer): Buffer {
+  const ordered = [3, 2, 1, 0].flatMap((place) =>
+    Array.from({ length: bytes.length / 4 }, (_, i) => bytes[4 * i + place] ?? 0),
+  );
+  return Buffer.from(ordered.map((byte, i) => (byte - (ordered[i - 1] ?? 0)) & 255));
+}
+
 /** An image in the format of src/report/packed_image.h; each channel is a function of (x, y). */
 export function packedImage(
   width: number,
@@ -115,7 +123,7 @@ export function packedImage(
 ): Buffer {
   const names = Object.keys(channels);
   const header = JSON.stringify({
-    format: "orbs-image/1",
+    format: "orbs-image/2",
     width,
     height,
     layer: "",
@@ -123,14 +131,14 @@ export function packedImage(
     attributes: {},
     channels: names.map((name) => ({ name, type: "float", exact: true })),
   });
-  const text = Buffer.from(header.padEnd(Math.ceil((4 + header.length) / 8) * 8 - 4));
+  const text = Buffer.from(header);
   const length = Buffer.alloc(4);
   length.writeUInt32LE(text.length);
   const planes = names.map((name) => {
     const plane = new Float32Array(width * height);
     for (let i = 0; i < plane.length; ++i)
       plane[i] = channels[name]?.(i % width, Math.floor(i / width)) ?? NaN;
-    return Buffer.from(plane.buffer);
+    return separated(Buffer.from(plane.buffer));
   });
   return gzipSync(Buffer.concat([length, text, ...planes]));
 }
