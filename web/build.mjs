@@ -61,6 +61,7 @@ const single = readFileSync(join(output, "index.html"), "utf8")
     () => `<link rel="icon" href="data:image/svg+xml;base64,${icon}">`,
   )
   .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
+  .replace(/<link rel="preload"[^>]*>\n/, "")
   .replace(
     /<script type="module"[^>]*><\/script>/,
     () => `<!--orbs-data-->\n<script type="module">${script}</script>`,

@@ -74,18 +74,19 @@ HalfLoss loss_as_half(const image::Image& image, std::size_t channel) {
   return loss;
 }
 
-Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding) {
+Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding, Packing packing) {
   const auto loss = loss_as_half(image, channel);
   Plane plane;
   plane.name = image.channels[channel].substr(image.channels[channel].rfind('.') + 1);
   plane.is_half = loss.is_exact || (rounding == Rounding::Rounded && !loss.overflows);
   plane.is_exact = loss.is_exact || !plane.is_half;
   if (plane.is_half) {
-    plane.bytes = separated(bytes_of<std::uint16_t>(image, channel, image::half_bits), sizeof(std::uint16_t));
+    plane.bytes = bytes_of<std::uint16_t>(image, channel, image::half_bits);
   } else {
-    plane.bytes =
-        separated(bytes_of<float>(image, channel, [](float value) { return value; }), sizeof(float));
+    plane.bytes = bytes_of<float>(image, channel, [](float value) { return value; });
   }
+  if (packing == Packing::Small)
+    plane.bytes = separated(plane.bytes, plane.is_half ? sizeof(std::uint16_t) : sizeof(float));
   return plane;
 }
 
@@ -94,10 +95,14 @@ std::string layer_of(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot);
 }
 
-std::string header_text(const image::Image& image, std::string_view layer, const std::vector<Plane>& planes) {
+std::string header_text(const image::Image& image,
+                        std::string_view layer,
+                        const std::vector<Plane>& planes,
+                        Packing packing) {
   json::Writer out;
   out.begin_object().member("format", "orbs-image/2");
   out.member("width", image.width).member("height", image.height);
+  out.member("separated", packing == Packing::Small);
   out.member("layer", layer).member("layers", layers_of(image)).key("channels").begin_array();
   for (const auto& plane : planes)
     out.begin_object()
@@ -123,7 +128,7 @@ std::vector<std::string> layers_of(const image::Image& image) {
 std::string packed_image(const image::Image& image,
                          std::string_view layer,
                          Rounding rounding,
-                         int gzip_level) {
+                         Packing packing) {
   std::vector<std::size_t> channels;
   for (std::size_t c = 0; c < image.channel_count(); ++c)
     if (layer_of(image.channels[c]) == layer) channels.push_back(c);
@@ -133,9 +138,11 @@ std::string packed_image(const image::Image& image,
   std::vector<Plane> planes(channels.size());
   for_each_index(static_cast<int>(channels.size()), 0, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    planes[at] = plane_of(image, channels[at], rounding);
+    planes[at] = plane_of(image, channels[at], rounding, packing);
   });
-  const auto header = header_text(image, layer, planes);
+  auto header = header_text(image, layer, planes, packing);
+  constexpr std::size_t kAlignment = 8;
+  while ((4 + header.size()) % kAlignment != 0) header += ' ';
   const auto length = static_cast<std::uint32_t>(header.size());
   std::string bytes(sizeof(length), '\0');
   std::memcpy(bytes.data(), &length, sizeof(length));
@@ -144,7 +151,9 @@ std::string packed_image(const image::Image& image,
     bytes += plane.bytes;
     plane.bytes = {};
   }
-  return gzip(bytes, gzip_level);
+  constexpr int kFast = 1;
+  constexpr int kSmall = 9;
+  return gzip(bytes, packing == Packing::Fast ? kFast : kSmall);
 }
 
 }  // namespace orbs::report

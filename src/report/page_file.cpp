@@ -43,10 +43,9 @@ PageFile page_file(const RunView& view, const PageFileSettings& settings) {
   for (std::size_t i = 0; i < view.run.targets.size(); ++i)
     targets += (i == 0 ? "" : ",\n") + target_json(view, i);
   page.text += data_element("orbs-targets", "application/json", script_text(targets + "]"));
-  constexpr int kSmall = 9;
   const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
   const auto packed = [&](const std::string& file) {
-    return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, kSmall);
+    return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, Packing::Small);
   };
   auto images = embed_images(wanted_images(view), "application/octet-stream", packed, settings.most_bytes);
   page.text += images.elements;

@@ -97,10 +97,9 @@ enum class Form { Packed, Preview };
 
 // The bytes of an image in the form that the page asks for.
 std::string image_bytes(const OpenFile& file, const std::string& path, const std::string& layer, Form form) {
-  constexpr int kFast = 1;
   const auto image = image::read_exr(path, file.read(0, static_cast<std::size_t>(file.size())));
   if (form == Form::Preview) return report::preview_png(image);
-  return report::packed_image(image, layer, report::Rounding::Exact, kFast);
+  return report::packed_image(image, layer, report::Rounding::Exact, report::Packing::Fast);
 }
 
 void send_image(Site& site,

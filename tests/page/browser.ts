@@ -107,14 +107,6 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
-/** The highest bytes of all floats first, each less the one before it. */
-function separated(bytes: Buffer): Buffer {
-  const ordered = [3, 2, 1, 0].flatMap((place) =>
-    Array.from({ length: bytes.length / 4 }, (_, i) => bytes[4 * i + place] ?? 0),
-  );
-  return Buffer.from(ordered.map((byte, i) => (byte - (ordered[i - 1] ?? 0)) & 255));
-}
-
 /** An image in the format of src/report/packed_image.h; each channel is a function of (x, y). */
 export function packedImage(
   width: number,
@@ -126,19 +118,20 @@ export function packedImage(
     format: "orbs-image/2",
     width,
     height,
+    separated: false,
     layer: "",
     layers: [""],
     attributes: {},
     channels: names.map((name) => ({ name, type: "float", exact: true })),
   });
-  const text = Buffer.from(header);
+  const text = Buffer.from(header.padEnd(Math.ceil((4 + header.length) / 8) * 8 - 4));
   const length = Buffer.alloc(4);
   length.writeUInt32LE(text.length);
   const planes = names.map((name) => {
     const plane = new Float32Array(width * height);
     for (let i = 0; i < plane.length; ++i)
       plane[i] = channels[name]?.(i % width, Math.floor(i / width)) ?? NaN;
-    return separated(Buffer.from(plane.buffer));
+    return Buffer.from(plane.buffer);
   });
   return gzipSync(Buffer.concat([length, text, ...planes]));
 }

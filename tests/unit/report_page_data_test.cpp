@@ -65,29 +65,37 @@ TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   // R: halves, among them NaN and infinity; G: a third is no half; B: beyond the largest half.
   const auto target = target_with({"R", "G", "B"}, {0.5F, 1.0F / 3, 70000.0F, nan, 0.25F, INFINITY});
-  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Exact, 1));
-  EXPECT_TRUE(holds(bytes, R"("name": "R",
+  for (const auto packing : {report::Packing::Fast, report::Packing::Small}) {
+    const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Exact, packing));
+    EXPECT_TRUE(holds(bytes, R"("name": "R",
       "type": "half")"));
-  EXPECT_TRUE(holds(bytes, R"("name": "G",
+    EXPECT_TRUE(holds(bytes, R"("name": "G",
       "type": "float")"));
-  auto planes = joined(bytes.substr(bytes.size() - 2 * 2 - 2 * 4 - 2 * 4, 2 * 2), 2);
-  planes += joined(bytes.substr(bytes.size() - 2 * 4 - 2 * 4, 2 * 4), 4);
-  planes += joined(bytes.substr(bytes.size() - 2 * 4), 4);
-  std::uint16_t half = 0;
-  std::memcpy(&half, planes.data(), sizeof(half));
-  EXPECT_EQ(image::float_of_half(half), 0.5F);
-  std::memcpy(&half, planes.data() + 2, sizeof(half));
-  EXPECT_TRUE(std::isnan(image::float_of_half(half)));
-  std::array<float, 4> floats{};
-  std::memcpy(floats.data(), planes.data() + 4, sizeof(floats));
-  EXPECT_EQ(floats[0], 1.0F / 3);
-  EXPECT_EQ(floats[2], 70000.0F);
-  EXPECT_EQ(floats[3], INFINITY);
+    const bool is_small = packing == report::Packing::Small;
+    EXPECT_TRUE(holds(bytes, is_small ? R"("separated": true)" : R"("separated": false)"));
+    std::string planes;
+    std::size_t at = bytes.size() - 2 * 2 - 2 * 4 - 2 * 4;
+    for (const std::size_t size : {2, 4, 4}) {
+      const auto plane = bytes.substr(at, 2 * size);
+      planes += is_small ? joined(plane, size) : plane;
+      at += 2 * size;
+    }
+    std::uint16_t half = 0;
+    std::memcpy(&half, planes.data(), sizeof(half));
+    EXPECT_EQ(image::float_of_half(half), 0.5F);
+    std::memcpy(&half, planes.data() + 2, sizeof(half));
+    EXPECT_TRUE(std::isnan(image::float_of_half(half)));
+    std::array<float, 4> floats{};
+    std::memcpy(floats.data(), planes.data() + 4, sizeof(floats));
+    EXPECT_EQ(floats[0], 1.0F / 3);
+    EXPECT_EQ(floats[2], 70000.0F);
+    EXPECT_EQ(floats[3], INFINITY);
+  }
 }
 
 TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
   const auto target = target_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
-  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, 1));
+  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, report::Packing::Fast));
   EXPECT_TRUE(holds(bytes, R"("type": "half",
       "exact": false)"));
   EXPECT_TRUE(holds(bytes, R"("type": "float",
@@ -97,9 +105,18 @@ TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
 TEST(PackedImage, HasOneLayerAndNamesAll) {
   const auto target = target_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
   EXPECT_EQ(report::layers_of(target), (std::vector<std::string>{"", "S1", "path.ESDL"}));
-  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, 1)),
+  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, report::Packing::Fast)),
                     R"("layers": ["", "S1", "path.ESDL"])"));
-  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, 1), InputError);
+  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, report::Packing::Fast), InputError);
+}
+
+TEST(PackedImage, PixelsStartAtAMultipleOfEight) {
+  for (const char* layer : {"", "a", "ab", "abc", "abcd", "abcde", "abcdef", "abcdefg"}) {
+    const auto channel = *layer == '\0' ? "R" : std::string(layer) + ".R";
+    const auto bytes = unzipped(report::packed_image(target_with({channel}, {1, 2}), layer,
+                                                     report::Rounding::Exact, report::Packing::Fast));
+    EXPECT_EQ((bytes.size() - 4) % 8, 0U) << layer;
+  }
 }
 
 // A page on a slow line shows it first.

@@ -5,6 +5,7 @@ interface Header {
   format: string;
   width: number;
   height: number;
+  separated: boolean;
   layer: string;
   layers: string[];
   channels: ChannelInfo[];
@@ -50,9 +51,17 @@ export async function unpack(packed: ArrayBuffer | string): Promise<Raster> {
   let at = 4 + headerLength;
   const planes = header.channels.map((channel) => {
     const size = channel.type === "half" ? 2 : 4;
-    const values = joined(new Uint8Array(bytes, at, size * count), size);
+    const begin = at;
     at += size * count;
-    return channel.type === "half" ? new Uint16Array(values) : new Float32Array(values);
+    // Typed arrays must start at a multiple of their element size; a plane may not.
+    const [values, offset] = header.separated
+      ? [joined(new Uint8Array(bytes, begin, size * count), size), 0]
+      : begin % size === 0
+        ? [bytes, begin]
+        : [bytes.slice(begin, at), 0];
+    return channel.type === "half"
+      ? new Uint16Array(values, offset, count)
+      : new Float32Array(values, offset, count);
   });
   const { width, height, layer, layers, channels, attributes } = header;
   return { width, height, layer, layers, channels, attributes, planes };

@@ -1,3 +1,4 @@
+import { useRef } from "preact/hooks";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { seenChannels } from "./channels";
@@ -61,9 +62,12 @@ export function useLoadedImages(
   view: ViewState,
   { front, visible, pair }: Front,
 ): LoadedImages {
-  const previews = usePreviews(home, visible, view.layer);
+  const last = useRef(new Map<string, Loaded>());
+  const missing = visible.filter(({ name }) => last.current.get(name) === undefined);
+  const previews = usePreviews(home, missing, view.layer);
   const wanted = previews.settled ? [pair.a, pair.b, ...visible.map(({ name }) => name)] : [];
   const files = useRasters(home, images, [...new Set(wanted)], view.layer);
+  last.current = files;
   const loadedAs = (name: string): Raster | undefined => {
     const loaded = files.get(name);
     return isRaster(loaded) ? loaded : undefined;
@@ -101,7 +105,8 @@ export function useLoadedImages(
   const preview = front && previews.rasters.get(front.name);
   // A preview tells the shape; how many pixels the image has follows with the floats.
   const size = known ?? preview ?? { width: 512, height: 512 };
-  const shownPreviews = known || view.zoom === 0 ? previews.rasters : new Map<string, Raster>();
+  const waiting = [...previews.rasters].filter(([name]) => files.get(name) === undefined);
+  const shownPreviews = new Map(known || view.zoom === 0 ? waiting : []);
   const layers = (result ?? reference)?.layers ?? [""];
   return {
     rasters,

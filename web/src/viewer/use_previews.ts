@@ -40,14 +40,14 @@ async function rasterOfPng(address: string): Promise<Raster> {
 export interface Previews {
   /** By the name of the image. */
   rasters: Map<string, Raster>;
-  /** False until each visible image has its preview, or is known to have none: floats come after. */
+  /** False until each of the images has its preview, or is known to have none: floats come after. */
   settled: boolean;
 }
 
-/** Previews of the visible images. A page in one file has none: its floats are at hand. */
+/** Previews of images whose floats are missing. A page in one file has none: its floats are at hand. */
 export function usePreviews(
   { source, run }: ImageHome,
-  visible: ImageEntry[],
+  missing: ImageEntry[],
   layer: string,
 ): Previews {
   const [found, setFound] = useState(new Map<string, Raster | undefined>());
@@ -55,7 +55,7 @@ export function usePreviews(
   const keyOf = (image: ImageEntry): string => `${image.run ?? run} ${image.file}`;
   const files =
     source.isServed && layer === ""
-      ? visible.filter((image) => image.file !== "" && image.kind !== "map")
+      ? missing.filter((image) => image.file !== "" && image.kind !== "map")
       : [];
   const key = files.map(keyOf).join("\n");
   useEffect(() => {
