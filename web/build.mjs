@@ -13,18 +13,29 @@ const output = process.argv[2];
 if (!output) throw new Error("usage: node build.mjs <output folder>");
 mkdirSync(output, { recursive: true });
 
-const result = await build({
-  entryPoints: { page: join(here, "src/main.tsx") },
-  outdir: output,
+const shared = {
   bundle: true,
   minify: true,
-  format: "esm",
   target: ["chrome100", "firefox115", "safari16.4"],
+  charset: "utf8",
+  logLevel: "warning",
+};
+// The worker is a text in the page: a page in one file can start no other.
+const worker = await build({
+  ...shared,
+  entryPoints: [join(here, "src/data/decode_worker.ts")],
+  format: "iife",
+  write: false,
+});
+const result = await build({
+  ...shared,
+  entryPoints: { page: join(here, "src/main.tsx") },
+  outdir: output,
+  format: "esm",
+  define: { kDecodeWorker: JSON.stringify(worker.outputFiles[0].text) },
   jsx: "automatic",
   jsxImportSource: "preact",
-  charset: "utf8",
   legalComments: "inline", // the licences of uPlot and preact require it
-  logLevel: "warning",
   metafile: true,
 });
 
@@ -38,9 +49,9 @@ const script = readFileSync(join(output, "page.js"), "utf8")
 const style = readFileSync(join(output, "page.css"), "utf8").trim();
 const icon = readFileSync(join(output, "icon.svg")).toString("base64");
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-// Only this script and this style are allowed, and nothing can be loaded from the network.
+// Only this script, its worker and this style are allowed, and nothing can be loaded from the network.
 const policy =
-  `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; ` +
+  `default-src 'none'; script-src ${hash(script)}; worker-src blob:; style-src ${hash(style)}; ` +
   `img-src data: blob:; base-uri 'none'; form-action 'none'`;
 // Functions as replacements: in a string, "$" would have a special meaning.
 const single = readFileSync(join(output, "index.html"), "utf8")
@@ -50,6 +61,7 @@ const single = readFileSync(join(output, "index.html"), "utf8")
     () => `<link rel="icon" href="data:image/svg+xml;base64,${icon}">`,
   )
   .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
+  .replace(/<link rel="preload"[^>]*>\n/, "")
   .replace(
     /<script type="module"[^>]*><\/script>/,
     () => `<!--orbs-data-->\n<script type="module">${script}</script>`,

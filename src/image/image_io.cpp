@@ -182,21 +182,21 @@ void check_range_of_half(const Image& image, const std::filesystem::path& file) 
   }
 }
 
-void encode_and_write(const char* format,
-                      const OIIO::ImageSpec& spec,
-                      const OIIO::TypeDesc& type,
-                      const void* pixels,
-                      const std::filesystem::path& file) {
+// `file` is for messages.
+std::string encoded(const char* format,
+                    const OIIO::ImageSpec& spec,
+                    const OIIO::TypeDesc& type,
+                    const void* pixels,
+                    const std::filesystem::path& file) {
   auto output = OIIO::ImageOutput::create(format);
   if (!output) refuse(file, fmt::format("this build writes no {}: {}", format, reason_of("")));
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  // The name only has to be there: the bytes go to memory, and write_file puts them into place as a whole.
+  // The name only has to be there: the bytes go to memory.
   if (!output->set_ioproxy(&memory) || !output->open(fmt::format("memory.{}", format), spec) ||
       !output->write_image(type, pixels) || !output->close())
     refuse(file, fmt::format("cannot be encoded as {}: {}", format, reason_of(output->geterror())));
-  // The bytes as char: any object may be looked at as char, and write_file takes text.
-  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
@@ -274,7 +274,7 @@ void write_channels(const Image& image,
     spec.attribute("DateTime", "");
     for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
     spec.attribute("compression", compression);
-    encode_and_write("exr", spec, OIIO::TypeFloat, image.pixels.data(), file);
+    write_file(file, encoded("exr", spec, OIIO::TypeFloat, image.pixels.data(), file));
   });
 }
 
@@ -290,7 +290,9 @@ void write_exr(const Image& image, const std::filesystem::path& file, Precision 
   write_channels(image, file, OIIO::TypeFloat, "zip");
 }
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+namespace {
+
+std::string png_of(const Image& image, const std::filesystem::path& file) {
   const std::size_t kept = image.channel_count() >= 3 ? 3 : 1;
   std::vector<unsigned char> values;
   values.reserve(image.pixel_count() * kept);
@@ -300,12 +302,20 @@ void write_png(const Image& image, const std::filesystem::path& file) {
       if (std::isnan(value)) refuse(file, "a PNG cannot show NaN; mark such pixels before writing");
       values.push_back(static_cast<unsigned char>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F)));
     }
-  guarded(file, [&] {
+  return guarded(file, [&] {
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(kept), OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    encode_and_write("png", spec, OIIO::TypeUInt8, values.data(), file);
+    return encoded("png", spec, OIIO::TypeUInt8, values.data(), file);
   });
 }
+
+}  // namespace
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  write_file(file, png_of(image, file));
+}
+
+std::string png_bytes(const Image& image) { return png_of(image, "image.png"); }
 
 bool is_ldr_file(const std::filesystem::path& file) {
   return guarded(file, [&] {

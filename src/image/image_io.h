@@ -42,6 +42,9 @@ void write_exr(const Image& image, const std::filesystem::path& file, Precision 
 /// can show.
 void write_png(const Image& image, const std::filesystem::path& file);
 
+/// The bytes of the PNG that write_png writes. InputError for NaN.
+std::string png_bytes(const Image& image);
+
 /// True for a file whose numbers are display-encoded (sRGB): 8- and 16-bit integer pixels. InputError as
 /// read_image.
 bool is_ldr_file(const std::filesystem::path& file);

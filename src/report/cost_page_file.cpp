@@ -1,7 +1,6 @@
 #include "report/cost_page_file.h"
 
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "json/writer.h"
@@ -16,12 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // The file as PNG: an EXR as a display shows it, a PNG as it is.
-std::string png_of(const fs::path& folder, const std::string& name, const fs::path& scratch) {
+std::string png_of(const fs::path& folder, const std::string& name) {
   auto bytes = file_of(folder, name);
   if (!name.ends_with(".exr")) return bytes;
-  const auto png = scratch / "shown.png";
-  image::write_png(image::display_image(image::read_exr(name, bytes)), png);
-  return read_file(png);
+  return image::png_bytes(image::display_image(image::read_exr(name, bytes)));
 }
 
 // References first: an image says little without what it should be.
@@ -42,8 +39,7 @@ PageFile cost_page_file(const fs::path& folder, const PageFileSettings& settings
   page.text += data_element("orbs-cost-name", "application/json", script_text(json::json_string(name)));
   page.text +=
       data_element("orbs-cost", "application/json", script_text(read_file(folder / results::kCostFile)));
-  const ScratchFolder scratch("orbs-report");
-  const auto png = [&](const std::string& file) { return png_of(folder, file, scratch.path()); };
+  const auto png = [&](const std::string& file) { return png_of(folder, file); };
   auto images = embed_images(wanted_images(folder), "image/png", png, settings.most_bytes);
   page.text += images.elements;
   page.images = images.count;

@@ -39,6 +39,22 @@ std::string bytes_of(const image::Image& image, std::size_t channel, Stored stor
   return bytes;
 }
 
+// The highest bytes of all values, then the next ones, and so on, each less the byte before it, as OpenEXR
+// does before it deflates (ImfZip.cpp): the gzip of halves is then 12 % smaller for renders with noise and
+// 25 % for references (164 images at 1/4 of the size).
+std::string separated(const std::string& bytes, std::size_t value_size) {
+  std::string out;
+  out.reserve(bytes.size());
+  unsigned last = 0;
+  for (std::size_t place = value_size; place-- > 0;)
+    for (std::size_t at = place; at < bytes.size(); at += value_size) {
+      const unsigned byte = static_cast<unsigned char>(bytes[at]);
+      out += static_cast<char>(static_cast<unsigned char>(byte - last));
+      last = byte;
+    }
+  return out;
+}
+
 // What the rounding to half would do to a channel.
 struct HalfLoss {
   bool is_exact = true;
@@ -58,7 +74,7 @@ HalfLoss loss_as_half(const image::Image& image, std::size_t channel) {
   return loss;
 }
 
-Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding) {
+Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding, Packing packing) {
   const auto loss = loss_as_half(image, channel);
   Plane plane;
   plane.name = image.channels[channel].substr(image.channels[channel].rfind('.') + 1);
@@ -69,6 +85,8 @@ Plane plane_of(const image::Image& image, std::size_t channel, Rounding rounding
   } else {
     plane.bytes = bytes_of<float>(image, channel, [](float value) { return value; });
   }
+  if (packing == Packing::Small)
+    plane.bytes = separated(plane.bytes, plane.is_half ? sizeof(std::uint16_t) : sizeof(float));
   return plane;
 }
 
@@ -77,10 +95,14 @@ std::string layer_of(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot);
 }
 
-std::string header_text(const image::Image& image, std::string_view layer, const std::vector<Plane>& planes) {
+std::string header_text(const image::Image& image,
+                        std::string_view layer,
+                        const std::vector<Plane>& planes,
+                        Packing packing) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-image/1");
+  out.begin_object().member("format", "orbs-image/2");
   out.member("width", image.width).member("height", image.height);
+  out.member("separated", packing == Packing::Small);
   out.member("layer", layer).member("layers", layers_of(image)).key("channels").begin_array();
   for (const auto& plane : planes)
     out.begin_object()
@@ -106,7 +128,7 @@ std::vector<std::string> layers_of(const image::Image& image) {
 std::string packed_image(const image::Image& image,
                          std::string_view layer,
                          Rounding rounding,
-                         int gzip_level) {
+                         Packing packing) {
   std::vector<std::size_t> channels;
   for (std::size_t c = 0; c < image.channel_count(); ++c)
     if (layer_of(image.channels[c]) == layer) channels.push_back(c);
@@ -116,9 +138,9 @@ std::string packed_image(const image::Image& image,
   std::vector<Plane> planes(channels.size());
   for_each_index(static_cast<int>(channels.size()), 0, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    planes[at] = plane_of(image, channels[at], rounding);
+    planes[at] = plane_of(image, channels[at], rounding, packing);
   });
-  auto header = header_text(image, layer, planes);
+  auto header = header_text(image, layer, planes, packing);
   constexpr std::size_t kAlignment = 8;
   while ((4 + header.size()) % kAlignment != 0) header += ' ';
   const auto length = static_cast<std::uint32_t>(header.size());
@@ -129,7 +151,9 @@ std::string packed_image(const image::Image& image,
     bytes += plane.bytes;
     plane.bytes = {};
   }
-  return gzip(bytes, gzip_level);
+  constexpr int kFast = 1;
+  constexpr int kSmall = 9;
+  return gzip(bytes, packing == Packing::Fast ? kFast : kSmall);
 }
 
 }  // namespace orbs::report

@@ -6,12 +6,15 @@
 #include <string_view>
 #include <vector>
 
-/// Images in the form that the page reads (format "orbs-image/1"), so that no browser has to decode EXR.
+/// Images in the form that the page reads (format "orbs-image/2"), so that no browser has to decode EXR.
 namespace orbs::report {
 
 /// Exact: every number arrives as it stands in the image. Rounded: as half floats, 11 significant bits;
 /// channels with a finite value beyond the largest half stay exact.
 enum class Rounding { Exact, Rounded };
+
+/// Fast: for a server that waits for no line. Small: for a file, ten times as slow.
+enum class Packing { Fast, Small };
 
 /// The parts before the last '.' of the channel names, each once, in the order of the channels: "" for R, G,
 /// B, "variance" for "variance.R".
@@ -20,11 +23,13 @@ std::vector<std::string> layers_of(const image::Image& image);
 /// One layer as gzip of: the length of the header in 4 bytes, little-endian; the header, JSON, filled up with
 /// blanks so that what follows starts at a multiple of 8; for each channel its pixels by rows from the top,
 /// little-endian half or float as the header says. Exact channels are half where every value survives that.
-/// The header holds width, height, layer, layers (all there are), channels (name, type, exact) and the
-/// image's text attributes. InputError when there is no such layer.
+/// A small one is "separated": of a channel the highest bytes of all pixels come first, then the next lower
+/// ones and so on, and each byte is stored less the one before it (modulo 256). The header holds width,
+/// height, separated, layer, layers (all there are), channels (name, type, exact) and the image's text
+/// attributes. InputError when there is no such layer.
 std::string packed_image(const image::Image& image,
                          std::string_view layer,
                          Rounding rounding,
-                         int gzip_level);
+                         Packing packing);
 
 }  // namespace orbs::report

@@ -1,6 +1,5 @@
 #include "report/page_file.h"
 
-#include "base/files_inside.h"
 #include "image/image_io.h"
 #include "report/embedded_images.h"
 #include "report/gzip.h"
@@ -9,21 +8,18 @@
 #include "report/page_template.h"
 #include "report/target_data.h"
 
-#include <fmt/format.h>
-
 namespace orbs::report {
 
 namespace {
 
-namespace fs = std::filesystem;
 using results::RunView;
-using results::TargetRecord;
 
-// The image files of the run that the page shows, the most useful ones first.
+// The image files of the run that the page shows, the most useful ones first. Maps are in runs of earlier
+// versions; the page computes them.
 std::vector<std::string> wanted_images(const RunView& view) {
   std::vector<std::string> files;
-  for (const bool failures : {true, false})
-    for (const bool maps : {false, true})
+  for (const bool maps : {false, true})
+    for (const bool failures : {true, false})
       for (const auto& target : view.run.targets) {
         if (results::counts_as_failure(target.verdict, target.expectation) != failures) continue;
         if (!maps) {
@@ -34,20 +30,6 @@ std::vector<std::string> wanted_images(const RunView& view) {
         }
       }
   return files;
-}
-
-// Thumbnails are embedded only as long as there are few of them.
-void add_thumbnails(const RunView& view, PageFile& page) {
-  constexpr std::size_t kMost = 200;
-  const auto& targets = view.run.targets;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < targets.size() && count < kMost; ++i) {
-    const auto name = (fs::path(targets[i].image).parent_path() / "result.png").string();
-    if (targets[i].image.empty() || !open_inside(view.run.folder, name)) continue;
-    page.text += data_element(fmt::format("thumbnail-{}", i), "image/png;base64",
-                              base64(file_of(view.run.folder, name)));
-    ++count;
-  }
 }
 
 }  // namespace
@@ -61,16 +43,14 @@ PageFile page_file(const RunView& view, const PageFileSettings& settings) {
   for (std::size_t i = 0; i < view.run.targets.size(); ++i)
     targets += (i == 0 ? "" : ",\n") + target_json(view, i);
   page.text += data_element("orbs-targets", "application/json", script_text(targets + "]"));
-  constexpr int kSmall = 9;
   const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
   const auto packed = [&](const std::string& file) {
-    return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, kSmall);
+    return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, Packing::Small);
   };
   auto images = embed_images(wanted_images(view), "application/octet-stream", packed, settings.most_bytes);
   page.text += images.elements;
   page.images = images.count;
   page.left_out = std::move(images.left_out);
-  add_thumbnails(view, page);
   page.text += after;
   return page;
 }

@@ -22,8 +22,8 @@ struct PageFile {
 };
 
 /// The page and all it shows as one HTML file that needs no server and asks no network. While there is room,
-/// images are taken in this order: results and references of what failed, their maps, then those of the
-/// rest. InputError when the page is not built.
+/// images are taken in this order: results and references of what failed, those of the rest, then maps that a
+/// run of an earlier version left. InputError when the page is not built.
 PageFile page_file(const results::RunView& view, const PageFileSettings& settings);
 
 }  // namespace orbs::report

@@ -126,6 +126,18 @@ MaybeRefusal check_headers(const std::vector<std::string_view>& lines, const Gat
   return std::nullopt;
 }
 
+// RFC 9110, section 12.5.3: a list of codings, each perhaps with a weight; that of a refused one is 0. Clients
+// that write "gzip;q=0.0" or "*" get plain bytes, which all of them read.
+bool reads_gzip(const std::vector<std::string_view>& lines) {
+  for (const auto line : lines) {
+    const auto colon = line.find(':');
+    if (colon == std::string_view::npos || lower(line.substr(0, colon)) != "accept-encoding") continue;
+    for (const auto& coding : split(line.substr(colon + 1), ','))
+      if (lower(trim(coding)) == "gzip") return true;
+  }
+  return false;
+}
+
 // Splits at CR LF. None if a CR or LF stands alone or the empty line is not the end.
 std::optional<std::vector<std::string_view>> lines_of(std::string_view head) {
   if (!head.ends_with("\r\n\r\n")) return std::nullopt;
@@ -164,8 +176,9 @@ std::variant<Admitted, Refusal> check_request(std::string_view head, const GateS
   const auto words = split(lines->front(), ' ');
   if (auto refusal = check_request_line(words)) return *refusal;
   if (auto refusal = check_headers(*lines, settings)) return *refusal;
-  return Admitted{
-      fmt::format("{} {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n", words[0], words[1])};
+  const auto gzip = reads_gzip(*lines) ? fmt::format("{}: 1\r\n", kReadsGzip) : "";
+  return Admitted{fmt::format("{} {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{}\r\n", words[0],
+                              words[1], gzip)};
 }
 
 std::string_view status_text(int status) {

@@ -10,6 +10,8 @@ namespace orbs::server {
 constexpr std::size_t kMostHeadBytes = 16384;
 constexpr std::size_t kMostTargetBytes = 2048;
 constexpr std::size_t kMostHeaders = 64;
+/// In an admitted head if the client reads gzip.
+constexpr const char* kReadsGzip = "Orbs-Reads-Gzip";
 
 struct Refusal {
   int status = 400;
@@ -17,7 +19,8 @@ struct Refusal {
 };
 
 /// A request that may pass. `head` is rewritten from the parsed request without the client's headers, so that
-/// httplib reads no byte that the gate has not checked.
+/// httplib reads no byte that the gate has not checked. What a client says about gzip is passed on as a header
+/// of ours: httplib, whose library may be built with or without zlib, must not pack a second time.
 struct Admitted {
   std::string head;
 };

@@ -49,10 +49,10 @@ void ServedRun::look() {
   overview_.reset();
 }
 
-std::shared_ptr<const std::string> ServedRun::overview() {
+std::shared_ptr<const PackedText> ServedRun::overview() {
   const std::lock_guard lock(mutex_);
   look();
-  if (!overview_) overview_ = std::make_shared<const std::string>(report::overview_json(view_));
+  if (!overview_) overview_ = std::make_shared<const PackedText>(packed_text(report::overview_json(view_)));
   return overview_;
 }
 

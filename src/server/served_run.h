@@ -2,6 +2,7 @@
 
 #include "base/files_inside.h"
 #include "results/run_folder.h"
+#include "server/packed_text.h"
 
 #include <chrono>
 #include <filesystem>
@@ -27,7 +28,7 @@ class ServedRun {
   std::string started();
 
   /// The texts of report::overview_json, target_json and progress_json.
-  std::shared_ptr<const std::string> overview();
+  std::shared_ptr<const PackedText> overview();
   std::optional<std::string> target(std::size_t index);
   std::string progress();
 
@@ -48,7 +49,7 @@ class ServedRun {
   std::string results_state_;  // file_state of the results.json that was read
   std::uint64_t version_ = 1;
   std::chrono::steady_clock::time_point last_look_;
-  std::shared_ptr<const std::string> overview_;  // of the current version; null until requested
+  std::shared_ptr<const PackedText> overview_;  // of the current version; null until requested
 };
 
 }  // namespace orbs::server

@@ -7,6 +7,7 @@
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
+#include "report/preview.h"
 #include "results/cost_study.h"
 #include "results/stability_study.h"
 #include "server/refuse.h"
@@ -26,8 +27,8 @@ namespace fs = std::filesystem;
 // Content security policy of the page: only the files of the bundle run, only this server is contacted, and
 // nothing may frame the page.
 constexpr const char* kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src "
-    "'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "default-src 'none'; script-src 'self'; worker-src blob:; style-src 'self'; img-src 'self' blob: data:; "
+    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 // Content security policy of files that a renderer left: they are displayed alone and cannot run anything.
 constexpr const char* kFilePolicy = "default-src 'none'; sandbox; frame-ancestors 'none'";
 
@@ -43,12 +44,15 @@ constexpr std::array kBundle{BundleEntry{"index.html", "text/html; charset=utf-8
 constexpr const char* kJson = "application/json; charset=utf-8";
 constexpr const char* kText = "text/plain; charset=utf-8";
 
-bool send_bundle_file(const Site& site, std::string_view path, httplib::Response& response) {
+bool send_bundle_file(const Site& site,
+                      const httplib::Request& request,
+                      std::string_view path,
+                      httplib::Response& response) {
   const auto name = path == "/" ? std::string_view("index.html") : path.substr(1);
   for (const auto& file : site.bundle) {
     if (file.name != name) continue;
     response.set_header("Content-Security-Policy", kPagePolicy);
-    response.set_content(file.bytes, file.type);
+    send_text(request, file.text, file.type.c_str(), response);
     return true;
   }
   return false;
@@ -89,40 +93,58 @@ void send_file(const fs::path& folder, const std::string& path, httplib::Respons
                                 });
 }
 
+enum class Form { Packed, Preview };
+
+// The bytes of an image in the form that the page asks for.
+std::string image_bytes(const OpenFile& file, const std::string& path, const std::string& layer, Form form) {
+  const auto image = image::read_exr(path, file.read(0, static_cast<std::size_t>(file.size())));
+  if (form == Form::Preview) return report::preview_png(image);
+  return report::packed_image(image, layer, report::Rounding::Exact, report::Packing::Fast);
+}
+
 void send_image(Site& site,
                 const fs::path& folder,
                 const std::string& path,
                 const std::string& layer,
+                Form form,
                 httplib::Response& response) {
-  constexpr int kFast = 1;
   if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR images are packed");
   const auto file = open_inside(folder, path);
   if (!file) return refuse(response, 404, "there is no such image in this run");
   constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30U;
   if (file->size() > kMostBytes) return refuse(response, 422, "the image is larger than 2 GiB");
+  // A preview decodes the whole image, which is decoded again for its floats: 0.1 s for 32 MB.
+  constexpr std::uint64_t kMostPreviewed = std::uint64_t{32} << 20U;
+  if (form == Form::Preview && file->size() > kMostPreviewed)
+    return refuse(response, 422, "the image is larger than 32 MiB and has no preview");
   // A run that goes on or is resumed may write the image again, even with the same size.
-  const auto key = fmt::format("{}\n{}\n{}\n{}", folder.string(), path, layer, file->state());
-  const auto bytes = site.images.get(key, [&] {
-    const auto image = image::read_exr(path, file->read(0, static_cast<std::size_t>(file->size())));
-    return report::packed_image(image, layer, report::Rounding::Exact, kFast);
-  });
-  response.set_content_provider(bytes->size(), "application/octet-stream",
+  const auto key =
+      fmt::format("{}\n{}\n{}\n{}\n{}", static_cast<int>(form), folder.string(), path, layer, file->state());
+  const auto bytes = site.images.get(key, [&] { return image_bytes(*file, path, layer, form); });
+  const auto* const type = form == Form::Preview ? "image/png" : "application/octet-stream";
+  response.set_content_provider(bytes->size(), type,
                                 [bytes](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
                                   constexpr std::size_t kPiece = 1U << 18U;
                                   return sink.write(bytes->data() + offset, std::min(left, kPiece));
                                 });
 }
 
-void send_target(ServedRun& run, std::string_view name, httplib::Response& response) {
+void send_target(ServedRun& run,
+                 const httplib::Request& request,
+                 std::string_view name,
+                 httplib::Response& response) {
   const auto stem = name.ends_with(".json") ? name.substr(0, name.size() - 5) : std::string_view();
   const auto index = to_integer(stem);
   const auto text = index && *index >= 0 ? run.target(static_cast<std::size_t>(*index)) : std::nullopt;
   if (!text) return refuse(response, 404, "this run has no such target");
-  response.set_content(*text, kJson);
+  send_text(request, packed_text(*text), kJson, response);
 }
 
 // `path` without "/data/".
-void send_data(Site& site, const std::string& path, const std::string& layer, httplib::Response& response) {
+void send_data(Site& site,
+               const httplib::Request& request,
+               const std::string& path,
+               httplib::Response& response) {
   if (path == "runs.json") return response.set_content(runs_json(site), kJson);
   const auto slash = path.find('/');
   const auto number = to_integer(path.substr(0, slash));
@@ -133,14 +155,18 @@ void send_data(Site& site, const std::string& path, const std::string& layer, ht
   const auto rest = path.substr(slash + 1);
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
   const auto folder = std::visit([](const auto& one) { return one->folder(); }, served);
-  if (rest.starts_with("image/")) return send_image(site, folder, after("image/"), layer, response);
+  const auto layer = request.get_param_value("layer");
+  if (rest.starts_with("image/"))
+    return send_image(site, folder, after("image/"), layer, Form::Packed, response);
+  if (rest.starts_with("preview/"))
+    return send_image(site, folder, after("preview/"), "", Form::Preview, response);
   if (rest.starts_with("file/")) return send_file(folder, after("file/"), response);
   const auto* owner = std::get_if<std::unique_ptr<ServedRun>>(&served);
   if (owner == nullptr) return refuse(response, 404, "a study has only images and files");
   auto& run = **owner;
-  if (rest == "overview.json") return response.set_content(*run.overview(), kJson);
+  if (rest == "overview.json") return send_text(request, *run.overview(), kJson, response);
   if (rest == "events") return send_events(site.listeners, run, response);
-  if (rest.starts_with("target/")) return send_target(run, after("target/"), response);
+  if (rest.starts_with("target/")) return send_target(run, request, after("target/"), response);
   refuse(response, 404, "there is nothing here");
 }
 
@@ -164,7 +190,7 @@ std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
           fmt::format("{}: is missing: the results page has not been built; './bootstrap build' makes it "
                       "and says what it needs (Node.js 18 or newer and npm)",
                       (folder / name).string()));
-    files.push_back({name, type, read_file(folder / name)});
+    files.push_back({name, type, packed_text(read_file(folder / name))});
   }
   return files;
 }
@@ -179,9 +205,8 @@ void answer(Site& site, const httplib::Request& request, httplib::Response& resp
   // Uses the raw request target instead of httplib's decoding, because the gate has checked this decoding.
   const auto path = decoded(request.target.substr(0, request.target.find('?')));
   try {
-    if (send_bundle_file(site, path, response)) return;
-    if (path.starts_with("/data/"))
-      return send_data(site, path.substr(6), request.get_param_value("layer"), response);
+    if (send_bundle_file(site, request, path, response)) return;
+    if (path.starts_with("/data/")) return send_data(site, request, path.substr(6), response);
     refuse(response, 404, "there is nothing here");
   } catch (const InputError& e) {
     refuse(response, 422, e.what());

@@ -2,6 +2,7 @@
 
 #include "server/events.h"
 #include "server/image_cache.h"
+#include "server/packed_text.h"
 #include "server/served_run.h"
 #include "server/served_study.h"
 
@@ -19,16 +20,17 @@
 ///   /data/<run>/overview.json                report::overview_json
 ///   /data/<run>/target/<index>.json          report::target_json
 ///   /data/<run>/image/<path>.exr?layer=...   an image of the run's folder, packed (report::packed_image)
+///   /data/<run>/preview/<path>.exr           a small PNG of it (report::preview_png)
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
-/// <run> counts from 0, over runs and cost studies. A cost study has only image/ and file/; the page reads
-/// file/cost.json.
+/// <run> counts from 0, over runs and studies. A study has only image/, preview/ and file/; the page reads
+/// file/cost.json or file/stability.json.
 namespace orbs::server {
 
 struct BundleFile {
   std::string name;  // "page.js"
   std::string type;
-  std::string bytes;
+  PackedText text;
 };
 
 using Served = std::variant<std::unique_ptr<ServedRun>, std::unique_ptr<ServedStudy>>;

@@ -115,9 +115,10 @@ export function packedImage(
 ): Buffer {
   const names = Object.keys(channels);
   const header = JSON.stringify({
-    format: "orbs-image/1",
+    format: "orbs-image/2",
     width,
     height,
+    separated: false,
     layer: "",
     layers: [""],
     attributes: {},

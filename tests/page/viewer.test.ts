@@ -208,6 +208,7 @@ test("textures of images that are no longer shown are freed", async () => {
   const first = await textures();
   for (const layer of ["S0", "S1", "S2", "S3"]) {
     await page.getByRole("combobox", { name: "Layer" }).selectOption(layer);
+    await page.getByRole("heading", { name: `layer ${layer}` }).waitFor();
     await drawn(page, "result");
   }
   assert.equal(await textures(), first);

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/shell.h"
+#include "image/image_io.h"
 #include "image/reduced_precision.h"
 #include "json/document.h"
 #include "page/fixture_runs.h"
@@ -9,6 +10,7 @@
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_file.h"
+#include "report/preview.h"
 #include "report/target_data.h"
 #include "structure/source_files.h"
 
@@ -38,6 +40,17 @@ std::string unzipped(const std::string& bytes) {
   return out;
 }
 
+// The values of a plane whose bytes were separated.
+std::string joined(const std::string& bytes, std::size_t size) {
+  std::string out(bytes.size(), '\0');
+  unsigned byte = 0;
+  std::size_t from = 0;
+  for (std::size_t place = size; place-- > 0;)
+    for (std::size_t at = place; at < out.size(); at += size)
+      out[at] = static_cast<char>(byte = (byte + static_cast<unsigned char>(bytes[from++])) & 255U);
+  return out;
+}
+
 image::Image target_with(std::vector<std::string> channels, const std::vector<float>& pixels) {
   auto target = image::make_image(2, 1, std::move(channels));
   target.pixels = pixels;
@@ -52,27 +65,37 @@ TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   // R: halves, among them NaN and infinity; G: a third is no half; B: beyond the largest half.
   const auto target = target_with({"R", "G", "B"}, {0.5F, 1.0F / 3, 70000.0F, nan, 0.25F, INFINITY});
-  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Exact, 1));
-  EXPECT_TRUE(holds(bytes, R"("name": "R",
+  for (const auto packing : {report::Packing::Fast, report::Packing::Small}) {
+    const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Exact, packing));
+    EXPECT_TRUE(holds(bytes, R"("name": "R",
       "type": "half")"));
-  EXPECT_TRUE(holds(bytes, R"("name": "G",
+    EXPECT_TRUE(holds(bytes, R"("name": "G",
       "type": "float")"));
-  const auto planes = bytes.substr(bytes.size() - 2 * 2 - 2 * 4 - 2 * 4);
-  std::uint16_t half = 0;
-  std::memcpy(&half, planes.data(), sizeof(half));
-  EXPECT_EQ(image::float_of_half(half), 0.5F);
-  std::memcpy(&half, planes.data() + 2, sizeof(half));
-  EXPECT_TRUE(std::isnan(image::float_of_half(half)));
-  std::array<float, 4> floats{};
-  std::memcpy(floats.data(), planes.data() + 4, sizeof(floats));
-  EXPECT_EQ(floats[0], 1.0F / 3);
-  EXPECT_EQ(floats[2], 70000.0F);
-  EXPECT_EQ(floats[3], INFINITY);
+    const bool is_small = packing == report::Packing::Small;
+    EXPECT_TRUE(holds(bytes, is_small ? R"("separated": true)" : R"("separated": false)"));
+    std::string planes;
+    std::size_t at = bytes.size() - 2 * 2 - 2 * 4 - 2 * 4;
+    for (const std::size_t size : {2, 4, 4}) {
+      const auto plane = bytes.substr(at, 2 * size);
+      planes += is_small ? joined(plane, size) : plane;
+      at += 2 * size;
+    }
+    std::uint16_t half = 0;
+    std::memcpy(&half, planes.data(), sizeof(half));
+    EXPECT_EQ(image::float_of_half(half), 0.5F);
+    std::memcpy(&half, planes.data() + 2, sizeof(half));
+    EXPECT_TRUE(std::isnan(image::float_of_half(half)));
+    std::array<float, 4> floats{};
+    std::memcpy(floats.data(), planes.data() + 4, sizeof(floats));
+    EXPECT_EQ(floats[0], 1.0F / 3);
+    EXPECT_EQ(floats[2], 70000.0F);
+    EXPECT_EQ(floats[3], INFINITY);
+  }
 }
 
 TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
   const auto target = target_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
-  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, 1));
+  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, report::Packing::Fast));
   EXPECT_TRUE(holds(bytes, R"("type": "half",
       "exact": false)"));
   EXPECT_TRUE(holds(bytes, R"("type": "float",
@@ -82,18 +105,42 @@ TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
 TEST(PackedImage, HasOneLayerAndNamesAll) {
   const auto target = target_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
   EXPECT_EQ(report::layers_of(target), (std::vector<std::string>{"", "S1", "path.ESDL"}));
-  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, 1)),
+  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, report::Packing::Fast)),
                     R"("layers": ["", "S1", "path.ESDL"])"));
-  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, 1), InputError);
+  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, report::Packing::Fast), InputError);
 }
 
 TEST(PackedImage, PixelsStartAtAMultipleOfEight) {
   for (const char* layer : {"", "a", "ab", "abc", "abcd", "abcde", "abcdef", "abcdefg"}) {
     const auto channel = *layer == '\0' ? "R" : std::string(layer) + ".R";
-    const auto bytes =
-        unzipped(report::packed_image(target_with({channel}, {1, 2}), layer, report::Rounding::Exact, 1));
+    const auto bytes = unzipped(report::packed_image(target_with({channel}, {1, 2}), layer,
+                                                     report::Rounding::Exact, report::Packing::Fast));
     EXPECT_EQ((bytes.size() - 4) % 8, 0U) << layer;
   }
+}
+
+// A page on a slow line shows it first.
+TEST(Preview, IsASmallPngOfTheDisplayedImage) {
+  const structure::TestFolder scratch("preview");
+  auto large = image::make_image(600, 300, {"R", "G", "B", "S1.R"});
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 600; ++x) large.at(x, y, 1) = x < 300 ? 1.0F : 4.0F;
+  const auto png = report::preview_png(large);
+  scratch.write("preview.png", png);
+  const auto read = image::read_image(scratch.path() / "preview.png");
+  EXPECT_EQ(read.width, 200);
+  EXPECT_EQ(read.height, 100);
+  EXPECT_FLOAT_EQ(read.at(20, 20, 0), 0.0F);
+  EXPECT_FLOAT_EQ(read.at(20, 20, 1), 1.0F);
+  EXPECT_FLOAT_EQ(read.at(180, 20, 1), 1.0F);
+  EXPECT_THROW(report::preview_png(image::make_image(4, 4, {"Y"})), InputError);
+  auto odd = image::make_image(513, 2, {"R", "G", "B"});
+  odd.at(512, 0, 0) = 1;
+  odd.at(512, 1, 0) = 1;
+  scratch.write("odd.png", report::preview_png(odd));
+  const auto edge = image::read_image(scratch.path() / "odd.png");
+  EXPECT_EQ(edge.width, 171);
+  EXPECT_NEAR(edge.at(170, 0, 0), 1.0F / 3, 0.01F) << "columns 510 to 512";
 }
 
 TEST(Base64, IsThatOfRfc4648) {

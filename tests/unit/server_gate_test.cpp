@@ -35,6 +35,18 @@ TEST(RequestGate, PassesOnNothingOfTheClientsHeaders) {
             "GET /x HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
 }
 
+// httplib never sees the client's own header: it could pack what is packed.
+TEST(RequestGate, PassesOnWhetherTheClientReadsGzipInWordsOfItsOwn) {
+  const auto head = [](const std::string& encodings) {
+    return std::get<Admitted>(check_request(get("/", "Host: localhost\r\nAccept-Encoding: " + encodings + "\r\n"), {}))
+        .head;
+  };
+  EXPECT_EQ(head("deflate, GZIP, br"),
+            "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nOrbs-Reads-Gzip: 1\r\n\r\n");
+  for (const char* without : {"identity", "gzip;q=0", "xgzip", ""})
+    EXPECT_EQ(head(without), "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n") << without;
+}
+
 TEST(RequestGate, AnotherAddressHasNamesThatWeDoNotKnow) {
   EXPECT_EQ(status_of(get("/", "Host: render-box\r\n"), true), 421);
   EXPECT_EQ(status_of(get("/", "Host: render-box\r\n"), false), 200);

@@ -1,7 +1,7 @@
 import { render } from "preact";
 import "uplot/dist/uPlot.min.css";
 import { App } from "./App";
-import { messageOf } from "./common/request";
+import { messageOf } from "./common/message";
 import { openSource } from "./data/source";
 import "./style/base.css";
 import "./style/overview.css";

@@ -11,6 +11,7 @@ import { Cost } from "./Cost";
 import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
+import { useOtherImages } from "./other_images";
 import { Provenance } from "./Provenance";
 import { RenderRecord } from "./RenderRecord";
 import { Verdict } from "./Verdict";
@@ -141,12 +142,13 @@ interface DetailProps {
 }
 
 function Detail({ session, route, one, detail }: DetailProps) {
+  const addable = useOtherImages(session, detail);
   return (
     <>
       <Viewer
         key={`${detail.case}/${detail.target}/${detail.renderer}`}
-        session={session}
-        of={detail}
+        home={session}
+        addable={addable}
         images={detail.images}
         route={route}
       />

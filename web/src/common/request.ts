@@ -1,8 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-
-/** The message of a thrown value. */
-export const messageOf = (error: unknown): string =>
-  error instanceof Error ? error.message : String(error);
+import { messageOf } from "./message";
 
 export interface Received<T> {
   value?: T;

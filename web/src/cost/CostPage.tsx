@@ -15,6 +15,7 @@ import { Pictures } from "./Pictures";
 import { PriceTable } from "./PriceTable";
 import { errorOf, kTimes, metricName, metricOf } from "./quantities";
 import { SaveButtons } from "./SaveButtons";
+import { RungViewer } from "./RungViewer";
 import { sheetOf } from "./save";
 import { currentTheme } from "./theme";
 import type { CostStudy, Curve } from "./types";
@@ -183,6 +184,9 @@ export function CostPage(props: Props) {
   const target = named >= 0 ? named : 0;
   if (!x || !y || study.targets.length === 0) return <p class="quiet">Nothing was measured yet.</p>;
   const axes = { x: x.name, y };
+  const viewed =
+    route.path[0] === "images" ? chosenPoint(study, target, query["point"]) : undefined;
+  if (viewed) return <RungViewer home={props} study={study} route={route} {...viewed} />;
   return (
     <>
       <section class="cost-panel who" aria-label="Who is cheapest">

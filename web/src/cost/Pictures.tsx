@@ -1,7 +1,9 @@
 import { useState } from "preact/hooks";
 import { PairList } from "../common/PairList";
 import { useRequest } from "../common/request";
+import { runQuery } from "../common/session";
 import type { Source } from "../data/source";
+import { routeText } from "../route";
 import { useHeldKey } from "../viewer/held_key";
 import { numbersOf } from "./quantities";
 import type { CostStudy, Curve } from "./types";
@@ -52,6 +54,10 @@ interface Props {
   onRung: (rung: number) => void;
 }
 
+/** The viewer on the image of a rung. A study in one file holds no floats for it. */
+const viewerLink = (source: Source, run: number, target: string, point: string): string =>
+  routeText({ path: ["images"], query: { ...runQuery(source, run), target, point } });
+
 /** The image of a rung beside the reference, and all its numbers. */
 export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
   const [held, setHeld] = useState(false);
@@ -84,6 +90,11 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
         />
         <Picture {...common} file={target.reference} label="reference" />
       </div>
+      {source.isServed && point.exr ? (
+        <a href={viewerLink(source, run, target.name, `${name}/${rung}`)}>
+          A × B: this image, its reference and other rungs at one place
+        </a>
+      ) : null}
       <p class="quiet">
         Hold Shift to see the reference in place of the image.
         {point.below_reference_noise ? " This error is within the noise of the reference." : ""}

@@ -1,7 +1,7 @@
 import { floatsOf, type Raster } from "./raster";
 
 /** Display-encoded value of 0 to 1, IEC 61966-2-1. */
-const srgb = (linear: number): number =>
+export const encoded = (linear: number): number =>
   linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
 
 /** The image as a display shows it, as the address of a PNG; NaN is magenta. */
@@ -20,7 +20,7 @@ export function pngAddress(raster: Raster): string {
     const colour = planes.map((plane) => plane[i] ?? NaN);
     const shown = colour.some(Number.isNaN)
       ? [255, 0, 255]
-      : colour.map((value) => 255 * srgb(Math.min(1, Math.max(0, value))));
+      : colour.map((value) => 255 * encoded(Math.min(1, Math.max(0, value))));
     image.data.set([...shown.map(Math.round), 255], 4 * i);
   }
   const canvas = document.createElement("canvas");

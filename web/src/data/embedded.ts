@@ -1,4 +1,6 @@
-import { unpack } from "./raster";
+import { decoded } from "./decoder";
+import { pngAddress } from "./display";
+import type { Raster } from "./raster";
 import type { Source } from "./source";
 import type { Overview, TargetDetail } from "./types";
 
@@ -6,13 +8,6 @@ export function textOf(id: string): string {
   const element = document.getElementById(id);
   if (!element) throw new Error("this file was written without it");
   return element.textContent ?? "";
-}
-
-function bytesOf(id: string): Uint8Array<ArrayBuffer> {
-  const text = atob(textOf(id));
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
 }
 
 const noStudy = () => Promise.reject(new Error("this file holds a run, no study"));
@@ -23,6 +18,17 @@ export function embeddedSource(): Source {
   // The run in a file is never live.
   const overview = { ...written, run: { ...written.run, live: false } };
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
+  const raster = async (file: string, layer: string): Promise<Raster> => {
+    const element = elements[file];
+    if (!element)
+      throw new Error(
+        "this file was kept small and does not hold it; " +
+          "'orbs serve' shows it from the folder of the run",
+      );
+    if (layer)
+      throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
+    return decoded(textOf(element));
+  };
   let targets: TargetDetail[] | undefined;
   return {
     runs: [overview.run.name],
@@ -35,21 +41,9 @@ export function embeddedSource(): Source {
       if (!target) throw new Error("this run has no such target");
       return target;
     },
-    raster: async (_run, file, layer) => {
-      const element = elements[file];
-      if (!element)
-        throw new Error(
-          "this file was kept small and does not hold it; " +
-            "'orbs serve' shows it from the folder of the run",
-        );
-      if (layer)
-        throw new Error("this file holds only the main layer; 'orbs serve' shows the others");
-      return unpack(new Blob([bytesOf(element)]).stream());
-    },
-    thumbnail: async (_run, index) => {
-      const element = document.getElementById(`thumbnail-${index}`);
-      return element ? `data:image/png;base64,${element.textContent ?? ""}` : undefined;
-    },
+    raster: (_run, file, layer) => raster(file, layer),
+    // The floats are at hand: a second, smaller form of each image would make the file larger.
+    preview: async (_run, file) => pngAddress(await raster(file, "")),
     study: noStudy,
     stability: noStudy,
     picture: noStudy,

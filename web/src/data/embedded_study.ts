@@ -17,7 +17,7 @@ export function embeddedStudy(): Source {
     overview: noRun,
     target: noRun,
     raster: noRun,
-    thumbnail: async () => undefined,
+    preview: noRun,
     study: async () => study as CostStudy,
     stability: async () => study as StabilityStudy,
     picture: async (_run, file) => {

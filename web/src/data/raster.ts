@@ -1,19 +1,7 @@
-// Images in the format of src/report/packed_image.h (orbs-image/1).
-
 export interface ChannelInfo {
   name: string;
   type: "half" | "float";
   exact: boolean;
-}
-
-interface Header {
-  format: string;
-  width: number;
-  height: number;
-  layer: string;
-  layers: string[];
-  channels: ChannelInfo[];
-  attributes: Record<string, string>;
 }
 
 export interface Raster {
@@ -66,32 +54,4 @@ export function floatsOf(
   const out = new Float32Array(end - begin);
   for (let i = begin; i < end; ++i) out[i - begin] = halves[plane[i] ?? 0] ?? NaN;
   return out;
-}
-
-/** Unpacks an image. Throws an Error with a message if it is truncated or of another format. */
-export async function unpack(gzipped: ReadableStream<Uint8Array<ArrayBuffer>>): Promise<Raster> {
-  const stream = gzipped.pipeThrough(new DecompressionStream("gzip"));
-  const bytes = await new Response(stream).arrayBuffer();
-  if (bytes.byteLength < 4) throw new Error("the image is truncated");
-  const headerLength = new DataView(bytes).getUint32(0, true);
-  const header = JSON.parse(
-    new TextDecoder().decode(new Uint8Array(bytes, 4, headerLength)),
-  ) as Header;
-  if (header.format !== "orbs-image/1")
-    throw new Error(`expected an image in the format 'orbs-image/1' and found '${header.format}'`);
-  const count = header.width * header.height;
-  let at = 4 + headerLength;
-  const planes = header.channels.map((channel) => {
-    const size = channel.type === "half" ? 2 : 4;
-    const begin = at;
-    at += size * count;
-    // Typed arrays must start at a multiple of their element size; a plane may not.
-    const aligned = begin % size === 0 ? bytes : bytes.slice(begin, at);
-    const offset = begin % size === 0 ? begin : 0;
-    return channel.type === "half"
-      ? new Uint16Array(aligned, offset, count)
-      : new Float32Array(aligned, offset, count);
-  });
-  const { width, height, layer, layers, channels, attributes } = header;
-  return { width, height, layer, layers, channels, attributes, planes };
 }

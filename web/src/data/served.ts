@@ -1,7 +1,8 @@
 import type { CostStudy } from "../cost/types";
 import type { StabilityStudy } from "../stability/types";
 import { pngAddress } from "./display";
-import { unpack, type Raster } from "./raster";
+import { decoded } from "./decoder";
+import type { Raster } from "./raster";
 import type { Kind, Source } from "./source";
 import type { Overview, TargetDetail, Progress } from "./types";
 
@@ -30,8 +31,7 @@ export async function servedSource(): Promise<Source> {
   ): Promise<Raster> => {
     const query = layer ? `?layer=${encodeURIComponent(layer)}` : "";
     const response = await get(`/data/${run}/image/${encoded(file)}${query}`, signal);
-    if (!response.body) throw new Error("the server sent an empty response");
-    return unpack(response.body);
+    return decoded(await response.arrayBuffer());
   };
   return {
     runs: runs.map((run) => run.name),
@@ -54,10 +54,7 @@ export async function servedSource(): Promise<Source> {
       (await (await get(fileAddress(run, "stability.json"))).json()) as StabilityStudy,
     picture: async (run, file) =>
       file.endsWith(".exr") ? pngAddress(await raster(run, file, "")) : fileAddress(run, file),
-    thumbnail: async (run, _index, detail) => {
-      const result = (await detail()).images.find((image) => image.kind === "result");
-      return result ? fileAddress(run, result.file.replace(/[^/]*$/, "result.png")) : undefined;
-    },
+    preview: async (run, file) => `/data/${run}/preview/${encoded(file)}`,
     fileAddress,
     follow: (run, onUpdate) => {
       const events = new EventSource(`/data/${run}/events`);

@@ -23,12 +23,8 @@ export interface Source {
   target(run: number, index: number): Promise<TargetDetail>;
   /** One layer of an image; rejects with an Error that says why. */
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
-  /** Address of the thumbnail of a cell; undefined if it has none. */
-  thumbnail(
-    run: number,
-    index: number,
-    target: () => Promise<TargetDetail>,
-  ): Promise<string | undefined>;
+  /** Address of a small picture of an image, as a display shows it. */
+  preview(run: number, file: string): Promise<string>;
   /** A cost study as it is now. */
   study(run: number): Promise<CostStudy>;
   /** A study of stability as it is now. */

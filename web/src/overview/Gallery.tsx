@@ -71,9 +71,13 @@ function Picture({
   label: string;
   side: number;
 }) {
+  // What cannot be shown as colours, such as an image of another renderer's own channels, stays empty.
+  const [failed, setFailed] = useState<string>();
   return (
     <span class="picture" style={{ width: `${side}px`, height: `${side}px` }}>
-      {address ? <img src={address} alt={label} title={label} /> : null}
+      {address && address !== failed ? (
+        <img src={address} alt={label} title={label} onError={() => setFailed(address)} />
+      ) : null}
     </span>
   );
 }

@@ -1,6 +1,14 @@
 import { useEffect, useState } from "preact/hooks";
 import { bytes, seconds } from "../common/format";
 import { namesOf, reasonOf, type Session } from "../common/session";
+import type { Source } from "../data/source";
+
+/** Address of a small picture of the result; undefined if there is none. */
+async function previewOf(source: Source, run: number, index: number): Promise<string | undefined> {
+  const { images } = await source.target(run, index);
+  const result = images.find((image) => image.kind === "result");
+  return result && source.preview(run, result.file);
+}
 
 export interface Hovered {
   index: number;
@@ -15,13 +23,10 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
   useEffect(() => {
     let wanted = true;
     setImage(undefined);
-    if (overview.cells.thumbnail[index])
-      source
-        .thumbnail(run, index, () => source.target(run, index))
-        .then(
-          (address) => wanted && setImage(address),
-          () => undefined, // the reason of the verdict is shown without it
-        );
+    previewOf(source, run, index).then(
+      (address) => wanted && setImage(address),
+      () => undefined, // the reason of the verdict is shown without it
+    );
     return () => void (wanted = false);
   }, [index, run]);
   const names = namesOf(overview, index);
@@ -40,7 +45,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
       <p>
         <b>{names.target}</b> by {names.renderer}
       </p>
-      {image ? <img src={image} alt="" width={256} /> : null}
+      {image ? <img src={image} alt="" width={256} onError={() => setImage(undefined)} /> : null}
       <p>{reasonOf(overview, index)}</p>
       <p class="quiet">
         {seconds(overview.cells.wall_seconds[index])} ·{" "}

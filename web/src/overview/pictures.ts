@@ -1,6 +1,5 @@
 // Small pictures of a cell for the gallery: result, reference and their difference.
 import type { Session } from "../common/session";
-import { pngAddress } from "../data/display";
 import { floatsOf, type Raster } from "../data/raster";
 import { scaleBytes } from "../viewer/colour_scales";
 
@@ -38,9 +37,6 @@ export function differenceAddress(result: Raster, reference: Raster): string | u
   return canvas.toDataURL("image/png");
 }
 
-const isColour = (raster: Raster): boolean =>
-  ["R", "G", "B"].every((name) => raster.channels.some((channel) => channel.name === name));
-
 // References are shared by renderers, and rows come back into the window.
 const kMostKept = 400;
 const kept = new Map<string, Pictures>();
@@ -51,7 +47,7 @@ function keep(key: string, pictures: Pictures): void {
   if (kept.size > kMostKept && oldest !== undefined) kept.delete(oldest);
 }
 
-/** Calls `onPictures` as they arrive: the small PNG of the run first, then what needs the pixels. */
+/** Calls `onPictures` as they arrive: the small pictures first, then what needs the floats. */
 export async function loadPictures(
   { source, run, overview }: Session,
   cell: number,
@@ -64,18 +60,18 @@ export async function loadPictures(
   const pictures: Pictures = {};
   const add = (change: Pictures): void => onPictures({ ...Object.assign(pictures, change) });
   try {
-    const detail = await source.target(run, cell);
-    const thumbnail = overview.cells.thumbnail[cell]
-      ? await source.thumbnail(run, cell, () => Promise.resolve(detail))
-      : undefined;
-    if (thumbnail) add({ result: thumbnail });
-    const file = (kind: string) => detail.images.find((image) => image.kind === kind)?.file;
+    const { images } = await source.target(run, cell);
+    const file = (kind: string) => images.find((image) => image.kind === kind)?.file;
     const [own, right] = [file("result"), file("reference")];
-    const reference = right ? await source.raster(run, right, "", signal) : undefined;
-    if (reference && isColour(reference)) add({ reference: pngAddress(reference) });
-    const result = own ? await source.raster(run, own, "", signal) : undefined;
-    const difference = result && reference ? differenceAddress(result, reference) : undefined;
-    if (difference) add({ difference });
+    // The small pictures of all come before the floats of any.
+    if (own) add({ result: await source.preview(run, own) });
+    if (right) add({ reference: await source.preview(run, right) });
+    if (own && right) {
+      const floats = [right, own].map((one) => source.raster(run, one, "", signal));
+      const [reference, result] = await Promise.all(floats);
+      const difference = result && reference ? differenceAddress(result, reference) : undefined;
+      if (difference) add({ difference });
+    }
     keep(key, pictures);
   } catch {
     // Without an image its place stays empty; the verdict beside it says why there is none.

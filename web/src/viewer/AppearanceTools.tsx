@@ -1,7 +1,7 @@
 import { offer } from "../common/offer";
 import type { Controls } from "./controls";
 import { ActionButton, ChoiceField, NumberField, type ToolsProps } from "./tools";
-import { kCurves, type Curve, type ViewState } from "./view_state";
+import { kCurves, kPercentiles, type Curve, type ViewState } from "./view_state";
 
 const kCurveNames: Record<Curve, string> = {
   srgb: "sRGB",
@@ -90,6 +90,16 @@ export function RarerTools({ controls: c, actions }: ToolsProps) {
         onChange={(offset) => c.setView({ ...view, offset })}
       />
       <ActionButton actions={actions} action="n" text="Normalise" />
+      <ChoiceField
+        label="Percentile of Normalise"
+        title="the share of the visible values that Normalise shows; the others are clipped"
+        value={String(view.percentile)}
+        choices={kPercentiles.map((one) => ({
+          value: String(one),
+          label: one === 100 ? "whole range" : `${one} %`,
+        }))}
+        onChange={(percent) => c.setView({ ...view, percentile: Number(percent) })}
+      />
       <ActionButton actions={actions} action="l" text="Log" pressed={view.log} />
       <ActionButton actions={actions} action="z" text="Zebra" pressed={view.zebra} />
       <ActionButton actions={actions} action="r" text="Reset" />

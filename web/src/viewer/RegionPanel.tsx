@@ -2,9 +2,9 @@ import { number, rawFloat } from "../common/format";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { StatisticsTable } from "./Histogram";
-import type { RegionMetrics } from "./region_metrics";
+import { meanErrors, type Errors } from "./region_metrics";
 import { isWithin, type Region } from "./statistics";
-import { useRegionMetrics, useStatistics } from "./use_counted";
+import { useChannelErrors, useStatistics } from "./use_counted";
 import type { Pair } from "./use_front";
 import { isRaster, type Loaded } from "./use_rasters";
 
@@ -24,7 +24,7 @@ function MapMean({ image, raster, region }: { image: ImageEntry; raster: Raster;
 }
 
 /** Mean differences of A and B. */
-function DifferenceRows({ metrics }: { metrics: RegionMetrics }) {
+function DifferenceRows({ metrics }: { metrics: Errors }) {
   return (
     <>
       <tr title="mean of |A − B| over R, G, B, linear">
@@ -62,7 +62,7 @@ export function RegionPanel({ region, images, rasters, pair, onClear }: RegionPa
   const fitting = (raster: Raster | undefined): Raster | undefined =>
     raster && isWithin(region, raster) ? raster : undefined;
   const statistics = useStatistics(fitting(result), region);
-  const metrics = useRegionMetrics(fitting(result), fitting(reference), region);
+  const errors = useChannelErrors(fitting(result), fitting(reference), region);
   const image = result ?? reference;
   const [x0, y0, x1, y1] = region;
   return (
@@ -81,7 +81,7 @@ export function RegionPanel({ region, images, rasters, pair, onClear }: RegionPa
       ) : null}
       <table>
         <tbody>
-          {metrics ? <DifferenceRows metrics={metrics} /> : null}
+          {errors ? <DifferenceRows metrics={meanErrors(errors)} /> : null}
           {images.map((image) => {
             const raster = rasters.get(image.name);
             return image.kind === "map" && isRaster(raster) && fitting(raster) ? (

@@ -84,7 +84,8 @@ export function Stage(props: Props) {
 
 /** Messages over the images: what failed, and what is still loading. */
 function Notes({ shown, problem }: { shown: Shown[]; problem: string | undefined }) {
-  const waiting = shown.filter((one) => one.loaded === undefined).map((one) => one.image.name);
+  const waiting = shown.filter((one) => one.loaded === undefined);
+  const names = waiting.map((one) => one.image.name).join(", ");
   const failed = shown.flatMap((one) =>
     one.loaded && !isRaster(one.loaded) ? [one.loaded.problem] : [],
   );
@@ -95,7 +96,13 @@ function Notes({ shown, problem }: { shown: Shown[]; problem: string | undefined
           {text}
         </p>
       ))}
-      {waiting.length > 0 ? <p class="stage-note">Loading {waiting.join(", ")} …</p> : null}
+      {waiting.length > 0 ? (
+        <p class="stage-note">
+          {waiting.every((one) => one.preview)
+            ? `Preview: the values of ${names} are loading …`
+            : `Loading ${names} …`}
+        </p>
+      ) : null}
     </>
   );
 }

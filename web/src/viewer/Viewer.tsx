@@ -1,20 +1,22 @@
 import { useRef, useState } from "preact/hooks";
 import { useActions } from "../common/keys";
-import type { Session } from "../common/session";
+import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import type { Route } from "../route";
 import { viewActions } from "./actions";
 import { differenceEntry } from "./difference";
 import { channelChoices, channelInForce } from "./channels";
 import type { Controls } from "./controls";
+import { panesOf, type Size } from "./geometry";
 import { HistogramPlot, StatisticsTable } from "./Histogram";
 import { Legend } from "./Legend";
 import { paintSettings } from "./paint_settings";
+import { PairErrors } from "./PairErrors";
 import { Readout } from "./Readout";
 import { RegionPanel } from "./RegionPanel";
 import { Stage } from "./Stage";
 import { Toolbar } from "./Toolbar";
-import { extraChoices, useExtraImages, type ViewedTarget } from "./extra_images";
+import { useExtraImages, type Addable, type ImageHome } from "./extra_images";
 import { pairOf, useFront, type Front } from "./use_front";
 import { useLoadedImages, type LoadedImages } from "./use_loaded_images";
 import { isRaster } from "./use_rasters";
@@ -56,7 +58,7 @@ function controlsOf(
   view: ViewState,
   setView: (view: ViewState) => void,
   local: LocalState,
-  { front, ticked, pair }: Front,
+  { front, visible, ticked, pair }: Front,
   offered: Pick<Controls, "extra" | "addressOf">,
   { raster, size, layers, worst, rangeFor }: LoadedImages,
 ): Controls {
@@ -69,7 +71,8 @@ function controlsOf(
     front,
     settings: front && paintSettings(front, view, raster, range),
     size,
-    range,
+    raster,
+    pane: () => paneSize(visible, view, size),
     worst,
     worstIndex: visited?.of === worst ? (visited?.index ?? -1) : -1,
     setWorstIndex: (index) => {
@@ -92,15 +95,27 @@ function controlsOf(
   };
 }
 
+/** The size of a pane of the stage as it is now. */
+function paneSize(visible: ImageEntry[], view: ViewState, size: Size): Size {
+  const { clientWidth: width, clientHeight: height } = document.querySelector(".stage") ?? {
+    clientWidth: 600,
+    clientHeight: 400,
+  };
+  const names = view.mode === "side" ? visible.map(({ name }) => name) : [""];
+  return panesOf(names, { width, height }, size)[0] ?? { width, height };
+}
+
 interface ViewerProps {
-  session: Session;
-  of: ViewedTarget;
+  home: ImageHome;
   images: ImageEntry[];
+  addable: Addable;
   route: Route;
 }
 
-const addressOf = ({ source, run }: Session, { file, run: own }: ImageEntry): string | undefined =>
-  file ? source.fileAddress(own ?? run, file) : undefined;
+const addressOf = (
+  { source, run }: ImageHome,
+  { file, run: own }: ImageEntry,
+): string | undefined => (file ? source.fileAddress(own ?? run, file) : undefined);
 
 /** The images of the target, those that were added, and the difference of the two compared ones. */
 function allImages(own: ImageEntry[], added: ImageEntry[], view: ViewState): ImageEntry[] {
@@ -110,20 +125,20 @@ function allImages(own: ImageEntry[], added: ImageEntry[], view: ViewState): Ima
 }
 
 /** The images of a target, with the tools to compare them. */
-export function Viewer({ session, of, images: own, route }: ViewerProps) {
+export function Viewer({ home, images: own, addable, route }: ViewerProps) {
   const [view, setView] = useView(route);
-  const added = useExtraImages(session, of, view.more);
+  const added = useExtraImages(addable, view.more);
   const images = allImages(own, added.images, view);
   const local = useLocalState();
   const inFront = useFront(images, view, local.blinking);
-  const data = useLoadedImages(session, images, view, inFront);
+  const data = useLoadedImages(home, images, view, inFront);
   const controls = controlsOf(
     images,
     view,
     setView,
     local,
     inFront,
-    { extra: extraChoices(session, of), addressOf: (image) => addressOf(session, image) },
+    { extra: addable.names, addressOf: (image) => addressOf(home, image) },
     data,
   );
   const actions = viewActions(controls);
@@ -136,6 +151,7 @@ export function Viewer({ session, of, images: own, route }: ViewerProps) {
   const shown = inFront.visible.map((image) => ({
     image,
     loaded: data.rasters.get(image.name),
+    preview: data.previews.get(image.name),
     range: data.rangeFor(image),
   }));
   return (
@@ -150,7 +166,7 @@ export function Viewer({ session, of, images: own, route }: ViewerProps) {
         <div class="viewer-main" ref={main}>
           <Stage
             shown={shown}
-            loaded={[...data.rasters.values()].filter(isRaster)}
+            loaded={[...data.rasters.values(), ...data.previews.values()].filter(isRaster)}
             view={view}
             size={data.size}
             marked={marked}
@@ -210,11 +226,21 @@ interface SideProps {
 
 /** The values and statistics beside the images. */
 function Side({ controls, data, at }: SideProps) {
-  const { images, view, setView, front } = controls;
+  const { images, view, setView, front, pair } = controls;
   const { rasters, statistics } = data;
+  const loaded = (name: string): Raster | undefined => {
+    const raster = rasters.get(name);
+    return isRaster(raster) ? raster : undefined;
+  };
+  const kindOf = (name: string) => images.find((image) => image.name === name)?.kind;
+  // The verdict's own numbers are those of result and reference in colour.
+  const isJudged = !view.layer && kindOf(pair.a) === "result" && kindOf(pair.b) === "reference";
   return (
     <aside class="viewer-side">
       <Readout at={at} images={images} rasters={rasters} channel={view.channel} />
+      {isJudged ? null : (
+        <PairErrors pair={pair} layer={view.layer} a={loaded(pair.a)} b={loaded(pair.b)} />
+      )}
       {front ? (
         <h3>
           {front.name}

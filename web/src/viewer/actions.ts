@@ -44,9 +44,17 @@ function imageActions(c: Controls): Action[] {
       set({ mode: view.mode === "swipe" ? "flip" : "swipe" }),
     ),
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
-    act("d", "next error map", () => {
-      const current = maps.findIndex((image) => image.name === view.image);
-      set({ image: maps[(current + 1) % maps.length]?.name ?? view.image });
+    act("d", "next map: those of the run, then the difference by each measure", () => {
+      const { name } = c.front ?? { name: "" };
+      const isLast = view.measure === kMeasures.at(-1);
+      if (name === kDifference && (!isLast || maps.length === 1))
+        return set({ measure: next(kMeasures, view.measure), ends });
+      set({
+        image: next(
+          maps.map((map) => map.name),
+          name,
+        ),
+      });
     }),
   ];
 }
@@ -65,7 +73,7 @@ function appearanceActions(c: Controls): Action[] {
     act("o", "offset +0.05", () => addOffset(0.05)),
     act("Shift+O", "offset −0.05", () => addOffset(-0.05)),
     act("g", "sRGB, gamma, linear, false colour", () => set({ curve: next(kCurves, view.curve) })),
-    act("n", "normalise to the image's range", () => normalise(c)),
+    act("n", "normalise to a percentile of what is visible", () => normalise(c)),
     act("l", "linear or logarithmic colour scale", () => set({ log: !view.log })),
     act("z", "zebra stripes on clipped values", () => set({ zebra: !view.zebra })),
     act("x", "next channel", () => set({ channel: next(channels, c.channel) })),

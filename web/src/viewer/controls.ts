@@ -1,9 +1,10 @@
+import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import type { Size } from "./geometry";
 import type { PaintSettings } from "./paint_settings";
-import type { Range } from "./statistics";
 import type { ViewState } from "./view_state";
 import type { Pair } from "./use_front";
+import { percentileRange, visiblePixels } from "./visible_range";
 import type { Worst } from "./worst";
 
 /** All that the keys and the buttons of the viewer act on. */
@@ -15,8 +16,10 @@ export interface Controls {
   /** How the image in front is painted. */
   settings: PaintSettings | undefined;
   size: Size;
-  /** Range of the image in front in the channels that are seen; undefined until it is counted. */
-  range: Range | undefined;
+  /** The image in front, once it is loaded. */
+  raster: Raster | undefined;
+  /** The size of the pane of the image in front, in CSS pixels. */
+  pane: () => Size;
   worst: Worst | undefined;
   /** Rank of the worst pixel that is visited, from 0; -1 before the first visit. */
   worstIndex: number;
@@ -66,12 +69,16 @@ export function toWorstTile(c: Controls): void {
 }
 
 /**
- * Chooses exposure and offset so that the range of the image becomes 0 to 1; in false colour ends
- * the scale at its largest magnitude.
+ * Chooses exposure and offset so that the range of what is visible becomes 0 to 1; in false colour
+ * ends the scale at its largest magnitude. The range is that of the chosen percentile.
  */
 export function normalise(c: Controls): void {
-  if (!c.range || !c.front) return;
-  const { min, max } = c.range;
+  if (!c.raster || !c.front || !c.settings) return;
+  const { raster, view } = c;
+  const visible = visiblePixels(view, c.pane(), raster);
+  const range = percentileRange(raster, c.settings.channels, visible, view.percentile);
+  if (!range) return;
+  const { min, max } = range;
   if (c.settings?.falseColour) {
     c.setView({
       ...c.view,

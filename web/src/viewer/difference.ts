@@ -1,7 +1,9 @@
 // Differences of two images, computed from their values: A − B in several measures.
+import { encoded } from "../data/display";
 import { floatsOf, type Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { flipMap } from "./flip";
+import { ssimMap } from "./ssim";
 import { forEachRow } from "./statistics";
 import type { Measure } from "./view_state";
 
@@ -24,6 +26,32 @@ export const kMeasureKinds: Record<Measure, Kind> = {
     scaleMaximum: 0.5,
   },
   squared: { label: "squared", definition: "(A − B)²", signed: false, scaleMaximum: 0.04 },
+  relmse: {
+    label: "relMSE",
+    definition: "(A − B)² / (B² + 0.01)",
+    signed: false,
+    scaleMaximum: 0.1,
+  },
+  smape: {
+    label: "SMAPE",
+    definition: "2 |A − B| / (|A| + |B| + 0.02)",
+    signed: false,
+    scaleMaximum: 0.5,
+  },
+  srgb8: {
+    label: "squared, sRGB",
+    definition: "squared difference of the clamped, sRGB-encoded values times 255",
+    signed: false,
+    scaleMaximum: 650.25,
+  },
+  ssim: {
+    label: "1 − SSIM",
+    definition:
+      "1 − SSIM (Wang et al. 2004) of the window of 11 × 11 px around each pixel, on the luma of the " +
+      "clamped, sRGB-encoded values; NaN in the outer 5 px",
+    signed: false,
+    scaleMaximum: 1,
+  },
   flip: {
     label: "FLIP",
     definition: "LDR-FLIP of A and B (Andersson et al. 2020), clamped to [0, 1], 67 px per degree",
@@ -37,7 +65,8 @@ export const kDifference = "difference";
 /** The entry of the difference among the images; its pixels are computed, not loaded. */
 export function differenceEntry(a: string, b: string, measure: Measure): ImageEntry {
   const { definition, signed, scaleMaximum } = kMeasureKinds[measure];
-  const where = measure === "flip" ? "" : " in each channel; linear";
+  const where =
+    measure in kImageMaps ? "" : ` in each channel${measure === "srgb8" ? "" : "; linear"}`;
   return {
     name: kDifference,
     kind: "map",
@@ -48,11 +77,29 @@ export function differenceEntry(a: string, b: string, measure: Measure): ImageEn
   };
 }
 
-const kFormulas: Record<Exclude<Measure, "flip">, (a: number, b: number) => number> = {
+type ImageMeasure = "flip" | "ssim";
+
+/** Measures that look at the neighbours of a pixel and give one channel. */
+const kImageMaps: Record<
+  ImageMeasure,
+  { channel: string; map: (a: Raster, b: Raster, signal: AbortSignal) => Promise<Float32Array> }
+> = {
+  flip: { channel: "FLIP", map: flipMap },
+  ssim: { channel: "Y", map: ssimMap },
+};
+
+const isImageMeasure = (measure: Measure): measure is ImageMeasure => measure in kImageMaps;
+
+const shown = (value: number): number => 255 * encoded(Math.min(1, Math.max(0, value)));
+
+const kFormulas: Record<Exclude<Measure, ImageMeasure>, (a: number, b: number) => number> = {
   signed: (a, b) => a - b,
   absolute: (a, b) => Math.abs(a - b),
   relative: (a, b) => (a - b) / (Math.abs(b) + 0.01),
   squared: (a, b) => (a - b) * (a - b),
+  relmse: (a, b) => ((a - b) * (a - b)) / (b * b + 0.01),
+  smape: (a, b) => (2 * Math.abs(a - b)) / (Math.abs(a) + Math.abs(b) + 0.02),
+  srgb8: (a, b) => (shown(a) - shown(b)) ** 2,
 };
 
 /** Throws an Error with a message if the images cannot be subtracted. */
@@ -78,9 +125,11 @@ export async function differenceOf(
     attributes: {},
     planes,
   });
-  if (measure === "flip") {
-    if (names.length < 3) throw new Error("FLIP needs the channels R, G and B");
-    return raster([await flipMap(a, b, signal)], ["FLIP"]);
+  if (isImageMeasure(measure)) {
+    const { channel, map } = kImageMaps[measure];
+    if (names.length < 3)
+      throw new Error(`${kMeasureKinds[measure].label} needs the channels R, G and B`);
+    return raster([await map(a, b, signal)], [channel]);
   }
   const formula = kFormulas[measure];
   const planes = names.map(() => new Float32Array(width * height));

@@ -19,6 +19,8 @@ function swipeClip(index: number, stage: StageSize, swipe: number): Rectangle {
 function paintOf(content: StageContent, shown: Shown, raster: Raster, pane: Pane): Paint {
   const { view, size, stage } = content;
   const at = placed(view, pane, size);
+  // A preview has fewer pixels, which are as much larger.
+  const factor = raster === shown.preview ? size.width / raster.width : 1;
   const box = [pane.x, pane.y, pane.width, pane.height].map((v) => v * stage.scale) as Rectangle;
   return {
     ...paintSettings(shown.image, view, raster, shown.range),
@@ -26,8 +28,11 @@ function paintOf(content: StageContent, shown: Shown, raster: Raster, pane: Pane
     pane: box,
     clip: content.swiping ? swipeClip(content.shown.indexOf(shown), stage, view.swipe) : box,
     // The top left corners of an image and its reference coincide, even if their sizes differ.
-    origin: [at.x - pane.width / 2 / at.zoom, at.y - pane.height / 2 / at.zoom],
-    zoom: at.zoom * stage.scale,
+    origin: [
+      (at.x - pane.width / 2 / at.zoom) / factor,
+      (at.y - pane.height / 2 / at.zoom) / factor,
+    ],
+    zoom: at.zoom * stage.scale * factor,
     zebra: view.zebra,
   };
 }
@@ -58,15 +63,17 @@ export function drawStage(
   painter.clear(kSurround);
   shown.forEach((one, i) => {
     const pane = content.panes[i];
-    if (!pane || !isRaster(one.loaded)) return;
+    const raster = one.loaded === undefined ? one.preview : one.loaded;
+    if (!pane || !isRaster(raster)) return;
     const most = painter.mostPixels;
-    if (Math.max(one.loaded.width, one.loaded.height) > most)
+    if (Math.max(raster.width, raster.height) > most)
       problem = `the image is larger than the ${most} pixels that this graphics driver draws`;
-    else painter.paint(paintOf(content, one, one.loaded, pane), kSurround);
+    else painter.paint(paintOf(content, one, raster, pane), kSurround);
   });
   drawOverlay(overlay, content);
-  canvas.dataset["drawn"] = shown
-    .map((one) => (isRaster(one.loaded) ? one.image.name : ""))
-    .join(" ");
+  const names = (isIn: (one: Shown) => boolean): string =>
+    shown.map((one) => (isIn(one) ? one.image.name : "")).join(" ");
+  canvas.dataset["drawn"] = names((one) => isRaster(one.loaded));
+  canvas.dataset["preview"] = names((one) => one.loaded === undefined && one.preview !== undefined);
   return problem;
 }

@@ -1,47 +1,24 @@
-// Images of the same target by other renderers and of other runs, beside those of the target.
+// Images that are added beside those of the viewer.
 import { useEffect, useState } from "preact/hooks";
-import { messageOf } from "../common/request";
-import { findCell, namesOf, type Session } from "../common/session";
+import { messageOf } from "../common/message";
+import type { Source } from "../data/source";
 import type { ImageEntry } from "../data/types";
 
-/** The target whose images the viewer shows. */
-export interface ViewedTarget {
-  case: string;
-  target: string;
-  renderer: string;
+/** Where the files of images are: the index of a run or study of the source. */
+export interface ImageHome {
+  source: Source;
+  run: number;
 }
 
-/** Names of images that can be added: "cycles", or "orbs@outputs-1" of another run. */
-export function extraChoices(session: Session, { renderer, ...of }: ViewedTarget): string[] {
-  const { overview, source, run } = session;
-  const here = overview.cells.case.flatMap((_, cell) => {
-    const names = namesOf(overview, cell);
-    const isOther = names.case === of.case && names.target === of.target;
-    return isOther && names.renderer !== renderer ? [names.renderer] : [];
-  });
-  const elsewhere = source.runs.flatMap((name, i) =>
-    i !== run && source.kinds[i] === "run" ? [`${renderer}@${name}`] : [],
-  );
-  return [...here, ...elsewhere];
-}
-
-/** The image of that name, or why there is none. */
-async function load(
-  session: Session,
-  of: ViewedTarget,
-  name: string,
-): Promise<ImageEntry | string> {
-  const { source } = session;
-  const at = name.indexOf("@");
-  const run = at < 0 ? session.run : source.runs.indexOf(name.slice(at + 1));
-  if (run < 0) return `${name}: there is no run of this name`;
-  const overview = run === session.run ? session.overview : await source.overview(run);
-  const renderer = at < 0 ? name : name.slice(0, at);
-  const cell = findCell(overview, of.case, of.target, renderer);
-  if (cell < 0) return `${name}: the run has no such target`;
-  const detail = await source.target(run, cell);
-  const result = detail.images.find((image) => image.kind === "result");
-  return result ? { ...result, name, kind: "other", run } : `${name}: there is no image`;
+/** The images that can be added. */
+export interface Addable {
+  /** What they are of: the names of two addables with the same key mean the same images. */
+  key: string;
+  names: string[];
+  /** The name that the result itself has for other viewers; it is not added a second time. "" for none. */
+  own: string;
+  /** The image of a name, which a link may have made up; rejects with an Error that says why not. */
+  load(name: string): Promise<ImageEntry>;
 }
 
 export interface ExtraImages {
@@ -52,14 +29,14 @@ export interface ExtraImages {
 const kNone: ExtraImages = { images: [], problems: [] };
 
 /** The images of these names, once their records are read. */
-export function useExtraImages(session: Session, of: ViewedTarget, names: string[]): ExtraImages {
+export function useExtraImages(addable: Addable, wanted: string[]): ExtraImages {
   const [found, setFound] = useState({ key: "", extra: kNone });
-  const wanted = names.filter((name) => name !== of.renderer);
-  const key = [session.run, of.case, of.target, ...wanted].join("\n");
+  const names = wanted.filter((name) => name !== addable.own);
+  const key = [addable.key, ...names].join("\n");
   useEffect(() => {
     let isWanted = true;
-    const each = wanted.map((name) =>
-      load(session, of, name).catch((error: unknown) => `${name}: ${messageOf(error)}`),
+    const each = names.map((name) =>
+      addable.load(name).catch((error: unknown) => `${name}: ${messageOf(error)}`),
     );
     void Promise.all(each).then((all) => {
       if (!isWanted) return;

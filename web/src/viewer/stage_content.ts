@@ -1,3 +1,4 @@
+import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { panesOf, type Pane, type Size } from "./geometry";
 import type { Range } from "./statistics";
@@ -8,6 +9,8 @@ import type { ViewState } from "./view_state";
 export interface Shown {
   image: ImageEntry;
   loaded: Loaded;
+  /** Shown until the image is loaded: fewer pixels, of 8 bits. */
+  preview: Raster | undefined;
   range: Range | undefined;
 }
 

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Raster } from "../data/raster";
-import { regionMetrics, type RegionMetrics } from "./region_metrics";
+import { channelErrors, type ChannelErrors } from "./region_metrics";
 import { statisticsOf, type Region, type Statistics } from "./statistics";
 import { worstOf, type Worst } from "./worst";
 
@@ -66,13 +66,13 @@ export function useWorst(
   return known ?? counted;
 }
 
-/** Mean differences of two images in a region that lies within both. */
-export const useRegionMetrics = (
-  result: Raster | undefined,
-  reference: Raster | undefined,
+/** The errors of two images by channel, in a region that lies within both. */
+export const useChannelErrors = (
+  a: Raster | undefined,
+  b: Raster | undefined,
   region: Region,
-): RegionMetrics | undefined =>
+): ChannelErrors[] | undefined =>
   useCounted(
-    [result, reference, region.join()],
-    result && reference ? (signal) => regionMetrics(result, reference, region, signal) : undefined,
+    [a, b, region.join()],
+    a && b ? (signal) => channelErrors(a, b, region, signal) : undefined,
   );

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { messageOf } from "../common/request";
+import { messageOf } from "../common/message";
 import type { Raster } from "../data/raster";
 import { differenceOf, kDifference } from "./difference";
 import type { Loaded } from "./use_rasters";

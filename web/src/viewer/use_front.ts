@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { ImageEntry } from "../data/types";
+import { kDifference } from "./difference";
 import { useHeldKey } from "./held_key";
 import type { ViewState } from "./view_state";
 
@@ -51,7 +52,9 @@ export function useFront(images: ImageEntry[], view: ViewState, blinking: boolea
   const [imageA, imageB] = [pair.a, pair.b].map((name) => images.find((one) => one.name === name));
   const chosen = images.find((image) => image.name === view.image) ?? images[0];
   const names = view.ticked.filter((name) => images.some((image) => image.name === name));
-  const ticked = names.length > 0 ? names : images.slice(0, 2).map((image) => image.name);
+  // A layer has no picture of its own to know errors by: its difference stands beside it.
+  const usual = [pair.a, pair.b, ...(view.layer ? [kDifference] : [])];
+  const ticked = names.length > 0 ? names : usual.filter((name) => name !== "");
   const blink = useBlink(blinking, ticked);
   const front = (shift && imageB) || images.find((image) => image.name === blink) || chosen;
   const other = front === imageB ? imageA : imageB;

@@ -1,14 +1,16 @@
-import type { Session } from "../common/session";
+import { useRef } from "preact/hooks";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
 import { seenChannels } from "./channels";
 import type { Size } from "./geometry";
 import { isMap } from "./paint_settings";
 import { kDifference } from "./difference";
+import type { ImageHome } from "./extra_images";
 import { rangeOf, type Range, type Statistics } from "./statistics";
 import { useDifference } from "./use_difference";
 import type { Front } from "./use_front";
 import { knownStatistics, useStatistics, useWorst } from "./use_counted";
+import { usePreviews } from "./use_previews";
 import { isRaster, useRasters, type Loaded } from "./use_rasters";
 import type { ViewState } from "./view_state";
 import type { Worst } from "./worst";
@@ -16,6 +18,8 @@ import type { Worst } from "./worst";
 /** The pixels of the images of a target, and what is counted from them. */
 export interface LoadedImages {
   rasters: Map<string, Loaded>;
+  /** What stands in for visible images until their pixels are there, by name. */
+  previews: Map<string, Raster>;
   /** The image in front, once it is loaded. */
   raster: Raster | undefined;
   /** Size of the images; a guess until one of them is loaded. */
@@ -53,13 +57,17 @@ function useErrors(
 
 /** Loads the images that are visible, the result and the reference, and counts them. */
 export function useLoadedImages(
-  session: Session,
+  home: ImageHome,
   images: ImageEntry[],
   view: ViewState,
   { front, visible, pair }: Front,
 ): LoadedImages {
-  const wanted = [pair.a, pair.b, ...visible.map(({ name }) => name)];
-  const files = useRasters(session, images, [...new Set(wanted)], view.layer);
+  const last = useRef(new Map<string, Loaded>());
+  const missing = visible.filter(({ name }) => last.current.get(name) === undefined);
+  const previews = usePreviews(home, missing, view.layer);
+  const wanted = previews.settled ? [pair.a, pair.b, ...visible.map(({ name }) => name)] : [];
+  const files = useRasters(home, images, [...new Set(wanted)], view.layer);
+  last.current = files;
   const loadedAs = (name: string): Raster | undefined => {
     const loaded = files.get(name);
     return isRaster(loaded) ? loaded : undefined;
@@ -93,7 +101,21 @@ export function useLoadedImages(
     });
     return unionOf(ranges.filter((range) => range !== undefined));
   };
-  const size = raster ?? reference ?? result ?? { width: 512, height: 512 };
+  const known = raster ?? reference ?? result;
+  const preview = front && previews.rasters.get(front.name);
+  // A preview tells the shape; how many pixels the image has follows with the floats.
+  const size = known ?? preview ?? { width: 512, height: 512 };
+  const waiting = [...previews.rasters].filter(([name]) => files.get(name) === undefined);
+  const shownPreviews = new Map(known || view.zoom === 0 ? waiting : []);
   const layers = (result ?? reference)?.layers ?? [""];
-  return { rasters, raster, size, layers, statistics, worst, rangeFor };
+  return {
+    rasters,
+    previews: shownPreviews,
+    raster,
+    size,
+    layers,
+    statistics,
+    worst,
+    rangeFor,
+  };
 }

@@ -1,6 +1,6 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
-import { messageOf } from "../common/request";
+import { messageOf } from "../common/message";
 import { Painter } from "./painter";
 import type { StageSize } from "./stage_content";
 

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { messageOf } from "../common/request";
-import type { Session } from "../common/session";
+import { messageOf } from "../common/message";
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/types";
+import type { ImageHome } from "./extra_images";
 
 export type Loaded = Raster | { problem: string } | undefined;
 
@@ -11,7 +11,7 @@ export const isRaster = (loaded: Loaded): loaded is Raster =>
 
 /** The images that are `wanted`, by name; each is requested when it is first wanted. */
 export function useRasters(
-  session: Session,
+  { source, run }: ImageHome,
   images: ImageEntry[],
   wanted: string[],
   layer: string,
@@ -19,7 +19,6 @@ export function useRasters(
   const [loaded, setLoaded] = useState(new Map<string, Loaded>());
   const requested = useRef(new Set<string>());
   const abort = useRef(new AbortController());
-  const { source, run } = session;
   const key = images.map((image) => `${image.run ?? run} ${image.file}`).join("\n");
   useEffect(() => {
     abort.current = new AbortController();

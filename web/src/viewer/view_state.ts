@@ -2,7 +2,20 @@
 
 export type Mode = "flip" | "swipe" | "side";
 export type Curve = "srgb" | "gamma" | "linear" | "false";
-export type Measure = "signed" | "absolute" | "relative" | "squared" | "flip";
+export type Measure = (typeof kMeasures)[number];
+
+/** How a difference can be measured; see difference.ts. */
+export const kMeasures = [
+  "signed",
+  "absolute",
+  "relative",
+  "squared",
+  "relmse",
+  "smape",
+  "srgb8",
+  "ssim",
+  "flip",
+] as const;
 
 export interface ViewState {
   image: string; // name of the image in front
@@ -23,6 +36,7 @@ export interface ViewState {
   layer: string;
   log: boolean;
   zebra: boolean;
+  percentile: number; // of what is visible, to which Normalise sets the range; 100: all of it
   ticked: string[]; // names of the images of blink and side by side
   region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are exclusive
   ends: Record<string, number>; // by image: end of its colour scale, if it was changed
@@ -47,6 +61,7 @@ export const kDefaultView: ViewState = {
   layer: "",
   log: false,
   zebra: false,
+  percentile: 100,
   ticked: [],
   region: undefined,
   ends: {},
@@ -60,8 +75,8 @@ const finite = (text: string | undefined, fallback: number): number => {
 const oneOf = <T extends string>(text: string | undefined, allowed: readonly T[], fallback: T): T =>
   allowed.find((one) => one === text) ?? fallback;
 
+export const kPercentiles: readonly number[] = [100, 99.9, 99, 95, 90];
 export const kModes: readonly Mode[] = ["flip", "swipe", "side"];
-export const kMeasures: readonly Measure[] = ["signed", "absolute", "relative", "squared", "flip"];
 export const kCurves: readonly Curve[] = ["srgb", "gamma", "linear", "false"];
 
 export function parseView(query: Record<string, string>): ViewState {
@@ -90,6 +105,7 @@ export function parseView(query: Record<string, string>): ViewState {
     layer: query["layer"] ?? "",
     log: query["log"] === "1",
     zebra: query["zebra"] === "1",
+    percentile: kPercentiles.find((one) => String(one) === query["pct"]) ?? 100,
     ticked: query["tick"] ? query["tick"].split("|") : [],
     region:
       region.length === 4 && region.every(Number.isInteger)
@@ -123,6 +139,7 @@ export function viewQuery(view: ViewState): Record<string, string> {
     layer: view.layer,
     log: view.log ? "1" : "",
     zebra: view.zebra ? "1" : "",
+    pct: unless(view.percentile, 100),
     tick: view.ticked.join("|"),
     region: view.region ? view.region.join(",") : "",
     ends: Object.entries(view.ends)

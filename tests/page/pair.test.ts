@@ -1,0 +1,176 @@
+// Any two images at one place: measures of their difference, layers, rungs of a cost study.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { drawn, launch, open, packedImage, replaceImages } from "./browser";
+import { Scratch, serve, type Served } from "./runs";
+
+const scratch = new Scratch();
+let browser: Browser;
+let served: Served;
+let run = "";
+
+before(async () => {
+  browser = await launch();
+  run = scratch.run("small");
+  served = await serve(run, scratch.run("cost"));
+});
+
+after(async () => {
+  await browser?.close();
+  served?.process.kill("SIGTERM");
+  scratch.remove();
+});
+
+/** The numbers of `orbs compare` for the same two images, by metric. */
+function compared(result: string, reference: string): Record<string, number> {
+  const orbs = join(process.env["ORBS_BINARY_DIR"] ?? "", "orbs");
+  const made = spawnSync(
+    orbs,
+    ["compare", join(run, result), join(run, reference), "--all", "--json"],
+    { encoding: "utf8" },
+  );
+  const { metrics } = JSON.parse(made.stdout) as {
+    metrics: { name: string; value: number }[];
+  };
+  return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
+}
+
+/** The mean of the image in front, over its channels. */
+async function shownMean(page: Page): Promise<number> {
+  await page.locator(".statistics").first().waitFor();
+  const row = page.locator(".statistics").first().locator("tr", { hasText: "mean" });
+  const means = (await row.locator("td").allInnerTexts()).map(Number);
+  return means.reduce((sum, one) => sum + one, 0) / means.length;
+}
+
+test("the maps that the browser computes have the means of the metrics", async () => {
+  const metrics = compared("two/values/result.exr", "references/values.exr");
+  const expected: Record<string, number> = {
+    absolute: metrics["l1"] ?? NaN,
+    squared: metrics["mse"] ?? NaN,
+    relmse: metrics["relmse_eps01"] ?? NaN,
+    smape: metrics["smape"] ?? NaN,
+    srgb8: 255 ** 2 / 10 ** ((metrics["psnr_srgb8"] ?? NaN) / 10),
+    ssim: 1 - (metrics["ssim"] ?? NaN),
+    flip: metrics["flip"] ?? NaN,
+  };
+  for (const [measure, mean] of Object.entries(expected)) {
+    const { page } = await open(
+      browser,
+      `${served.url}#/case/m1_values/values/two?run=small&img=difference&diff=${measure}`,
+    );
+    await drawn(page, "difference");
+    const found = await shownMean(page);
+    assert.ok(Math.abs(found / mean - 1) < 2e-3, `${measure}: ${found}, expected ${mean}`);
+    await page.close();
+  }
+});
+
+test("d walks through the maps of the run and the measures of the difference", async () => {
+  const { page } = await open(browser, `${served.url}#/case/m1_values/values/two?run=small`);
+  await drawn(page, "result");
+  await page.keyboard.press("d");
+  await drawn(page, "difference");
+  await page.keyboard.press("d");
+  await page.waitForFunction(() => location.hash.includes("diff=absolute"));
+  await page.close();
+});
+
+test("Normalise takes a percentile of what is visible", async () => {
+  const { page } = await open(browser, "about:blank");
+  const image = packedImage(100, 100, {
+    R: (x, y) => (x === 50 && y === 50 ? 1000 : x < 50 ? 0 : 4),
+    G: () => 0,
+    B: () => 0,
+  });
+  await replaceImages(page, { "result.exr": image });
+  const at = (query: string) => page.goto(`${served.url}#/case/m1_values/values/one?${query}`);
+  const exposure = async (): Promise<number> => {
+    await drawn(page, "result");
+    await page.locator(".statistics").first().waitFor();
+    await page.keyboard.press("n");
+    await page.waitForFunction(() => location.hash.includes("ev="));
+    return Number(/ev=([-\d.]+)/.exec(page.url())?.[1]);
+  };
+  await at("run=small&ch=R");
+  assert.ok(Math.abs((await exposure()) + Math.log2(1000)) < 1e-3, "the whole range");
+  await at("run=small&ch=R&pct=99");
+  assert.equal(await exposure(), -2, "0 to 4 without the one bright pixel");
+  // Far from the bright pixel it is not visible.
+  await at("run=small&ch=R&zoom=256&x=60&y=20&curve=gamma");
+  await page.keyboard.press("n");
+  await drawn(page, "result");
+  assert.ok(!page.url().includes("ev="), "one value is no range");
+  await page.close();
+});
+
+test("a layer has its difference and its errors by channel beside it", async () => {
+  const { page } = await open(browser, "about:blank");
+  const layer = (red: number) =>
+    packedImage(16, 16, { R: () => red, G: () => 0.5, B: (x) => (x < 8 ? 0.5 : -0.5) });
+  await replaceImages(page, { "result.exr": layer(0.25), "stokes.exr": layer(0.5) });
+  await page.goto(`${served.url}#/case/a1_stokes/stokes/one?run=small&layer=S1&mode=side`);
+  await drawn(page, "result reference difference");
+  const errors = page.getByRole("region", { name: "Errors of A against B" });
+  assert.deepEqual(
+    (await errors.locator("tbody tr").allInnerTexts()).map((row) => row.split("\t")),
+    [
+      ["mean |Δ|", "0.25", "0", "0"],
+      ["RMS Δ", "0.25", "0", "0"],
+      ["of RMS B", "50 %", "0 %", "0 %"],
+      ["mean Δ", "-0.25", "0", "0"],
+    ],
+  );
+  assert.match(await errors.innerText(), /result against reference, layer S1/);
+  await page.close();
+});
+
+test("the rungs of a cost study stand at one place with their reference", async () => {
+  const { page, errors } = await open(
+    browser,
+    `${served.url}#/?run=cost&target=110&point=${encodeURIComponent("orbs/1")}`,
+  );
+  await page.getByRole("link", { name: /A × B/ }).click();
+  await drawn(page, "result");
+  await page.getByRole("combobox", { name: "Add an image" }).selectOption("cycles 64 spp");
+  await page.keyboard.press("h");
+  await drawn(page, "difference");
+  assert.match(
+    decodeURIComponent(page.url()),
+    /images\?.*target=110&point=orbs\/1.*b=cycles.64.spp.*more=cycles.64.spp/,
+  );
+  const link = page.url();
+  await page.goto("about:blank");
+  await page.goto(link);
+  await drawn(page, "difference");
+  await page.getByRole("link", { name: /Curves/ }).click();
+  await page.locator(".cost-plot svg").waitFor();
+  assert.match(page.url(), /target=110/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a run offers the rungs of a study that is served beside it", async () => {
+  const { page, errors } = await open(browser, "about:blank");
+  await page.route("**/cost.json", async (route) => {
+    const study = (await (await route.fetch()).json()) as { targets: { name: string }[] };
+    study.targets[0]!.name = "values";
+    await route.fulfill({ json: study });
+  });
+  await page.goto(`${served.url}#/case/m1_values/values/two?run=small`);
+  await drawn(page, "result");
+  const add = page.getByRole("combobox", { name: "Add an image" });
+  await add.locator("option", { hasText: "povray 16 spp@cost" }).waitFor({ state: "attached" });
+  await add.selectOption("povray 16 spp@cost");
+  await page.keyboard.press("h");
+  await drawn(page, "difference");
+  await page.goto(
+    `${served.url}#/case/m1_values/values/two?run=small&more=${encodeURIComponent("orbs 3 spp@cost")}`,
+  );
+  await page.getByText("orbs 3 spp@cost: the study has no such rung on this scene").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
