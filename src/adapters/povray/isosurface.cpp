@@ -131,7 +131,7 @@ double gradient_at_middle(const Expression& expression,
 
 // POV-Ray's search takes steps of |f| over this bound, so its time is proportional to it: the cell with the
 // largest bound is cut until that is hardly above a gradient that f has. The bound of a grid of 16 x 16 x 16
-// cells was 9 times as large for the Barth decic.
+// cells was half as large again for the Barth decic.
 double gradient_bound(const ImplicitForm& form) {
   constexpr double kSlack = 1.1;
   constexpr int kMostCuts = 20'000;
