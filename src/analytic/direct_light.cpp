@@ -73,13 +73,11 @@ double candela_factor(const registry::AnalyticSource& source, Vec3d point) {
 
 // All surfaces in whose plane the point does not lie, relative to it: that leaves out its own.
 std::vector<Corners> blockers_at(const registry::DirectLight& image, Vec3d point) {
-  constexpr double kInPlane = 1e-9;
   std::vector<Corners> blockers;
   if (!image.has_shadows) return blockers;
   for (const auto& surface : image.surfaces) {
     auto corners = seen_from(point, std::get<registry::FlatPolygon>(surface.shape).corners);
-    const auto normal = normalised(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    if (std::fabs(dot(normal, corners.front())) > kInPlane) blockers.push_back(std::move(corners));
+    if (!lies_in_plane(corners)) blockers.push_back(std::move(corners));
   }
   return blockers;
 }

@@ -65,6 +65,7 @@ struct CoverageOf {
 
   Coverage operator()(const registry::FlatPolygon& polygon) const {
     auto corners = seen_from(point, polygon.corners);
+    if (lies_in_plane(corners)) return {};
     const bool shows_front = dot(front_of(corners), corners.front()) < 0;
     if (!window.empty()) corners = seen_through(std::move(corners), seen_from(point, window));
     if (blockers.empty()) return {polygon_form_factor(corners, normal), shows_front};
@@ -126,6 +127,11 @@ std::vector<Corners> unhidden(const Corners& corners, const std::vector<Corners>
     pieces = std::move(left);
   }
   return pieces;
+}
+
+bool lies_in_plane(const Corners& corners) {
+  constexpr double kInPlane_m = 1e-9;
+  return std::fabs(dot(normalised(front_of(corners)), corners.front())) <= kInPlane_m;
 }
 
 double polygon_form_factor(const Corners& corners, Vec3d normal) {

@@ -20,6 +20,9 @@ Corners clipped(const Corners& corners, Vec3d inward, double offset = 0);
 /// plane of the polygon cuts the blockers, of which only what lies on the origin's side hides anything.
 std::vector<Corners> unhidden(const Corners& corners, const std::vector<Corners>& blockers);
 
+/// Whether the origin lies in the plane of a polygon, up to rounding: nothing of it is above its own points.
+bool lies_in_plane(const Corners& corners);
+
 /// Of a convex polygon whose corners are given relative to the point, above the horizon of the unit normal;
 /// Lambert's sum over the edges (Baum, Rushmeier and Winget 1989, eq. 13). Never negative.
 double polygon_form_factor(const Corners& corners, Vec3d normal);

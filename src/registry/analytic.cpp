@@ -34,8 +34,8 @@ AnalyticShape load_shape(ObjectReader& in) {
 AnalyticSurface load_surface(ObjectReader in) {
   AnalyticSurface surface{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}};
   if (in.has("reflectance")) {
-    if (!std::holds_alternative<FlatPolygon>(surface.shape))
-      in.fail("reflectance", "only polygons are lit; give spheres and disks a radiance");
+    if (std::holds_alternative<RoundDisk>(surface.shape))
+      in.fail("reflectance", "only polygons and spheres are lit; give the disk a radiance");
     surface.reflectance = in.number("reflectance", {0, 1});
   }
   in.finish();

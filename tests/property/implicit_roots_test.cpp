@@ -88,16 +88,22 @@ int sign_changes(const std::vector<Polynomial>& sequence, Quad t) {
   return changes;
 }
 
-// The first root in (low, high], by bisection on the count of roots.
+// The first root in (low, high], by bisection on the count of roots; where a single root is left and the
+// polynomial changes its sign there, on the sign.
 std::optional<double> first_root(const Polynomial& p, double low, double high) {
   const auto sequence = sturm_sequence(p);
   const int at_low = sign_changes(sequence, low);
-  if (at_low == sign_changes(sequence, high)) return std::nullopt;
+  int at_high = sign_changes(sequence, high);
+  if (at_low == at_high) return std::nullopt;
   Quad a = low;
   Quad b = high;
   for (int i = 0; i < 80; ++i) {
     const Quad middle = (a + b) / 2;
-    (sign_changes(sequence, middle) == at_low ? a : b) = middle;
+    const bool is_single = at_low - at_high == 1 && (value(p, a) < 0) != (value(p, b) < 0);
+    const bool is_before =
+        is_single ? (value(p, middle) < 0) == (value(p, a) < 0) : sign_changes(sequence, middle) == at_low;
+    if (!is_before && !is_single) at_high = sign_changes(sequence, middle);
+    (is_before ? a : b) = middle;
   }
   return static_cast<double>(b);
 }
@@ -182,7 +188,20 @@ struct Tally {
   int hits = 0;
   int missed = 0;   // the search says later than Sturm, or never
   int phantom = 0;  // the search says earlier, and the polynomial is not tiny there
+  int touching =
+      0;  // the search says earlier, or a hit where there is none, and the polynomial is tiny there
+  double largest_deviation = 0;  // of the roots that both find
 };
+
+// For the report of a run on demand (--gtest_output=json).
+void record(const Tally& tally) {
+  testing::Test::RecordProperty("rays", ray_count());
+  testing::Test::RecordProperty("hits", tally.hits);
+  testing::Test::RecordProperty("missed", tally.missed);
+  testing::Test::RecordProperty("phantom", tally.phantom);
+  testing::Test::RecordProperty("touching", tally.touching);
+  testing::Test::RecordProperty("largest_deviation", std::to_string(tally.largest_deviation * 1e12) + "e-12");
+}
 
 Tally compare(const ImplicitLeaf& leaf, Polynomial (*polynomial)(const LocalRay&), double half) {
   std::mt19937_64 random(7);
@@ -207,10 +226,13 @@ Tally compare(const ImplicitLeaf& leaf, Polynomial (*polynomial)(const LocalRay&
     tally.hits += exact ? 1 : 0;
     constexpr double kTolerance = 1e-7;  // of double in double roots: the square root of its rounding
     if (exact && t > *exact + kTolerance && *exact < high - kTolerance) ++tally.missed;
-    if (std::isfinite(t) && (!exact || t < *exact - kTolerance) && magnitude(value(p, t)) > 1e-11)
-      ++tally.phantom;
+    if (std::isfinite(t) && (!exact || t < *exact - kTolerance))
+      ++(magnitude(value(p, t)) > 1e-11 ? tally.phantom : tally.touching);
+    if (exact && std::abs(t - *exact) <= kTolerance)
+      tally.largest_deviation = std::max(tally.largest_deviation, std::abs(t - *exact));
   }
   EXPECT_EQ(counts.unfinished, 0U);
+  record(tally);
   return tally;
 }
 

@@ -95,3 +95,29 @@ TEST(AnalyticImage, MirrorsDarkenByEachReflection) {
   EXPECT_NEAR(along(1.5), 0.9, 1e-7);
   EXPECT_NEAR(along(-3.5), 0.81, 1e-7);
 }
+
+// Ambient occlusion: white surfaces under a white sky that hide it from each other, and never from
+// themselves.
+TEST(AnalyticImage, SurfacesThatAreSourcesTooHideTheSkyFromOthersAlone) {
+  const auto square = [](double half) {
+    return registry::FlatPolygon{{{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}}};
+  };
+  const auto at = [](const registry::AnalyticShape& floor, const registry::AnalyticShape& body, Vec3d from,
+                     Vec3d to) {
+    registry::DirectLight image;
+    image.environment = 1;
+    image.surfaces = {{floor, 0, 1}, {body, 0, 1}};
+    image.sources = {{floor, 0, {}, {}, {}}, {body, 0, {}, {}, {}}};
+    auto view = camera(from, to, 1e-4, 1);
+    view.up = {0, 0.1, -1};
+    return static_cast<double>(analytic::analytic_image(image, view).pixels[0]);
+  };
+  const registry::FlatPolygon wall{{{0, 0, 5000}, {0, 0, -5000}, {0, 1, -5000}, {0, 1, 5000}}};
+  EXPECT_NEAR(at(square(4), wall, {1, 9, 0}, {1, 0, 0}), (1 + 1 / std::sqrt(2.0)) / 2, 1e-6);
+  EXPECT_NEAR(at(square(1e4), wall, {9, 0.5, 0}, {0, 0.5, 0}), 0.5, 1e-4);
+  // 1 - (1 + x^2)^(-3/2) beside a sphere that rests on the floor; its own side sees half of the floor.
+  const registry::FormulaSphere ball{{0, 1, 0}, 1};
+  EXPECT_NEAR(at(square(4), ball, {2, 9, 0}, {2, 0, 0}), 1 - std::pow(5.0, -1.5), 1e-6);
+  EXPECT_NEAR(at(square(1e6), ball, {9, 1, 0}, {1, 1, 0}), 0.5, 1e-4);
+  EXPECT_NEAR(at(square(4), ball, {0, 9, 0}, {0, 2, 0}), 1, 1e-6);
+}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -95,26 +96,63 @@ double gradient_bound(const Expression& expression,
         evaluate<Slope>(expression, {along(cell.x, 0), along(cell.y, 1), along(cell.z, 2)}, values);
     squared += largest(s.derivative) * largest(s.derivative);
   }
-  return std::sqrt(squared);
+  return std::isnan(squared) ? std::numeric_limits<double>::infinity() : std::sqrt(squared);
 }
 
-double gradient_bound(const ImplicitForm& form) {
-  constexpr int kCells = 16;
-  std::vector<Slope> values(form.expression.steps.size());
-  const auto cell = [](double low, double high, int i) {
-    const double step = (high - low) / kCells;
-    return Enclosure(low + i * step, low + (i + 1) * step);
-  };
+struct BoundedCell {
+  Point<Enclosure> cell;
   double bound = 0;
-  for (int i = 0; i < kCells; ++i)
-    for (int j = 0; j < kCells; ++j)
-      for (int k = 0; k < kCells; ++k)
-        bound = std::max(
-            bound, gradient_bound(form.expression,
-                                  {cell(form.low_m.x, form.high_m.x, i), cell(form.low_m.y, form.high_m.y, j),
-                                   cell(form.low_m.z, form.high_m.z, k)},
-                                  values));
-  return bound;
+};
+
+bool has_smaller_bound(const BoundedCell& a, const BoundedCell& b) { return a.bound < b.bound; }
+
+std::array<Point<Enclosure>, 8> octants(const Point<Enclosure>& cell) {
+  const auto half = [](const Enclosure& range, std::size_t upper) {
+    const double middle = range.low + (range.high - range.low) / 2;
+    return upper != 0 ? Enclosure(middle, range.high) : Enclosure(range.low, middle);
+  };
+  std::array<Point<Enclosure>, 8> parts;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts.at(i) = {half(cell.x, i & 1U), half(cell.y, i & 2U), half(cell.z, i & 4U)};
+  return parts;
+}
+
+// |grad f| is at least this, as it is at the middle of the cell.
+double gradient_at_middle(const Expression& expression,
+                          const Point<Enclosure>& cell,
+                          std::vector<Gradient>& values) {
+  const auto middle = [](const Enclosure& range) { return range.low + (range.high - range.low) / 2; };
+  const auto found = evaluate<Gradient>(
+      expression, {{middle(cell.x), {1, 0, 0}}, {middle(cell.y), {0, 1, 0}}, {middle(cell.z), {0, 0, 1}}},
+      values);
+  const double size = length(found.derivative);
+  return std::isfinite(size) ? size : 0;
+}
+
+// POV-Ray's search takes steps of |f| over this bound, so its time is proportional to it: the cell with the
+// largest bound is cut until that is hardly above a gradient that f has. The bound of a grid of 16 x 16 x 16
+// cells was half as large again for the Barth decic.
+double gradient_bound(const ImplicitForm& form) {
+  constexpr double kSlack = 1.1;
+  constexpr int kMostCuts = 20'000;
+  std::vector<Slope> values(form.expression.steps.size());
+  std::vector<Gradient> points(form.expression.steps.size());
+  const auto range = [](double low, double high) { return Enclosure(low, high); };
+  const Point<Enclosure> box{range(form.low_m.x, form.high_m.x), range(form.low_m.y, form.high_m.y),
+                             range(form.low_m.z, form.high_m.z)};
+  std::vector<BoundedCell> cells{{box, gradient_bound(form.expression, box, values)}};
+  double reached = 0;
+  for (int i = 0; i < kMostCuts && cells.front().bound > kSlack * reached; ++i) {
+    std::pop_heap(cells.begin(), cells.end(), has_smaller_bound);
+    const Point<Enclosure> largest_cell = cells.back().cell;
+    cells.pop_back();
+    for (const auto& part : octants(largest_cell)) {
+      cells.push_back({part, gradient_bound(form.expression, part, values)});
+      std::push_heap(cells.begin(), cells.end(), has_smaller_bound);
+      reached = std::max(reached, gradient_at_middle(form.expression, part, points));
+    }
+  }
+  return cells.front().bound;
 }
 
 }  // namespace
