@@ -75,8 +75,8 @@ void put_curve(Writer& out, const CostRecord& record, const CostCurve& curve) {
   out.begin_object()
       .member("target", static_cast<int>(ladder.target))
       .member("renderer", static_cast<int>(ladder.renderer));
-  // A renderer that could not be measured at all has no cost, not one of zero.
-  const bool is_measured = !curve.points.empty() || curve.fixed_cpu_seconds.value > 0;
+  // What was not measured is no cost of zero.
+  const bool is_measured = curve.fixed_cpu_seconds.value > 0;
   put(out, "fixed_cpu_seconds", is_measured ? std::optional(curve.fixed_cpu_seconds) : std::nullopt);
   out.key("points").begin_array();
   for (const auto& point : curve.points) put_point(out, record, ladder, point);
