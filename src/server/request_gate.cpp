@@ -126,8 +126,8 @@ MaybeRefusal check_headers(const std::vector<std::string_view>& lines, const Gat
   return std::nullopt;
 }
 
-// RFC 9110, section 12.5.3: a list of codings, each perhaps with a weight; that of a refused one is 0. Clients
-// that write "gzip;q=0.0" or "*" get plain bytes, which all of them read.
+// RFC 9110, section 12.5.3: a list of codings, each perhaps with a weight; that of a refused one is 0.
+// Clients that write "gzip;q=0.0" or "*" get plain bytes, which all of them read.
 bool reads_gzip(const std::vector<std::string_view>& lines) {
   for (const auto line : lines) {
     const auto colon = line.find(':');

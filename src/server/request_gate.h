@@ -19,8 +19,8 @@ struct Refusal {
 };
 
 /// A request that may pass. `head` is rewritten from the parsed request without the client's headers, so that
-/// httplib reads no byte that the gate has not checked. What a client says about gzip is passed on as a header
-/// of ours: httplib, whose library may be built with or without zlib, must not pack a second time.
+/// httplib reads no byte that the gate has not checked. What a client says about gzip is passed on as a
+/// header of ours: httplib, whose library may be built with or without zlib, must not pack a second time.
 struct Admitted {
   std::string head;
 };

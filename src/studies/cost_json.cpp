@@ -75,7 +75,9 @@ void put_curve(Writer& out, const CostRecord& record, const CostCurve& curve) {
   out.begin_object()
       .member("target", static_cast<int>(ladder.target))
       .member("renderer", static_cast<int>(ladder.renderer));
-  put(out, "fixed_cpu_seconds", curve.fixed_cpu_seconds);
+  // What was not measured is no cost of zero.
+  const bool is_measured = curve.fixed_cpu_seconds.value > 0;
+  put(out, "fixed_cpu_seconds", is_measured ? std::optional(curve.fixed_cpu_seconds) : std::nullopt);
   out.key("points").begin_array();
   for (const auto& point : curve.points) put_point(out, record, ladder, point);
   out.end_array();
@@ -142,7 +144,7 @@ void put_definitions(Writer& out) {
   put_one("interval",
           "95 % confidence: of medians between order statistics (of fewer than six values all of them), of "
           "means by Student's distribution");
-  put_one("fixed_cpu_seconds", "the scene in 4 x 4 px with one sample: start, reading, building, writing");
+  put_one("fixed_cpu_seconds", "the scene in 4 x 4 px with 8 samples: start, reading, building, writing");
   put_one(
       "fit",
       "relmse(t) = bias_squared + variance / t^exponent, t: CPU seconds above the fixed cost that the samples "

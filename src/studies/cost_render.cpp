@@ -46,6 +46,7 @@ std::optional<CostRender> measured_render(const CostStudy& study,
   std::filesystem::remove_all(folder);
   // What settings ask for may cost as much in few pixels as in many, so the fixed cost is that of the first.
   const auto& ladder = chosen.entry.cost_ladder;
+  if (is_fixed && ladder.empty()) wanted.spp = kFixedSpp;
   const auto& rung = is_fixed && !ladder.empty() ? ladder.front().name : wanted.rung;
   const auto prepared = runner::prepare_render(with_settings(chosen, rung), study.plan, scene, folder);
   wanted.load = runner::load_average();

@@ -32,9 +32,9 @@ TEST(Run, AGoodRendererPassesWithStatusZeroAndATable) {
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "M1  Grey            inf pass")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "good  declared G5/M8 \u00b7 measured M3-(2)")) << answer.text;
-  for (const char* file : {"results.json", "results.csv", "junit.xml", "good/grey/result.exr",
-                           "good/grey/log.txt", "good/grey/job.json", "good/grey/result.png",
-                           "good/rest/result.exr", "good/v1.5/result.exr"})
+  for (const char* file :
+       {"results.json", "results.csv", "junit.xml", "good/grey/result.exr", "good/grey/log.txt",
+        "good/grey/job.json", "good/grey/result.png", "good/rest/result.exr", "good/v1.5/result.exr"})
     EXPECT_TRUE(sandbox.has(std::string("out/") + file)) << file;
   // Maps of the error follow from the images: they would be most of the size of a run.
   EXPECT_FALSE(sandbox.has("out/good/grey/error-l1.exr"));

@@ -68,3 +68,14 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   EXPECT_EQ(headers["orbs-light-connections"]["orbs.light_connections"], "yes");
   EXPECT_EQ(headers["orbs-no-mirrored-light"]["orbs.mirrored_light"], "no");
 }
+
+// Each takes at least as many samples as independent blocks, also where only the fixed cost is measured.
+TEST(TracerAlgorithms, TheirCostCanBeMeasured) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"cost", "--configuration", ORBS_SOURCE_DIR "/data/bench/algorithms.json",
+                                    "-s", "g4-lambert", "-r", "orbs-sobol-4", "--size", "1/8", "--rungs", "8",
+                                    "--seeds", "2", "--threads", "1", "--time", "10s", "-o", "study"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_EQ(answer.text.find("need as many samples"), std::string::npos) << answer.text;
+  EXPECT_TRUE(sandbox.has("study/images/orbs-sobol-4/g4-lambert/0.exr")) << answer.text;
+}

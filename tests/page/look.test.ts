@@ -169,6 +169,23 @@ test("Escape ends the drawing of a region and nothing else", async () => {
   await page.close();
 });
 
+test("Escape leaves the full window and not the target, also when the address has just changed", async () => {
+  const { page } = await open(browser, `${url}${values}`);
+  await drawn(page, "result");
+  await page.keyboard.press("Shift+F");
+  await page.locator(".viewer.full").waitFor();
+  await page.evaluate(() => {
+    // The page is rendered again by the new address, the viewer is not.
+    history.replaceState(null, "", `${location.hash}${location.hash.includes("?") ? "&" : "?"}other=1`);
+    dispatchEvent(new Event("hashchange"));
+  });
+  await page.waitForFunction(() => location.hash.includes("other=1"));
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => !document.querySelector(".viewer.full"));
+  assert.match(page.url(), /case/);
+  await page.close();
+});
+
 test("the worst pixels of a wide edge are one spot each", async () => {
   const { page } = await open(browser, "about:blank");
   const flat = (value: (x: number, y: number) => number) =>

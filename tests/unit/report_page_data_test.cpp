@@ -95,7 +95,8 @@ TEST(PackedImage, KeepsEveryNumberAsHalfOnlyWhereNothingIsLost) {
 
 TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
   const auto target = target_with({"R", "G", "B"}, {1.0F / 3, 70000.0F, 0, 0, 0, 0});
-  const auto bytes = unzipped(report::packed_image(target, "", report::Rounding::Rounded, report::Packing::Fast));
+  const auto bytes =
+      unzipped(report::packed_image(target, "", report::Rounding::Rounded, report::Packing::Fast));
   EXPECT_TRUE(holds(bytes, R"("type": "half",
       "exact": false)"));
   EXPECT_TRUE(holds(bytes, R"("type": "float",
@@ -105,9 +106,11 @@ TEST(PackedImage, RoundingIsSaidAndNeverOverflows) {
 TEST(PackedImage, HasOneLayerAndNamesAll) {
   const auto target = target_with({"R", "S1.R", "S1.G", "path.ESDL.R"}, std::vector<float>(8, 1));
   EXPECT_EQ(report::layers_of(target), (std::vector<std::string>{"", "S1", "path.ESDL"}));
-  EXPECT_TRUE(holds(unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, report::Packing::Fast)),
-                    R"("layers": ["", "S1", "path.ESDL"])"));
-  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, report::Packing::Fast), InputError);
+  EXPECT_TRUE(holds(
+      unzipped(report::packed_image(target, "path.ESDL", report::Rounding::Exact, report::Packing::Fast)),
+      R"("layers": ["", "S1", "path.ESDL"])"));
+  EXPECT_THROW(report::packed_image(target, "S2", report::Rounding::Exact, report::Packing::Fast),
+               InputError);
 }
 
 TEST(PackedImage, PixelsStartAtAMultipleOfEight) {

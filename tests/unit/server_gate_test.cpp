@@ -38,7 +38,8 @@ TEST(RequestGate, PassesOnNothingOfTheClientsHeaders) {
 // httplib never sees the client's own header: it could pack what is packed.
 TEST(RequestGate, PassesOnWhetherTheClientReadsGzipInWordsOfItsOwn) {
   const auto head = [](const std::string& encodings) {
-    return std::get<Admitted>(check_request(get("/", "Host: localhost\r\nAccept-Encoding: " + encodings + "\r\n"), {}))
+    return std::get<Admitted>(
+               check_request(get("/", "Host: localhost\r\nAccept-Encoding: " + encodings + "\r\n"), {}))
         .head;
   };
   EXPECT_EQ(head("deflate, GZIP, br"),

@@ -1,4 +1,4 @@
-import { useLayoutEffect } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 /** What the user can do, by key or by button; the help lists all actions. */
 export interface Action {
@@ -10,9 +10,14 @@ export interface Action {
   keyName?: string;
 }
 
-const sets: Action[][] = [];
+/** The actions of a component, as of its last render. */
+interface Slot {
+  actions: Action[];
+}
 
-export const allActions = (): Action[] => sets.flat();
+const slots: Slot[] = [];
+
+export const allActions = (): Action[] => slots.flatMap(({ actions }) => actions);
 
 function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement
@@ -31,10 +36,10 @@ addEventListener("keydown", (event) => {
     return;
   const name =
     event.shiftKey && event.key.length === 1 ? `Shift+${event.key.toUpperCase()}` : event.key;
-  for (const set of [...sets].reverse()) {
+  for (const { actions } of [...slots].reverse()) {
     // A capital without Shift comes from Caps Lock, which is ignored.
     const plain = event.shiftKey ? event.key : event.key.toLowerCase();
-    const action = set.find(
+    const action = actions.find(
       (one) => one.key === name || one.key === event.key || one.key === plain,
     );
     if (!action) continue;
@@ -44,11 +49,18 @@ addEventListener("keydown", (event) => {
   }
 });
 
-/** Binds actions to their keys while the component is mounted. */
+/**
+ * Binds actions to their keys while the component is mounted. Of two components with the same key the
+ * one that was mounted last comes first, whichever of them was rendered last: Escape in the viewer must
+ * not leave it because the address has just changed and the page was rendered again.
+ */
 export function useActions(actions: Action[]): void {
+  const slot = useRef<Slot>({ actions });
   // A layout effect runs before the next key event: actions of an earlier render hold old state.
+  useLayoutEffect(() => void (slot.current.actions = actions));
   useLayoutEffect(() => {
-    sets.push(actions);
-    return () => void sets.splice(sets.indexOf(actions), 1);
-  });
+    const own = slot.current;
+    slots.push(own);
+    return () => void slots.splice(slots.indexOf(own), 1);
+  }, []);
 }

@@ -10,6 +10,8 @@ import {
 } from "./cheapest";
 import { Marker } from "./Marker";
 import { RendererKey } from "./Multiples";
+import { fullestLevel } from "./ratio_bars";
+import { RatioBars } from "./RatioBars";
 import { levelText, metricName, ratioText } from "./quantities";
 import { useTheme } from "./theme";
 import type { CostStudy } from "./types";
@@ -24,6 +26,9 @@ function ratioSentence(name: string, ratio: MeanRatio | undefined): string {
   return `${name} takes ${short(ratio.value)} times as long`;
 }
 
+/** Of more renderers, as of a study of algorithms, no sentence and no column can name all ratios. */
+const kMostInColumns = 4;
+
 /** The answer at one level in plain words. */
 export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
   const at = `At ${levelText(study, answer.metric, answer.level)}`;
@@ -34,7 +39,9 @@ export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
     return `${at} no renderer is shown to be cheapest more often than others.`;
   const name = study.renderers[leader]?.name ?? "";
   const others = study.renderers.flatMap((other, i) =>
-    i === leader ? [] : [ratioSentence(other.name, meanRatio(study, leader, i, metric, level))],
+    i === leader || study.renderers.length > kMostInColumns
+      ? []
+      : [ratioSentence(other.name, meanRatio(study, leader, i, metric, level))],
   );
   const all = plural(reached, "target");
   const of = unreached > 0 ? `the ${all} on which anybody reaches it` : all;
@@ -178,26 +185,59 @@ function NotRanked({ study }: { study: CostStudy }) {
   );
 }
 
-interface Props {
+interface ManyProps {
   study: CostStudy;
   metric: string;
-  /** Name of the renderer whose time is 1; if it is none, the one that is cheapest most often. */
-  base: string | undefined;
+  answers: LevelAnswer[];
+  base: number;
+  /** The level that the address names. */
+  level: string | undefined;
 }
 
-/** Who is cheapest at which quality: a sentence, then one bar per level. */
-export function Answer({ study, metric, base: baseName }: Props) {
+/** Many renderers at one level: how many times as long as one of them each takes. */
+function ManyAnswer({ study, metric, answers, base, level: named }: ManyProps) {
   const theme = useTheme();
-  if (study.renderers.length < 2)
-    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
-  if (!mayRank(study)) return <NotRanked study={study} />;
-  const answers = levelsOf(study, metric).map((level) => answerAt(study, metric, level));
-  const wanted =
-    answers.find(({ level }) => metric === "psnr_srgb8" && level === study.settings.target_db) ??
-    answers[Math.floor(answers.length / 2)];
-  if (!wanted) return <p class="quiet">The study has no prices.</p>;
-  const named = study.renderers.findIndex(({ name }) => name === baseName);
-  const base = named >= 0 ? named : (wanted.leader ?? 0);
+  const levels = answers.map(({ level }) => level);
+  const level =
+    levels.find((one) => String(one) === named) ?? fullestLevel(study, base, metric, levels);
+  const answer = answers.find((one) => one.level === level);
+  if (!answer || level === undefined) return null;
+  return (
+    <>
+      <p class="answer">{answerSentence(study, answer)}</p>
+      <p class="many-choices">
+        <Choice
+          label="CPU seconds to"
+          param="at"
+          chosen={String(level)}
+          options={levels.map((one) => ({
+            name: String(one),
+            label: levelText(study, metric, one),
+          }))}
+        />{" "}
+        <Choice
+          label="as a multiple of those of"
+          param="base"
+          chosen={study.renderers[base]?.name ?? ""}
+          options={study.renderers.map(({ name }) => ({ name, label: name }))}
+        />
+      </p>
+      <RatioBars study={study} theme={theme} base={base} metric={metric} level={level} />
+    </>
+  );
+}
+
+interface ColumnsProps {
+  study: CostStudy;
+  metric: string;
+  answers: LevelAnswer[];
+  wanted: LevelAnswer;
+  base: number;
+}
+
+/** A few renderers at all levels: who is cheapest on how many targets, and the ratios. */
+function ColumnsAnswer({ study, metric, answers, wanted, base }: ColumnsProps) {
+  const theme = useTheme();
   return (
     <>
       <p class="answer">{answerSentence(study, wanted)}</p>
@@ -234,6 +274,38 @@ export function Answer({ study, metric, base: baseName }: Props) {
           ))}
         </tbody>
       </table>
+    </>
+  );
+}
+
+interface Props {
+  study: CostStudy;
+  metric: string;
+  /** Name of the renderer whose time is 1; if it is none, the one that is cheapest most often. */
+  base: string | undefined;
+  /** The level of a study with many renderers. */
+  level: string | undefined;
+}
+
+/** Who is cheapest at which quality. */
+export function Answer({ study, metric, base: baseName, level }: Props) {
+  if (study.renderers.length < 2)
+    return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
+  if (!mayRank(study)) return <NotRanked study={study} />;
+  const answers = levelsOf(study, metric).map((one) => answerAt(study, metric, one));
+  const wanted =
+    answers.find((one) => metric === "psnr_srgb8" && one.level === study.settings.target_db) ??
+    answers[Math.floor(answers.length / 2)];
+  if (!wanted) return <p class="quiet">The study has no prices.</p>;
+  const named = study.renderers.findIndex(({ name }) => name === baseName);
+  const base = named >= 0 ? named : (wanted.leader ?? 0);
+  return (
+    <>
+      {study.renderers.length > kMostInColumns ? (
+        <ManyAnswer {...{ study, metric, answers, base, level }} />
+      ) : (
+        <ColumnsAnswer {...{ study, metric, answers, wanted, base }} />
+      )}
       <p class="quiet">
         Ratios are geometric means over the targets that both reach, with the 95 % interval that
         follows from the intervals of the targets.

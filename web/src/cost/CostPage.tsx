@@ -191,7 +191,7 @@ export function CostPage(props: Props) {
     <>
       <section class="cost-panel who" aria-label="Who is cheapest">
         <h1>Who is cheapest?</h1>
-        <Answer study={study} metric={metric} base={query["base"]} />
+        <Answer study={study} metric={metric} base={query["base"]} level={query["at"]} />
       </section>
       <Choices study={study} axes={axes} metric={metric} target={target} route={route} />
       <TargetPanel {...props} axes={axes} target={target} />
