@@ -59,7 +59,7 @@ std::pair<std::size_t, std::size_t> place_of_part(const std::string& text, const
 }  // namespace
 
 Page read_page(const std::filesystem::path& file) {
-  Page page{file, lines_of(file), {}, {}, {}};
+  Page page{file, lines_of(file), {}, {}, {}, 0};
   std::map<std::string, int> seen;
   bool is_code = false;
   std::string language;
@@ -68,6 +68,7 @@ Page read_page(const std::filesystem::path& file) {
     const auto text = trim(line);  // blocks of list items are indented
     if (text.starts_with("```")) {
       is_code = !is_code;
+      page.open_block = is_code ? i + 1 : 0;
       language = text.substr(3);
     } else if (is_code) {
       page.code.push_back({i + 1, language, line});

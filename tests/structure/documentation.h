@@ -28,6 +28,7 @@ struct Page {
   std::vector<Link> links;
   std::vector<CodeLine> code;
   std::set<std::string> anchors;  // of its headings, as GitHub makes them
+  std::size_t open_block = 0;     // line of a block of code that nothing closes; 0 if there is none
 };
 
 Page read_page(const std::filesystem::path& file);

@@ -72,6 +72,16 @@ std::vector<std::string> readme_complaints(const fs::path& root) {
   return found;
 }
 
+// All that follows such a block is shown as code, links and headings too.
+std::vector<std::string> open_blocks(const fs::path& root) {
+  std::vector<std::string> found;
+  for (const auto& page : orbs::structure::pages_below(root))
+    if (page.open_block > 0)
+      found.push_back(orbs::structure::place(root, page.file, page.open_block) +
+                      "this block of code is not closed, or an earlier one was not");
+  return found;
+}
+
 // Pages of docs/ that no page links to.
 std::vector<std::string> unreachable_pages(const fs::path& root) {
   std::set<fs::path> linked;
@@ -92,6 +102,18 @@ std::vector<std::string> unreachable_pages(const fs::path& root) {
 TEST(Documentation, EveryRelativeLinkLeadsSomewhere) {
   const auto found = broken_links(ORBS_SOURCE_DIR);
   EXPECT_TRUE(found.empty()) << joined(found);
+}
+
+TEST(Documentation, EveryBlockOfCodeIsClosed) {
+  const auto found = open_blocks(ORBS_SOURCE_DIR);
+  EXPECT_TRUE(found.empty()) << joined(found);
+}
+
+TEST(Documentation, AnOpenBlockOfCodeIsNamed) {
+  const TestFolder scratch("documentation-blocks");
+  scratch.write("README.md", "# One\n```sh\nx\n\n## Two\n```sh\ny\n```\n");
+  EXPECT_EQ(joined(open_blocks(scratch.path())),
+            "README.md:8: this block of code is not closed, or an earlier one was not\n");
 }
 
 TEST(Documentation, EveryPageIsLinked) {
