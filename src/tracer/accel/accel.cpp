@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -168,8 +167,7 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.dir_x[lane] = ray.direction.x;
   packet.dir_y[lane] = ray.direction.y;
   packet.dir_z[lane] = ray.direction.z;
-  // A ray leaves the surface that it starts on: Embree's own triangles would count a hit at the distance 0.
-  packet.tnear[lane] = std::numeric_limits<float>::min();
+  packet.tnear[lane] = 0;
   packet.tfar[lane] = ray.reach;
   packet.time[lane] = 0;
   packet.mask[lane] = 0xffffffffU;
