@@ -18,6 +18,10 @@ Rectangle shrunk(const Rectangle& full, int divisor) {
   return {rounded_up(full.x0, divisor), rounded_up(full.y0, divisor), full.x1 / divisor, full.y1 / divisor};
 }
 
+bool are_equal(const Rectangle& a, const Rectangle& b) {
+  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
 }  // namespace
 
 Case reduced_case(Case one_case, int divisor) {
@@ -26,7 +30,13 @@ Case reduced_case(Case one_case, int divisor) {
     for (auto& rectangle : mask.rectangles) rectangle = grown(rectangle, divisor);
   for (auto& check : one_case.pixel_checks) {
     const auto region = shrunk(check.region, divisor);
-    if (region.x0 < region.x1 && region.y0 < region.y1) {
+    // A mean that is checked within its standard errors is that of exactly these pixels: where the image has
+    // a gradient, a part of them has another one.
+    const bool is_a_part = check.standard_errors > 0 && !are_equal(region, grown(check.region, divisor));
+    if (is_a_part) {
+      check.not_measured = fmt::format(
+          "not measured at {}: the mean of these pixels is not that of whole ones there", size_text(divisor));
+    } else if (region.x0 < region.x1 && region.y0 < region.y1) {
       check.region = region;
     } else {
       check.not_measured = fmt::format("not measured at {}: these pixels of the full size fill none there",

@@ -41,7 +41,7 @@ std::string entries_of(const orbs::registry::Suite& suite, const fs::path& docs)
 
 // Each requirement has one entry on the page of the requirements.
 const char* page_of(const std::string& suite) {
-  return suite == "known" || suite == "gi" ? "docs/known.md" : "docs/requirements.md";
+  return suite == "known" || suite == "gi" || suite == "stability" ? "docs/known.md" : "docs/requirements.md";
 }
 
 }  // namespace

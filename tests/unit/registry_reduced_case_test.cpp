@@ -37,6 +37,17 @@ TEST(ReducedCase, ChecksPixelsThatLieInTheRegionAsAWhole) {
   EXPECT_EQ(checked({3, 7, 13, 17}, 4).not_measured, "");
 }
 
+// The mean over a part of a gradient is another one: the card of a scene came out 3 % too dark at 1/4.
+TEST(ReducedCase, MeasuresAMeanWithStandardErrorsOfAllItsPixelsAlone) {
+  const auto reduced = [](const Rectangle& region) {
+    auto made = case_with(region);
+    made.pixel_checks[0].standard_errors = 4;
+    return registry::reduced_case(made, 4).pixel_checks[0];
+  };
+  EXPECT_EQ(reduced({4, 8, 12, 16}).not_measured, "");
+  EXPECT_NE(reduced({3, 7, 13, 17}).not_measured.find("not measured at 1/4"), std::string::npos);
+}
+
 TEST(ReducedCase, SaysThatARegionFillsNoPixel) {
   for (const Rectangle region : {Rectangle{256, 220, 257, 221}, {5, 5, 11, 11}, {0, 1, 16, 7}}) {
     const auto check = checked(region, 4);

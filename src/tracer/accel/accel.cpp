@@ -167,7 +167,7 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.dir_x[lane] = ray.direction.x;
   packet.dir_y[lane] = ray.direction.y;
   packet.dir_z[lane] = ray.direction.z;
-  packet.tnear[lane] = 0;
+  packet.tnear[lane] = ray.nearest;
   packet.tfar[lane] = ray.reach;
   packet.time[lane] = 0;
   packet.mask[lane] = 0xffffffffU;

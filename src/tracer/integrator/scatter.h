@@ -96,6 +96,7 @@ void scatter(PathBatch<T>& batch,
     note_mis_state<T>(path, world, vertices, lane, chosen[lane]->pdf);
     path.events.append(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
     path.ray.origin = lane_of(origin, lane);
+    path.ray.nearest = 0;
     path.ray.direction = lane_of(direction, lane);
     if (world.connects_light_vertices) note_connection(path, lane_of(vertices.geometric_normal, lane));
     ++path.scatterings;

@@ -1,11 +1,17 @@
 #include "tracer/world/camera.h"
 
+#include <limits>
+
 namespace orbs::tracer {
 
 Ray camera_ray(const PinholeCamera& camera, float x, float y) {
   const float sx = 2 * x / static_cast<float>(camera.width) - 1;
   const float sy = 1 - 2 * y / static_cast<float>(camera.height);
-  return {camera.position, normalised(camera.forward + camera.right * sx + camera.up * sy)};
+  Ray ray{camera.position, normalised(camera.forward + camera.right * sx + camera.up * sy)};
+  // A camera that lies on a floor and looks away from it would see that floor at distance zero in every
+  // direction. Other rays keep such hits: where one starts at an edge, they are what closes the room.
+  ray.nearest = std::numeric_limits<float>::min();
+  return ray;
 }
 
 CameraProjection project(const PinholeCamera& camera, Vec3f point) {
