@@ -52,9 +52,14 @@ async function openStudy(
 ): Promise<{ page: Page; errors: string[] }> {
   const { page, errors } = await open(browser, "about:blank");
   await page.route("**/cost.json", async (route) => {
-    const study = (await (await route.fetch()).json()) as SomeStudy;
-    change(study);
-    await route.fulfill({ json: study });
+    try {
+      const study = (await (await route.fetch()).json()) as SomeStudy;
+      change(study);
+      await route.fulfill({ json: study });
+    } catch (error) {
+      // An unfinished study is read again every 5 s, also while its page is being closed.
+      if (!page.isClosed()) throw error;
+    }
   });
   await page.goto(`${served.url}#/${hash}`);
   await page.locator(".cost-plot svg").waitFor();
