@@ -34,17 +34,16 @@ async function take(name, height, address, ready) {
 }
 
 async function takeUsual() {
-  await take("overview", 530, "", ".cell a");
-  await take("gallery", 720, "#/?as=gallery", '.gallery img[alt="|result − reference|"]');
+  await take("overview", 720, "", ".cell a");
   const cells = ["bad", "unsure", "good"].map((tone) => page.locator(`.cell a.tone-${tone}`));
   for (const cell of cells) {
     if ((await cell.count()) === 0) continue;
     const link = new URL(await cell.first().getAttribute("href"), page.url()).hash;
-    const view =
-      "mode=side&tick=result%7Creference%7Cdifference&img=difference&diff=absolute";
+    const view = "mode=side&tick=result%7Creference%7Cdifference&img=difference&diff=absolute";
     await take("case", 720, `${link}?${view}`, ".stage canvas[data-drawn]");
     break;
   }
+  await take("gallery", 720, "#/?as=gallery", '.gallery img[alt="|result − reference|"]');
   await take("chart", 630, "#/charts", ".plot canvas");
 }
 

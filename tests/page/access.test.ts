@@ -16,7 +16,7 @@ let small: Served;
 
 before(async () => {
   browser = await launch();
-  small = await serve(scratch.run("small"), scratch.run("before"));
+  small = await serve(scratch.run("small"), scratch.run("before"), scratch.run("cost"));
 });
 
 after(async () => {
@@ -39,6 +39,16 @@ const views: Record<string, { address: string; ready: string; image?: string }> 
     address: "#/case/m1_values/values/one?more=two&b=two&img=difference",
     ready: ".legend",
     image: "difference",
+  },
+  layer: {
+    address: "#/case/a1_stokes/stokes/one?layer=S1",
+    ready: ".pair-errors",
+    image: "result",
+  },
+  rungs: {
+    address: "#/images?run=cost&target=110&point=orbs%2F1&more=cycles+64+spp&b=cycles+64+spp",
+    ready: ".pair-errors",
+    image: "result",
   },
   compare: { address: "#/compare", ready: ".compare section" },
   charts: { address: "#/charts", ready: ".plot canvas" },

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { launch, open } from "./browser";
+import { launch, open, settled } from "./browser";
 import { report, Scratch, serve, type Served } from "./runs";
 
 const scratch = new Scratch();
@@ -34,6 +34,7 @@ interface SomeComparison {
 /** The members of cost.json that tests change. */
 interface SomeStudy {
   finished: boolean;
+  renderers: { name: string }[];
   comparisons: SomeComparison[];
   self_comparison: { passed: boolean; time_ratio: unknown } | null;
   curves: {
@@ -51,9 +52,14 @@ async function openStudy(
 ): Promise<{ page: Page; errors: string[] }> {
   const { page, errors } = await open(browser, "about:blank");
   await page.route("**/cost.json", async (route) => {
-    const study = (await (await route.fetch()).json()) as SomeStudy;
-    change(study);
-    await route.fulfill({ json: study });
+    try {
+      const study = (await (await route.fetch()).json()) as SomeStudy;
+      change(study);
+      await route.fulfill({ json: study });
+    } catch (error) {
+      // An unfinished study is read again every 5 s, also while its page is being closed.
+      if (!page.isClosed()) throw error;
+    }
   });
   await page.goto(`${served.url}#/${hash}`);
   await page.locator(".cost-plot svg").waitFor();
@@ -319,6 +325,43 @@ test("the one-file page of a study works from file:// and requests nothing", asy
   assert.deepEqual(await widthsOfImages(page), [64, 64]);
   assert.match(await page.locator(".answer").innerText(), /At 35 dB orbs is cheapest/);
   assert.equal((await saved(page, "M2 110: Glass", "PNG")).bytes.subarray(1, 4).toString(), "PNG");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("of many renderers the ratios to one of them are bars, the fastest first", async () => {
+  const { page, errors } = await openStudy("", (study) => {
+    const more = ["four", "five"].map((name) => ({ ...study.renderers[0]!, name }));
+    study.renderers.push(...more);
+  });
+  const rows = page.locator(".ratio-bars tr:not(.axis)");
+  const names = async (): Promise<string[]> =>
+    (await rows.locator("th").allInnerTexts()).map((name) => name.trim());
+  await rows.first().waitFor();
+  assert.equal((await names())[0], "orbs");
+  assert.match(await rows.nth(0).innerText(), /the measure of the others/);
+  assert.match(await rows.nth(1).innerText(), /cycles\s+× [\d.]+ \([\d.]+ to [\d.]+\)/);
+  assert.match(await rows.last().innerText(), /does not reach this quality/);
+  // The sentence names no ratio of five renderers.
+  assert.doesNotMatch(await page.locator(".answer").innerText(), /times as long/);
+  const bars = await rows
+    .locator(".ratio-bar")
+    .evaluateAll((all) => all.map((bar) => bar.getBoundingClientRect().width));
+  assert.ok(bars[1]! > 10 && bars[0]! < 5, bars.join(" "));
+  await page.getByLabel("as a multiple of those of").selectOption("cycles");
+  await page.waitForFunction(() => location.hash.includes("base=cycles"));
+  assert.match(await rows.nth(0).innerText(), /orbs\s+× 0\.\d/);
+  await page.getByLabel("CPU seconds to").selectOption("30");
+  await page.waitForFunction(() => location.hash.includes("at=30"));
+  await page.setViewportSize({ width: 390, height: 844 });
+  await settled(page); // charts follow the width of the window
+  const widest = (): Promise<string[]> =>
+    page.evaluate(() =>
+      [...document.querySelectorAll(".ratio-bars, .ratio-bars *")]
+        .filter((element) => element.getBoundingClientRect().right > innerWidth)
+        .map((element) => element.className),
+    );
+  assert.deepEqual(await widest(), []);
   assert.deepEqual(errors, []);
   await page.close();
 });

@@ -176,7 +176,11 @@ test("Escape leaves the full window and not the target, also when the address ha
   await page.locator(".viewer.full").waitFor();
   await page.evaluate(() => {
     // The page is rendered again by the new address, the viewer is not.
-    history.replaceState(null, "", `${location.hash}${location.hash.includes("?") ? "&" : "?"}other=1`);
+    history.replaceState(
+      null,
+      "",
+      `${location.hash}${location.hash.includes("?") ? "&" : "?"}other=1`,
+    );
     dispatchEvent(new Event("hashchange"));
   });
   await page.waitForFunction(() => location.hash.includes("other=1"));

@@ -234,7 +234,8 @@ TEST(ServerAttack, TextsOfTheRunAreNeverMarkup) {
   EXPECT_NE(answer.find("Content-Type: text/plain"), std::string::npos) << answer;
   EXPECT_NE(answer.find("X-Content-Type-Options: nosniff"), std::string::npos);
   EXPECT_NE(answer.find("Content-Security-Policy: default-src 'none'; sandbox"), std::string::npos);
-  EXPECT_NE(server().get("/").find("script-src 'self'; worker-src blob:; style-src 'self'"), std::string::npos);
+  EXPECT_NE(server().get("/").find("script-src 'self'; worker-src blob:; style-src 'self'"),
+            std::string::npos);
 }
 
 TEST(Server, ServesTheRunAndTheBundle) {

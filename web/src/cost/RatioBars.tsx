@@ -14,7 +14,11 @@ function Bar({ row, scale, colour }: { row: RatioRow; scale: RatioScale; colour:
   return (
     <span class="track">
       {scale.ticks.map((tick) => (
-        <span key={tick} class={`tick ${tick === 1 ? "one" : ""}`} style={{ left: percent(scale.at(tick)) }} />
+        <span
+          key={tick}
+          class={`tick ${tick === 1 ? "one" : ""}`}
+          style={{ left: percent(scale.at(tick)) }}
+        />
       ))}
       <span
         class="ratio-bar"
