@@ -37,6 +37,17 @@ std::int64_t strided_seed(const registry::Renderer& renderer, int seed) {
   return strided;
 }
 
+std::vector<std::string> words_of_command(const registry::Renderer& renderer,
+                                          const std::vector<std::string>& of_scene) {
+  auto words = renderer.command;
+  auto place = std::find(words.begin(), words.end(), "{arguments}");
+  if (place != words.end()) place = words.erase(place);
+  place = words.insert(place, renderer.arguments.begin(), renderer.arguments.end());
+  words.insert(place + static_cast<std::ptrdiff_t>(renderer.arguments.size()), of_scene.begin(),
+               of_scene.end());
+  return words;
+}
+
 }  // namespace
 
 Job make_job(const registry::Renderer& renderer,
@@ -67,7 +78,7 @@ Job make_job(const registry::Renderer& renderer,
   // Those of all formats, because a renderer with hand-written scenes names no exporter.
   for (const auto& exporter : exporters())
     if (exporter.placeholders != nullptr) values.merge(exporter.placeholders(settings.spp));
-  job.argv = registry::fill_placeholders(renderer.command, values);
+  job.argv = registry::fill_placeholders(words_of_command(renderer, settings.arguments), values);
   return job;
 }
 

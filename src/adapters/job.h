@@ -37,6 +37,7 @@ struct JobSettings {
   std::filesystem::path build;            // {build}
   std::filesystem::path executable;       // {executable}, already found
   std::string image_file = "result.exr";  // its name in the job's folder
+  std::vector<std::string> arguments{};   // of the scene, after those of the renderer's variant
   std::string scene_file{};               // its name in the job's folder; "" for that of an exported scene
 };
 
@@ -45,8 +46,9 @@ int scaled_spp(int spp, double renderer_scale, double run_scale);
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
-/// renderer's seed_stride; exporters add placeholders of their formats. Pure, touches no file. argv[0] is
-/// settings.executable where the command starts with {executable}.
+/// renderer's seed_stride; exporters add placeholders of their formats. Arguments of the renderer's variant
+/// and of the scene stand in the place of {arguments}, or at the end of a command without it. Pure, touches
+/// no file. argv[0] is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
              const JobSettings& settings,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "registry/renderer_variants.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ fs::path native_scene_file(const registry::Renderer& renderer,
                            const fs::path& neutral_file,
                            const std::string& scene_name) {
   if (renderer.native_scenes.empty()) return {};
-  return neutral_file.parent_path() / renderer.name /
+  return neutral_file.parent_path() / registry::entry_of(renderer) /
          fmt::format("{}.{}", scene_name, renderer.native_scenes);
 }
 

@@ -11,7 +11,8 @@ AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
 AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
-AddCommand add_history_command;
+AddCommand add_history_command, add_merge_command, add_submit_command, add_export_command;
+AddCommand add_judge_command, add_manual_command;
 
 namespace {
 
@@ -22,6 +23,10 @@ constexpr const char* kStudies = "Studies";
 
 constexpr std::array kCommands{
     Command{"run", kResults, "Render a suite and judge the images", add_run_command},
+    Command{"merge", kResults, "Put the shards of a run together", add_merge_command},
+    Command{"submit", kResults, "Render a suite on a cluster", add_submit_command},
+    Command{"export", kResults, "Write scenes for a renderer that is somewhere else", add_export_command},
+    Command{"judge", kResults, "Judge the images that come back from there", add_judge_command},
     Command{"serve", kResults, "Show runs as a page in the browser, even while they go on",
             add_serve_command},
     Command{"report", kResults, "Write the page of a run as one HTML file", add_report_command},
@@ -39,6 +44,7 @@ constexpr std::array kCommands{
     Command{"reference", kSetUp, "Render references with the built-in tracer", add_reference_command},
     Command{"completion", kSetUp, "Print the completion of commands and options for a shell",
             add_completion_command},
+    Command{"manual", kSetUp, "Print the manual page", add_manual_command},
     Command{"probe", kStudies, "Check that each renderer places camera, geometry and textures correctly",
             add_probe_command},
     Command{"qualify", kStudies, "Check that each gate rejects faulty images and accepts a good one",

@@ -19,6 +19,7 @@
 #include "runner/plan_text.h"
 #include "runner/run.h"
 #include "runner/run_file.h"
+#include "runner/shard.h"
 
 #include <algorithm>
 
@@ -31,9 +32,17 @@ namespace orbs::cli {
 
 namespace {
 
+// The plan of the shard that is to be rendered, and the list of the whole.
+struct ShardPlan {
+  runner::Plan plan;
+  registry::Shard shard{};
+  results::JobList whole{};
+};
+
 // The run file of the folder that is resumed, or of a new folder, which is made.
 runner::RunFile run_file_of(const registry::Configuration& configuration,
                             const runner::Plan& plan,
+                            const registry::Shard& shard,
                             const std::string& resumed,
                             std::filesystem::path& folder) {
   if (!resumed.empty()) {
@@ -43,7 +52,7 @@ runner::RunFile run_file_of(const registry::Configuration& configuration,
     return file;
   }
   folder = runner::make_run_folder(plan.settings.output);
-  runner::RunFile file{configuration.file, plan.settings, local_time_now()};
+  runner::RunFile file{configuration.file, plan.settings, local_time_now(), shard};
   if (file.settings.executable.find('/') != std::string::npos)
     file.settings.executable = std::filesystem::absolute(file.settings.executable).lexically_normal();
   return file;
@@ -108,12 +117,14 @@ results::RunRecord render_with_progress(const runner::Plan& plan,
 }
 
 int run_plan(const registry::Configuration& configuration,
-             const runner::Plan& plan,
+             const ShardPlan& planned,
              const Program& program,
              const RunOptions& options) {
+  const auto& plan = planned.plan;
   std::filesystem::path folder;
   runner::RunContext context;
-  context.file = run_file_of(configuration, plan, options.resume, folder);
+  context.file = run_file_of(configuration, plan, planned.shard, options.resume, folder);
+  context.whole_plan = planned.whole;
   const auto times = recorded_times(plan, std::filesystem::current_path(),
                                     options.resume.empty() ? std::filesystem::path() : folder);
   announce(configuration, plan, times, folder);
@@ -140,25 +151,30 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
   add_run_options(command, *options);
   command.footer(
       "configuration.json can set the default of every option under \"defaults\".\n"
-      "Exit status: 0 if every target that a renderer declares passes or is a known failure, 1 if one "
-      "fails or is\nnews of a known failure, 2 if the run could not start or every target is unsupported, 130 if it was interrupted (--resume continues it).");
+      "Exit status: 0 if every target that a renderer declares passes or is a known failure, 1 if one fails, 2 if the run could not "
+      "start\nor every target is unsupported, 130 if it was interrupted (--resume continues it).");
   const auto* chosen = &command;
   command.callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;
       std::optional<registry::RunSettings> resumed;
+      ShardPlan planned;
+      if (!options->shard.empty()) planned.shard = registry::parse_shard(options->shard);
       if (!options->resume.empty()) {
         const auto file = runner::read_run_file(options->resume);
         if (from.empty()) from = file.configuration.string();
         resumed = file.settings;
+        planned.shard = file.shard;
       }
       const auto read = read_configuration(from, program);
       const auto settings = run_settings(*chosen, *options, resumed.value_or(read.defaults));
-      const auto plan = runner::make_plan(read, settings, program.folder);
+      planned.plan = runner::make_plan(read, settings, program.folder);
+      planned.whole = runner::job_list(planned.plan);
+      runner::take_shard(planned.shard, planned.plan);
       if (settings.sandbox)
         if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
-      if (!settings.dry_run) return run_plan(read, plan, program, *options);
-      print_clean("{}", runner::plan_text(plan));
+      if (!settings.dry_run) return run_plan(read, planned, program, *options);
+      print_clean("{}", runner::plan_text(planned.plan));
       return 0;
     };
   });

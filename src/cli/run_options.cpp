@@ -58,6 +58,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                                  "Continue the run in this folder, with its own suite, cases and renderers")
                      ->option_text("FOLDER")
                      ->check(not_empty("a folder"));
+  command
+      .add_option("--shard", options.shard,
+                  "Only this part of the renders, such as 3/16; 'orbs merge' puts all parts together")
+      ->option_text("PART")
+      ->check(not_empty("a part"));
   command.add_flag("-v,--view,--visualize,!--no-view", options.view,
                    "At the end, serve the results as a page and open it in the browser");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
@@ -69,7 +74,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->excludes("--dry-run")
       ->check(not_empty("a reason"));
   for (const char* choice :
-       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--size"})
+       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--size", "--shard"})
     resume->excludes(command.get_option(choice));
 }
 

@@ -18,6 +18,7 @@ struct RunOptions {
   std::string executable;
   std::string output;
   std::string resume;
+  std::string shard;
   int jobs = 1;
   int threads = 0;
   int seed = 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 namespace orbs::history {
 
 std::string quantity_name(Quantity quantity) {
@@ -29,6 +31,12 @@ std::string direction_name(Direction direction) {
       return "better";
   }
   return {};
+}
+
+std::string chance_text(const Change& change) {
+  constexpr double kLeast = 1e-9;
+  if (change.quantity == Quantity::Verdict) return "";
+  return change.by_chance < kLeast ? "< 1 in 1e9" : fmt::format("1 in {:.2g}", 1 / change.by_chance);
 }
 
 namespace {

@@ -42,6 +42,10 @@ struct Change {
   std::string since{};   // of a step in many runs: the first run after it, with its date
 };
 
+/// "1 in 340": how often equal programs differ so much; "" for a verdict. Below 1e-9 "< 1 in 1e9", since no
+/// distribution is known so far out.
+std::string chance_text(const Change& change);
+
 /// A test of one number: the change that is reported if its probability is small enough among all tests.
 struct Candidate {
   Change change;

@@ -18,12 +18,6 @@ namespace orbs::history {
 
 namespace {
 
-void add_numbers(std::vector<Candidate> candidates, RunComparison& comparison) {
-  constexpr int kKinds = 3;
-  comparison.tests += candidates.size();
-  keep_significant(std::move(candidates), kFalseAlarms / kKinds, comparison.changes);
-}
-
 void sort_worst_first(std::vector<Change>& changes) {
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
     return std::tuple(a.direction, a.quantity, -a.size) < std::tuple(b.direction, b.quantity, -b.size);
@@ -56,11 +50,6 @@ std::string target_text(const Change& change) {
   return change.target.empty() ? "all together" : change.target;
 }
 
-std::string chance_text(const Change& change) {
-  if (change.quantity == Quantity::Verdict || change.by_chance == 0) return "";
-  return fmt::format("1 in {:.2g}", 1 / change.by_chance);
-}
-
 std::vector<TableRow> rows_of(const RunComparison& comparison) {
   std::vector<TableRow> rows{{"", "renderer", "", "target", "", "before", "after", "by chance", ""}};
   for (const auto& change : comparison.changes)
@@ -90,15 +79,27 @@ std::string what_was_compared(const RunComparison& comparison) {
 
 }  // namespace
 
-RunComparison compare_runs(const results::RunRecord& before, const results::RunRecord& after) {
-  const auto pair = pair_runs(before, after);
-  RunComparison comparison{before.name, after.name, pair.targets.size(), 0, verdict_changes(pair), {}};
-  add_numbers(light_candidates(pair), comparison);
-  add_numbers(error_candidates(pair), comparison);
-  add_numbers(time_candidates(pair), comparison);
+RunComparison compare_pairs(const RunPair& pair,
+                            std::vector<Change> verdicts,
+                            std::vector<std::vector<Candidate>> numbers) {
+  constexpr int kKinds = 3;
+  RunComparison comparison{"", "", pair.targets.size(), 0, std::move(verdicts), {}};
+  for (auto& candidates : numbers) {
+    comparison.tests += candidates.size();
+    keep_significant(std::move(candidates), kFalseAlarms / kKinds, comparison.changes);
+  }
   sort_worst_first(comparison.changes);
   note_reasons(pair.targets, "numbers of targets", comparison.notes);
   note_reasons(pair.jobs, "times of renders", comparison.notes);
+  return comparison;
+}
+
+RunComparison compare_runs(const results::RunRecord& before, const results::RunRecord& after) {
+  const auto pair = pair_runs(before, after);
+  auto comparison = compare_pairs(pair, verdict_changes(pair),
+                                  {light_candidates(pair), error_candidates(pair), time_candidates(pair)});
+  comparison.before = before.name;
+  comparison.after = after.name;
   note_lonely(pair.only_before, comparison.before, comparison.notes);
   note_lonely(pair.only_after, comparison.after, comparison.notes);
   return comparison;

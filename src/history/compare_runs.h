@@ -1,6 +1,7 @@
 #pragma once
 
 #include "history/change.h"
+#include "history/pair_runs.h"
 #include "results/record.h"
 
 #include <cstddef>
@@ -21,6 +22,12 @@ struct RunComparison {
 /// Compares two runs target by target: verdicts, and numbers that changed beyond chance, see kFalseAlarms.
 /// InputError if nothing can be compared.
 RunComparison compare_runs(const results::RunRecord& before, const results::RunRecord& after);
+
+/// The comparison of pairs of targets by what changed in verdicts, and by tests of up to three kinds of
+/// numbers, which share kFalseAlarms evenly.
+RunComparison compare_pairs(const RunPair& pair,
+                            std::vector<Change> verdicts,
+                            std::vector<std::vector<Candidate>> numbers);
 
 /// 1 if anything is worse, else 0.
 int exit_status(const RunComparison& comparison);

@@ -32,8 +32,7 @@ std::vector<TableRow> step_rows(const std::vector<Change>& steps) {
   for (const auto& step : steps)
     rows.push_back({direction_name(step.direction), step.renderer,
                     step.target.empty() ? "all together" : step.target, quantity_name(step.quantity),
-                    step.before, step.after,
-                    step.by_chance > 0 ? fmt::format("1 in {:.2g}", 1 / step.by_chance) : "", step.since});
+                    step.before, step.after, chance_text(step), step.since});
   return rows;
 }
 

@@ -86,4 +86,17 @@ RunPair pair_runs(const RunRecord& before, const RunRecord& after) {
   return pair;
 }
 
+RunPair pair_renderers(const RunRecord& run, const std::string& before, const std::string& after) {
+  std::map<std::pair<std::string, std::string>, const TargetRecord*> first;
+  for (const auto& target : run.targets)
+    if (target.renderer == before) first[{target.case_name, target.target}] = &target;
+  const auto jobs = jobs_by_id(run);
+  RunPair pair;
+  for (const auto& target : run.targets)
+    if (const auto found = first.find({target.case_name, target.target});
+        target.renderer == after && found != first.end())
+      pair.targets.push_back({found->second, &target, why_no_numbers(*found->second, target, jobs, jobs)});
+  return pair;
+}
+
 }  // namespace orbs::history

@@ -32,4 +32,8 @@ struct RunPair {
 /// different suites or sizes, or have no target in common.
 RunPair pair_runs(const results::RunRecord& before, const results::RunRecord& after);
 
+/// The targets of two renderers of one run, paired by case and target; no renders, whose times differ for
+/// good reasons.
+RunPair pair_renderers(const results::RunRecord& run, const std::string& before, const std::string& after);
+
 }  // namespace orbs::history

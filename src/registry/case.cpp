@@ -5,6 +5,7 @@
 #include "json/document.h"
 #include "json/object_reader.h"
 #include "registry/features.h"
+#include "registry/placeholders.h"
 #include "registry/plain_name.h"
 
 #include <algorithm>
@@ -38,6 +39,34 @@ std::string known_name(ObjectReader& in, const std::string& key, const std::set<
   return name;
 }
 
+std::vector<AcceptedReference> load_accepted(ObjectReader& in, const CaseScene& scene) {
+  std::vector<AcceptedReference> accepted;
+  for (auto& entry : in.objects_or_none("accepted")) {
+    AcceptedReference other{entry.text("reference"), entry.text("reason")};
+    if (other.reference == scene.name || other.reference == scene.reference)
+      entry.fail("reference", "is that of the scene already");
+    if (other.reason.empty()) entry.fail("reason", "must say why the specification allows this image, too");
+    entry.finish();
+    accepted.push_back(std::move(other));
+  }
+  if (!accepted.empty() && !scene.no_reference.empty())
+    in.fail("accepted", "needs a reference that the image is compared with first");
+  return accepted;
+}
+
+std::map<std::string, std::vector<std::string>> load_arguments(ObjectReader in) {
+  std::map<std::string, std::vector<std::string>> arguments;
+  for (const auto& renderer : in.keys()) {
+    auto& words = arguments[renderer];
+    words = in.system_texts(renderer);
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (const auto problem = placeholder_problem(words[i], argument_placeholders()))
+        in.fail_at(renderer, i, *problem);
+  }
+  in.finish();
+  return arguments;
+}
+
 CaseScene load_case_scene(ObjectReader in,
                           const std::filesystem::path& folder,
                           std::set<std::string>& names) {
@@ -54,6 +83,8 @@ CaseScene load_case_scene(ObjectReader in,
   if (in.has("no_reference")) scene.no_reference = in.text("no_reference");
   if (in.has("no_reference") && scene.no_reference.empty())
     in.fail("no_reference", "must say why pixel checks alone judge the scene");
+  scene.accepted = load_accepted(in, scene);
+  if (in.has("arguments")) scene.arguments = load_arguments(in.object("arguments"));
   if ((scene.reference.empty() ? 0 : 1) + (scene.analytic ? 1 : 0) + (scene.no_reference.empty() ? 0 : 1) > 1)
     in.fail("", "has more than one of 'reference', 'analytic' and 'no_reference'; keep one");
   in.finish();
@@ -203,6 +234,12 @@ std::vector<std::string> target_names(const Case& one_case) {
   for (const auto& scene : one_case.scenes) names.push_back(scene.name);
   for (const auto& difference : one_case.differences) names.push_back(difference.name);
   return names;
+}
+
+Case with_reference(Case one_case, const std::string& scene, const std::string& reference) {
+  for (auto& other : one_case.scenes)
+    if (other.name == scene) other.reference = reference;
+  return one_case;
 }
 
 const std::string& reference_name(const CaseScene& scene) {

@@ -6,12 +6,20 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 /// case.json (format "orbs-case/2") as plain data: what a requirement needs tested, and what counts as right.
 namespace orbs::registry {
+
+/// Another right image of a scene, where a specification allows more than one answer.
+struct AcceptedReference {
+  std::string reference;  // the scene of the suite whose reference it is
+  std::string reason;
+  friend bool operator==(const AcceptedReference&, const AcceptedReference&) = default;
+};
 
 struct CaseScene {
   std::string name;  // unique in the suite
@@ -21,6 +29,8 @@ struct CaseScene {
   double wall_seconds = 0;     // that a render may take; 0: as long as its renderer may
   std::string reference = {};  // the scene of the suite whose image this one is by definition; "": its own
   std::optional<AnalyticReference> analytic = {};  // the formula of its reference, where there is one
+  std::map<std::string, std::vector<std::string>> arguments = {};  // by the name of a renderer's entry
+  std::vector<AcceptedReference> accepted = {};  // tried in turn where the image fails by its reference
   std::string no_reference = {};  // why it has no reference and pixel checks alone judge it; "": it has one
 };
 
@@ -85,6 +95,9 @@ std::vector<std::string> target_names(const Case& one_case);
 
 /// The scene whose reference a scene is judged by: mostly its own.
 const std::string& reference_name(const CaseScene& scene);
+
+/// The case with this reference in place of the scene's own.
+Case with_reference(Case one_case, const std::string& scene, const std::string& reference);
 
 /// Why pixel checks alone judge the target, a scene or a difference of scenes; "" where a reference does.
 std::string no_reference_reason(const Case& one_case, const std::string& target);

@@ -102,6 +102,10 @@ std::vector<std::string> load_command(ObjectReader& in) {
   auto command = template_texts(in, "command", command_placeholders());
   if (const auto& program = command.front(); program.empty() || program.starts_with('-'))
     in.fail_at("command", 0, fmt::format("must be a program or {{executable}}, is '{}'", program));
+  for (std::size_t i = 0; i < command.size(); ++i)
+    if (uses_placeholder(command[i], "arguments") && (i == 0 || command[i] != "{arguments}"))
+      in.fail_at("command", i,
+                 "{arguments} stands for words of their own: it must be a word after the program");
   for (const char* needed : {"scene", "output"})
     if (!uses_placeholder(command, needed))
       in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
@@ -184,7 +188,7 @@ std::vector<QualityRung> load_cost_ladder(ObjectReader& in) {
   return ladder;
 }
 
-Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
+Renderer load_renderer(ObjectReader& in, const ProcessLimits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
   renderer.place = in.place("name");
@@ -239,8 +243,43 @@ Renderer load_renderer(ObjectReader in, const ProcessLimits& limits) {
   if (in.has("render_seconds")) renderer.render_seconds = load_render_seconds(in.object("render_seconds"));
   renderer.cost_ladder = load_cost_ladder(in);
   renderer.environment = load_environment(in);
-  in.finish();
   return renderer;
+}
+
+Renderer load_variant(ObjectReader in, const Renderer& entry) {
+  auto variant = entry;
+  variant.variant_of = entry.name;
+  variant.name = fmt::format("{}-{}", entry.name, plain_name(in, "name"));
+  constexpr std::size_t kMostCharacters = 100;  // as of any plain_name
+  if (variant.name.size() > kMostCharacters)
+    in.fail("name", fmt::format("'{}' has {} characters, may have {}", variant.name, variant.name.size(),
+                                kMostCharacters));
+  variant.place = in.place("name");
+  variant.arguments = in.system_texts("arguments");
+  for (std::size_t i = 0; i < variant.arguments.size(); ++i)
+    if (const auto problem = placeholder_problem(variant.arguments[i], argument_placeholders()))
+      in.fail_at("arguments", i, *problem);
+  variant.biased = in.text_or("biased", entry.biased);
+  in.finish();
+  return variant;
+}
+
+// Appends the renderers that an entry stands for: one for each of its variants, or the entry itself without
+// any.
+void add_variants(ObjectReader& entry, const Renderer& renderer, std::vector<Renderer>& renderers) {
+  const auto add = [&](ObjectReader& place, Renderer added) {
+    if (std::any_of(renderers.begin(), renderers.end(),
+                    [&](const auto& earlier) { return earlier.name == added.name; }))
+      place.fail("name", fmt::format("'{}' is the name of an earlier renderer", added.name));
+    renderers.push_back(std::move(added));
+  };
+  if (!entry.has("variants")) {
+    add(entry, renderer);
+    return;
+  }
+  auto variants = entry.objects("variants");
+  if (variants.empty()) entry.fail("variants", "must hold at least one; leave it out for none");
+  for (auto& variant : variants) add(variant, load_variant(variant, renderer));
 }
 
 // The reader of an entry is used up by loading it, so names given twice are looked for beforehand.
@@ -267,11 +306,15 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   ProcessLimits limits;
   if (in.has("limits")) read_limits(in.object("limits"), limits);
   refuse_doubles(in.objects("renderers"));
-  for (auto& entry : in.objects("renderers"))
-    configuration.renderers.push_back(load_renderer(std::move(entry), limits));
+  for (auto& entry : in.objects("renderers")) {
+    const auto renderer = load_renderer(entry, limits);
+    add_variants(entry, renderer, configuration.renderers);
+    entry.finish();
+  }
   std::vector<std::string> names;
   for (const auto& renderer : configuration.renderers) names.push_back(renderer.name);
   configuration.expected = load_expected(in, names);
+  if (in.has("slurm")) configuration.slurm = load_slurm(in.object("slurm"));
   in.finish();
   return configuration;
 }

@@ -4,6 +4,7 @@
 #include "registry/expected.h"
 #include "registry/features.h"
 #include "registry/run_settings.h"
+#include "registry/slurm.h"
 
 #include <filesystem>
 #include <map>
@@ -54,7 +55,8 @@ struct QualityRung {
 };
 
 struct Renderer {
-  std::string name;
+  std::string name;        // of a variant: "<entry>-<variant>"
+  std::string variant_of;  // name of the entry that lists it as a variant; "" for an entry without variants
   std::string place;       // file:line of the entry, for messages; "" when it comes from no file
   std::string executable;  // a path with placeholders, or a program on PATH
   std::vector<std::string> version_command;
@@ -73,8 +75,9 @@ struct Renderer {
   FeatureSet declares;
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
-  ProcessLimits limits;  // those of the file, with the entry's own in their place
-  double spp_scale = 1;  // samples of this renderer for one sample of the case
+  std::vector<std::string> arguments;  // of the variant, in the place of {arguments} in the command
+  ProcessLimits limits;                // those of the file, with the entry's own in their place
+  double spp_scale = 1;                // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.
@@ -102,6 +105,7 @@ struct Configuration {
   std::vector<Suite> suites;
   std::vector<Renderer> renderers;
   std::vector<ExpectedFailure> expected{};
+  SlurmSettings slurm{};
 };
 
 /// Reads and checks the file. InputError with file, line and key: unknown keys, wrong types, names given

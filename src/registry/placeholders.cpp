@@ -49,10 +49,19 @@ Parts parts_of(std::string_view text) {
 
 }  // namespace
 
-const std::set<std::string>& command_placeholders() {
+const std::set<std::string>& argument_placeholders() {
   static const std::set<std::string> kNames{"executable",  "scene",     "output", "folder", "spp",
                                             "seed",        "threads",   "width",  "height", "aa_grid",
                                             "trace_depth", "transport", "root",   "build"};
+  return kNames;
+}
+
+const std::set<std::string>& command_placeholders() {
+  static const auto kNames = [] {
+    auto names = argument_placeholders();
+    names.insert("arguments");
+    return names;
+  }();
   return kNames;
 }
 

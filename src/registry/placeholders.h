@@ -12,9 +12,10 @@ namespace orbs::registry {
 /// What {name} stands for in a command.
 using Placeholders = std::map<std::string, std::string>;
 
-/// The words that may stand in braces in `command` and, of these, the ones for `executable` and
-/// `version_command`.
+/// The words that may stand in braces in `command` and, of these, the ones for the arguments of variants and
+/// scenes, and for `executable` and `version_command`.
 const std::set<std::string>& command_placeholders();
+const std::set<std::string>& argument_placeholders();
 const std::set<std::string>& executable_placeholders();
 
 /// The complaint about the first thing in braces that is not among `known`, or about a brace without its

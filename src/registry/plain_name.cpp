@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMostCharacters = 100;
 
 // What lies in the folder of a run beside the folders of its renderers.
-const std::set<std::string> kOwnNames{"junit.xml",    "references", "results.csv",
-                                      "results.json", "run.json",   "run.lock"};
+const std::set<std::string> kOwnNames{"jobs.json",    "junit.xml", "references", "results.csv",
+                                      "results.json", "run.json",  "run.lock"};
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

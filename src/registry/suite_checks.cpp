@@ -22,6 +22,13 @@ void refuse_conflicts(const std::vector<Case>& cases) {
             "{}: scene '{}' is judged by the reference of '{}', but by that of '{}' in {}; use another name",
             one_case.file.string(), scene.name, reference_name(scene), reference_name(*other),
             other_case->file.string()));
+      if (!is_new && other->accepted != scene.accepted)
+        throw InputError(
+            fmt::format("{}: scene '{}' has other accepted references than in {}; use another name",
+                        one_case.file.string(), scene.name, other_case->file.string()));
+      if (!is_new && other->arguments != scene.arguments)
+        throw InputError(fmt::format("{}: scene '{}' has other arguments than in {}; use another name",
+                                     one_case.file.string(), scene.name, other_case->file.string()));
       if (!is_new && (other->file != scene.file || other->spp != scene.spp))
         throw InputError(
             fmt::format("{}: scene '{}' is {} with {} spp, but {} with {} spp in {}; use another name",
@@ -62,6 +69,15 @@ void check_references(const std::vector<Case>& cases) {
             "{}: scene '{}' is to be judged by the reference of '{}', but no scene of the suite with a "
             "reference of its own has that name{}",
             one_case.file.string(), scene.name, scene.reference, closest(scene.reference, with_reference)));
+  for (const auto& one_case : cases)
+    for (const auto& scene : one_case.scenes)
+      for (const auto& accepted : scene.accepted)
+        if (!with_reference.contains(accepted.reference))
+          throw InputError(fmt::format(
+              "{}: scene '{}' accepts the reference of '{}', but no scene of the suite with a reference of its "
+              "own has that name{}",
+              one_case.file.string(), scene.name, accepted.reference,
+              closest(accepted.reference, with_reference)));
 }
 
 }  // namespace orbs::registry

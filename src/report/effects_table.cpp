@@ -29,7 +29,7 @@ void add_rows(const std::vector<EffectRecord>& effects, const char* mark, Rows& 
 std::string effects_text(const std::vector<results::SceneRecord>& scenes) {
   Rows rows;
   for (const auto& scene : scenes) {
-    rows.push_back({scene.name, scene.transport});
+    rows.push_back({scene.name, fmt::format("{}; {}", scene.transport, scene.features)});
     add_rows(scene.called_for, "", rows);
     add_rows(scene.not_called_for, "not ", rows);
   }

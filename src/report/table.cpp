@@ -3,6 +3,7 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
+#include "history/variants.h"
 #include "report/probe_hint.h"
 #include "report/size_note.h"
 
@@ -260,7 +261,8 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   for (const auto& lines : {verdict_lines(run, style), diagnosis_lines(run, style), remark_lines(run, style),
                             hidden_lines(run, style)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
-  for (const auto& lines : {probe_hints(run), size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
+  for (const auto& lines : {history::variants_text(history::compare_variants(run)), probe_hints(run),
+                            size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
     if (lines.empty()) continue;
     text += '\n';
     add_lines(lines);

@@ -46,6 +46,7 @@ void fields(Visitor& visit, Record& requirement) {
 
 struct RendererRecord {
   std::string name;
+  std::string variant_of;  // the entry of the configuration that lists it as a variant; "" for no variant
   std::string version;
   std::string executable;
   std::string declared;               // ORB.S notation
@@ -58,6 +59,7 @@ struct RendererRecord {
 template <class Visitor, RecordOf<RendererRecord> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name);
+  visit("variant_of", renderer.variant_of);
   visit("version", renderer.version);
   visit("executable", renderer.executable);
   visit("declared", renderer.declared);
@@ -81,9 +83,11 @@ void fields(Visitor& visit, Record& left) {
 
 struct RunRecord {
   std::string suite;
-  std::string size = "1";  // of the images: "1/4" for a quarter of the scenes' width and height
-  std::string folder;      // absolute; not stored, because the folder may be moved
-  std::string name;        // of the folder, for people; not stored either
+  std::string size = "1";     // of the images: "1/4" for a quarter of the scenes' width and height
+  std::string plan;           // of its JobList; "" for a run of an orbs that knew no shards
+  std::string shard = "1/1";  // the part of the renders that this run does
+  std::string folder;         // absolute; not stored, because the folder may be moved
+  std::string name;           // of the folder, for people; not stored either
   std::string started;
   double wall_seconds = 0;
   std::string orbs_version;
@@ -105,6 +109,8 @@ template <class Visitor, RecordOf<RunRecord> Record>
 void fields(Visitor& visit, Record& run) {
   visit("suite", run.suite);
   visit("size", run.size);
+  visit("plan", run.plan);
+  visit("shard", run.shard);
   visit("orbs_version", run.orbs_version);
   visit("command_line", run.command_line);
   visit("started", run.started);

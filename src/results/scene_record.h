@@ -67,6 +67,7 @@ struct SceneRecord {
   std::string transport;  // "rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"
   std::vector<EffectRecord> called_for;
   std::vector<EffectRecord> not_called_for;
+  std::string features = {};  // feature number: the requirements that it calls for, in ORB.S notation
   std::vector<EffectCostRecord> effect_costs = {};  // from orbs effect-cost; empty if nobody has measured
 };
 
@@ -74,6 +75,7 @@ template <class Visitor, RecordOf<SceneRecord> Record>
 void fields(Visitor& visit, Record& scene) {
   visit.required("name", scene.name);
   visit("transport", scene.transport);
+  visit("features", scene.features);
   visit("called_for", scene.called_for);
   visit("not_called_for", scene.not_called_for);
   visit("effect_costs", scene.effect_costs);

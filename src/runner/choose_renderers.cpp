@@ -7,6 +7,7 @@
 #include "registry/filters.h"
 #include "registry/image_size.h"
 #include "registry/placeholders.h"
+#include "registry/renderer_variants.h"
 
 #include <algorithm>
 
@@ -48,9 +49,7 @@ std::optional<std::filesystem::path> installed_executable(const registry::Render
 
 void choose_renderers(const registry::Configuration& configuration, Plan& plan) {
   const auto& all = configuration.renderers;
-  std::vector<std::string> all_names;
-  for (const auto& renderer : all) all_names.push_back(renderer.name);
-  const auto names = registry::select_names(all_names, plan.settings.renderers, "renderer");
+  const auto names = registry::chosen_renderers(configuration, plan.settings.renderers);
   const auto patterns = registry::patterns_of(plan.settings.renderers);
   if (!plan.settings.executable.empty() && names.size() != 1)
     throw InputError(fmt::format(
@@ -61,11 +60,14 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
     for (const int divisor : registry::kSizeDivisors)
       adapters::check_scene_settings(at_size(renderer, divisor));
     adapters::check_transports(renderer);
-    if (!plan.settings.executable.empty()) {
+    if (plan.place == RenderPlace::Elsewhere) {
+      chosen.executable = program_name(renderer, plan.root, plan.build);
+    } else if (!plan.settings.executable.empty()) {
       take_executable(chosen, plan.settings.executable);
     } else if (const auto found = installed_executable(renderer, plan.root, plan.build)) {
       chosen.executable = *found;
-    } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end()) {
+    } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end() ||
+               std::find(patterns.begin(), patterns.end(), renderer.variant_of) != patterns.end()) {
       throw InputError(fmt::format("renderer '{}': {}; install it, or name another program with -e",
                                    renderer.name,
                                    adapters::program_problem(program_name(renderer, plan.root, plan.build))));

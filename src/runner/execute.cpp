@@ -66,11 +66,7 @@ std::vector<adapters::Job> prepare_replicas(const Plan& plan,
   auto replicas = replicas_of(plan, planned, folder);
   const auto& first = replicas.front();
   make_folder(first.folder);
-  if (planned.native_scene.empty()) {
-    adapters::export_scene(plan.renderers[planned.renderer].entry, prepared, first.scene_file);
-  } else {
-    adapters::copy_native_scene(planned.native_scene, first.folder);
-  }
+  write_job_scene(plan, planned, prepared, first);
   const auto scene_file_hash = hash_text(content_hash(read_file(first.scene_file)));
   // By the clock of that disk, as the image will be.
   const auto ready_since = std::filesystem::last_write_time(first.scene_file);
@@ -111,10 +107,19 @@ image::Image merged_image(const std::vector<adapters::Job>& replicas,
   return image;
 }
 
+// Puts the image that came back in the place where a renderer would have left it. Without one nothing was
+// written.
+adapters::ProcessResult take_image(const adapters::Job& job, const std::filesystem::path& from) {
+  const auto image = from / job.image.filename();
+  if (no_file_problem(image).empty()) write_file(job.image, read_file(image));
+  return {};
+}
+
 // One process after the other, until one leaves no usable image. Returns the outcome and the file of the
 // image.
 std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapters::Job>& replicas,
                                                        const registry::Renderer& renderer,
+                                                       const std::filesystem::path& came_back,
                                                        const std::optional<adapters::Isolation>& isolation,
                                                        const std::atomic<bool>* stop,
                                                        JobRecord& record) {
@@ -123,7 +128,7 @@ std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapter
     forget_render_seconds(renderer.render_seconds, job.folder);
     auto request = process_request(renderer, job, stop);
     if (isolation) request.argv = adapters::isolated(request.argv, *isolation);
-    const auto process = adapters::run_process(request);
+    const auto process = came_back.empty() ? adapters::run_process(request) : take_image(job, came_back);
     make_room(job.folder);
     note_process(process, renderer, job.folder, record);
     auto outcome = classify(process, job, renderer.limits);
@@ -191,7 +196,9 @@ Execution execute(const Plan& plan,
     isolation = {replicas.front().folder,
                  {plan.root, plan.build, plan.renderers[planned.renderer].executable.parent_path()},
                  folders_with_references(plan, folders.run)};
-  auto [outcome, file] = run_replicas(replicas, renderer, isolation, stop, record);
+  const auto came_back = plan.images.empty() ? plan.images : plan.images / planned.folder;
+  if (!came_back.empty()) record.cost = {};
+  auto [outcome, file] = run_replicas(replicas, renderer, came_back, isolation, stop, record);
   record.end.outcome = outcome.kind;
   record.end.reason = outcome.reason;
   if (results::leaves_visible_image(outcome.kind))

@@ -79,6 +79,46 @@ std::string diagnosis_of(const Plan& plan,
       judge::diagnosed({result, reference, others, judge::mask_of(one_case, record.target)}));
 }
 
+judge::JudgeSettings judge_settings(const Plan& plan, const PlannedTarget& planned) {
+  const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
+  const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
+  return {.threads = plan.threads, .result_noise = noise};
+}
+
+struct Judged {
+  TargetRecord record;
+  judge::Reference reference;
+};
+
+// The image judged by another reference that its case accepts, if it passes by one.
+std::optional<Judged> passed_by_accepted(const Plan& plan,
+                                         const PlannedTarget& planned,
+                                         const image::Image& result,
+                                         const WorkFolders& folders) {
+  const auto& one_case = plan.cases[planned.one_case];
+  const auto scene = std::find_if(one_case.scenes.begin(), one_case.scenes.end(),
+                                  [&](const auto& s) { return s.name == planned.target; });
+  if (scene == one_case.scenes.end()) return std::nullopt;
+  for (const auto& accepted : scene->accepted) {
+    const auto accepting = registry::with_reference(one_case, planned.target, accepted.reference);
+    auto hashes = plan.reference_hashes;
+    hashes[planned.target] = hashes.at(accepted.reference);
+    Judged judged{
+        blank_target(plan, planned, folders.run),
+        judge::load_reference(accepting, planned.target, plan.suite.references, hashes, folders.references)};
+    if (!judged.reference.image) continue;
+    auto& record = judged.record;
+    judge::judge_image(accepting, result, judged.reference, judge_settings(plan, planned), record);
+    if (record.verdict != Verdict::Pass) continue;
+    record.remarks.push_back(fmt::format("judged by the reference of '{}', which is accepted, too: {}",
+                                         accepted.reference, accepted.reason));
+    record.reference_image =
+        (std::filesystem::path(kReferenceFolder) / (accepted.reference + ".exr")).string();
+    return judged;
+  }
+  return std::nullopt;
+}
+
 // Judges one image that is there, and writes what people look at first. Maps of the error are not kept: they
 // follow from the image and its reference, took 60 % of the size of a run, and the page and 'orbs compare
 // --maps' compute them.
@@ -88,13 +128,15 @@ void judge_target(const Plan& plan,
                   const WorkFolders& folders,
                   TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
-  const auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
-                                               plan.reference_hashes, folders.references);
-  const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
-  const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
-  const auto comparison = judge::judge_image(one_case, result, reference,
-                                             {.threads = plan.threads, .result_noise = noise}, record);
-  if (!comparison) return;
+  auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
+                                         plan.reference_hashes, folders.references);
+  if (!judge::judge_image(one_case, result, reference, judge_settings(plan, planned), record)) return;
+  if (auto judged = record.verdict == Verdict::Pass ? std::nullopt
+                                                    : passed_by_accepted(plan, planned, result, folders)) {
+    judged->record.image = record.image;
+    record = std::move(judged->record);
+    reference = std::move(judged->reference);
+  }
   record.diagnosis = diagnosis_of(plan, one_case, result, *reference.image, folders, record);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   image::write_png(image::display_image(result), folders.unfinished / relative / "result.png");

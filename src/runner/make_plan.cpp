@@ -62,8 +62,13 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
       with_note(fmt::format("reading {}", one_case.file.string()),
                 [&] { loaded(wanted, plan.suite, by_file); });
       plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()], "",
-                             wanted.camera_paths, wanted.wall_seconds});
+                             wanted.camera_paths, wanted.wall_seconds, wanted.arguments});
       plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
+      for (const auto& accepted : wanted.accepted) {
+        auto judged = wanted;
+        judged.reference = accepted.reference;
+        plan.reference_hashes[accepted.reference] = reference_hash(judged, plan.suite, all, by_file);
+      }
     }
 }
 
@@ -179,8 +184,10 @@ int threads_per_job(const registry::RunSettings& settings) {
 
 Plan make_plan(const registry::Configuration& configuration,
                const registry::RunSettings& settings,
-               const std::filesystem::path& program_folder) {
+               const std::filesystem::path& program_folder,
+               RenderPlace place) {
   Plan plan;
+  plan.place = place;
   plan.settings = settings;
   plan.root = configuration.root;
   plan.build = program_folder;
@@ -201,6 +208,7 @@ Plan make_plan(const registry::Configuration& configuration,
   plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {
+    if (place == RenderPlace::Elsewhere) break;
     const auto& program = renderer.entry.command.front();
     if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
       throw InputError(

@@ -26,6 +26,7 @@ std::vector<std::string> command_words(const Plan& plan, const PlannedJob& job) 
   settings.root = plan.root;
   settings.build = plan.build;
   settings.executable = chosen.executable;
+  settings.arguments = scene_arguments(plan, job);
   return adapters::make_job(chosen.entry, *plan.scenes[job.scene].scene, settings, "/").argv;
 }
 
@@ -76,6 +77,10 @@ std::string judged_hash(const Plan& plan,
       const auto copied = references.copied.find(registry::reference_name(scene) + ".exr");
       hash = content_hash(plan.reference_hashes.at(scene.name), hash);
       if (copied != references.copied.end()) hash = content_hash(copied->second.hash, hash);
+      for (const auto& accepted : scene.accepted)
+        if (const auto other = references.copied.find(accepted.reference + ".exr");
+            other != references.copied.end())
+          hash = content_hash(other->second.hash, hash);
     }
   }
   return hash_text(hash);

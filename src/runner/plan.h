@@ -27,6 +27,7 @@ struct PlannedScene {
   std::string size_problem{};                 // why it cannot be rendered at that size; "" if it can
   int camera_paths = 0;                       // of the whole image that its means need, see enough_spp
   double wall_seconds = 0;                    // of the case, for one render; 0: the renderer's limit alone
+  std::map<std::string, std::vector<std::string>> arguments{};  // by the name of a renderer's entry
 };
 
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.
@@ -51,7 +52,13 @@ struct PlannedTarget {
   std::string unsupported{};  // why it is not rendered although it is declared; "" if it is
 };
 
+/// Whether the renderers of a plan are on this machine. Elsewhere: scenes are exported for them, and their
+/// images judged; what they are called then is their program.
+enum class RenderPlace { Here, Elsewhere };
+
 struct Plan {
+  RenderPlace place = RenderPlace::Here;
+  std::filesystem::path images{};  // folder of orbs export that holds all images; "": they are rendered
   registry::Suite suite;
   registry::RunSettings settings;     // after the command line
   int threads = 1;                    // of one render

@@ -2,10 +2,18 @@
 
 #include "adapters/export.h"
 #include "adapters/native_scene.h"
+#include "base/files.h"
+#include "registry/renderer_variants.h"
 
 #include <fmt/format.h>
 
 namespace orbs::runner {
+
+std::vector<std::string> scene_arguments(const Plan& plan, const PlannedJob& job) {
+  const auto& of_scene = plan.scenes[job.scene].arguments;
+  const auto found = of_scene.find(registry::entry_of(plan.renderers[job.renderer].entry));
+  return found == of_scene.end() ? std::vector<std::string>{} : found->second;
+}
 
 namespace {
 
@@ -20,6 +28,7 @@ adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int 
   settings.build = plan.build;
   settings.executable = renderer.executable;
   if (seeds > 1) settings.image_file = fmt::format("seed-{}.exr", settings.seed);
+  settings.arguments = scene_arguments(plan, job);
   settings.scene_file = job.native_scene.filename().string();
   return settings;
 }
@@ -34,6 +43,43 @@ std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const Planne
     return fmt::format("it reads hand-written scenes only, and there is no {}",
                        adapters::native_scene_file(renderer, planned.file, planned.name).string());
   return adapters::prepare_scene(renderer, *planned.scene);
+}
+
+namespace {
+
+// The name that a file of the scene has beside the scene; numbered, as files of two folders may have one
+// name.
+std::filesystem::path copied_file(const std::filesystem::path& file,
+                                  int number,
+                                  const std::filesystem::path& folder) {
+  const auto name = fmt::format("{}-{}", number, file.filename().string());
+  write_file(folder / name, read_file(file));
+  return name;
+}
+
+scene::Scene with_files_beside(scene::Scene scene, const std::filesystem::path& folder) {
+  int number = 0;
+  for (auto& texture : scene.textures) texture.file = copied_file(texture.file, number++, folder);
+  for (auto& light : scene.lights)
+    if (light.ies) light.ies->file = copied_file(light.ies->file, number++, folder);
+  return scene;
+}
+
+}  // namespace
+
+void write_job_scene(const Plan& plan,
+                     const PlannedJob& planned,
+                     const scene::Scene& prepared,
+                     const adapters::Job& job) {
+  const auto& renderer = plan.renderers[planned.renderer].entry;
+  if (!planned.native_scene.empty()) {
+    adapters::copy_native_scene(planned.native_scene, job.folder);
+  } else if (plan.place == RenderPlace::Elsewhere && renderer.scene_format == registry::kNeutralFormat) {
+    adapters::export_scene(renderer, with_files_beside(prepared, job.folder), job.scene_file);
+  } else {
+    // The exporters of other formats write all files into the folder of the scene.
+    adapters::export_scene(renderer, prepared, job.scene_file);
+  }
 }
 
 std::vector<adapters::Job> replicas_of(const Plan& plan,

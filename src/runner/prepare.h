@@ -16,6 +16,17 @@ namespace orbs::runner {
 /// hand-written scene exists for it. Else the reason why the renderer cannot render it.
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
 
+/// Writes the scene of a job, as scene_for gave it, into the folder of `job`, which must exist: exported, or
+/// copied from where it was written by hand. Where the renderer is elsewhere, files that the scene names are
+/// copied beside it.
+void write_job_scene(const Plan& plan,
+                     const PlannedJob& planned,
+                     const scene::Scene& prepared,
+                     const adapters::Job& job);
+
+/// The arguments that the case of the job's scene has for its renderer; none mostly.
+std::vector<std::string> scene_arguments(const Plan& plan, const PlannedJob& job);
+
 /// The job with all paths below `run_folder`, once for each seed that its renderer is given (seed replicas):
 /// the seeds count up from that of the plan, and the replicas share the samples. At least one.
 std::vector<adapters::Job> replicas_of(const Plan& plan,

@@ -155,7 +155,7 @@ class JobRunner {
     if (const std::lock_guard lock(mutex_); context_.started)
       context_.started(skipped_record(plan_, job).identity);
     auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
-    execution.record.cost.host = host_;
+    if (plan_.images.empty()) execution.record.cost.host = host_;
     execution.record.hashes.program = programs_[job.renderer];
     if (program_hash(plan_.renderers[job.renderer], plan_, file_hashes_) != programs_[job.renderer]) {
       execution.record.hashes.program = "";

@@ -57,6 +57,20 @@ std::string smallest_error(const registry::Case& one_case,
   return text;
 }
 
+// The cases, and one more for each accepted reference, so that it is copied as if its own scene was judged.
+std::vector<registry::Case> with_accepted(std::vector<registry::Case> cases) {
+  const auto count = cases.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (const auto& scene : cases[i].scenes)
+      for (const auto& accepted : scene.accepted) {
+        registry::Case other;
+        other.file = cases[i].file;
+        other.scenes.push_back({accepted.reference, {}});
+        cases.push_back(std::move(other));
+      }
+  return cases;
+}
+
 // The record before anything is rendered: every image that can be rendered waits for its turn.
 results::RunRecord record_at_start(const Plan& plan,
                                    const std::vector<std::string>& versions,
@@ -65,6 +79,8 @@ results::RunRecord record_at_start(const Plan& plan,
   results::RunRecord record;
   record.suite = plan.suite.name;
   record.size = registry::size_text(plan.settings.size_divisor);
+  record.plan = context.whole_plan.plan;
+  record.shard = registry::shard_text(context.file.shard);
   record.folder = folder.string();
   record.started = context.file.started;
   record.orbs_version = context.rendering.orbs_version;
@@ -102,16 +118,17 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   const auto begin = std::chrono::steady_clock::now();
   const results::RunLock lock(folder);
   write_run_file(context.file, folder);
+  write_job_list(context.whole_plan, folder);
   const results::WorkFolder work_folder(folder);
   WorkFolders folders{folder, work_folder.path(), {}};
   folders.references =
-      judge::copy_references(plan.cases, plan.suite.references, plan.reference_hashes,
+      judge::copy_references(with_accepted(plan.cases), plan.suite.references, plan.reference_hashes,
                              folders.unfinished / kReferenceFolder, plan.settings.size_divisor);
   put_in_place(folders.unfinished / kReferenceFolder, folder / kReferenceFolder);
   folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) {
-    versions.push_back(renderer_version(renderer, plan));
+    versions.push_back(plan.images.empty() ? renderer_version(renderer, plan) : "rendered elsewhere");
     if (versions.back().starts_with("unknown") && context.rendering.say)
       context.rendering.say(fmt::format("{}: version {}", renderer.entry.name, versions.back()));
   }

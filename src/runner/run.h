@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/job_list.h"
 #include "results/record.h"
 #include "runner/plan.h"
 #include "runner/render_jobs.h"
@@ -13,7 +14,8 @@ namespace orbs::runner {
 
 struct RunContext {
   std::vector<std::string> command_line;
-  RunFile file;  // written into the folder once it is ours
+  RunFile file;                 // written into the folder once it is ours
+  results::JobList whole_plan;  // of which the plan may be a shard; written beside the results
   RenderContext rendering;
 };
 

@@ -50,7 +50,7 @@ RunFile read_run_file(const std::filesystem::path& folder) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-run/1"});
   RunFile file{in.text("configuration"), registry::read_run_settings(in.object("settings")),
-               in.text("started")};
+               in.text("started"), registry::parse_shard(in.text_or("shard", "1/1"))};
   in.finish();
   return file;
 }
@@ -58,7 +58,7 @@ RunFile read_run_file(const std::filesystem::path& folder) {
 void write_run_file(const RunFile& file, const std::filesystem::path& folder) {
   json::Writer out;
   out.begin_object().member("format", "orbs-run/1").member("configuration", file.configuration.string());
-  out.member("started", file.started).key("settings");
+  out.member("started", file.started).member("shard", registry::shard_text(file.shard)).key("settings");
   registry::write_run_settings(out, file.settings);
   write_file(folder / kRunFile, out.end_object().text());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "registry/run_settings.h"
+#include "registry/shard.h"
 
 #include <filesystem>
 #include <string>
@@ -12,6 +13,7 @@ struct RunFile {
   std::filesystem::path configuration;  // absolute
   registry::RunSettings settings;       // after the command line
   std::string started;                  // local time, ISO 8601
+  registry::Shard shard{};              // the part of the renders that this run does
 };
 
 /// Makes the folder of a run, or of a study: `wanted`, which must not exist or be empty, or "" for

@@ -80,6 +80,7 @@ void summarise(const Plan& plan, const std::vector<std::string>& versions, resul
     const auto& chosen = plan.renderers[i];
     auto& renderer = record.renderers.emplace_back();
     renderer.name = chosen.entry.name;
+    renderer.variant_of = chosen.entry.variant_of;
     renderer.version = versions[i];
     renderer.executable = chosen.executable.string();
     renderer.declared = registry::format_features(chosen.entry.declares);

@@ -32,7 +32,8 @@ TEST(KnownFailures, AreNamedAndDoNotMakeTheRunFail) {
   const auto junit = sandbox.read("out/junit.xml");
   EXPECT_TRUE(contains(junit, "failures=\"0\"")) << junit;
   EXPECT_TRUE(contains(junit, "<skipped message=\"known: it was built so; ")) << junit;
-  EXPECT_TRUE(contains(sandbox.read("out/results.csv"), ",fail,known,it was built so,\"R is 60 % darker (60 to 60 %), "));
+  EXPECT_TRUE(contains(sandbox.read("out/results.csv"),
+                       ",fail,known,it was built so,\"R is 60 % darker (60 to 60 %), "));
   EXPECT_TRUE(contains(sandbox.read("out/results.json"), "\"exit_status\": 0"));
 }
 

@@ -239,6 +239,7 @@ RunRecord small_run(const fs::path& folder) {
                         {{"polarisation", "material 'filter'", "is a polariser"},
                          {"polarisation", "the image", "holds Stokes vectors"}},
                         {{"spectral", "material 'grey'", "is constant <b>"}},
+                        "G2/M1",
                         {{"spectral", 0.8, 0.5, "mean -15 +- 0.1 %"}, {"rgb", 0.6, 0, "mean -15 +- 0.2 %"}}});
   const auto stokes = job_of("stokes", "one", 3);
   run.jobs.push_back(stokes);

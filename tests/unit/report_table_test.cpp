@@ -19,8 +19,8 @@ RunRecord small_run() {
        "\u00c9mission",
        {{"a", {true, Verdict::Pass, std::numeric_limits<double>::infinity(), ""}},
         {"bb", {false, Verdict::Unsupported, std::nullopt, ""}}}}};
-  run.renderers = {{"a", "a 1.0", "/a", "G1/M2", "M2", {{"pass", 2}}, 3, 4},
-                   {"bb", "", "/bb", "M1", "M0", {{"fail", 1}, {"unsupported", 1}}, 1, 2}};
+  run.renderers = {{"a", "", "a 1.0", "/a", "G1/M2", "M2", {{"pass", 2}}, 3, 4},
+                   {"bb", "", "", "/bb", "M1", "M0", {{"fail", 1}, {"unsupported", 1}}, 1, 2}};
   TargetRecord bad;
   bad.requirement = "M1";
   bad.target = "101";

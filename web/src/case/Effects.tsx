@@ -71,6 +71,7 @@ export function Effects({ detail }: { detail: TargetDetail }) {
           <section key={scene.name} class="effects">
             <h2>
               {scene.name} calls for {scene.transport} light paths
+              {scene.features ? `, feature number ${scene.features}` : ""}
             </h2>
             <List effects={scene.called_for} />
             {scene.not_called_for.length > 0 ? (

@@ -219,6 +219,8 @@ export interface EffectCost {
 export interface Scene {
   name: string;
   transport: string;
+  /** The requirements that the scene calls for, in ORB.S notation; "" from older runs. */
+  features: string;
   called_for: Effect[];
   not_called_for: Effect[];
   effect_costs: EffectCost[];

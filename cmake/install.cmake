@@ -1,0 +1,45 @@
+# cmake --install: programs, page, data and adapters together in lib/orbs, where the programs look for the nearest
+# configuration.json, so that a run needs no checkout; links in bin; manual page and completions, which the program
+# prints from its own description of the command line. cpack makes a Debian package of the same files.
+set(home lib/orbs)
+install(TARGETS orbs orbs-tracer orbs-supervisor RUNTIME DESTINATION ${home})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL)  # built by orbs-page alone
+install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
+install(FILES configuration.json DESTINATION ${home})
+install(FILES LICENSE DESTINATION share/doc/orbs RENAME copyright)
+
+set(made ${PROJECT_BINARY_DIR}/install)
+file(MAKE_DIRECTORY ${made})
+foreach(program orbs orbs-tracer)
+  file(CREATE_LINK ../${home}/${program} ${made}/${program} SYMBOLIC)
+  install(FILES ${made}/${program} DESTINATION bin)
+endforeach()
+
+set(printed)
+function(print_file name)
+  add_custom_command(OUTPUT ${made}/${name} COMMAND orbs ${ARGN} > ${made}/${name} DEPENDS orbs VERBATIM)
+  set(printed ${printed} ${made}/${name} PARENT_SCOPE)
+endfunction()
+print_file(orbs.1 manual)
+print_file(orbs.bash completion bash)
+print_file(_orbs completion zsh)
+print_file(orbs.fish completion fish)
+add_custom_target(orbs-printed ALL DEPENDS ${printed})
+install(FILES ${made}/orbs.1 DESTINATION share/man/man1)
+install(FILES ${made}/orbs.bash DESTINATION share/bash-completion/completions RENAME orbs)
+install(FILES ${made}/_orbs DESTINATION share/zsh/vendor-completions)
+install(FILES ${made}/orbs.fish DESTINATION share/fish/vendor_completions.d)
+
+set(CPACK_PACKAGE_NAME orbs)
+set(CPACK_PACKAGE_VENDOR "ORB.S Suite")
+set(CPACK_PACKAGE_CONTACT "ORB.S Suite <orbs@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Benchmark of renderers, with a reference path tracer")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the libraries that the programs are linked with
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "bubblewrap")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "blender, povray")
+set(CPACK_DEBIAN_COMPRESSION_TYPE gzip)  # most of it are EXR images, which are compressed
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+include(CPack)

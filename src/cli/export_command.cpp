@@ -1,0 +1,89 @@
+#include "base/error.h"
+#include "base/terminal.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/run_options.h"
+#include "runner/export_plan.h"
+#include "runner/make_plan.h"
+#include "runner/run_file.h"
+
+#include <map>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct Options {
+  std::string format;
+  RunOptions run;
+};
+
+// "orbs" is what a user calls the format that the configuration calls "orbs-scene".
+const std::map<std::string, std::string> kFormats{
+    {"mitsuba", "mitsuba"}, {"pbrt", "pbrt"}, {"povray", "povray"}, {"orbs", registry::kNeutralFormat}};
+
+// The first renderer that reads the format, unless one is named.
+std::string renderer_of(const registry::Configuration& configuration, const std::string& format) {
+  for (const auto& renderer : configuration.renderers)
+    if (renderer.scene_format == kFormats.at(format)) return renderer.name;
+  throw InputError(fmt::format("{}: no renderer has the scene_format {}; 'orbs renderer add' makes an entry",
+                               configuration.file.string(), kFormats.at(format)));
+}
+
+void check_format(const runner::Plan& plan, const std::string& format) {
+  for (const auto& renderer : plan.renderers)
+    if (renderer.entry.scene_format != kFormats.at(format))
+      throw InputError(fmt::format("{} reads {}, not {}", registry::entry_name(renderer.entry),
+                                   renderer.entry.scene_format, kFormats.at(format)));
+}
+
+int export_scenes(const registry::Configuration& configuration,
+                  registry::RunSettings settings,
+                  const Options& options,
+                  const Program& program) {
+  if (options.run.renderers.empty()) settings.renderers = renderer_of(configuration, options.format);
+  const auto plan =
+      runner::make_plan(configuration, settings, program.folder, runner::RenderPlace::Elsewhere);
+  check_format(plan, options.format);
+  const auto folder = runner::make_run_folder(options.run.output, "export");
+  const auto exported = runner::export_plan(plan, configuration.file, folder);
+  print_clean("{} renders written to {}\n", exported.renders, folder.string());
+  for (const auto& left : exported.left_out) print_clean("left out: {}\n", left);
+  print_clean("next: sh {}, where the renderer is; then here: orbs judge {}\n",
+              (folder / "render.sh").string(), folder.string());
+  return 0;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<Options>();
+  std::set<std::string> formats;
+  for (const auto& [name, word] : kFormats) formats.insert(name);
+  command.add_option("--format", options->format, "Scene format to write")
+      ->option_text("FORMAT")
+      ->required()
+      ->check(CLI::IsMember(formats));
+  add_choice_options(command, options->run);
+  for (const char* none : {"--exec", "--jobs", "--log", "--sandbox"})
+    command.remove_option(command.get_option(none));
+  command.add_option("-o,--output", options->run.output, "New folder (default: export-YYMMDD-HHMMSS)")
+      ->option_text("FOLDER")
+      ->check(not_empty("a folder"));
+  const auto* chosen = &command;
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      const auto read = read_configuration(*configuration, program);
+      return export_scenes(read, run_settings(*chosen, options->run, read.defaults), *options, program);
+    };
+  });
+}
+
+}  // namespace orbs::cli

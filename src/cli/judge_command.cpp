@@ -1,0 +1,67 @@
+#include "base/local_time.h"
+#include "base/shell.h"
+#include "base/terminal.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "report/files.h"
+#include "report/table.h"
+#include "runner/export_plan.h"
+#include "runner/make_plan.h"
+#include "runner/run.h"
+#include "runner/shard.h"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string output;
+};
+
+int judge(const Options& options, const std::string& configuration, const Program& program) {
+  const auto file = runner::read_export_file(options.folder);
+  const auto read =
+      read_configuration(configuration.empty() ? file.configuration.string() : configuration, program);
+  auto plan = runner::make_plan(read, file.settings, program.folder, runner::RenderPlace::Elsewhere);
+  plan.images = std::filesystem::absolute(options.folder);
+  const auto folder = runner::make_run_folder(options.output);
+  runner::RunContext context;
+  context.file = {read.file, plan.settings, local_time_now()};
+  context.whole_plan = runner::job_list(plan);
+  context.command_line = program.command_line;
+  context.rendering.orbs_version = program.version;
+  const auto record = runner::run(plan, folder, context);
+  report::write_reports(record, folder);
+  print_clean("\n{}\nresults: {}\n", report::summary_text(record, report::style_for(STDOUT_FILENO)),
+              folder.string());
+  const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
+  print_clean("next: {}   (shows the images in the browser)\n", shell_text({"orbs", "serve", relative}));
+  return results::exit_status(record);
+}
+
+}  // namespace
+
+void add_judge_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<Options>();
+  command
+      .add_option("folder", options->folder,
+                  "Folder that orbs export made, with the images that were rendered")
+      ->required();
+  command
+      .add_option("-o,--output", options->output,
+                  "New folder for the results (default: outputs-YYMMDD-HHMMSS)")
+      ->option_text("FOLDER")
+      ->check(not_empty("a folder"));
+  command.footer("Exit status: as orbs run.");
+  command.callback([=, &program, &action] {
+    action = [=, &program] { return judge(*options, *configuration, program); };
+  });
+}
+
+}  // namespace orbs::cli

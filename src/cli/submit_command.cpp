@@ -1,0 +1,100 @@
+#include "base/shell.h"
+#include "base/terminal.h"
+#include "cli/checks.h"
+#include "cli/command_table.h"
+#include "cli/options.h"
+#include "cli/run_options.h"
+#include "runner/make_plan.h"
+#include "runner/run_file.h"
+#include "runner/slurm.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::cli {
+
+namespace {
+
+struct Options {
+  RunOptions run;
+  bool slurm = false;
+  int shards = 0;
+  std::string resume;
+  bool dry_run = false;
+};
+
+int submit_missing(const runner::SlurmJob& job, const std::vector<int>& shards) {
+  if (shards.empty()) {
+    print_clean("all {} shards are complete; orbs merge puts them together\n", job.shards);
+    return 0;
+  }
+  const auto array = runner::submit(runner::array_words(job, shards));
+  const auto merge = runner::submit(runner::merge_words(job, array));
+  print_clean("submitted: array {} of {} shards, then merge {}\nresults: {}\n", array, shards.size(), merge,
+              (job.folder / "merged").string());
+  return 0;
+}
+
+std::vector<int> all_shards(const runner::SlurmJob& job) {
+  std::vector<int> shards;
+  for (int shard = 1; shard <= job.shards; ++shard) shards.push_back(shard);
+  return shards;
+}
+
+int submit_plan(const registry::Configuration& configuration,
+                const registry::RunSettings& settings,
+                const Program& program,
+                const Options& options) {
+  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  auto job = runner::slurm_job(
+      configuration.slurm, plan, configuration.file,
+      std::filesystem::absolute(options.run.output.empty() ? "FOLDER" : options.run.output), options.shards);
+  if (options.dry_run) {
+    print_clean("{}\n{}\n", shell_text(runner::array_words(job, all_shards(job))),
+                shell_text(runner::merge_words(job, "ID")));
+    return 0;
+  }
+  job.folder = runner::make_run_folder(options.run.output, "cluster");
+  runner::write_slurm_job(job);
+  return submit_missing(job, all_shards(job));
+}
+
+}  // namespace
+
+void add_submit_command(CLI::App& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
+  const auto options = std::make_shared<Options>();
+  command.add_flag("--slurm", options->slurm, "Submit to Slurm, the one engine that there is")->required();
+  add_choice_options(command, options->run);
+  command
+      .add_option("-o,--output", options->run.output,
+                  "New folder for shards and results, which all nodes see (default: cluster-YYMMDD-HHMMSS)")
+      ->option_text("FOLDER")
+      ->check(not_empty("a folder"));
+  command
+      .add_option("--shards", options->shards, "Number of tasks (default: one for each render, at most 1000)")
+      ->option_text("NUMBER")
+      ->check(CLI::Range(1, 100'000));
+  auto* resume = command
+                     .add_option("--resume", options->resume,
+                                 "Submit the shards again that are not complete in this folder")
+                     ->option_text("FOLDER")
+                     ->check(not_empty("a folder"));
+  command.add_flag("--dry-run", options->dry_run, "Print the calls of sbatch, and do nothing");
+  for (const auto* name :
+       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--shards"})
+    resume->excludes(command.get_option(name));
+  const auto* chosen = &command;
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      if (!options->resume.empty()) {
+        const auto job = runner::read_slurm_job(options->resume);
+        return submit_missing(job, runner::missing_shards(job));
+      }
+      const auto read = read_configuration(*configuration, program);
+      return submit_plan(read, run_settings(*chosen, options->run, read.defaults), program, *options);
+    };
+  });
+}
+
+}  // namespace orbs::cli

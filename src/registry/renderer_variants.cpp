@@ -1,0 +1,29 @@
+#include "registry/renderer_variants.h"
+
+#include "registry/filters.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::registry {
+
+const std::string& entry_of(const Renderer& renderer) {
+  return renderer.variant_of.empty() ? renderer.name : renderer.variant_of;
+}
+
+std::vector<std::string> chosen_renderers(const Configuration& configuration, const std::string& list) {
+  std::vector<std::string> names;
+  for (const auto& renderer : configuration.renderers) names.push_back(renderer.name);
+  std::vector<std::string> patterns;
+  for (const auto& pattern : patterns_of(list)) {
+    const auto count = patterns.size();
+    for (const auto& renderer : configuration.renderers)
+      if (renderer.variant_of == pattern) patterns.push_back(renderer.name);
+    if (patterns.size() == count) patterns.push_back(pattern);
+  }
+  return select_names(names, fmt::format("{}", fmt::join(patterns, ",")), "renderer");
+}
+
+}  // namespace orbs::registry

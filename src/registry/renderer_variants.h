@@ -1,0 +1,17 @@
+#pragma once
+
+#include "registry/configuration.h"
+
+#include <string>
+#include <vector>
+
+namespace orbs::registry {
+
+/// The name of the entry that the renderer is, or is a variant of.
+const std::string& entry_of(const Renderer& renderer);
+
+/// The names of the renderers that a comma-separated list of names and patterns chooses. The name of an entry
+/// with variants chooses all of them. InputError, with the nearest name, for a pattern that chooses nothing.
+std::vector<std::string> chosen_renderers(const Configuration& configuration, const std::string& list);
+
+}  // namespace orbs::registry

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "registry/shard.h"
+#include "results/job_list.h"
+#include "runner/plan.h"
+
+#include <vector>
+
+namespace orbs::runner {
+
+/// The whole plan as it is written beside the results. To be asked before take_shard.
+results::JobList job_list(const Plan& plan);
+
+/// How many shards can have something to render.
+int shard_count(const Plan& plan);
+
+/// The shard of each job, from 1 to `count`: jobs of one difference of scenes stay together, and such groups
+/// are dealt out in turn, in the order of the plan.
+std::vector<int> shards_of_jobs(const Plan& plan, int count);
+
+/// Leaves in the plan the jobs of one shard and the targets that are judged from them, each in one shard.
+/// Targets that are not rendered belong to the first shard. InputError if no job is left.
+void take_shard(const registry::Shard& shard, Plan& plan);
+
+}  // namespace orbs::runner
