@@ -28,7 +28,7 @@ struct Examined {
   std::optional<std::filesystem::path> executable;
   std::string problem;  // why there is no executable
   std::string version;
-  std::vector<std::string> unknown_scenes;  // of spp_scale_of_scenes, with the nearest name
+  std::vector<std::string> unknown_scenes;  // sentences on names of scenes that no suite has
 };
 
 // The scenes of all suites. None if a suite cannot be read, after printing why.
@@ -54,9 +54,14 @@ Examined examine(const registry::Renderer& renderer,
     found.problem = adapters::program_problem(runner::program_name(renderer, places.root, places.build));
   if (found.executable && !renderer.version_command.empty())
     found.version = runner::renderer_version({renderer, *found.executable}, places);
-  for (const auto& [name, scale] : renderer.spp_scale_of_scenes)
+  const auto check_scene = [&](const char* key, const std::string& name) {
     if (scenes && !scenes->contains(name))
-      found.unknown_scenes.push_back(fmt::format("'{}'{}", name, closest(name, *scenes)));
+      found.unknown_scenes.push_back(
+          fmt::format("{}: no suite has a scene '{}'{}", key, name, closest(name, *scenes)));
+  };
+  for (const auto& [name, scale] : renderer.spp_scale_of_scenes) check_scene("spp_scale_of_scenes", name);
+  for (const auto& [name, settings] : renderer.scene_settings_of_scenes)
+    check_scene("scene_settings_of_scenes", name);
   return found;
 }
 
@@ -76,8 +81,7 @@ void print(const Examined& found) {
   add("declares", registry::format_features(renderer.declares));
   for (const auto& limit : renderer.known_limits)
     add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), limit.reason));
-  for (const auto& scene : found.unknown_scenes)
-    add("warning", fmt::format("spp_scale_of_scenes: no suite has a scene {}", scene));
+  for (const auto& scene : found.unknown_scenes) add("warning", scene);
   print_clean("{}", text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}}));
 }
 

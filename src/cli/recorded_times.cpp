@@ -1,14 +1,11 @@
 #include "cli/recorded_times.h"
 
 #include "base/error.h"
-#include "json/document.h"
-#include "json/object_reader.h"
 #include "registry/image_size.h"
-#include "results/field_reader.h"
 #include "results/read_record.h"
+#include "runner/shipped_times.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -47,31 +44,11 @@ void take_times(const results::RunRecord& run,
   }
 }
 
-// data/bench/render-times.json, which data/bench/render_times.py makes of a run.
 void take_shipped_times(const runner::Plan& plan, RecordedTimes& times) {
-  const auto file = plan.root / "data/bench/render-times.json";
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return;
-  const auto document = json::parse_file(file);
-  json::ObjectReader in(document);
-  results::check_format(in, "orbs-render-times/1");
-  in.text("machine");
-  const bool is_same_suite = in.text("suite") == plan.suite.name;
-  const bool is_same_size = in.text("size") == registry::size_text(plan.settings.size_divisor);
-  for (auto& render : in.objects("renders")) {
-    const auto scene = render.text("scene");
-    const auto renderer = render.text("renderer");
-    const double seconds_per_sample = render.number("cpu_seconds", json::kPositive) /
-                                      render.integer("spp", 1, std::numeric_limits<int>::max());
-    render.finish();
-    if (!is_same_suite || !is_same_size) continue;
-    for (const auto& planned : plan.jobs)
-      if (plan.scenes[planned.scene].name == scene &&
-          plan.renderers[planned.renderer].entry.name == renderer &&
-          times.seconds.emplace(planned.id, seconds_per_sample * planned.spp / plan.threads).second)
-        ++times.from_elsewhere;
-  }
-  in.finish();
+  const auto shipped = runner::shipped_cpu_seconds(plan);
+  for (std::size_t job = 0; job < shipped.size(); ++job)
+    if (shipped[job] && times.seconds.emplace(plan.jobs[job].id, *shipped[job] / plan.threads).second)
+      ++times.from_elsewhere;
 }
 
 }  // namespace

@@ -30,10 +30,14 @@ std::array<double, 3> mean_of_region(const image::Image& image, const Rectangle&
   return sum;
 }
 
+bool states_noise(const image::Image& image) {
+  return image::channel_index(image, "variance.R") >= 0 && variance_problem(image).empty();
+}
+
 // Of the region's mean, as the noise of pixels is independent; 0 where the image does not state its noise.
 std::array<double, 3> standard_errors_of_region(const image::Image& image, const Rectangle& region) {
   std::array<double, 3> errors{};
-  if (image::channel_index(image, "variance.R") < 0 || !variance_problem(image).empty()) return errors;
+  if (!states_noise(image)) return errors;
   const auto variance = image::select_rgb(image, "variance.");
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x)
@@ -41,6 +45,16 @@ std::array<double, 3> standard_errors_of_region(const image::Image& image, const
   const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
   for (auto& error : errors) error = std::sqrt(error) / count;
   return errors;
+}
+
+// Samples that all were black have no scatter, and a standard error of 0 claims what they cannot know: light
+// that one sample in a thousand finds is missing from most regions of a hundred samples. A region that should
+// be black needs no such doubt.
+bool is_black_by_chance(const registry::PixelCheck& check, const image::Image& image) {
+  const std::array<double, 3> black{};
+  return check.standard_errors > 0 && states_noise(image) && check.expected != black &&
+         mean_of_region(image, check.region) == black &&
+         standard_errors_of_region(image, check.region) == black;
 }
 
 }  // namespace
@@ -63,12 +77,15 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& image)
   out.reason =
       fmt::format("{} have the linear mean ({:.6g}){}, expected ({:.6g}) within {} ({})", out.what,
                   fmt::join(mean, ", "), noise, fmt::join(check.expected, ", "), check.tolerance, check.why);
+  if (is_black_by_chance(check, image))
+    out.reason += "; all its samples are black: the light is missing, or so rare that it needs more samples";
   return out;
 }
 
 Verdict verdict_of_missed_check(const registry::PixelCheck& check, const image::Image& image) {
   const auto mean = mean_of_region(image, check.region);
   const auto errors = standard_errors_of_region(image, check.region);
+  if (is_black_by_chance(check, image)) return Verdict::Inconclusive;
   for (std::size_t c = 0; c < 3; ++c)
     if (std::fabs(mean.at(c) - check.expected.at(c)) - check.standard_errors * errors.at(c) > check.tolerance)
       return Verdict::Fail;

@@ -207,6 +207,11 @@ Renderer load_renderer(ObjectReader& in, const ProcessLimits& limits) {
     for (const auto& size : sizes.keys())
       renderer.scene_settings_of_sizes[divisor_of(sizes, size)] = load_scene_settings(sizes.object(size));
   }
+  if (in.has("scene_settings_of_scenes")) {
+    auto scenes = in.object("scene_settings_of_scenes");
+    for (const auto& scene : scenes.keys())
+      renderer.scene_settings_of_scenes[scene] = load_scene_settings(scenes.object(scene));
+  }
   if (in.has("transports")) {
     auto words = in.object("transports");
     for (const auto& name : words.keys()) {

@@ -68,6 +68,8 @@ struct Renderer {
       scene_settings;  // numbers for the exporter of the format; which, it says itself
   /// In place of those of scene_settings, by the divisor of a reduced size.
   std::map<int, std::map<std::string, double>> scene_settings_of_sizes;
+  /// In place of both, by the name of the scene.
+  std::map<std::string, std::map<std::string, double>> scene_settings_of_scenes;
   /// What its {transport} stands for, by the name of what the light paths of a scene must carry ("spectral");
   /// these names themselves where it is empty.
   std::map<std::string, std::string> transports;

@@ -8,6 +8,7 @@
 #include "registry/image_size.h"
 #include "registry/placeholders.h"
 #include "registry/renderer_variants.h"
+#include "registry/scene_settings.h"
 
 #include <algorithm>
 
@@ -25,11 +26,14 @@ void take_executable(ChosenRenderer& chosen, const std::string& given) {
   chosen.executable = *found;
 }
 
-registry::Renderer at_size(registry::Renderer renderer, int size_divisor) {
-  const auto own = renderer.scene_settings_of_sizes.find(size_divisor);
-  if (own != renderer.scene_settings_of_sizes.end())
-    for (const auto& [name, value] : own->second) renderer.scene_settings[name] = value;
-  return renderer;
+// At every size and for every scene that has its own, so that a misspelled name is an error of the first run.
+void check_all_settings(const registry::Renderer& renderer) {
+  for (const int divisor : registry::kSizeDivisors) {
+    const auto sized = registry::at_size(renderer, divisor);
+    adapters::check_scene_settings(sized);
+    for (const auto& [scene, settings] : renderer.scene_settings_of_scenes)
+      adapters::check_scene_settings(registry::for_scene(sized, scene));
+  }
 }
 
 }  // namespace
@@ -56,9 +60,8 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
         "-e/--exec is the program of one renderer, but {} are chosen; name one with -r", names.size()));
   for (const auto& renderer : all) {
     if (std::find(names.begin(), names.end(), renderer.name) == names.end()) continue;
-    ChosenRenderer chosen{at_size(renderer, plan.settings.size_divisor), {}};
-    for (const int divisor : registry::kSizeDivisors)
-      adapters::check_scene_settings(at_size(renderer, divisor));
+    ChosenRenderer chosen{registry::at_size(renderer, plan.settings.size_divisor), {}};
+    check_all_settings(renderer);
     adapters::check_transports(renderer);
     if (plan.place == RenderPlace::Elsewhere) {
       chosen.executable = program_name(renderer, plan.root, plan.build);

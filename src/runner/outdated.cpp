@@ -48,7 +48,8 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
       fmt::join(entry.environment, "\n"), entry.scene_format, plan.threads, entry.render_seconds.pattern);
   text += fmt::format("{}\n{}\n{}\n", entry.render_seconds.file, entry.render_seconds.key,
                       entry.render_seconds.unit_seconds);
-  for (const auto& [name, value] : entry.scene_settings) text += fmt::format("{} {}\n", name, value);
+  for (const auto& [name, value] : entry_for(plan, job).scene_settings)
+    text += fmt::format("{} {}\n", name, value);
   for (const auto& [transport, word] : entry.transports) text += fmt::format("{} {}\n", transport, word);
   text += fmt::format("{}", job.may_be_negative);
   if (entry.seeds > 1) text += fmt::format("\n{} seeds", entry.seeds);

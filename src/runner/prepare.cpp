@@ -4,6 +4,7 @@
 #include "adapters/native_scene.h"
 #include "base/files.h"
 #include "registry/renderer_variants.h"
+#include "registry/scene_settings.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,10 @@ std::vector<std::string> scene_arguments(const Plan& plan, const PlannedJob& job
   const auto& of_scene = plan.scenes[job.scene].arguments;
   const auto found = of_scene.find(registry::entry_of(plan.renderers[job.renderer].entry));
   return found == of_scene.end() ? std::vector<std::string>{} : found->second;
+}
+
+registry::Renderer entry_for(const Plan& plan, const PlannedJob& job) {
+  return registry::for_scene(plan.renderers[job.renderer].entry, plan.scenes[job.scene].name);
 }
 
 namespace {
@@ -37,7 +42,7 @@ adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int 
 
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job) {
   const auto& planned = plan.scenes[job.scene];
-  const auto& renderer = plan.renderers[job.renderer].entry;
+  const auto renderer = entry_for(plan, job);
   if (!job.native_scene.empty()) return *planned.scene;
   if (renderer.scene_format == registry::kNativeFormat)
     return fmt::format("it reads hand-written scenes only, and there is no {}",
@@ -71,7 +76,7 @@ void write_job_scene(const Plan& plan,
                      const PlannedJob& planned,
                      const scene::Scene& prepared,
                      const adapters::Job& job) {
-  const auto& renderer = plan.renderers[planned.renderer].entry;
+  const auto renderer = entry_for(plan, planned);
   if (!planned.native_scene.empty()) {
     adapters::copy_native_scene(planned.native_scene, job.folder);
   } else if (plan.place == RenderPlace::Elsewhere && renderer.scene_format == registry::kNeutralFormat) {

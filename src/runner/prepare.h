@@ -12,6 +12,9 @@
 /// From a planned job to what its renderer is given.
 namespace orbs::runner {
 
+/// The entry of the job's renderer with the exporter's settings that it has for the job's scene.
+registry::Renderer entry_for(const Plan& plan, const PlannedJob& job);
+
 /// The scene in the form that the job's renderer reads: lowered to its format, or unchanged where a
 /// hand-written scene exists for it. Else the reason why the renderer cannot render it.
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);

@@ -11,8 +11,11 @@
 #include "runner/judge_targets.h"
 #include "runner/outdated.h"
 #include "runner/program_hash.h"
+#include "runner/shipped_times.h"
 
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -230,6 +233,17 @@ class JobRunner {
   std::size_t done_ = 0;
 };
 
+// The order of the plan shows something of each requirement early. With several jobs at a time the longest
+// ones start first, or the last of them would run alone while the other cores wait.
+std::vector<std::size_t> order_of_starts(const Plan& plan) {
+  std::vector<std::size_t> order(plan.jobs.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (plan.settings.jobs == 1) return order;
+  const auto seconds = estimated_cpu_seconds(plan);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return seconds[a] > seconds[b]; });
+  return order;
+}
+
 }  // namespace
 
 JudgedJobs render_jobs(const Plan& plan,
@@ -237,8 +251,9 @@ JudgedJobs render_jobs(const Plan& plan,
                        const WorkFolders& folders,
                        const RenderContext& context) {
   JobRunner runner(plan, versions, folders, context);
+  const auto order = order_of_starts(plan);
   for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs,
-                 [&](int index) { runner.run_or_keep(static_cast<std::size_t>(index)); });
+                 [&](int index) { runner.run_or_keep(order[static_cast<std::size_t>(index)]); });
   return runner.take();
 }
 

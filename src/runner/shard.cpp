@@ -3,9 +3,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "registry/image_size.h"
+#include "runner/shipped_times.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <queue>
 #include <set>
 #include <utility>
 
@@ -34,6 +37,24 @@ std::vector<std::size_t> groups_of(const Plan& plan) {
     }
   for (std::size_t job = 0; job < first.size(); ++job) first[job] = find(job);
   return first;
+}
+
+// By group, whose number is that of its first job; 0 for numbers that are no group's.
+std::vector<double> seconds_of_groups(const std::vector<std::size_t>& groups,
+                                      const std::vector<double>& seconds_of_jobs) {
+  std::vector<double> seconds(groups.size());
+  for (std::size_t job = 0; job < groups.size(); ++job) seconds[groups[job]] += seconds_of_jobs[job];
+  return seconds;
+}
+
+// Pairs of seconds and index, without those of no seconds, the longest first; of equal ones the first.
+std::vector<std::pair<double, std::size_t>> longest_first(const std::vector<double>& seconds) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < seconds.size(); ++i)
+    if (seconds[i] > 0) order.emplace_back(seconds[i], i);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  return order;
 }
 
 // The jobs of the shard, as a flag for each job.
@@ -101,6 +122,9 @@ results::JobList job_list(const Plan& plan) {
     list.jobs.push_back({job.id, plan.renderers[job.renderer].entry.name, plan.scenes[job.scene].name});
     hash = content_hash(job.id, hash);
   }
+  // Shards are made by these times.
+  if (const auto times = shipped_times_file(plan); no_file_problem(times).empty())
+    hash = content_hash(read_file(times), hash);
   for (const auto& target : plan.targets) {
     auto& listed = list.targets.emplace_back();
     listed.case_name = plan.cases[target.one_case].name;
@@ -115,10 +139,26 @@ results::JobList job_list(const Plan& plan) {
 
 std::vector<int> shards_of_jobs(const Plan& plan, int count) {
   const auto groups = groups_of(plan);
-  std::vector<int> shards(plan.jobs.size());
+  const auto order = longest_first(seconds_of_groups(groups, estimated_cpu_seconds(plan)));
+  // The shard that has least to do gets the next group.
+  using Load = std::pair<double, int>;
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (int shard = 0; shard < count; ++shard) loads.emplace(0, shard);
+  std::vector<int> shard_of_group(plan.jobs.size());
+  std::vector<double> seconds(static_cast<std::size_t>(count));
+  for (const auto& [group_seconds, group] : order) {
+    const auto [load, shard] = loads.top();
+    loads.pop();
+    shard_of_group[group] = shard;
+    seconds[static_cast<std::size_t>(shard)] = load + group_seconds;
+    loads.emplace(load + group_seconds, shard);
+  }
+  // A cluster starts the tasks of an array by their numbers: shards that take longest come first.
+  std::vector<int> number(seconds.size());
   int next = 0;
-  for (std::size_t job = 0; job < groups.size(); ++job)
-    shards[job] = groups[job] == job ? next++ % count + 1 : shards[groups[job]];
+  for (const auto& [load, shard] : longest_first(seconds)) number[shard] = ++next;
+  std::vector<int> shards;
+  for (const auto group : groups) shards.push_back(number[static_cast<std::size_t>(shard_of_group[group])]);
   return shards;
 }
 

@@ -15,7 +15,9 @@ results::JobList job_list(const Plan& plan);
 int shard_count(const Plan& plan);
 
 /// The shard of each job, from 1 to `count`: jobs of one difference of scenes stay together, and such groups
-/// are dealt out in turn, in the order of the plan.
+/// go to the shards longest first, each to the shard that has least to do so far: by that rule no schedule
+/// takes more than 4/3 of the least possible time (Graham 1969, Bounds on multiprocessing timing anomalies).
+/// How long a render takes is estimated_cpu_seconds. Shard 1 has most to do.
 std::vector<int> shards_of_jobs(const Plan& plan, int count);
 
 /// Leaves in the plan the jobs of one shard and the targets that are judged from them, each in one shard.

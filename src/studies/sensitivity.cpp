@@ -186,6 +186,10 @@ std::vector<JudgedImage> measure_sensitivity(const runner::Plan& plan,
   const ScratchFolder scratch("orbs-sensitivity");
   std::vector<JudgedImage> images;
   for (const auto& scene : plan.scenes) {
+    if (!scene.size_problem.empty()) {
+      context.say(fmt::format("{}: left out, {}", scene.name, scene.size_problem));
+      continue;
+    }
     const Subject subject = subject_of(plan, scene);
     if (subject.one_case == nullptr) continue;
     const auto prepared =

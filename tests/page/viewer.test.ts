@@ -93,6 +93,25 @@ test("an image of two channels offers these two and shows the chosen one", async
   await page.close();
 });
 
+test("an address that is followed right after a change of the view is not overwritten by it", async () => {
+  const five = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: () => 0.25 });
+  const { page, errors } = await viewer("ch=R", { "result.exr": five });
+  const followed = await page.evaluate(async () => {
+    const select = document.querySelector<HTMLSelectElement>('select[aria-label="Channel"]');
+    if (!select) return "there is no choice of channels";
+    select.value = "A";
+    select.dispatchEvent(new Event("change", { bubbles: true }));
+    location.hash = location.hash.replace("ch=R", "ch=G");
+    // Timers of one delay fire in the order in which they were set: the write of the change comes first.
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    return location.hash;
+  });
+  assert.match(followed, /ch=G/);
+  assert.equal(await channelSelect(page).inputValue(), "G");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("a scale that ends at the largest value follows the chosen channel", async () => {
   const four = packedImage(8, 8, {
     R: () => 1,

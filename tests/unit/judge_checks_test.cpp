@@ -59,3 +59,15 @@ TEST(JudgeChecks, AZeroIsAZero) {
   leak.at(3, 4, 1) = 1e-20F;
   EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), leak).verdict, Verdict::Fail);
 }
+
+// Two seeds that both met no light have no scatter, which says nothing of the light that they have not met.
+TEST(JudgeChecks, ABlackRegionIsNoProofThatLightIsMissing) {
+  const auto black = judged_alone(case_with_check(0.001, 0.0001, 4), grey(0, 0.0F));
+  EXPECT_EQ(black.verdict, Verdict::Inconclusive);
+  EXPECT_NE(black.reason.find("all its samples are black"), std::string::npos) << black.reason;
+  // Without noise, or in a check that allows none, a black region is wrong.
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0)).verdict, Verdict::Fail);
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 0), grey(0, 0.0F)).verdict, Verdict::Fail);
+  // What is not black has its noise.
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0.0005F, 0.0F)).verdict, Verdict::Fail);
+}

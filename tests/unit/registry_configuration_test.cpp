@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "registry/configuration.h"
+#include "registry/scene_settings.h"
 #include "structure/source_files.h"
 
 #include <string>
@@ -145,6 +146,23 @@ TEST(Configuration, SettingsOfSizesAreKnownByTheirDivisor) {
       message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/3": {"photons": 5}})")),
       "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1~13: is no reduced size; expected "
       "1/2, 1/4 or 1/8");
+}
+
+TEST(Configuration, SettingsOfAScenePrecedeThoseOfASize) {
+  const auto renderer =
+      load(with_renderer(kRenderer + R"(, "scene_settings": {"photons": 4, "radiosity": 1})"
+                                     R"(, "scene_settings_of_sizes": {"1/4": {"photons": 5}})"
+                                     R"(, "scene_settings_of_scenes": {"124": {"photons": 6}})"))
+          .renderers.at(0);
+  const auto photons = [&](int size_divisor, const char* scene) {
+    const auto own = orbs::registry::for_scene(orbs::registry::at_size(renderer, size_divisor), scene);
+    EXPECT_EQ(own.scene_settings.at("radiosity"), 1);
+    return own.scene_settings.at("photons");
+  };
+  EXPECT_EQ(photons(1, "101"), 4);
+  EXPECT_EQ(photons(4, "101"), 5);
+  EXPECT_EQ(photons(4, "124"), 6);
+  EXPECT_EQ(photons(1, "124"), 6);
 }
 
 TEST(Configuration, ScalesOfSamplesMustBePositive) {

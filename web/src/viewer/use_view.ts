@@ -16,7 +16,11 @@ export function useView(route: Route): [ViewState, (view: ViewState) => void] {
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const address = JSON.stringify(viewQuery(parseView(route.query)));
   useEffect(() => {
-    if (address === written.current || timer.current) return;
+    if (address === written.current) return;
+    // A link was followed: a change that is not written yet belongs to the address before it.
+    clearTimeout(timer.current);
+    timer.current = undefined;
+    writePending = () => undefined;
     written.current = address;
     setView(parseView(route.query));
   }, [address]);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "registry/configuration.h"
+
+namespace orbs::registry {
+
+/// The entry with the exporter's settings that it has at the reduced size in place of its usual ones.
+Renderer at_size(Renderer renderer, int size_divisor);
+
+/// The entry with the exporter's settings that it has for the scene of that name, which stand above those of
+/// the size.
+Renderer for_scene(Renderer renderer, const std::string& scene);
+
+}  // namespace orbs::registry
