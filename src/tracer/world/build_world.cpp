@@ -22,11 +22,17 @@ namespace {
 
 // Origin of the world's coordinates. At 10^7 m from their origin floats are 1 m apart, so the origin is
 // placed near the camera: at the scene's own, or a multiple of the step from there, which doubles subtract
-// exactly. Half a step away floats are 8e-6 m apart.
-Vec3d origin_near(const scene::Camera& camera) {
-  constexpr double kStep_m = 256;
-  const auto nearest = [](double m) { return kStep_m * std::round(m / kStep_m); };
-  return {nearest(camera.position_m.x), nearest(camera.position_m.y), nearest(camera.position_m.z)};
+// exactly. A step of four to eight radii leaves the origin of a scene that contains it where it is, as the
+// camera is then within two radii of it, and no coordinate of a scene elsewhere is above six: its roundings
+// stay below 6 * 2^-24 of the radius. The step is 256 m at most, half of which floats resolve to 8e-6 m.
+Vec3d origin_near(const scene::Scene& scene) {
+  constexpr double kMostStep_m = 256;
+  const double radius = scene::radius_with_camera(scene);
+  const double step =
+      radius > 0 ? std::min(kMostStep_m, std::exp2(std::ceil(std::log2(4 * radius)))) : kMostStep_m;
+  const auto nearest = [&](double m) { return step * std::round(m / step); };
+  const Vec3d eye = scene.camera.position_m;
+  return {nearest(eye.x), nearest(eye.y), nearest(eye.z)};
 }
 
 PinholeCamera prepare_camera(const scene::Camera& camera, Vec3d origin) {
@@ -65,14 +71,16 @@ bool supports_light_paths(const World& world) {
 
 // Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
 // places. No radiance depends on a scale, so a small scene is enlarged by a power of two: bit for bit the
-// same image as of the larger scene.
+// same image as of the larger scene. A large scene is reduced: two of its places are two radii apart at most,
+// and the fourth power of that, 2^124, is a float.
 constexpr double kLeastRadius_m = 0x1p-4;
+constexpr double kMostRadius_m = 0x1p30;
 
 World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings) {
   World world;
   world.transport = checked_transport(scene, settings);
   const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
-  const Vec3d origin = origin_near(scene.camera);
+  const Vec3d origin = origin_near(scene);
   world.camera = prepare_camera(scene.camera, origin);
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
@@ -102,7 +110,8 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
 }  // namespace
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
-  const double factor = scene::enlargement_to(scene, kLeastRadius_m);
+  const double factor =
+      scene::enlargement_to(scene, kLeastRadius_m) * scene::reduction_to(scene, kMostRadius_m);
   if (factor == 1) return make_world_as_is(scene, settings);
   return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
 }
