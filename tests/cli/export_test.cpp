@@ -38,6 +38,16 @@ TEST(Export, WhatIsRenderedElsewhereGetsTheSameVerdictsAsThroughTheAdapter) {
   }
 }
 
+TEST(Export, ASceneMayHaveItsOwnSettings) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "scene_format": "povray", "scene_settings": {"radiosity_count": 55},)"
+                      R"( "scene_settings_of_scenes": {"mirror": {"radiosity_count": 77}})");
+  const auto exported = sandbox.orbs({"export", "--format", "povray", "-r", "good", "-o", "out"});
+  EXPECT_EQ(exported.status, 0) << exported.text;
+  EXPECT_TRUE(contains(sandbox.read("out/good/mirror/scene.pov"), "count 77"));
+  EXPECT_TRUE(contains(sandbox.read("out/good/grey/scene.pov"), "count 55"));
+}
+
 TEST(Export, AnImageThatDidNotComeBackIsNoOutput) {
   const Sandbox sandbox;
   sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "-o", "out"});

@@ -57,10 +57,13 @@ TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
 
 TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
   const Sandbox sandbox;
-  sandbox.add_to_good(R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2})");
+  sandbox.add_to_good(R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2},)"
+                      R"( "scene_settings_of_scenes": {"miror": {}})");
   const auto answer = sandbox.orbs({"doctor"});
   EXPECT_TRUE(contains(answer.text,
                        "  warning   spp_scale_of_scenes: no suite has a scene 'gray' (did you mean 'grey'?)"))
+      << answer.text;
+  EXPECT_TRUE(contains(answer.text, "  warning   scene_settings_of_scenes: no suite has a scene 'miror'"))
       << answer.text;
   EXPECT_FALSE(contains(answer.text, "scene 'mirror'")) << answer.text;
 }
