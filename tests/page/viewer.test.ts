@@ -96,9 +96,7 @@ test("an image of two channels offers these two and shows the chosen one", async
 test("an address that is followed right after a change of the view is not overwritten by it", async () => {
   const five = packedImage(8, 8, { R: () => 1, G: () => 1, B: () => 1, A: () => 0.25 });
   const { page, errors } = await viewer("ch=R", { "result.exr": five });
-  const followed = await page.evaluate(async () => {
-    const select = document.querySelector<HTMLSelectElement>('select[aria-label="Channel"]');
-    if (!select) return "there is no choice of channels";
+  const followed = await channelSelect(page).evaluate(async (select: HTMLSelectElement) => {
     select.value = "A";
     select.dispatchEvent(new Event("change", { bubbles: true }));
     location.hash = location.hash.replace("ch=R", "ch=G");
