@@ -4,9 +4,6 @@
 
 namespace orbs::scene {
 
-/// Radius of the box around all that is drawn and the camera; 0 where nothing is drawn.
-double radius_with_camera(const Scene& scene);
-
 /// The power of two by which all lengths are multiplied so that the radius of what is drawn, with the camera,
 /// is at least `least_radius_m`; 1 where it is. Floats are multiplied by it without rounding.
 double enlargement_to(const Scene& scene, double least_radius_m);

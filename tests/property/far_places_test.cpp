@@ -1,4 +1,5 @@
 // The position of a scene in its coordinates must not matter, although floats are coarse far from the origin.
+#include "scene/camera_frame.h"
 #include "unit/tracer_scenes.h"
 
 #include <gtest/gtest.h>
@@ -71,6 +72,30 @@ TEST(FarPlaces, ShowNearlyTheSameImageInBetween) {
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(tests::mean_of_channel(between, c), tests::mean_of_channel(at_zero, c),
                 0.01 * tests::mean_of_channel(at_zero, c));
+}
+
+// Seen through a telescope 10^5 m away, floats of that distance are 8 mm apart: rays must meet the scene
+// better.
+TEST(FarPlaces, AreMetByTheRaysOfADistantCamera) {
+  auto far = furnished();
+  far.camera.position_m = {0, 0.75, 1e5};
+  far.camera.fov_y_deg = 0.005;
+  const auto world = tracer::make_world(far, {});
+  const auto frame = scene::camera_frame(far.camera);
+  for (const float pixel : {0.5F, 3.25F, 20.0F}) {
+    const auto ray = tracer::camera_ray(world.camera, pixel, pixel);
+    const double x = 2 * static_cast<double>(pixel) / world.camera.width - 1;
+    const double y = 1 - 2 * static_cast<double>(pixel) / world.camera.height;
+    // Both at the depth of the scene's middle, whose coordinates are those of the world.
+    const Vec3d direction =
+        frame.forward + frame.right * (x * frame.half_width) + frame.up * (y * frame.half_height);
+    const Vec3d wanted = far.camera.position_m + direction * 1e5;
+    const Vec3d origin = cast<double>(ray.origin);
+    const Vec3d along = cast<double>(ray.direction);
+    const Vec3d met = origin - along * (origin.z / along.z);
+    EXPECT_LT(length(met - wanted), 1e-5) << pixel;
+    EXPECT_GT(ray.origin.z, 12) << "it must begin before the scene";
+  }
 }
 
 }  // namespace

@@ -4,9 +4,19 @@
 
 namespace orbs::tracer {
 
+namespace {
+
+Ray distant_ray(const DistantCamera& camera, double sx, double sy) {
+  const Vec3d direction = normalised(camera.forward + camera.right * sx + camera.up * sy);
+  return {cast<float>(camera.position + direction * camera.start_m), cast<float>(direction)};
+}
+
+}  // namespace
+
 Ray camera_ray(const PinholeCamera& camera, float x, float y) {
   const float sx = 2 * x / static_cast<float>(camera.width) - 1;
   const float sy = 1 - 2 * y / static_cast<float>(camera.height);
+  if (camera.distant) return distant_ray(*camera.distant, static_cast<double>(sx), static_cast<double>(sy));
   Ray ray{camera.position, normalised(camera.forward + camera.right * sx + camera.up * sy)};
   // A camera that lies on a floor and looks away from it would see that floor at distance zero in every
   // direction. Other rays keep such hits: where one starts at an edge, they are what closes the room.

@@ -3,7 +3,19 @@
 #include "tracer/geometry/mirror_plane.h"
 #include "tracer/geometry/ray.h"
 
+#include <optional>
+
 namespace orbs::tracer {
+
+/// A camera that is many times farther from the scene than the scene is large. In floats its rays would miss
+/// their points by 2^-24 of the distance, so they are computed in double and begin before the scene.
+struct DistantCamera {
+  Vec3d position;  // and the vectors of PinholeCamera
+  Vec3d forward;
+  Vec3d right;
+  Vec3d up;
+  double start_m = 0;  // no surface is nearer to the camera
+};
 
 struct PinholeCamera {
   Vec3f position;
@@ -12,6 +24,7 @@ struct PinholeCamera {
   Vec3f up;       // half its height
   int width = 0;  // of the image in pixels
   int height = 0;
+  std::optional<DistantCamera> distant{};
 };
 
 /// Ray through film position (x, y), in pixels from the upper left corner.
