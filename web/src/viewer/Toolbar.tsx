@@ -84,13 +84,15 @@ function ErrorTools({ controls: c, actions }: ToolsProps) {
 export function Toolbar({ controls, actions }: ToolsProps) {
   return (
     <div class="toolbar">
-      <ImageTabs controls={controls} />
+      <div class="images">
+        <ImageTabs controls={controls} />
+        <ErrorTools controls={controls} actions={actions} />
+      </div>
       <div class="tools">
         <ArrangementTools controls={controls} actions={actions} />
         <PairTools controls={controls} actions={actions} />
         <ZoomTools controls={controls} actions={actions} />
         <AppearanceTools controls={controls} />
-        <ErrorTools controls={controls} actions={actions} />
         <details class="rarer">
           <summary>More</summary>
           <RarerTools controls={controls} actions={actions} />
