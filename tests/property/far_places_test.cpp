@@ -1,5 +1,6 @@
 // The position of a scene in its coordinates must not matter, although floats are coarse far from the origin.
 #include "scene/camera_frame.h"
+#include "scene/relation_motion.h"
 #include "unit/tracer_scenes.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(FarPlaces, ShowTheSameImage) {
 // Within a step the camera is up to 128 m from the origin, where floats are 8e-6 m apart.
 TEST(FarPlaces, ShowNearlyTheSameImageInBetween) {
   const auto at_zero = image_of(furnished());
-  const auto between = image_of(moved(furnished(), {1048576 + 100, -100, 612}));
+  const auto between = image_of(moved(furnished(), Vec3d{1048576 + 100, -100, 612}));
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(tests::mean_of_channel(between, c), tests::mean_of_channel(at_zero, c),
                 0.01 * tests::mean_of_channel(at_zero, c));
@@ -96,6 +97,19 @@ TEST(FarPlaces, AreMetByTheRaysOfADistantCamera) {
     EXPECT_LT(length(met - wanted), 1e-5) << pixel;
     EXPECT_GT(ray.origin.z, 12) << "it must begin before the scene";
   }
+}
+
+// Products of four lengths of 10^10 m are no floats, so the tracer makes a scene of 2^30 m of a larger one.
+TEST(FarPlaces, MayBeLarge) {
+  const auto at_size = [](double factor) {
+    return image_of(scene::moved(furnished(), scaling({factor, factor, factor})));
+  };
+  const auto large = at_size(0x1p31);
+  EXPECT_EQ(large.pixels, at_size(0x1p26).pixels);
+  const auto usual = image_of(furnished());
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(tests::mean_of_channel(large, c), tests::mean_of_channel(usual, c),
+                0.01 * tests::mean_of_channel(usual, c));
 }
 
 }  // namespace
