@@ -2,28 +2,14 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser } from "playwright-core";
-import { drawn, launch, open } from "./browser";
-import { Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import { drawn, open } from "./browser";
+import { startSession } from "./session";
 
 const source = process.env["ORBS_SOURCE_DIR"] ?? "";
 const axe = createRequire(join(source, "web/package.json"))("axe-core") as { source: string };
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"), scratch.run("before"), scratch.run("cost"));
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "before", "cost");
 
 interface Violation {
   id: string;
@@ -60,7 +46,7 @@ for (const [name, { address, ready, image }] of Object.entries(views))
     { colorScheme: "dark", viewport: { width: 390, height: 844 } },
   ] as const)
     test(`${name} is accessible, ${look.colorScheme}, ${look.viewport.width} px wide`, async () => {
-      const { page } = await open(browser, small.url + address, look);
+      const { page } = await open(session.browser, session.url + address, look);
       await page.locator(ready).first().waitFor();
       if (image) await drawn(page, image);
       await page.evaluate(axe.source);

@@ -1,24 +1,11 @@
 // Charts: the points that they show, and the notes about those that they cannot show.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, type SomeOverview } from "./browser";
-import { Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { changeOverview, open, type SomeOverview } from "./browser";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"));
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small");
 
 /** The charts of a run whose `metric` has only these values, by the index of the cell. */
 async function charts(
@@ -27,7 +14,7 @@ async function charts(
   values: Record<number, number>,
   change: (overview: SomeOverview) => void = () => undefined,
 ): Promise<{ page: Page; errors: string[] }> {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   await changeOverview(page, (overview) => {
     const column = overview.measures[metric];
     assert.ok(column);
@@ -35,7 +22,7 @@ async function charts(
     for (const [cell, value] of Object.entries(values)) column[Number(cell)] = value;
     change(overview);
   });
-  await page.goto(`${small.url}#/charts?${query}`);
+  await page.goto(`${session.url}#/charts?${query}`);
   await page.locator(".chart").first().waitFor();
   return { page, errors };
 }

@@ -2,25 +2,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { launch, open, settled } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { open, settled } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let served: Served;
-
-before(async () => {
-  browser = await launch();
-  served = await serve(scratch.run("cost"), scratch.run("small"));
-});
-
-after(async () => {
-  await browser?.close();
-  served?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("cost", "small");
 
 interface SomeComparison {
   target: number;
@@ -50,7 +38,7 @@ async function openStudy(
   hash = "",
   change: (study: SomeStudy) => void = () => undefined,
 ): Promise<{ page: Page; errors: string[] }> {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   await page.route("**/cost.json", async (route) => {
     try {
       const study = (await (await route.fetch()).json()) as SomeStudy;
@@ -61,7 +49,7 @@ async function openStudy(
       if (!page.isClosed()) throw error;
     }
   });
-  await page.goto(`${served.url}#/${hash}`);
+  await page.goto(`${session.url}#/${hash}`);
   await page.locator(".cost-plot svg").waitFor();
   return { page, errors };
 }
@@ -283,7 +271,7 @@ test("a study stands beside runs, and comparisons of runs do not offer it", asyn
   assert.deepEqual(await choice.locator("option").allInnerTexts(), ["cost (cost)", "small"]);
   await choice.selectOption("small");
   await page.locator(".grid").waitFor();
-  await page.goto(`${served.url}#/compare?run=small`);
+  await page.goto(`${session.url}#/compare?run=small`);
   await page.locator(".compare section").first().waitFor();
   assert.equal(await page.getByRole("combobox", { name: "Before: run" }).count(), 0);
   await page.locator("header select").selectOption("cost");
@@ -316,9 +304,9 @@ test("the page fits a narrow screen", async () => {
 });
 
 test("the one-file page of a study works from file:// and requests nothing", async () => {
-  const file = join(scratch.folder, "cost.html");
-  report(join(scratch.folder, "cost"), file);
-  const { page, errors } = await open(browser, `file://${file}#/?target=110`);
+  const file = join(session.scratch.folder, "cost.html");
+  report(join(session.scratch.folder, "cost"), file);
+  const { page, errors } = await open(session.browser, `file://${file}#/?target=110`);
   await page.locator("[data-point='1/2']").click();
   await page.locator("img[data-file='images/cycles/110/2.png']").waitFor();
   await page.locator("img[data-file='images/reference/110.exr']").waitFor();

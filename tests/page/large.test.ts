@@ -1,23 +1,10 @@
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open } from "./browser";
-import { Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { colourAt, drawn, open } from "./browser";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let served: Served;
-
-before(async () => {
-  browser = await launch();
-  served = await serve(scratch.run("many"), scratch.run("huge"));
-});
-
-after(async () => {
-  await browser?.close();
-  served?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("many", "huge");
 
 /** The addresses that the page requests from now on. */
 function requestsForData(page: Page): string[] {
@@ -29,7 +16,7 @@ function requestsForData(page: Page): string[] {
 }
 
 test("the overview of 10 000 cells creates only visible rows", async () => {
-  const { page, errors } = await open(browser, `${served.url}#/?by=target`);
+  const { page, errors } = await open(session.browser, `${session.url}#/?by=target`);
   await page.waitForFunction(
     () => document.querySelector("[role=table]")?.getAttribute("aria-rowcount") === "1001",
   );
@@ -51,9 +38,9 @@ test("the overview of 10 000 cells creates only visible rows", async () => {
 });
 
 test("a pair of 4096 x 4096 pixels can be used", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   page.setDefaultTimeout(120000);
-  await page.goto(`${served.url}#/case/m1_huge/huge/one?run=huge`);
+  await page.goto(`${session.url}#/case/m1_huge/huge/one?run=huge`);
   await drawn(page, "result");
   await page.getByText("100 pixels differ").waitFor();
   await page.keyboard.press("u");

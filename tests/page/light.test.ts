@@ -1,26 +1,14 @@
 // What the page loads, in which order, and where it is unpacked.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open, packedImage, replaceImages } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { colourAt, drawn, open, packedImage, replaceImages } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
+const session = startSession("small");
 const values = "#/case/m1_values/values/one";
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"));
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
 
 const previewed = (page: Page, name: string) =>
   page.waitForFunction(
@@ -30,7 +18,7 @@ const previewed = (page: Page, name: string) =>
   );
 
 test("the small PNG is shown until the floats are there, and is then replaced", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   let release = (): void => undefined;
   const held = new Promise<void>((resolve) => (release = resolve));
   const asked: string[] = [];
@@ -41,7 +29,7 @@ test("the small PNG is shown until the floats are there, and is then replaced", 
       body: packedImage(64, 48, { R: () => 0, G: () => 1, B: () => 0 }),
     });
   });
-  await page.goto(`${small.url}${values}`);
+  await page.goto(`${session.url}${values}`);
   await previewed(page, "result");
   await page.getByText("Preview: the values of result are loading").waitFor();
   const box = await page.locator(".stage").boundingBox();
@@ -62,19 +50,19 @@ test("the small PNG is shown until the floats are there, and is then replaced", 
 });
 
 test("an image without a preview is loaded all the same", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await page.route("**/preview/**", (route) => route.fulfill({ status: 422, body: "none" }));
-  await page.goto(`${small.url}${values}`);
+  await page.goto(`${session.url}${values}`);
   await drawn(page, "result");
   await page.close();
 });
 
 for (const kind of ["served", "in one file"])
   test(`images are unpacked in a worker, ${kind}`, async () => {
-    const file = join(scratch.folder, "light.html");
-    if (kind !== "served") report(join(scratch.folder, "small"), file);
-    const start = kind === "served" ? small.url : `file://${file}`;
-    const { page, errors } = await open(browser, `${start}${values}`);
+    const file = join(session.scratch.folder, "light.html");
+    if (kind !== "served") report(join(session.scratch.folder, "small"), file);
+    const start = kind === "served" ? session.url : `file://${file}`;
+    const { page, errors } = await open(session.browser, `${start}${values}`);
     await drawn(page, "result");
     assert.equal(page.workers().length, 1);
     // Nothing is left of the unpacking in the page itself.
@@ -87,9 +75,9 @@ for (const kind of ["served", "in one file"])
   });
 
 test("a broken image is named and does not stop the others", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await replaceImages(page, { "result.exr": packedImage(8, 8, { R: () => 1 }).subarray(0, 40) });
-  await page.goto(`${small.url}${values}`);
+  await page.goto(`${session.url}${values}`);
   await page.locator(".stage-note[role=alert]", { hasText: "result:" }).waitFor();
   await page.keyboard.press("2");
   await drawn(page, "reference");
@@ -97,14 +85,14 @@ test("a broken image is named and does not stop the others", async () => {
 });
 
 test("what a target needs for its first paint is below 200 kB", async () => {
-  const { page } = await open(browser, "about:blank");
-  const session = await page.context().newCDPSession(page);
-  await session.send("Network.enable");
+  const { page } = await open(session.browser, "about:blank");
+  const network = await page.context().newCDPSession(page);
+  await network.send("Network.enable");
   let bytes = 0;
-  session.on("Network.loadingFinished", (event) => (bytes += event.encodedDataLength));
+  network.on("Network.loadingFinished", (event) => (bytes += event.encodedDataLength));
   // Floats come after the preview; they would count what comes after the first paint.
   await page.route("**/image/**", () => undefined);
-  await page.goto(`${small.url}${values}`);
+  await page.goto(`${session.url}${values}`);
   await previewed(page, "result");
   // 1.6 Mbit/s are 200 kB/s: a second, which leaves another one for six round trips of 150 ms.
   assert.ok(bytes > 50_000 && bytes < 200_000, `${bytes} bytes`);

@@ -1,25 +1,13 @@
 // Links name their run, so that they show the same later; and the comparison of two runs.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { changeOverview, open } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let two: Served;
-
-before(async () => {
-  browser = await launch();
-  two = await serve(scratch.run("small"), scratch.run("before"));
-});
-
-after(async () => {
-  await browser?.close();
-  two?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "before");
 
 const linksOf = (page: Page): Promise<string[]> =>
   page
@@ -27,13 +15,13 @@ const linksOf = (page: Page): Promise<string[]> =>
     .evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
 
 test("if there are several runs each link names its run", async () => {
-  const { page, errors } = await open(browser, two.url);
+  const { page, errors } = await open(session.browser, session.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
   await page.locator(".cell a").first().waitFor();
   for (const link of await linksOf(page)) assert.match(link, /[?&]run=small/);
   await page.keyboard.press("t");
   await page.waitForFunction(() => location.hash === "#/charts?run=small");
-  await page.goto(`${two.url}#/compare`);
+  await page.goto(`${session.url}#/compare`);
   await page.locator(".compare td a").first().waitFor();
   await page.waitForFunction(
     () => location.hash.includes("before=before") && location.hash.includes("after=small"),
@@ -49,8 +37,8 @@ test("if there are several runs each link names its run", async () => {
 });
 
 test("naming the run adds no step to the history", async () => {
-  const { page } = await open(browser, "about:blank");
-  await page.goto(two.url);
+  const { page } = await open(session.browser, "about:blank");
+  await page.goto(session.url);
   await page.waitForFunction(() => location.hash === "#/?run=small");
   await page.getByRole("link", { name: "Compare" }).click();
   await page.waitForFunction(() => location.hash.includes("before=before"));
@@ -62,14 +50,17 @@ test("naming the run adds no step to the history", async () => {
 });
 
 test("a run that does not exist is not replaced by another one", async () => {
-  const { page, errors } = await open(browser, `${two.url}#/charts?run=yesterday&of=cpu_seconds`);
+  const { page, errors } = await open(
+    session.browser,
+    `${session.url}#/charts?run=yesterday&of=cpu_seconds`,
+  );
   const alert = page.getByRole("alert");
   await alert.getByText("There is no run 'yesterday' here. There are:").waitFor();
   assert.deepEqual(await alert.getByRole("link").allInnerTexts(), ["small", "before"]);
   await alert.getByRole("link", { name: "before" }).click();
   await page.locator(".plot canvas").first().waitFor();
   assert.match(page.url(), /#\/charts\?run=before&of=cpu_seconds$/);
-  await page.goto(`${two.url}#/compare?before=yesterday&after=before`);
+  await page.goto(`${session.url}#/compare?before=yesterday&after=before`);
   await alert.getByText("There is no run 'yesterday' here.").waitFor();
   await alert.getByRole("link", { name: "small" }).click();
   await page.locator("section[data-kind=new]").waitFor();
@@ -79,9 +70,9 @@ test("a run that does not exist is not replaced by another one", async () => {
 });
 
 test("a page of one run has short links and no other run", async () => {
-  const file = join(scratch.folder, "page.html");
-  report(join(scratch.folder, "small"), file);
-  const { page } = await open(browser, `file://${file}`);
+  const file = join(session.scratch.folder, "page.html");
+  report(join(session.scratch.folder, "small"), file);
+  const { page } = await open(session.browser, `file://${file}`);
   await page.locator(".cell a").first().waitFor();
   for (const link of await linksOf(page)) assert.ok(!link.includes("run="), link);
   assert.ok(!page.url().includes("run="));
@@ -91,17 +82,17 @@ test("a page of one run has short links and no other run", async () => {
 });
 
 test("the page says why a run cannot be compared", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await page.route("**/data/1/overview.json", (route) =>
     route.fulfill({ status: 500, body: "the disk is gone" }),
   );
-  await page.goto(`${two.url}#/compare`);
+  await page.goto(`${session.url}#/compare`);
   await page.getByText("The run before cannot be shown: the disk is gone").waitFor();
   await page.close();
 });
 
 test("targets that were not rendered are neither better nor worse", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await changeOverview(
     page,
     ({ cells, states }) => {
@@ -111,7 +102,7 @@ test("targets that were not rendered are neither better nor worse", async () => 
     },
     0,
   );
-  await page.goto(`${two.url}#/compare`);
+  await page.goto(`${session.url}#/compare`);
   const rows = page.locator("section[data-kind=open] tbody tr");
   await rows.first().waitFor();
   // One target was skipped in both runs.
@@ -127,13 +118,13 @@ test("targets that were not rendered are neither better nor worse", async () => 
 });
 
 test("a signed value that only changed its sign is unchanged", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await changeOverview(
     page,
     ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)),
     0,
   );
-  await page.goto(`${two.url}#/compare?metric=lean`);
+  await page.goto(`${session.url}#/compare?metric=lean`);
   // Only targets whose state changed.
   await page.locator("section[data-kind=better] tbody tr").first().waitFor();
   assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), [

@@ -2,25 +2,13 @@
 import assert from "node:assert/strict";
 import type { ChildProcess } from "node:child_process";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { changeOverview, launch, open, settled } from "./browser";
-import { playLive, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { changeOverview, open, settled } from "./browser";
+import { playLive, serve, type Served } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let two: Served;
-
-before(async () => {
-  browser = await launch();
-  two = await serve(scratch.run("small"), scratch.run("before"));
-});
-
-after(async () => {
-  await browser?.close();
-  two?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "before");
 
 /** A live run of three renders, and a page that has not opened it yet. */
 async function live(name: string): Promise<{
@@ -30,10 +18,10 @@ async function live(name: string): Promise<{
   errors: string[];
   end: () => Promise<void>;
 }> {
-  const folder = join(scratch.folder, name);
+  const folder = join(session.scratch.folder, name);
   const run = await playLive(folder);
   const served = await serve(folder);
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   const end = async (): Promise<void> => {
     await page.close();
     run.stdin?.end();
@@ -122,10 +110,10 @@ test("without the server the page says so and keeps its data", async () => {
 });
 
 test("a run that ends before the page follows it is shown as finished", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   // The server responds with 204 to a request to follow a finished run.
   await changeOverview(page, ({ run }, request) => (run.live = request === 1));
-  await page.goto(`${two.url}#/`);
+  await page.goto(`${session.url}#/`);
   await page.locator(".grid .row").first().waitFor();
   await page.waitForFunction(() => !document.querySelector(".live"));
   assert.deepEqual(errors, []);
@@ -133,14 +121,14 @@ test("a run that ends before the page follows it is shown as finished", async ()
 });
 
 test("a late response about a run that is no longer shown is ignored", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   let release = (): void => undefined;
   const released = new Promise<void>((resolve) => (release = resolve));
   await page.route("**/data/0/overview.json", async (route) => {
     await released;
     await route.continue();
   });
-  await page.goto(two.url);
+  await page.goto(session.url);
   await page.getByText("Reading the run").waitFor();
   await page.getByRole("combobox", { name: "Run" }).selectOption("before");
   await page.locator(".grid .row").first().waitFor();
@@ -157,9 +145,9 @@ test("a late response about a run that is no longer shown is ignored", async () 
 });
 
 test("a server that was restarted with other runs is detected", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await changeOverview(page, ({ run }) => (run.name = "another"));
-  await page.goto(`${two.url}#/`);
+  await page.goto(`${session.url}#/`);
   await page.getByText("expected the run 'small' and found 'another'").waitFor();
   await page.close();
 });

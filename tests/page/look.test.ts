@@ -1,27 +1,13 @@
 // Any two images at one place, the layout of the viewer, the gallery, and the diagnosis.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open, packedImage, replaceImages } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { colourAt, drawn, open, packedImage, replaceImages } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
-let url = "";
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"), scratch.run("before"));
-  url = small.url;
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "before");
 
 const values = "#/case/m1_values/values/one";
 
@@ -33,7 +19,10 @@ const readout = (page: Page, name: string) =>
   page.locator(".readout tr").filter({ has: page.getByRole("rowheader", { name, exact: true }) });
 
 test("another renderer and another run stand beside the image, and the address says so", async () => {
-  const { page, errors } = await open(browser, `${url}${values}?zoom=20&x=30.5&y=20.5`);
+  const { page, errors } = await open(
+    session.browser,
+    `${session.url}${values}?zoom=20&x=30.5&y=20.5`,
+  );
   await drawn(page, "result");
   const add = page.getByRole("combobox", { name: "Add an image" });
   await add.selectOption("two");
@@ -64,8 +53,8 @@ test("another renderer and another run stand beside the image, and the address s
 
 test("a link opens the same two images, and the view survives the next renderer", async () => {
   const { page } = await open(
-    browser,
-    `${url}${values}?more=two&b=two&img=difference&diff=squared&zoom=8&x=20&y=10&ev=1&region=1%2C2%2C9%2C9`,
+    session.browser,
+    `${session.url}${values}?more=two&b=two&img=difference&diff=squared&zoom=8&x=20&y=10&ev=1&region=1%2C2%2C9%2C9`,
   );
   await drawn(page, "difference");
   assert.equal(await page.getByRole("combobox", { name: "B", exact: true }).inputValue(), "two");
@@ -79,7 +68,7 @@ test("a link opens the same two images, and the view survives the next renderer"
 });
 
 test("an image that is not there is named, and the others are shown", async () => {
-  const { page } = await open(browser, `${url}${values}?more=nobody`);
+  const { page } = await open(session.browser, `${session.url}${values}?more=nobody`);
   await page.getByText("nobody: the run has no such target").waitFor();
   await drawn(page, "result");
   await page.getByRole("button", { name: "Remove nobody" }).click();
@@ -91,9 +80,9 @@ test("FLIP is 0 for equal images and 1 for the largest difference of colours", a
   const colour = (g: number, b: number) =>
     packedImage(64, 64, { R: () => 0, G: () => g, B: () => b });
   const of = async (image: Buffer): Promise<string> => {
-    const { page } = await open(browser, "about:blank");
+    const { page } = await open(session.browser, "about:blank");
     await replaceImages(page, { "result.exr": image, "values.exr": colour(1, 0) });
-    await page.goto(`${url}${values}?img=difference&diff=flip`);
+    await page.goto(`${session.url}${values}?img=difference&diff=flip`);
     await drawn(page, "difference");
     await page.locator(".statistics").first().waitFor();
     const text = await page.locator(".statistics").first().innerText();
@@ -109,7 +98,9 @@ test("the stage and its colour scale fit the window, and F fills it", async () =
     [1440, 900],
     [1280, 720],
   ] as const) {
-    const { page } = await open(browser, `${url}${values}?img=l1`, { viewport: { width, height } });
+    const { page } = await open(session.browser, `${session.url}${values}?img=l1`, {
+      viewport: { width, height },
+    });
     await drawn(page, "l1");
     await page.waitForFunction(
       () =>
@@ -132,7 +123,7 @@ test("the stage and its colour scale fit the window, and F fills it", async () =
 });
 
 test("on a phone the image comes before its tools", async () => {
-  const { page } = await open(browser, `${url}${values}`, {
+  const { page } = await open(session.browser, `${session.url}${values}`, {
     viewport: { width: 390, height: 844 },
   });
   await drawn(page, "result");
@@ -147,7 +138,7 @@ test("on a phone the image comes before its tools", async () => {
 });
 
 test("Escape ends the drawing of a region and nothing else", async () => {
-  const { page } = await open(browser, `${url}${values}`);
+  const { page } = await open(session.browser, `${session.url}${values}`);
   await drawn(page, "result");
   await page.keyboard.press("a");
   await page.locator(".stage.selecting").waitFor();
@@ -170,7 +161,7 @@ test("Escape ends the drawing of a region and nothing else", async () => {
 });
 
 test("Escape leaves the full window and not the target, also when the address has just changed", async () => {
-  const { page } = await open(browser, `${url}${values}`);
+  const { page } = await open(session.browser, `${session.url}${values}`);
   await drawn(page, "result");
   await page.keyboard.press("Shift+F");
   await page.locator(".viewer.full").waitFor();
@@ -191,7 +182,7 @@ test("Escape leaves the full window and not the target, also when the address ha
 });
 
 test("the worst pixels of a wide edge are one spot each", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   const flat = (value: (x: number, y: number) => number) =>
     packedImage(64, 48, { R: value, G: () => 0, B: () => 0 });
   await replaceImages(page, {
@@ -200,7 +191,7 @@ test("the worst pixels of a wide edge are one spot each", async () => {
     ),
     "values.exr": flat(() => 0),
   });
-  await page.goto(`${url}${values}`);
+  await page.goto(`${session.url}${values}`);
   await page.getByText("17 pixels differ").waitFor();
   await page.keyboard.press("u");
   await page.getByRole("button", { name: "1 of 2 spots: 1", exact: true }).waitFor();
@@ -211,7 +202,7 @@ test("the worst pixels of a wide edge are one spot each", async () => {
 });
 
 test("the diagnosis stands with the verdict, and what noise leaves open is not called unmet", async () => {
-  const { page } = await open(browser, url + values);
+  const { page } = await open(session.browser, session.url + values);
   await page.getByText("Diagnosis: shifted by (2, 1) px: then 60.2 dB").waitFor();
   const checks = await page
     .getByRole("list", { name: "Checks" })
@@ -224,10 +215,10 @@ test("the diagnosis stands with the verdict, and what noise leaves open is not c
 
 for (const kind of ["served", "in one file"])
   test(`the gallery shows result, reference and difference, ${kind}`, async () => {
-    const file = join(scratch.folder, "gallery.html");
-    if (kind !== "served") report(join(scratch.folder, "small"), file);
-    const start = kind === "served" ? url : `file://${file}`;
-    const { page, errors } = await open(browser, `${start}#/?as=gallery&q=known`);
+    const file = join(session.scratch.folder, "gallery.html");
+    if (kind !== "served") report(join(session.scratch.folder, "small"), file);
+    const start = kind === "served" ? session.url : `file://${file}`;
+    const { page, errors } = await open(session.browser, `${start}#/?as=gallery&q=known`);
     const row = page.locator(".gallery .body .gallery-row").first();
     for (const name of ["result", "reference", "|result − reference|"])
       await row.locator(`img[alt="${name}"]`).first().waitFor();
@@ -238,7 +229,7 @@ for (const kind of ["served", "in one file"])
   });
 
 test("the filter knows renderers and verdicts together", async () => {
-  const { page } = await open(browser, `${url}#/?by=target`);
+  const { page } = await open(session.browser, `${session.url}#/?by=target`);
   const rows = () => page.locator(".grid .row.target").count();
   await page.locator(".grid .row.target").first().waitFor();
   const all = await rows();
@@ -255,7 +246,10 @@ test("the filter knows renderers and verdicts together", async () => {
 });
 
 test("rows sort by the shown number, and titles lead to the worst cell", async () => {
-  const { page } = await open(browser, `${url}#/?by=target&order=value&show=wall_seconds`);
+  const { page } = await open(
+    session.browser,
+    `${session.url}#/?by=target&order=value&show=wall_seconds`,
+  );
   const row = page.locator(".grid .row.target").first();
   assert.match(await row.innerText(), /verdict-15/); // 15.5 s
   await row.locator("a.title").click();
@@ -264,7 +258,10 @@ test("rows sort by the shown number, and titles lead to the worst cell", async (
 });
 
 test("compare calls two renderers A and B and leads to both images", async () => {
-  const { page } = await open(browser, `${url}#/compare?before=small&after=small&ra=two&rb=one`);
+  const { page } = await open(
+    session.browser,
+    `${session.url}#/compare?before=small&after=small&ra=two&rb=one`,
+  );
   await page.getByRole("heading", { name: /B is worse/ }).waitFor();
   const row = page.locator("section[data-kind=worse] tbody tr", { hasText: "m1_values" });
   await row.getByRole("link", { name: "A × B" }).click();
@@ -275,7 +272,7 @@ test("compare calls two renderers A and B and leads to both images", async () =>
 });
 
 test("compare names the settings that differ before anything else", async () => {
-  const { page } = await open(browser, `${url}#/compare`);
+  const { page } = await open(session.browser, `${session.url}#/compare`);
   await page.getByText("samples per pixel × 0.5").waitFor();
   await page.close();
 });

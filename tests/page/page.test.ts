@@ -1,31 +1,16 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser } from "playwright-core";
-import { changeOverview, colourAt, drawn, launch, open } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import { changeOverview, colourAt, drawn, open } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
-let url = "";
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"), scratch.run("before"));
-  url = small.url;
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "before");
 
 const values = "#/case/m1_values/values/one";
 
 test("the overview shows each state as symbol and word, failures first", async () => {
-  const { page, errors } = await open(browser, `${url}#/?by=target`);
+  const { page, errors } = await open(session.browser, `${session.url}#/?by=target`);
   await page.waitForSelector(".grid .row.target");
   const words = await page.locator(".cell a").allInnerTexts();
   for (const word of [
@@ -49,7 +34,7 @@ test("the overview shows each state as symbol and word, failures first", async (
 });
 
 test("of targets in the same state the one with the worst metric represents the requirement", async () => {
-  const page = await browser.newPage();
+  const page = await session.browser.newPage();
   await changeOverview(page, (overview) => {
     const { cells, measures } = overview;
     for (const column of ["case", "renderer", "state", "declared"])
@@ -58,7 +43,7 @@ test("of targets in the same state the one with the worst metric represents the 
     cells["target"] = cells["target"]!.map((target, i) => (i < 3 ? i : target! + 3));
     measures["psnr_srgb8"]!.splice(0, 3, 50, 36, 42);
   });
-  await page.goto(url);
+  await page.goto(session.url);
   await page.locator(".row.requirement").first().waitFor();
   const rows = await page.locator(".row.requirement").allInnerTexts();
   assert.ok(
@@ -70,13 +55,13 @@ test("of targets in the same state the one with the worst metric represents the 
 });
 
 test("filter box, chips and the address agree", async () => {
-  const { page } = await open(browser, url);
+  const { page } = await open(session.browser, session.url);
   await page.locator(".search").waitFor();
   await page.keyboard.press("/");
   await page.keyboard.type("known values");
   await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);
   assert.match(page.url(), /q=known/);
-  await page.goto(`${url}#/?suite=beta`);
+  await page.goto(`${session.url}#/?suite=beta`);
   await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 2);
   await page.getByRole("group", { name: "State" }).getByRole("button", { name: /crash/ }).click();
   await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);
@@ -85,7 +70,7 @@ test("filter box, chips and the address agree", async () => {
 });
 
 test("a cell shows a thumbnail, opens its target, and the back button returns", async () => {
-  const { page, errors } = await open(browser, `${url}#/?q=known`);
+  const { page, errors } = await open(session.browser, `${session.url}#/?q=known`);
   const cell = page.locator(".cell a").first();
   await cell.hover();
   await page.waitForFunction(
@@ -119,7 +104,7 @@ test("a cell shows a thumbnail, opens its target, and the back button returns", 
 });
 
 test("digits flip between the images, even those of unknown maps", async () => {
-  const { page, errors } = await open(browser, url + values);
+  const { page, errors } = await open(session.browser, session.url + values);
   await drawn(page, "result");
   for (const [key, name] of [
     ["2", "reference"],
@@ -140,15 +125,17 @@ test("digits flip between the images, even those of unknown maps", async () => {
 test("swipe shows the result left and the reference right of the divider", async () => {
   // Exposure -1 keeps the extra 1 in R at (40, 20) of the reference below white.
   const { page } = await open(
-    browser,
-    `${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`,
+    session.browser,
+    `${session.url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`,
   );
   await drawn(page, "result reference");
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [(box?.width ?? 0) / 2, (box?.height ?? 0) / 2];
   const left = await colourAt(page, x, y);
   await page.locator(".divider").focus();
-  await page.goto(`${url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`);
+  await page.goto(
+    `${session.url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`,
+  );
   await page.waitForFunction(
     () => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0",
   );
@@ -161,7 +148,7 @@ test("swipe shows the result left and the reference right of the divider", async
 });
 
 test("the readout has the values of the EXR, even beyond the range of half floats", async () => {
-  const { page } = await open(browser, `${url}${values}?zoom=40&x=8.5&y=9.5`);
+  const { page } = await open(session.browser, `${session.url}${values}?zoom=40&x=8.5&y=9.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   const middle = {
@@ -186,7 +173,7 @@ test("the readout has the values of the EXR, even beyond the range of half float
 });
 
 test("NaN and infinite pixels are magenta at any zoom and counted", async () => {
-  const { page } = await open(browser, `${url}${values}?zoom=20&x=5.5&y=7.5`);
+  const { page } = await open(session.browser, `${session.url}${values}?zoom=20&x=5.5&y=7.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [Math.floor((box?.width ?? 0) / 2), Math.floor((box?.height ?? 0) / 2)];
@@ -195,7 +182,7 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
   assert.match(await page.locator(".statistics").first().innerText(), /NaN\s+1\s+0\s+0/);
   assert.match(await page.locator(".statistics").first().innerText(), /Inf\s+1\s+0\s+0/);
   await page.goto("about:blank");
-  await page.goto(`${url}${values}?zoom=0.25&x=32&y=24`);
+  await page.goto(`${session.url}${values}?zoom=0.25&x=32&y=24`);
   await drawn(page, "result");
   const small = await page.evaluate(() => {
     const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas");
@@ -214,7 +201,7 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
 });
 
 test("the worst pixels are visited in order, with their positions", async () => {
-  const { page } = await open(browser, `${url}${values}?img=l1`);
+  const { page } = await open(session.browser, `${session.url}${values}?img=l1`);
   await drawn(page, "l1");
   await page.getByText("2 pixels differ").waitFor();
   await page.keyboard.press("u");
@@ -231,8 +218,8 @@ test("the worst pixels are visited in order, with their positions", async () => 
 
 test("a link restores the view, and changes of the view change the link", async () => {
   const { page } = await open(
-    browser,
-    `${url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`,
+    session.browser,
+    `${session.url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`,
   );
   await drawn(page, "reference");
   assert.equal(
@@ -249,8 +236,8 @@ test("a link restores the view, and changes of the view change the link", async 
 
 test("Stokes layers have values of both signs and get a diverging scale", async () => {
   const { page, errors } = await open(
-    browser,
-    `${url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`,
+    session.browser,
+    `${session.url}#/case/a1_stokes/stokes/one?layer=S3&zoom=8&x=16&y=16`,
   );
   await drawn(page, "result");
   await page.locator(".statistics").first().waitFor();
@@ -266,8 +253,8 @@ test("Stokes layers have values of both signs and get a diverging scale", async 
 
 test("layers of result and reference share one scale", async () => {
   const { page, errors } = await open(
-    browser,
-    `${url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`,
+    session.browser,
+    `${session.url}#/case/a1_stokes/stokes/one?layer=S3&mode=swipe&swipe=1&zoom=8&x=16&y=16`,
   );
   await drawn(page, "result reference");
   await page.waitForFunction(() => document.querySelector(".ticks")?.textContent?.includes("−1"));
@@ -287,7 +274,7 @@ test("layers of result and reference share one scale", async () => {
 });
 
 test("a target lists the effects that its scene calls for, and their cost", async () => {
-  const { page, errors } = await open(browser, `${url}#/case/a1_stokes/stokes/one`);
+  const { page, errors } = await open(session.browser, `${session.url}#/case/a1_stokes/stokes/one`);
   const effects = page.locator(".effects");
   await effects.waitFor();
   assert.match(await effects.innerText(), /stokes calls for polarised light paths/);
@@ -305,7 +292,7 @@ test("a target lists the effects that its scene calls for, and their cost", asyn
 });
 
 test("text of cases and logs is never markup", async () => {
-  const { page, errors } = await open(browser, `${url}#/case/e1_markup/markup/one`);
+  const { page, errors } = await open(session.browser, `${session.url}#/case/e1_markup/markup/one`);
   await page.locator(".logs pre").waitFor();
   assert.ok(
     (await page.locator(".logs pre").innerText()).includes(
@@ -319,9 +306,9 @@ test("text of cases and logs is never markup", async () => {
 });
 
 test("the one-file page works from file:// and requests nothing", async () => {
-  const file = join(scratch.folder, "page.html");
-  report(join(scratch.folder, "small"), file);
-  const { page, errors } = await open(browser, `file://${file}${values}?img=wobble`);
+  const file = join(session.scratch.folder, "page.html");
+  report(join(session.scratch.folder, "small"), file);
+  const { page, errors } = await open(session.browser, `file://${file}${values}?img=wobble`);
   await drawn(page, "wobble");
   await page.keyboard.press("1");
   await drawn(page, "result");
@@ -335,7 +322,7 @@ test("the one-file page works from file:// and requests nothing", async () => {
 });
 
 test("two runs: better, worse, new and removed", async () => {
-  const { page } = await open(browser, `${url}#/compare`);
+  const { page } = await open(session.browser, `${session.url}#/compare`);
   const rows = (kind: string) => page.locator(`section[data-kind=${kind}] tbody tr`);
   await rows("gone").waitFor();
   assert.match(await rows("better").innerText(), /m1_values\s+values\s+two/);
@@ -358,7 +345,7 @@ test("two runs: better, worse, new and removed", async () => {
     await rows("same").filter({ hasText: "three" }).first().innerText(),
     /measured on different machines\t$/,
   );
-  await page.goto(`${url}#/compare?before=small&after=small&ra=one&rb=two`);
+  await page.goto(`${session.url}#/compare?before=small&after=small&ra=one&rb=two`);
   await page.waitForFunction(() =>
     document.querySelector("section[data-kind=better]")?.textContent?.includes("one → two"),
   );
@@ -366,7 +353,7 @@ test("two runs: better, worse, new and removed", async () => {
 });
 
 test("the help lists the keys, and Escape closes it", async () => {
-  const { page } = await open(browser, url + values);
+  const { page } = await open(session.browser, session.url + values);
   await drawn(page, "result");
   await page.keyboard.press("?");
   assert.match(await page.getByRole("dialog").innerText(), /exposure \+½ stop/);

@@ -2,34 +2,19 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { drawn, launch, open, packedImage, replaceImages } from "./browser";
-import { Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { drawn, open, packedImage, replaceImages } from "./browser";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let served: Served;
-let run = "";
-
-before(async () => {
-  browser = await launch();
-  run = scratch.run("small");
-  served = await serve(run, scratch.run("cost"));
-});
-
-after(async () => {
-  await browser?.close();
-  served?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small", "cost");
 
 /** The numbers of `orbs compare` for the same two images, by metric. */
 function compared(result: string, reference: string): Record<string, number> {
   const orbs = join(process.env["ORBS_BINARY_DIR"] ?? "", "orbs");
   const made = spawnSync(
     orbs,
-    ["compare", join(run, result), join(run, reference), "--all", "--json"],
+    ["compare", join(session.folder, result), join(session.folder, reference), "--all", "--json"],
     { encoding: "utf8" },
   );
   const { metrics } = JSON.parse(made.stdout) as {
@@ -59,8 +44,8 @@ test("the maps that the browser computes have the means of the metrics", async (
   };
   for (const [measure, mean] of Object.entries(expected)) {
     const { page } = await open(
-      browser,
-      `${served.url}#/case/m1_values/values/two?run=small&img=difference&diff=${measure}`,
+      session.browser,
+      `${session.url}#/case/m1_values/values/two?run=small&img=difference&diff=${measure}`,
     );
     await drawn(page, "difference");
     const found = await shownMean(page);
@@ -70,7 +55,10 @@ test("the maps that the browser computes have the means of the metrics", async (
 });
 
 test("d walks through the maps of the run and the measures of the difference", async () => {
-  const { page } = await open(browser, `${served.url}#/case/m1_values/values/two?run=small`);
+  const { page } = await open(
+    session.browser,
+    `${session.url}#/case/m1_values/values/two?run=small`,
+  );
   await drawn(page, "result");
   await page.keyboard.press("d");
   await drawn(page, "difference");
@@ -80,14 +68,14 @@ test("d walks through the maps of the run and the measures of the difference", a
 });
 
 test("Normalise takes a percentile of what is visible", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   const image = packedImage(100, 100, {
     R: (x, y) => (x === 50 && y === 50 ? 1000 : x < 50 ? 0 : 4),
     G: () => 0,
     B: () => 0,
   });
   await replaceImages(page, { "result.exr": image });
-  const at = (query: string) => page.goto(`${served.url}#/case/m1_values/values/one?${query}`);
+  const at = (query: string) => page.goto(`${session.url}#/case/m1_values/values/one?${query}`);
   const exposure = async (): Promise<number> => {
     await drawn(page, "result");
     await page.locator(".statistics").first().waitFor();
@@ -108,11 +96,11 @@ test("Normalise takes a percentile of what is visible", async () => {
 });
 
 test("a layer has its difference and its errors by channel beside it", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   const layer = (red: number) =>
     packedImage(16, 16, { R: () => red, G: () => 0.5, B: (x) => (x < 8 ? 0.5 : -0.5) });
   await replaceImages(page, { "result.exr": layer(0.25), "stokes.exr": layer(0.5) });
-  await page.goto(`${served.url}#/case/a1_stokes/stokes/one?run=small&layer=S1&mode=side`);
+  await page.goto(`${session.url}#/case/a1_stokes/stokes/one?run=small&layer=S1&mode=side`);
   await drawn(page, "result reference difference");
   const errors = page.getByRole("region", { name: "Errors of A against B" });
   assert.deepEqual(
@@ -130,8 +118,8 @@ test("a layer has its difference and its errors by channel beside it", async () 
 
 test("the rungs of a cost study stand at one place with their reference", async () => {
   const { page, errors } = await open(
-    browser,
-    `${served.url}#/?run=cost&target=110&point=${encodeURIComponent("orbs/1")}`,
+    session.browser,
+    `${session.url}#/?run=cost&target=110&point=${encodeURIComponent("orbs/1")}`,
   );
   await page.getByRole("link", { name: /A × B/ }).click();
   await drawn(page, "result");
@@ -154,13 +142,13 @@ test("the rungs of a cost study stand at one place with their reference", async 
 });
 
 test("a run offers the rungs of a study that is served beside it", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   await page.route("**/cost.json", async (route) => {
     const study = (await (await route.fetch()).json()) as { targets: { name: string }[] };
     study.targets[0]!.name = "values";
     await route.fulfill({ json: study });
   });
-  await page.goto(`${served.url}#/case/m1_values/values/two?run=small`);
+  await page.goto(`${session.url}#/case/m1_values/values/two?run=small`);
   await drawn(page, "result");
   const add = page.getByRole("combobox", { name: "Add an image" });
   await add.locator("option", { hasText: "povray 16 spp@cost" }).waitFor({ state: "attached" });
@@ -168,7 +156,7 @@ test("a run offers the rungs of a study that is served beside it", async () => {
   await page.keyboard.press("h");
   await drawn(page, "difference");
   await page.goto(
-    `${served.url}#/case/m1_values/values/two?run=small&more=${encodeURIComponent("orbs 3 spp@cost")}`,
+    `${session.url}#/case/m1_values/values/two?run=small&more=${encodeURIComponent("orbs 3 spp@cost")}`,
   );
   await page.getByText("orbs 3 spp@cost: the study has no such rung on this scene").waitFor();
   assert.deepEqual(errors, []);

@@ -1,30 +1,15 @@
 // The page of a study of stability. fixture_stability.h says what is known of it.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import type { Browser } from "playwright-core";
-import { launch, open } from "./browser";
-import { report, Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import { open } from "./browser";
+import { report } from "./runs";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let served: Served;
-let folder = "";
-
-before(async () => {
-  browser = await launch();
-  folder = scratch.run("stability");
-  served = await serve(folder);
-});
-
-after(async () => {
-  await browser?.close();
-  served?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("stability");
 
 async function looksRight(url: string): Promise<void> {
-  const { page, errors } = await open(browser, url);
+  const { page, errors } = await open(session.browser, url);
   const matrix = page.locator("table.matrix");
   await matrix.waitFor();
   const rows = await matrix.locator("tbody tr").allInnerTexts();
@@ -48,11 +33,11 @@ async function looksRight(url: string): Promise<void> {
 }
 
 test("The matrix leads to the steps and images of each cell", async () => {
-  await looksRight(served.url);
+  await looksRight(session.url);
 });
 
 test("One file holds the page of the study with its images", async () => {
-  const file = join(scratch.folder, "stability.html");
-  report(folder, file);
+  const file = join(session.scratch.folder, "stability.html");
+  report(session.folder, file);
   await looksRight(`file://${file}`);
 });

@@ -1,35 +1,21 @@
 // The viewer with images that the renders of the other tests do not contain.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import type { Browser, Page } from "playwright-core";
-import { colourAt, drawn, launch, open, packedImage, replaceImages } from "./browser";
-import { Scratch, serve, type Served } from "./runs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { colourAt, drawn, open, packedImage, replaceImages } from "./browser";
+import { startSession } from "./session";
 
-const scratch = new Scratch();
-let browser: Browser;
-let small: Served;
-let values = "";
-
-before(async () => {
-  browser = await launch();
-  small = await serve(scratch.run("small"));
-  values = `${small.url}#/case/m1_values/values/one`;
-});
-
-after(async () => {
-  await browser?.close();
-  small?.process.kill("SIGTERM");
-  scratch.remove();
-});
+const session = startSession("small");
+const values = (): string => `${session.url}#/case/m1_values/values/one`;
 
 /** The viewer with these images in place of result and reference. */
 async function viewer(
   query: string,
   images: Record<string, Buffer>,
 ): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   await replaceImages(page, images);
-  await page.goto(`${values}?${query}`);
+  await page.goto(`${values()}?${query}`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   return {
@@ -167,7 +153,7 @@ test("the statistics of a region cover only its pixels", async () => {
     await page.locator(".region").innerText(),
     /mean \|Δ\|\s+0\.002604\s+mean Δ²\s+0\.002604\s+mean Δ\s+-0\.002604/,
   );
-  await page.goto(`${values}?region=0%2C0%2C32%2C32`);
+  await page.goto(`${values()}?region=0%2C0%2C32%2C32`);
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("NaN").waitFor();
   await page.close();
 });
@@ -185,7 +171,7 @@ test("many erroneous pixels are counted, and one of each spot can be visited", a
 });
 
 test("a layer that the images do not have can be deselected", async () => {
-  const { page } = await open(browser, `${values}?layer=S3`);
+  const { page } = await open(session.browser, `${values()}?layer=S3`);
   await page.getByText("result: the image has no layer 'S3'").waitFor();
   await page.getByRole("combobox", { name: "Layer" }).selectOption({ label: "colour" });
   await drawn(page, "result");
@@ -204,7 +190,7 @@ test("one NaN among many pixels is visible at any zoom", async () => {
 });
 
 test("textures of images that are no longer shown are freed", async () => {
-  const { page } = await open(browser, "about:blank");
+  const { page } = await open(session.browser, "about:blank");
   await page.addInitScript(() => {
     const { createTexture, deleteTexture } = WebGL2RenderingContext.prototype;
     const counts = globalThis as unknown as { textures: number };
@@ -220,7 +206,7 @@ test("textures of images that are no longer shown are freed", async () => {
   });
   const textures = () =>
     page.evaluate(() => (globalThis as unknown as { textures: number }).textures);
-  await page.goto(`${small.url}#/case/a1_stokes/stokes/one`);
+  await page.goto(`${session.url}#/case/a1_stokes/stokes/one`);
   await drawn(page, "result");
   const first = await textures();
   for (const layer of ["S0", "S1", "S2", "S3"]) {
@@ -280,7 +266,7 @@ test("Space toggles a checkbox that has the focus, and scrolls a log", async () 
     await page.keyboard.press(key);
     assert.equal(await page.locator("body").getAttribute("data-taken"), "false", key);
   }
-  await page.goto(`${small.url}#/case/e1_markup/markup/one`);
+  await page.goto(`${session.url}#/case/e1_markup/markup/one`);
   await page.locator(".logs pre").focus();
   for (const key of [" ", "ArrowDown"]) {
     await page.keyboard.press(key);
@@ -290,12 +276,12 @@ test("Space toggles a checkbox that has the focus, and scrolls a log", async () 
 });
 
 test("a command is selected if the browser offers no clipboard", async () => {
-  const { page, errors } = await open(browser, "about:blank");
+  const { page, errors } = await open(session.browser, "about:blank");
   // As on a page loaded by plain http from another machine.
   await page.addInitScript(() =>
     Object.defineProperty(navigator, "clipboard", { value: undefined }),
   );
-  await page.goto(values);
+  await page.goto(values());
   const box = page.locator(".copyable").first();
   await box.getByRole("button").click();
   await box.getByText("Selected: press Ctrl+C").waitFor();
