@@ -50,6 +50,12 @@ ControlCage cube() {
   return cage;
 }
 
+ControlCage sharp_box() {
+  auto box = cube();
+  box.creases = {{{0, 1, 3, 2, 0}}, {{4, 5, 7, 6, 4}}, {{0, 4}}, {{1, 5}}, {{2, 6}}, {{3, 7}}};
+  return box;
+}
+
 // A pentagonal prism with a roof of triangles, all points moved at random: faces of 3, 4 and 5 points, points
 // of valence 3, 4 and 5.
 ControlCage prism() {
@@ -248,9 +254,7 @@ TEST(Subdivision, CornersStayWhereTheyAre) {
   for (const std::size_t i : {0U, 3U, 5U}) EXPECT_LT(distance_to(mesh, cage.points_m[i]), 1e-15);
   EXPECT_GT(distance_to(mesh, cage.points_m[12]), 0.1);
   // A box whose edges are all sharp is itself.
-  auto box = cube();
-  box.creases = {{{0, 1, 3, 2, 0}}, {{4, 5, 7, 6, 4}}, {{0, 4}}, {{1, 5}}, {{2, 6}}, {{3, 7}}};
-  const auto sharp = surface(box, 2);
+  const auto sharp = surface(sharp_box(), 2);
   EXPECT_NEAR(volume(sharp), 8, 1e-12);
   for (std::size_t v = 0; v < sharp.places_m.size(); ++v)
     EXPECT_NEAR(dot(sharp.places_m[v], sharp.normals[v]), 1, 1e-12);
@@ -324,6 +328,16 @@ TEST(Subdivision, DisplacementFollowsItsFormula) {
     EXPECT_LT(largest, 1.5 * edge * edge);  // 2.7 / 2 is the third derivative's share
     EXPECT_GT(largest, 0.05 * edge * edge);
   }
+}
+
+// On the faces of a box whose edges are all sharp, along its edges by the mean of two normals, at its corners
+// by that of three.
+TEST(Subdivision, CreasesMoveAlongTheMeanOfTheirNormals) {
+  const auto mesh = tessellate({sharp_box(), 1, displacement("0.5")});
+  EXPECT_LT(distance_to(mesh, {0, 0, 1.5}), 1e-14);
+  EXPECT_LT(distance_to(mesh, {0, 1 + 0.5 / std::sqrt(2), 1 + 0.5 / std::sqrt(2)}), 1e-14);
+  const double corner = 1 + 0.5 / std::sqrt(3);
+  EXPECT_LT(distance_to(mesh, {corner, corner, corner}), 1e-14);
 }
 
 TEST(Subdivision, DisplacementLeavesCreasesClosed) {

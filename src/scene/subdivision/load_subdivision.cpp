@@ -111,6 +111,13 @@ MeshFile load_subdivision(ObjectReader& in, SceneBudget& left) {
   try {
     SurfaceMesh made = tessellate(surface);
     place_vertices(made.places_m, file);
+    if (!(file.origin_m == Vec3d{})) {
+      // Made again, so that a cage that is written about its origin gives the same vertices to the bit.
+      move_cage(surface, file.origin_m);
+      made = tessellate(surface);
+      for (std::size_t i = 0; i < made.places_m.size(); ++i)
+        file.mesh.positions[i] = cast<float>(made.places_m[i]);
+    }
     for (const Vec3d normal : made.normals) file.mesh.normals.push_back(cast<float>(normal));
     file.mesh.triangles = std::move(made.triangles);
   } catch (const InputError& e) {
@@ -118,7 +125,6 @@ MeshFile load_subdivision(ObjectReader& in, SceneBudget& left) {
   }
   file.mesh.tangents.resize(file.mesh.positions.size());
   file.mesh.uvs.resize(file.mesh.positions.size());
-  move_cage(surface, file.origin_m);
   file.mesh.subdivision = std::move(surface);
   return file;
 }
