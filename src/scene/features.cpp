@@ -46,6 +46,19 @@ const char* level_for(Effect effect) {
 
 }  // namespace
 
+std::vector<CalledFeature> features_of_subdivision(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  std::set<int> seen;
+  for (const auto& instance : scene.instances) {
+    const auto& mesh = mesh_of(scene, instance);
+    if (!mesh.subdivision || !seen.insert(instance.mesh).second) continue;
+    features.push_back({"S5", fmt::format("mesh '{}' is a subdivision surface", mesh.name)});
+    if (mesh.subdivision->displacement)
+      features.push_back({"S6", fmt::format("mesh '{}' is displaced by a formula", mesh.name)});
+  }
+  return features;
+}
+
 std::vector<CalledFeature> features_of_shapes(const Scene& scene) {
   std::vector<CalledFeature> features;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
@@ -79,7 +92,8 @@ std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
           {has_several_materials(mesh) ? "G5" : "G4",
            fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
   }
-  for (auto& feature : features_of_shapes(scene)) features.push_back(std::move(feature));
+  for (const auto& part : {features_of_shapes(scene), features_of_subdivision(scene)})
+    features.insert(features.end(), part.begin(), part.end());
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     if (!seen.contains(static_cast<int>(i)))
       features.push_back(

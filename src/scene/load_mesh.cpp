@@ -5,6 +5,7 @@
 #include "scene/load_generator.h"
 #include "scene/ply.h"
 #include "scene/read_obj.h"
+#include "scene/subdivision/load_subdivision.h"
 
 #include <fmt/format.h>
 
@@ -162,7 +163,7 @@ MeshFile load_source(json::ObjectReader& in,
   else if (in.has("positions"))
     file = inline_mesh(in);
   else
-    in.fail("", "needs one of: generator, file, positions, parts");
+    in.fail("", "needs one of: generator, file, positions, parts, subdivision");
   if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
   if (from_file && in.has("crease_angle")) add_normals(in, file);
   assign_materials(in, materials, file, from_file);
@@ -180,11 +181,15 @@ MeshFile load_mesh(json::ObjectReader in,
   if (in.has("parts")) {
     std::vector<Vec3d> places;
     for (auto& part : in.objects("parts")) {
+      if (part.has("subdivision")) part.fail("subdivision", "cannot be a part: give it a mesh of its own");
       const Mat4 matrix = load_matrix(part, "matrix");
       append_moved(file.mesh, places, load_source(part, folders, materials, left), matrix);
       part.finish();
     }
     place_vertices(places, file);
+  } else if (in.has("subdivision")) {
+    file = load_subdivision(in, left);
+    file.mesh.triangle_materials.assign(file.mesh.triangles.size(), materials.find(in, "material"));
   } else {
     file = load_source(in, folders, materials, left);
   }

@@ -50,7 +50,16 @@ std::string lower_effects(Scene& scene, const Capabilities& capabilities) {
   return lacking(features_of_effects(scene), capabilities);
 }
 
+// Their triangles are there already.
+void drop_subdivision(Scene& scene, const Capabilities& capabilities) {
+  for (auto& mesh : scene.meshes)
+    if (mesh.subdivision && !(capabilities.contains("S5") &&
+                              (capabilities.contains("S6") || !mesh.subdivision->displacement)))
+      mesh.subdivision.reset();
+}
+
 std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
+  drop_subdivision(scene, capabilities);
   if (!capabilities.contains("S1")) tessellate_spheres(scene);
   for (const char* level : {"S1", "S2"})
     if (!capabilities.contains(level)) tessellate_shapes(scene, level);

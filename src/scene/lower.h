@@ -23,6 +23,8 @@ using Capabilities = std::set<std::string>;
 ///   without E1  smooth dielectrics that refract all wavelengths alike become glass
 ///   without S1  spheres, other quadrics and boxes become meshes
 ///   without S2  tori and superellipsoids become meshes
+///   without S5  subdivision surfaces become meshes
+///   without S6  displaced subdivision surfaces become meshes
 ///   without E2  spectra that their colours can stand for are left out
 ///   without L3  lights that are only moved and scaled get the scale in their sizes
 /// What is drawn stays the same, up to the rounding of coordinates to float.

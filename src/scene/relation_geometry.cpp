@@ -58,6 +58,7 @@ class Middles {
 };
 
 void split(Mesh& mesh) {
+  mesh.subdivision.reset();
   Middles middles(mesh);
   const auto triangles = std::exchange(mesh.triangles, {});
   const auto materials = std::exchange(mesh.triangle_materials, {});
@@ -101,6 +102,7 @@ bool may_flip_normals(const Scene& scene, std::size_t mesh) {
 Scene with_triangles_reversed(const Scene& scene) {
   Scene out = scene;
   for (auto& mesh : out.meshes) {
+    mesh.subdivision.reset();
     std::reverse(mesh.triangles.begin(), mesh.triangles.end());
     std::reverse(mesh.triangle_materials.begin(), mesh.triangle_materials.end());
   }
@@ -154,6 +156,7 @@ std::variant<Scene, std::string> with_emitters_split(const Scene& scene) {
 Scene with_windings_flipped(const Scene& scene) {
   Scene out = scene;
   for (std::size_t i = 0; i < out.meshes.size(); ++i) {
+    out.meshes[i].subdivision.reset();
     for (auto& triangle : out.meshes[i].triangles) std::swap(triangle[1], triangle[2]);
     if (!may_flip_normals(scene, i)) continue;
     for (Vec3f& normal : out.meshes[i].normals) normal = -normal;

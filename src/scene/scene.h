@@ -5,6 +5,7 @@
 #include "scene/colour.h"
 #include "scene/material.h"
 #include "scene/shapes/shape.h"
+#include "scene/subdivision/subdivision_surface.h"
 #include "scene/texture.h"
 
 #include <array>
@@ -49,6 +50,8 @@ struct Mesh {
   std::vector<Vec2f> uvs;       // zero where not available
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> triangle_materials;  // one per triangle
+  /// What the triangles are a tessellation of, all of one material; who changes triangles or vertices drops it.
+  std::optional<SubdivisionSurface> subdivision = std::nullopt;
   bool operator==(const Mesh&) const = default;
 };
 

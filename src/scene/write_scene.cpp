@@ -4,6 +4,7 @@
 #include "json/writer.h"
 #include "scene/ply.h"
 #include "scene/shapes/write_shape.h"
+#include "scene/subdivision/write_subdivision.h"
 #include "scene/write_spectra.h"
 
 #include <algorithm>
@@ -58,6 +59,12 @@ void write_materials(Writer& out, const Scene& scene) {
 // The face property of the PLY indexes the list of materials that the mesh uses, which stands in the JSON by
 // name.
 void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::filesystem::path& ply) {
+  if (mesh.subdivision) {
+    out.begin_object().member("name", mesh.name).key("subdivision");
+    write_subdivision(out, *mesh.subdivision);
+    out.member("material", material_at(scene, mesh.triangle_materials.front()).name).end_object();
+    return;
+  }
   Mesh copy = mesh;
   std::vector<int> used;
   for (int& material : copy.triangle_materials) {
