@@ -22,7 +22,7 @@ constexpr double kCurvature = 0.6;
 
 tracer::PluginShape saddle() {
   const auto file = std::filesystem::path(ORBS_BINARY_DIR) / "plugins/saddle.so";
-  return make_plugin_shape(
+  return tracer::make_plugin_shape(
       {"s", scene::PluginForm{"saddle", {{"half_size", kHalfSize}, {"k", kCurvature}}}, Mat4{}, 0}, "s", {},
       {{"saddle", tracer::open_plugin(file)}});
 }
@@ -66,7 +66,7 @@ TEST(PluginSaddle, HasTheHitsOfTheSameImplicitSurface) {
     if (!found) continue;
     ++hits;
     largest_t = std::max(largest_t, std::abs(found->t - exact.t));
-    const Vec3d normal = implicit_normal(implicit.form.expression, point_at(ray, exact.t));
+    const Vec3d normal = tracer::implicit_normal(implicit.form.expression, point_at(ray, exact.t));
     largest_normal = std::max(largest_normal, length(found->normal - normal));
   }
   EXPECT_GT(hits, kRays / 4);

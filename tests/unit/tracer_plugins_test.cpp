@@ -27,8 +27,8 @@ scene::Shape shape_by(const std::string& plugin, const std::map<std::string, dou
 }
 
 PluginShape made(const std::string& plugin, const std::map<std::string, double>& numbers = {}) {
-  return make_plugin_shape(shape_by(plugin, numbers), "shape 's'", {},
-                           {{plugin, tracer::open_plugin(library(plugin))}});
+  return tracer::make_plugin_shape(shape_by(plugin, numbers), "shape 's'", {},
+                                   {{plugin, tracer::open_plugin(library(plugin))}});
 }
 
 // What `f` complains of.
@@ -180,8 +180,8 @@ TEST(Plugins, AnAnswerThatChangesIsCountedAndItsNormalFacesTheRay) {
 TEST(Plugins, SeeRaysInTheSpaceOfTheShape) {
   auto shape = shape_by("misbehaving", {});
   shape.matrix = translation({10, 5, 0}) * rotation_z(45) * scaling({2, 1, 3});
-  const auto placed = make_plugin_shape(shape, "s", {10, 0, 0},
-                                        {{"misbehaving", tracer::open_plugin(library("misbehaving"))}});
+  const auto placed = tracer::make_plugin_shape(
+      shape, "s", {10, 0, 0}, {{"misbehaving", tracer::open_plugin(library("misbehaving"))}});
   const auto hit = intersect(placed, {{1, 9, 2.5}, {0, -2, 0}, 0, kInf});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 1.5, 1e-15);  // the plane y = 5 + x, relative to the origin
