@@ -175,23 +175,23 @@ TEST(Plugins, AnAnswerThatChangesIsCountedAndItsNormalFacesTheRay) {
             "1 answers that change when the same ray asks again of 'misbehaving'");
 }
 
-// The square stretched to 4 x 6 and lifted to y = 5: a ray of world space has the same t in the plug-in's own
-// space, and the normal goes by the inverse transpose.
+// The square turned, then stretched, and lifted to y = 5: a ray of world space has the same t in the
+// plug-in's own space, and the normal goes by the inverse transpose.
 TEST(Plugins, SeeRaysInTheSpaceOfTheShape) {
   auto shape = shape_by("misbehaving", {});
-  shape.matrix = translation({10, 5, 0}) * rotation_z(45) * scaling({2, 1, 3});
+  shape.matrix = translation({10, 5, 0}) * scaling({2, 1, 3}) * rotation_z(45);
   const auto placed = tracer::make_plugin_shape(
       shape, "s", {10, 0, 0}, {{"misbehaving", tracer::open_plugin(library("misbehaving"))}});
   const auto hit = intersect(placed, {{1, 9, 2.5}, {0, -2, 0}, 0, kInf});
   ASSERT_TRUE(hit);
-  EXPECT_NEAR(hit->t, 1.5, 1e-15);  // the plane y = 5 + x, relative to the origin
-  EXPECT_NEAR(hit->normal.x, -std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(hit->normal.y, std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(hit->uv.x, 1 / std::sqrt(2.0), 1e-15);
-  EXPECT_NEAR(hit->uv.y, 2.5 / 3, 1e-15);
+  EXPECT_NEAR(hit->t, 1.75, 1e-14);  // the plane y = 5 + x / 2, relative to the origin
+  EXPECT_NEAR(hit->normal.x, -1 / std::sqrt(5.0), 1e-14);
+  EXPECT_NEAR(hit->normal.y, 2 / std::sqrt(5.0), 1e-14);
+  EXPECT_NEAR(hit->uv.x, std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(hit->uv.y, 2.5 / 3, 1e-14);
   EXPECT_LE(placed.low.z, -3);
   EXPECT_GE(placed.high.z, 3);
-  EXPECT_NEAR(placed.high.y, 5 + std::sqrt(2.0), 1e-4);
+  EXPECT_NEAR(placed.high.y, 5 + std::sqrt(0.5), 1e-4);
 }
 
 // Shadow rays ask orbs_shape_occluded where there is one, else orbs_shape_intersect.
