@@ -6,6 +6,9 @@ install(TARGETS orbs orbs-tracer orbs-supervisor RUNTIME DESTINATION ${home})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL)  # built by orbs-page alone
 install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
 install(FILES configuration.json DESTINATION ${home})
+install(DIRECTORY include/orbs DESTINATION include)  # for plug-ins
+install(DIRECTORY plugins/saddle DESTINATION share/doc/orbs/plugins)  # how one is written
+install(TARGETS saddle LIBRARY DESTINATION ${home}/plugins)
 install(FILES LICENSE DESTINATION share/doc/orbs RENAME copyright)
 
 set(made ${PROJECT_BINARY_DIR}/install)

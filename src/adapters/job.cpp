@@ -4,11 +4,13 @@
 #include "adapters/exporters.h"
 #include "adapters/transports.h"
 #include "base/error.h"
+#include "base/files.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,7 +50,35 @@ std::vector<std::string> words_of_command(const registry::Renderer& renderer,
   return words;
 }
 
+// A word with {plugin} becomes one word for each plug-in. Their paths may hold braces, which are none.
+std::vector<std::string> filled_words(const std::vector<std::string>& words,
+                                      const std::vector<std::filesystem::path>& plugins,
+                                      registry::Placeholders values) {
+  std::vector<std::string> out;
+  for (const auto& word : words) {
+    if (!registry::uses_placeholder(word, "plugin")) {
+      out.push_back(registry::fill_placeholders(word, values));
+      continue;
+    }
+    for (const auto& plugin : plugins) {
+      values["plugin"] = plugin.string();
+      out.push_back(registry::fill_placeholders(word, values));
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> plugin_files(const registry::Renderer& renderer,
+                                                const std::filesystem::path& root,
+                                                const std::filesystem::path& build) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& plugin : renderer.plugins)
+    files.push_back(resolve_path(
+        root, registry::fill_placeholders(plugin, {{"root", root.string()}, {"build", build.string()}})));
+  return files;
+}
 
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
@@ -78,7 +108,8 @@ Job make_job(const registry::Renderer& renderer,
   // Those of all formats, because a renderer with hand-written scenes names no exporter.
   for (const auto& exporter : exporters())
     if (exporter.placeholders != nullptr) values.merge(exporter.placeholders(settings.spp));
-  job.argv = registry::fill_placeholders(words_of_command(renderer, settings.arguments), values);
+  job.argv = filled_words(words_of_command(renderer, settings.arguments),
+                          plugin_files(renderer, settings.root, settings.build), std::move(values));
   return job;
 }
 

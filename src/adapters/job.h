@@ -44,10 +44,16 @@ struct JobSettings {
 /// Samples that a renderer gets for a case's `spp`, rounded, at least 1. InputError above 2^30.
 int scaled_spp(int spp, double renderer_scale, double run_scale);
 
+/// The files of the renderer's plug-ins, absolute; whether they are there is not asked.
+std::vector<std::filesystem::path> plugin_files(const registry::Renderer& renderer,
+                                                const std::filesystem::path& root,
+                                                const std::filesystem::path& build);
+
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
 /// renderer's seed_stride; exporters add placeholders of their formats. Arguments of the renderer's variant
-/// and of the scene stand in the place of {arguments}, or at the end of a command without it. Pure, touches
+/// and of the scene stand in the place of {arguments}, or at the end of a command without it; a word with
+/// {plugin} stands there once for each plug-in. Pure, touches
 /// no file. argv[0] is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,

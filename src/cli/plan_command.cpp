@@ -21,9 +21,10 @@ using results::SceneRecord;
 
 SceneRecord record_of(const std::string& name,
                       const std::filesystem::path& file,
-                      const std::vector<std::filesystem::path>& data_folders) {
+                      const std::vector<std::filesystem::path>& data_folders,
+                      const std::string& camera) {
   const auto scene = with_note(fmt::format("reading scene '{}'", name),
-                               [&] { return scene::load_scene(file, data_folders); });
+                               [&] { return scene::load_scene(file, data_folders, camera); });
   for (const auto& warning : scene.notes.warnings) print_clean(stderr, "orbs: warning: {}\n", warning);
   return runner::scene_record(name, scene);
 }
@@ -40,7 +41,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
   std::vector<std::string> names;
   for (const auto& word : options.scenes)
     if (word.ends_with(".json"))
-      found.push_back(record_of(word, word, {}));
+      found.push_back(record_of(word, word, {}, ""));
     else
       names.push_back(word);
   if (options.scenes.empty()) names.emplace_back("*");
@@ -48,7 +49,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
   const auto& suite = registry::find_suite(
       configuration, options.suite.empty() ? configuration.defaults.suite : options.suite);
   for (const auto& scene : registry::scenes_of(suite, joined_list(names)))
-    found.push_back(record_of(scene.name, scene.file, suite.data));
+    found.push_back(record_of(scene.name, scene.file, suite.data, scene.camera));
   return found;
 }
 

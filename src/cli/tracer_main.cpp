@@ -34,6 +34,7 @@ extern "C" void request_stop(int) { stop = true; }
 
 struct Options {
   std::string scene;
+  std::string camera;  // "": the one without a name
   std::string output;
   int width = 0;  // 0: as in the scene
   int height = 0;
@@ -50,6 +51,7 @@ struct Options {
   /// Nothing: the cheapest that has what the scene calls for.
   std::optional<orbs::scene::LightTransport> transport;
   bool may_lose_effects = false;
+  orbs::tracer::PluginSources plugins;
 };
 
 std::vector<std::string> transport_choices() {
@@ -141,6 +143,16 @@ Options parse_options(int argc, char** argv) {
       ->check(CLI::Range(1, 65536));
   app.add_flag("--split-paths", options.render.split_paths,
                "write one layer per class of light path (path.EDSL.R ...)");
+  app.add_option("--camera", options.camera,
+                 "one of the \"cameras\" of the scene, by its name (default: its \"camera\")");
+  app.add_option("--plugin", options.plugins.files,
+                 "shared library with shapes that scenes may name (docs/shapes.md), by the name of its file; "
+                 "may be given several times")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--plugin-folder", options.plugins.folder,
+                 "folder in which the plug-ins that a scene names are looked for, if no --plugin is meant")
+      ->check(CLI::ExistingDirectory);
   add_algorithm_options(app, options);
   std::string transport = "auto";
   app.add_option("--transport", transport,
@@ -157,6 +169,7 @@ Options parse_options(int argc, char** argv) {
       throw orbs::InputError(fmt::format(
           "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
           options.render.replicates, options.render.samples_per_pixel));
+    orbs::tracer::check_plugin_names(options.plugins);
   } catch (const CLI::ParseError& e) {
     std::exit(app.exit(e) == 0 ? 0 : 2);
   }
@@ -229,6 +242,8 @@ void stamp(orbs::tracer::Rendering& rendering,
     header["orbs.undecided_roots"] = std::to_string(counts.undecided);
     header["orbs.unfinished_roots"] = std::to_string(counts.unfinished);
   }
+  if (!world.plugin_shapes.empty())
+    header["orbs.plugin_faults"] = std::to_string(orbs::tracer::plugin_faults(world.plugin_shapes).count);
   if (rendering.variance_leaves_floats) header["orbs.variance"] = "left out: beyond the range of floats";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
 }
@@ -253,7 +268,7 @@ void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
 
 int run(const Options& options) {
   using namespace orbs;
-  auto scene = scene::load_scene(options.scene);
+  auto scene = scene::load_scene(options.scene, {}, options.camera);
   for (const auto& warning : scene.notes.warnings)
     orbs::print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
   if (options.width > 0) scene.camera.width_px = options.width;
@@ -268,7 +283,8 @@ int run(const Options& options) {
                                                                     : tracer::LightSelection::Bvh,
               .roulette = !options.has_no_roulette,
               .intersection = options.intersection == "double" ? tracer::Intersection::Double
-                                                               : tracer::Intersection::Single});
+                                                               : tracer::Intersection::Single,
+              .plugins = tracer::open_plugins(scene, options.plugins)});
   if (options.light_selection == "auto") tracer::choose_light_selection(world, options.render.threads);
   if (options.light_paths == "auto") tracer::choose_light_paths(world, options.render.threads);
   if (options.light_connections == "auto") tracer::choose_light_connections(world, options.render.threads);
@@ -276,6 +292,7 @@ int run(const Options& options) {
     world.connects_light_vertices = tracer::supports_light_connections(world);
   // What the trial rendering met is no part of the image.
   for (auto& solid : world.solids) solid.counts = std::make_unique<tracer::RootCounts>();
+  for (auto& shape : world.plugin_shapes) shape.faults = std::make_unique<tracer::PluginFaults>();
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);
@@ -286,6 +303,10 @@ int run(const Options& options) {
   line.finish();
   stamp(rendering, options, scene, world);
   image::write_exr(rendering.image, options.output);
+  if (const auto faults = tracer::plugin_faults(world.plugin_shapes); faults.count > 0)
+    orbs::print_clean(
+        stderr, "orbs-tracer: warning: plug-ins broke their rules {} times, which counted as misses: {}\n",
+        faults.count, faults.what);
   print_summary(rendering, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
   orbs::print_clean(stderr,

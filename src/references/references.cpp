@@ -58,9 +58,10 @@ std::vector<WantedReference> wanted_references(const registry::Suite& suite,
       }
       WantedReference wanted{scene.name, scene.file, suite.references / (scene.name + ".exr"), scene.spp};
       const auto read = with_note(fmt::format("reading scene '{}'", scene.name),
-                                  [&] { return scene::load_scene(scene.file, suite.data); });
+                                  [&] { return scene::load_scene(scene.file, suite.data, scene.camera); });
       wanted.pixels =
           static_cast<std::size_t>(read.camera.width_px) * static_cast<std::size_t>(read.camera.height_px);
+      wanted.camera = scene.camera;
       wanted.analytic = scene.analytic;
       raise_to_needs(cases, wanted);
       all.push_back(std::move(wanted));
@@ -107,7 +108,7 @@ bool is_kept(const WantedReference& wanted,
 
 // The formula's image is exact: no pass, no noise.
 void compute_reference(const WantedReference& wanted, const ReferenceSettings& settings) {
-  const auto scene = scene::load_scene(wanted.file);
+  const auto scene = scene::load_scene(wanted.file, {}, wanted.camera);
   const auto image = with_note(fmt::format("computing the image of scene '{}'", wanted.name), [&] {
     return analytic::analytic_image(wanted.analytic->image, scene.camera);
   });
@@ -132,7 +133,8 @@ int render_references(const registry::Configuration& configuration,
       context.say(fmt::format("[{}/{}] {:<18} by its formula", i + 1, all.size(), wanted.name));
       continue;
     }
-    auto unfinished = unfinished_reference(wanted.target, wanted.file, context.tracer, wanted.split_paths);
+    auto unfinished =
+        unfinished_reference(wanted.target, wanted.file, wanted.camera, context.tracer, wanted.split_paths);
     const auto rendered = render_reference(wanted, settings, context, unfinished);
     if (!rendered) {
       context.say(fmt::format("stopped at {}, the same call goes on from there; {} of {} references are done",

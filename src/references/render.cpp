@@ -32,6 +32,7 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
                   std::to_string(pass.seed),
                   "--threads",
                   std::to_string(settings.threads)};
+  if (!wanted.camera.empty()) request.argv.insert(request.argv.end(), {"--camera", wanted.camera});
   if (wanted.split_paths) request.argv.emplace_back("--split-paths");
   request.environment = adapters::child_environment({});
   request.limits.wall_seconds = kDay_seconds;

@@ -17,9 +17,10 @@ struct WantedReference {
   std::string name;
   std::filesystem::path file;
   std::filesystem::path target;
-  int spp = 64;            // of the case: the first pass
-  double noise_db = 0;     // PSNR that the noise alone must reach
-  std::size_t pixels = 0;  // of the camera
+  int spp = 64;             // of the case: the first pass
+  double noise_db = 0;      // PSNR that the noise alone must reach
+  std::size_t pixels = 0;   // of the camera
+  std::string camera = {};  // one of the file's "cameras"; "": its "camera"
   bool split_paths = false;
   std::optional<registry::AnalyticReference> analytic = {};  // then it is computed and not rendered
 };

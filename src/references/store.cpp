@@ -52,7 +52,7 @@ std::string commands_of(const RenderedReference& rendered, bool split_paths) {
 void stamp_origin(const WantedReference& wanted, const std::string& reason, image::Image& image) {
   auto& provenance = image.attributes;
   provenance["orbs.scene_hash"] =
-      hash_text(runner::scene_content_hash(scene::load_scene(wanted.file), wanted.file));
+      hash_text(runner::scene_content_hash(scene::load_scene(wanted.file, {}, wanted.camera), wanted.file));
   provenance["orbs.date"] = local_time_now();
   provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
 }

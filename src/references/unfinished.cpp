@@ -13,11 +13,12 @@ namespace orbs::references {
 
 UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          const std::filesystem::path& scene,
+                                         const std::string& camera,
                                          const std::filesystem::path& tracer,
                                          bool split_paths) {
   UnfinishedReference unfinished;
   unfinished.folder = target.parent_path() / ".unfinished" / target.stem();
-  const auto of_scene = runner::scene_content_hash(scene::load_scene(scene), scene);
+  const auto of_scene = runner::scene_content_hash(scene::load_scene(scene, {}, camera), scene);
   unfinished.made_from =
       hash_text(content_hash(split_paths ? "layers" : "", content_hash(read_file(tracer), of_scene)));
   make_folder(unfinished.folder.parent_path());

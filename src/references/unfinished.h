@@ -20,11 +20,13 @@ struct UnfinishedReference {
   std::unique_ptr<FileLock> lock;
 };
 
-/// In `<references>/.unfinished/<name>`: passes of this scene by this very build of the tracer, with or
-/// without layers of path classes. Makes the folder, and locks it beside it. InputError when the scene or the
-/// tracer cannot be read, or another call, which is named, is at work on this reference.
+/// In `<references>/.unfinished/<name>`: passes of this scene, seen by this camera of its file, by this very
+/// build of the tracer, with or without layers of path classes. Makes the folder, and locks it beside it.
+/// InputError when the scene or the tracer cannot be read, or another call, which is named, is at work on
+/// this reference.
 UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          const std::filesystem::path& scene,
+                                         const std::string& camera,
                                          const std::filesystem::path& tracer,
                                          bool split_paths);
 

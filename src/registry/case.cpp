@@ -74,6 +74,11 @@ CaseScene load_case_scene(ObjectReader in,
   scene.name = target_name(in, names);
   scene.file = resolve_path(folder, in.system_text("file"));
   if (const auto problem = no_file_problem(scene.file); !problem.empty()) in.fail("file", problem);
+  if (in.has("camera")) {
+    scene.camera = in.text("camera");
+    if (scene.camera.empty())
+      in.fail("camera", "must be the name of a camera; leave it out for \"camera\" of the file");
+  }
   scene.spp = in.integer_or("spp", scene.spp, 1, kMostSpp);
   scene.camera_paths = in.integer_or("camera_paths", scene.camera_paths, 1, kMostCameraPaths);
   scene.wall_seconds = in.number_or("wall_seconds", 0, json::kPositive);

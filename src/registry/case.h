@@ -24,6 +24,7 @@ struct AcceptedReference {
 struct CaseScene {
   std::string name;  // unique in the suite
   std::filesystem::path file;
+  std::string camera = {};  // one of the file's "cameras"; "": its "camera"
   int spp = 64;
   int camera_paths = 0;  // that the mean of the image needs, over all pixels; a reduced run makes up for them
   double wall_seconds = 0;     // that a render may take; 0: as long as its renderer may

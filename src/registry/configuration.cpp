@@ -37,7 +37,9 @@ std::vector<std::string> template_texts(ObjectReader& in,
   auto texts = in.system_texts(key);
   for (std::size_t i = 0; i < texts.size(); ++i)
     if (const auto problem = placeholder_problem(texts[i], known)) in.fail_at(key, i, *problem);
-  if (texts.empty()) in.fail(key, "must hold at least the program");
+  if (texts.empty())
+    in.fail(key, key == "plugins" ? "must hold at least one file; leave it out for none"
+                                  : "must hold at least the program");
   return texts;
 }
 
@@ -109,7 +111,18 @@ std::vector<std::string> load_command(ObjectReader& in) {
   for (const char* needed : {"scene", "output"})
     if (!uses_placeholder(command, needed))
       in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
-  return command;
+  if (!uses_placeholder(command.front(), "plugin")) return command;
+  in.fail_at("command", 0, "{plugin} stands for words that may be several or none, and here is the program");
+}
+
+std::vector<std::string> load_plugins(ObjectReader& in, const std::vector<std::string>& command) {
+  if (!in.has("plugins")) return {};
+  auto plugins = template_texts(in, "plugins", {"root", "build"});
+  if (!uses_placeholder(command, "plugin"))
+    in.fail("plugins",
+            "needs a word with {plugin} in the command, such as \"--plugin={plugin}\", or the renderer "
+            "cannot know them");
+  return plugins;
 }
 
 std::string load_native_scenes(ObjectReader& in, const std::string& format) {
@@ -225,6 +238,7 @@ Renderer load_renderer(ObjectReader& in, const ProcessLimits& limits) {
   for (auto& limit : in.objects_or_none("known_limits"))
     renderer.known_limits.push_back(load_limit(std::move(limit), renderer.declares));
   renderer.command = load_command(in);
+  renderer.plugins = load_plugins(in, renderer.command);
   renderer.limits = limits;
   if (in.has("limits")) read_limits(in.object("limits"), renderer.limits);
   renderer.spp_scale = in.number_or("spp_scale", renderer.spp_scale, json::kPositive);

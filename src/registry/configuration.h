@@ -78,8 +78,11 @@ struct Renderer {
   std::vector<KnownLimit> known_limits;
   std::vector<std::string> command;
   std::vector<std::string> arguments;  // of the variant, in the place of {arguments} in the command
-  ProcessLimits limits;                // those of the file, with the entry's own in their place
-  double spp_scale = 1;                // samples of this renderer for one sample of the case
+  /// Files of plug-ins, with {root} and {build}, relative to the folder of the configuration. A word of the
+  /// command with {plugin} stands there once for each.
+  std::vector<std::string> plugins{};
+  ProcessLimits limits;  // those of the file, with the entry's own in their place
+  double spp_scale = 1;  // samples of this renderer for one sample of the case
   std::map<std::string, double> spp_scale_of_scenes;  // in place of spp_scale, by the name of the scene
   /// More than one: each render is so many, with seeds that follow each other and the samples shared among
   /// them. For renderers that write no variance: their noise is then known from the scatter.

@@ -59,7 +59,7 @@ const std::set<std::string>& argument_placeholders() {
 const std::set<std::string>& command_placeholders() {
   static const auto kNames = [] {
     auto names = argument_placeholders();
-    names.insert("arguments");
+    names.insert({"arguments", "plugin"});
     return names;
   }();
   return kNames;

@@ -29,6 +29,9 @@ void refuse_conflicts(const std::vector<Case>& cases) {
       if (!is_new && other->arguments != scene.arguments)
         throw InputError(fmt::format("{}: scene '{}' has other arguments than in {}; use another name",
                                      one_case.file.string(), scene.name, other_case->file.string()));
+      if (!is_new && other->camera != scene.camera)
+        throw InputError(fmt::format("{}: scene '{}' has another camera than in {}; use another name",
+                                     one_case.file.string(), scene.name, other_case->file.string()));
       if (!is_new && (other->file != scene.file || other->spp != scene.spp))
         throw InputError(
             fmt::format("{}: scene '{}' is {} with {} spp, but {} with {} spp in {}; use another name",

@@ -20,6 +20,7 @@
 #include <map>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,17 +28,18 @@ namespace orbs::runner {
 
 namespace {
 
-using ScenesByFile = std::map<std::string, std::shared_ptr<const scene::Scene>>;
+using ScenesByFile =
+    std::map<std::pair<std::string, std::string>, std::shared_ptr<const scene::Scene>>;  // and camera
 
-const scene::Scene& loaded(const registry::CaseScene& wanted,
-                           const registry::Suite& suite,
-                           ScenesByFile& by_file) {
-  auto& scene = by_file[wanted.file.string()];
+std::shared_ptr<const scene::Scene> loaded(const registry::CaseScene& wanted,
+                                           const registry::Suite& suite,
+                                           ScenesByFile& by_file) {
+  auto& scene = by_file[{wanted.file.string(), wanted.camera}];
   if (!scene)
     scene = with_note(fmt::format("reading scene '{}'", wanted.name), [&] {
-      return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file, suite.data));
+      return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file, suite.data, wanted.camera));
     });
-  return *scene;
+  return scene;
 }
 
 // `all` holds the scenes of cases that are not chosen, too: a scene may be judged by the reference of one.
@@ -48,7 +50,7 @@ std::string reference_hash(const registry::CaseScene& judged,
   for (const auto& one_case : all)
     for (const auto& scene : one_case.scenes)
       if (scene.name == registry::reference_name(judged))
-        return hash_text(scene_content_hash(loaded(scene, suite, by_file), scene.file));
+        return hash_text(scene_content_hash(*loaded(scene, suite, by_file), scene.file));
   return "";  // it has none: load_cases has seen to it that there is one wherever one must be
 }
 
@@ -59,10 +61,10 @@ void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
       const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
                                      [&](const auto& scene) { return scene.name == wanted.name; });
       if (known) continue;
-      with_note(fmt::format("reading {}", one_case.file.string()),
-                [&] { loaded(wanted, plan.suite, by_file); });
-      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, by_file[wanted.file.string()], "",
-                             wanted.camera_paths, wanted.wall_seconds, wanted.arguments});
+      auto scene = with_note(fmt::format("reading {}", one_case.file.string()),
+                             [&] { return loaded(wanted, plan.suite, by_file); });
+      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, std::move(scene), "", wanted.camera_paths,
+                             wanted.wall_seconds, wanted.arguments});
       plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
       for (const auto& accepted : wanted.accepted) {
         auto judged = wanted;

@@ -1,5 +1,6 @@
 #include "runner/program_hash.h"
 
+#include "adapters/job.h"
 #include "adapters/process/programs.h"
 #include "base/error.h"
 #include "base/file_state.h"
@@ -44,6 +45,7 @@ std::vector<std::filesystem::path> program_files(const ChosenRenderer& renderer,
     add(word);
     if (const auto equals = word.find('='); equals != std::string::npos) add(word.substr(equals + 1));
   }
+  for (const auto& file : adapters::plugin_files(renderer.entry, plan.root, plan.build)) add(file);
   return files;
 }
 

@@ -13,7 +13,8 @@
 namespace orbs::runner {
 
 /// The files that make a renderer's images and can change without a change of the configuration: its
-/// executable, the program that its command starts, and every file that the command names by an absolute path
+/// executable, the program that its command starts, its plug-ins, and every file that the command names by an
+/// absolute path
 /// ("{root}/adapters/cycles.py", "--python=/opt/a.py"). Libraries are not among them.
 std::vector<std::filesystem::path> program_files(const ChosenRenderer& renderer, const Plan& plan);
 

@@ -6,6 +6,7 @@ namespace orbs::runner {
 
 std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesystem::path& file) {
   auto hash = content_hash(read_file(file));
+  if (!scene.notes.camera.empty()) hash = content_hash(scene.notes.camera, hash);
   const auto add = [&](const auto& values) {
     hash =
         content_hash({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])}, hash);

@@ -1,6 +1,7 @@
 #include "scene/load_scene.h"
 
 #include "base/files.h"
+#include "base/text.h"
 #include "scene/camera_frame.h"
 #include "scene/check_polariser_axis.h"
 #include "scene/load_instance.h"
@@ -9,7 +10,12 @@
 #include "scene/load_mesh.h"
 #include "scene/shapes/load_shape.h"
 
+#include <map>
+#include <optional>
+#include <set>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::scene {
 
@@ -57,6 +63,35 @@ Camera load_camera(json::ObjectReader in) {
     in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");
   check_pixels(in, camera);
   return camera;
+}
+
+// Where no camera is chosen, the file must have one without a name.
+Camera load_cameras(json::ObjectReader& in, const std::string& chosen) {
+  if (!in.has("cameras") && chosen.empty()) return load_camera(in.object("camera"));
+  std::map<std::string, Camera> named;
+  std::set<std::string> names;
+  if (in.has("cameras")) {
+    auto cameras = in.object("cameras");
+    for (const auto& name : cameras.keys()) {
+      if (!is_plain_name(name))
+        cameras.fail(name, "is no plain name: at most 100 letters, digits, '-' and '_'");
+      named[name] = load_camera(cameras.object(name));
+      names.insert(name);
+    }
+    cameras.finish();
+    if (named.empty()) in.fail("cameras", "must hold at least one camera by its name; leave it out for none");
+  }
+  const auto own = in.has("camera") ? std::optional(load_camera(in.object("camera"))) : std::nullopt;
+  if (chosen.empty() && own) return *own;
+  if (const auto found = named.find(chosen); found != named.end()) return found->second;
+  const auto there_are =
+      names.empty() ? "the file has no \"cameras\"" : fmt::format("there are: {}", fmt::join(names, ", "));
+  if (chosen.empty())
+    in.fail("", fmt::format("has several cameras and none without a name; choose one, by \"camera\" in the "
+                            "scene's entry of case.json or by --camera of orbs-tracer; {}",
+                            there_are));
+  in.fail("cameras", fmt::format("there is no camera '{}'{}; {}", clean_line(chosen), closest(chosen, names),
+                                 there_are));
 }
 
 Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
@@ -123,12 +158,15 @@ void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& i
   }
 }
 
-Scene load_document(const json::Document& document, const DataFolders& folders, SceneBudget left) {
+Scene load_document(const json::Document& document,
+                    const DataFolders& folders,
+                    SceneBudget left,
+                    const std::string& camera) {
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-scene/1"});
   Scene scene;
   scene.name = in.text("name");
-  scene.camera = load_camera(in.object("camera"));
+  scene.camera = load_cameras(in, camera);
   SpectralData data{.folders = folders};
   for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
   load_environment(in, data, scene);
@@ -165,7 +203,7 @@ Scene load_document(const json::Document& document, const DataFolders& folders, 
   }
   in.finish();
   scene.spectra = std::move(data.spectra);
-  scene.notes = {std::move(data.files), std::move(data.warnings)};
+  scene.notes = {std::move(data.files), std::move(data.warnings), camera};
   check_materials(scene, material_readers);
   return scene;
 }
@@ -175,14 +213,17 @@ Scene load_document(const json::Document& document, const DataFolders& folders, 
 Scene load_scene_text(const std::string& name,
                       const std::string& text,
                       const std::filesystem::path& folder,
-                      SceneBudget budget) {
+                      SceneBudget budget,
+                      const std::string& camera) {
   const auto document = json::parse(name, text);
-  return load_document(document, {folder}, budget);
+  return load_document(document, {folder}, budget, camera);
 }
 
-Scene load_scene(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data_folders) {
+Scene load_scene(const std::filesystem::path& file,
+                 const std::vector<std::filesystem::path>& data_folders,
+                 const std::string& camera) {
   const auto document = json::parse(file.string(), read_file(file));
-  return load_document(document, {std::filesystem::absolute(file).parent_path(), data_folders}, {});
+  return load_document(document, {std::filesystem::absolute(file).parent_path(), data_folders}, {}, camera);
 }
 
 }  // namespace orbs::scene

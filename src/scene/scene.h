@@ -154,6 +154,7 @@ constexpr int kUnlimitedDepth = 1'000'000;
 struct ReadNotes {
   std::vector<std::filesystem::path> tables;  // files that spectra and indices were read from
   std::vector<std::string> warnings;          // file:line and the oddity that was accepted
+  std::string camera;                         // the one of "cameras" that was chosen; "": that of "camera"
   bool operator==(const ReadNotes&) const { return true; }
 };
 

@@ -30,8 +30,8 @@ struct Variant {
   std::vector<image::Image> images{};
 };
 
-scene::Scene scaled_scene(const std::filesystem::path& file, const registry::Suite& suite, int size_px) {
-  auto scene = scene::load_scene(file, suite.data);
+scene::Scene scaled_scene(const registry::CaseScene& one, const registry::Suite& suite, int size_px) {
+  auto scene = scene::load_scene(one.file, suite.data, one.camera);
   auto& camera = scene.camera;
   const double scale = static_cast<double>(size_px) / std::max(camera.width_px, camera.height_px);
   if (scale < 1) {
@@ -137,7 +137,7 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
   for (const auto& one : chosen) {
     const ScratchFolder scratch("orbs-effects");
     const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
-                                 [&] { return scaled_scene(one.file, chosen_suite, settings.size_px); });
+                                 [&] { return scaled_scene(one, chosen_suite, settings.size_px); });
     auto variants = variants_of(scene, plan, scratch.path());
     if (!render_rounds(variants, settings, context)) return std::nullopt;
     list.scenes.push_back(effect_costs_of(one.name, variants, settings));

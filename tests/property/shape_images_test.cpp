@@ -18,7 +18,9 @@ image::Image render_file(const std::string& file, int side, int samples, int thr
   scene.camera.width_px = side;
   scene.camera.height_px = side;
   const std::atomic<bool> never{false};
-  return tracer::render(tracer::make_world(scene), {.samples_per_pixel = samples, .threads = threads}, never,
+  const auto plugins = tracer::open_plugins(scene, {{}, ORBS_BINARY_DIR "/plugins"});
+  return tracer::render(tracer::make_world(scene, {.plugins = plugins}),
+                        {.samples_per_pixel = samples, .threads = threads}, never,
                         [](const tracer::Progress&) {})
       .image;
 }
@@ -49,7 +51,8 @@ TEST(ShapeImages, EqualThoseOfTriangles) {
        {std::pair{"shapes/s1_quadrics/s1-quadrics", "shapes/s1_quadrics/s1-quadrics-mesh"},
         std::pair{"shapes/s1_quadrics/s1-texture", "shapes/s1_quadrics/s1-texture-mesh"},
         std::pair{"shapes/s2_torus_superquadrics/s2-bodies", "shapes/s2_torus_superquadrics/s2-bodies-mesh"},
-        std::pair{"shapes/s4_csg/s4-faces", "shapes/s4_csg/s4-faces-mesh"}})
+        std::pair{"shapes/s4_csg/s4-faces", "shapes/s4_csg/s4-faces-mesh"},
+        std::pair{"shapes/s7_plugins/s7-saddles", "shapes/s7_plugins/s7-saddles-mesh"}})
     EXPECT_LT(largest_difference(render_file(fmt::format("{}.json", shape), 40, 16, 0),
                                  render_file(fmt::format("{}.json", mesh), 40, 16, 0)),
               0.004)

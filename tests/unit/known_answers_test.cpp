@@ -30,7 +30,7 @@ Verdict verdict_of(const registry::Case& one_case,
 
 // The image that every pixel check of the target takes for right.
 image::Image as_the_checks_say(const registry::Case& one_case, const registry::CaseScene& scene) {
-  const auto camera = scene::load_scene(scene.file).camera;
+  const auto camera = scene::load_scene(scene.file, {}, scene.camera).camera;
   auto image = image::make_image(camera.width_px, camera.height_px, {"R", "G", "B"});
   for (const auto& check : one_case.pixel_checks)
     if (check.target == scene.name)

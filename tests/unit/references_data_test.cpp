@@ -40,7 +40,7 @@ const std::map<std::string, double> kNoisier_db = {{"248-full", 41.4}, {"102", 4
 std::string fault_of(const registry::CaseScene& scene, double needed_db, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return "is missing";
   const auto image = image::read_image(file);
-  const auto read = scene::load_scene(scene.file);
+  const auto read = scene::load_scene(scene.file, {}, scene.camera);
   if (image.width != read.camera.width_px || image.height != read.camera.height_px)
     return "has another size than the camera";
   auto provenance = judge::provenance_of(image);
@@ -103,7 +103,7 @@ TEST(References, OfFormulasFollowFromThem) {
         if (!scene.analytic) continue;
         const auto stored = image::read_image(suite.references / (scene.name + ".exr"));
         EXPECT_EQ(judge::provenance_of(stored)["kind"], "analytic") << scene.name;
-        auto camera = scene::load_scene(scene.file).camera;
+        auto camera = scene::load_scene(scene.file, {}, scene.camera).camera;
         const int divisor = std::max(1, camera.width_px / kMostPixels);
         camera.width_px /= divisor;
         camera.height_px /= divisor;

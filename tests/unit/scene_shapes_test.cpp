@@ -66,6 +66,7 @@ const char* const kAllForms = R"(
 {"type": "torus", "major_radius": 1, "minor_radius": 0.3, "material": "m"},
 {"type": "superellipsoid", "east_west": 0.3, "north_south": 1.2, "material": "m"},
 {"type": "implicit", "expression": "x^2 + y^2 - z", "low": [-1, -1, -1], "high": [1, 1, 1], "closed": true, "material": "m"},
+{"type": "plugin", "plugin": "sad-dle_2", "numbers": {"half_size": 0.1, "k": -3}, "material": "m"},
 {"type": "difference", "material": "glass", "operands": [
   {"type": "box", "half_sizes": [1, 1, 1]},
   {"type": "union", "matrix": [{"rotate_y": 30}], "operands": [
@@ -109,7 +110,7 @@ TEST(Formula, RefusesSayWhere) {
 TEST(Shapes, AllFormsAreReadAndWritten) {
   const structure::TestFolder folder("shapes");
   const auto read = scene_with(kAllForms);
-  ASSERT_EQ(read.shapes.size(), 11U);
+  ASSERT_EQ(read.shapes.size(), 12U);
   EXPECT_TRUE(read.spheres.empty());
   scene::write_scene(read, folder.path() / "scene.json");
   EXPECT_EQ(scene::load_scene(folder.path() / "scene.json"), read);
@@ -155,6 +156,24 @@ TEST(Shapes, RefusalsSayWhereAndWhatToDo) {
   expect_part(refusal(R"({"type": "box", "half_sizes": [1, 1, 1]})"), "key 'material' is missing");
 }
 
+// A scene of a stranger names a plug-in, and never a place.
+TEST(Shapes, OfPluginsHavePlainNames) {
+  for (const char* name :
+       {"../saddle", "/lib/saddle.so", "a/b", "saddle.so", "", "-o", ".", "a b", "a\\u0000b"})
+    expect_part(
+        refusal(fmt::format(R"({{"type": "plugin", "plugin": "{}", "material": "m"}})", name)),
+        "is no plain name: at most 100 letters, digits, '-' and '_'; where the plug-in lies, --plugin or "
+        "--plugin-folder of orbs-tracer says, and never a scene");
+  expect_part(refusal(R"({"type": "plugin", "plugin": "a", "numbers": {"b c": 1}, "material": "m"})"),
+              "/shapes/0/numbers/b c: is no plain name");
+  expect_part(refusal(R"({"type": "plugin", "plugin": "a", "numbers": {"b": "1"}, "material": "m"})"),
+              "/shapes/0/numbers/b: must be a number");
+  expect_part(
+      refusal(R"({"type": "union", "material": "m", "operands": [{"type": "box", "half_sizes": [1, 1, 1]},
+    {"type": "plugin", "plugin": "a"}]})"),
+      "/shapes/0/operands/1/type: a plug-in's surface without an inside cannot be an operand");
+}
+
 TEST(Shapes, CallForTheLevelsOfTheirForms) {
   const auto levels = [](const std::string& shapes) {
     std::string found;
@@ -162,7 +181,7 @@ TEST(Shapes, CallForTheLevelsOfTheirForms) {
       if (feature.requirement.front() == 'S') found += feature.requirement;
     return found;
   };
-  EXPECT_EQ(levels(kAllForms), "S1S2S3S4");
+  EXPECT_EQ(levels(kAllForms), "S1S2S3S4S7");
   EXPECT_EQ(levels(R"({"type": "torus", "major_radius": 1, "minor_radius": 0.3, "material": "m"})"), "S2");
 }
 

@@ -57,6 +57,7 @@ struct FormText {
     return fmt::format("superellipsoid {{ <{},{}> matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>", f.east_west,
                        f.north_south);
   }
+  std::string operator()(const PluginForm&) const { return ""; }  // beyond_orbs refuses it
   std::string operator()(const ImplicitForm& f) const { return isosurface_text(f, is_operand); }
   // merge: a union would keep the faces inside.
   std::string operator()(const CsgForm& f) const {

@@ -1,7 +1,10 @@
 #include "scene/shapes/load_shape.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/shapes/parse_expression.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -73,6 +76,33 @@ ImplicitForm load_implicit(ObjectReader& in) {
   return form;
 }
 
+// Scenes come from strangers: with a slash or a point, the name would be a place on the machine of the user.
+std::string load_plugin_name(ObjectReader& in) {
+  auto name = in.text("plugin");
+  if (!is_plain_name(name))
+    in.fail("plugin",
+            fmt::format("'{}' is no plain name: at most 100 letters, digits, '-' and '_'; where the plug-in "
+                        "lies, --plugin or --plugin-folder of orbs-tracer says, and never a scene",
+                        clean_line(name)));
+  return name;
+}
+
+PluginForm load_plugin(ObjectReader& in) {
+  constexpr std::size_t kMostNumbers = 64;
+  PluginForm form{load_plugin_name(in), {}};
+  if (!in.has("numbers")) return form;
+  auto numbers = in.object("numbers");
+  for (const auto& name : numbers.keys()) {
+    if (!is_plain_name(name))
+      numbers.fail(name, "is no plain name: at most 100 letters, digits, '-' and '_'");
+    form.numbers[name] = numbers.number(name);
+  }
+  if (form.numbers.size() > kMostNumbers)
+    in.fail("numbers", fmt::format("are {}; a shape has at most {}", form.numbers.size(), kMostNumbers));
+  numbers.finish();
+  return form;
+}
+
 Shape load_form(ObjectReader& in, const Names& materials, Limits& limits, bool is_operand);
 
 CsgForm load_csg(ObjectReader& in, SetOperation operation, const Names& materials, Limits& limits) {
@@ -86,6 +116,7 @@ CsgForm load_csg(ObjectReader& in, SetOperation operation, const Names& material
     if (const auto& form = csg.operands.back().form; !is_closed(form))
       reader.fail("type", fmt::format("{} without an inside cannot be an operand{}", what_is(form),
                                       std::holds_alternative<DiskForm>(form)       ? ""
+                                      : std::holds_alternative<PluginForm>(form)   ? ""
                                       : std::holds_alternative<ImplicitForm>(form) ? "; set \"closed\": true"
                                                                                    : "; set \"caps\": true"));
   }
@@ -107,6 +138,7 @@ ShapeForm form_of(const std::string& type, ObjectReader& in, const Names& materi
   if (type == "torus") return load_torus(in);
   if (type == "superellipsoid") return load_superellipsoid(in);
   if (type == "implicit") return load_implicit(in);
+  if (type == "plugin") return load_plugin(in);
   const auto operation = type == "union"          ? SetOperation::Union
                          : type == "intersection" ? SetOperation::Intersection
                                                   : SetOperation::Difference;
@@ -117,7 +149,7 @@ ShapeForm form_of(const std::string& type, ObjectReader& in, const Names& materi
 Shape load_form(ObjectReader& in, const Names& materials, Limits& limits, bool is_operand) {
   const auto type = in.one_of(
       "type", {"sphere", "cylinder", "cone", "disk", "paraboloid", "hyperboloid", "box", "half_space",
-               "torus", "superellipsoid", "implicit", "union", "intersection", "difference"});
+               "torus", "superellipsoid", "implicit", "plugin", "union", "intersection", "difference"});
   if (type == "half_space" && !is_operand)
     in.fail("type",
             "a half_space has no end; it can only be an operand of union, intersection or difference");

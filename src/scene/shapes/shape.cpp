@@ -25,6 +25,7 @@ struct WordsOf {
   Words operator()(const TorusForm&) const { return {"a torus", "S2"}; }
   Words operator()(const SuperellipsoidForm&) const { return {"a superellipsoid", "S2"}; }
   Words operator()(const ImplicitForm&) const { return {"an implicit surface", "S3"}; }
+  Words operator()(const PluginForm&) const { return {"a plug-in's surface", "S7"}; }
   Words operator()(const CsgForm&) const { return {"a solid by CSG", "S4"}; }
 };
 
@@ -96,7 +97,8 @@ bool is_closed(const ShapeForm& form) {
       [](const auto& f) {
         if constexpr (requires { f.has_caps; }) return f.has_caps;
         if constexpr (requires { f.is_closed; }) return f.is_closed;
-        return !std::is_same_v<std::decay_t<decltype(f)>, DiskForm>;
+        using Form = std::decay_t<decltype(f)>;
+        return !std::is_same_v<Form, DiskForm> && !std::is_same_v<Form, PluginForm>;
       },
       form);
 }

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "scene/shapes/expression.h"
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -83,6 +84,14 @@ struct ImplicitForm {
   bool operator==(const ImplicitForm&) const = default;
 };
 
+/// What a plug-in of the built-in tracer makes of these numbers (include/orbs/shape_plugin.h). The scene
+/// holds no place where the plug-in lies, only its name: letters, digits, '-' and '_'. It has no inside.
+struct PluginForm {
+  std::string plugin;
+  std::map<std::string, double> numbers;
+  bool operator==(const PluginForm&) const = default;
+};
+
 enum class SetOperation { Union, Intersection, Difference };
 
 struct Shape;
@@ -105,6 +114,7 @@ using ShapeForm = std::variant<SphereForm,
                                TorusForm,
                                SuperellipsoidForm,
                                ImplicitForm,
+                               PluginForm,
                                CsgForm>;
 
 struct Shape {
@@ -138,7 +148,7 @@ ImplicitForm implicit(const SuperellipsoidForm& form);
 /// "a cylinder", as messages say it.
 const char* what_is(const ShapeForm& form);
 /// The level that has this form: S1 quadrics and boxes, S2 tori and superellipsoids, S3 implicit surfaces, S4
-/// solids by CSG.
+/// solids by CSG, S7 shapes of plug-ins.
 const char* level_of(const ShapeForm& form);
 /// Whether the form has an inside.
 bool is_closed(const ShapeForm& form);

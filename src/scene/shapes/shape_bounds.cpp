@@ -34,6 +34,8 @@ struct LocalBox {
   }
   Box operator()(const SuperellipsoidForm&) const { return {{-1, -1, -1}, {1, 1, 1}}; }
   Box operator()(const ImplicitForm& f) const { return {f.low_m, f.high_m}; }
+  // The plug-in knows, and only the tracer opens it: the point where the shape is placed stands for it.
+  Box operator()(const PluginForm&) const { return {}; }
   Box operator()(const CsgForm&) const { return {}; }  // bounding_corners does not come here with CSG
 };
 

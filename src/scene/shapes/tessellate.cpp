@@ -123,6 +123,7 @@ struct Tessellation {
   std::optional<Mesh> operator()(const SuperellipsoidForm& f) const;
   std::optional<Mesh> operator()(const HalfSpaceForm&) const { return std::nullopt; }
   std::optional<Mesh> operator()(const ImplicitForm&) const { return std::nullopt; }
+  std::optional<Mesh> operator()(const PluginForm&) const { return std::nullopt; }
   std::optional<Mesh> operator()(const CsgForm&) const { return std::nullopt; }
 };
 

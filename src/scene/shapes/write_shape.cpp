@@ -46,6 +46,11 @@ struct FormWriter {
     out.member("type", "implicit").member("expression", f.expression.text);
     out.member("low", f.low_m).member("high", f.high_m).member("closed", f.is_closed);
   }
+  void operator()(const PluginForm& f) const {
+    out.member("type", "plugin").member("plugin", f.plugin).key("numbers").begin_object();
+    for (const auto& [name, value] : f.numbers) out.member(name, value);
+    out.end_object();
+  }
   void operator()(const CsgForm& f) const {
     constexpr std::array kWords{"union", "intersection", "difference"};
     out.member("type", kWords[static_cast<std::size_t>(f.operation)]).key("operands").begin_array();

@@ -4,6 +4,7 @@
 #include "tracer/accel/double_triangles.h"
 #include "tracer/accel/solid_geometry.h"
 #include "tracer/accel/user_geometry.h"
+#include "tracer/plugins/plugin_hit.h"
 
 #include <algorithm>
 #include <array>
@@ -145,6 +146,11 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(
       State::attach(
           state_->top,
           make_user_geometry(state_->device, std::span<const Solid>(&geometry.solids[object.solid], 1)), id);
+    if (object.kind == ObjectKind::PluginShape)
+      State::attach(state_->top,
+                    make_user_geometry(state_->device, std::span<const PluginShape>(
+                                                           &geometry.plugin_shapes[object.plugin_shape], 1)),
+                    id);
     if (object.kind != ObjectKind::Light) continue;
     const auto& shape = geometry.lights[object.light].shape;
     if (const auto* rect = std::get_if<RectEmitter>(&shape))

@@ -3,6 +3,7 @@
 #include "tracer/geometry/ray.h"
 #include "tracer/geometry/render_object.h"
 #include "tracer/light/emitter.h"
+#include "tracer/plugins/plugin_shape.h"
 #include "tracer/shapes/solid.h"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct AccelGeometry {
   const std::vector<TriangleMesh>& meshes;
   const std::vector<SphereSurface>& spheres;
   const std::vector<Solid>& solids;
+  const std::vector<PluginShape>& plugin_shapes;
   const std::vector<AreaLight>& lights;
 };
 

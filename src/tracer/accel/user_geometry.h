@@ -71,8 +71,14 @@ void user_intersect(const RTCIntersectFunctionNArguments* args) {
 template <typename Shape>
 void user_occluded(const RTCOccludedFunctionNArguments* args) {
   const Shape& shape = static_cast<const Shape*>(args->geometryUserPtr)[args->primID];
+  const auto blocks = [&](const UserRay& ray) {
+    if constexpr (requires { is_blocked(shape, args->primID, ray); })
+      return is_blocked(shape, args->primID, ray);
+    else
+      return hit_of(shape, args->primID, ray).has_value();
+  };
   for (unsigned int i = 0; i < args->N; ++i)
-    if (args->valid[i] != 0 && hit_of(shape, args->primID, user_ray(args->ray, args->N, i)))
+    if (args->valid[i] != 0 && blocks(user_ray(args->ray, args->N, i)))
       RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
 }
 
@@ -80,7 +86,8 @@ void user_occluded(const RTCOccludedFunctionNArguments* args) {
 
 /// Shapes with tests of their own as a geometry of Embree. `shapes` must outlive it and must not move. Found
 /// by argument-dependent lookup: UserBounds bounds_of(const Shape&), in world space, and std::optional<Hit>
-/// hit_of(const Shape&, unsigned int index, const UserRay&), where index is that of the shape.
+/// hit_of(const Shape&, unsigned int index, const UserRay&), where index is that of the shape; and, where any
+/// hit is found faster than the nearest one, bool is_blocked(const Shape&, unsigned int, const UserRay&).
 template <typename Shape>
 RTCGeometry make_user_geometry(RTCDevice device, std::span<const Shape> shapes) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);

@@ -36,20 +36,21 @@ struct SphereSurface {
   int material = 0;
 };
 
-enum class ObjectKind { WorldMesh, InstancedMesh, Light, Sphere, Solid };
+enum class ObjectKind { WorldMesh, InstancedMesh, Light, Sphere, Solid, PluginShape };
 
-/// Spheres and other shapes by their formula: they have no triangles.
+/// Spheres, other shapes by their formula and those of plug-ins: they have no triangles.
 constexpr bool is_analytic(ObjectKind kind) { return kind >= ObjectKind::Sphere; }
 
 /// One object that rays can hit: a mesh with its vertices in world space, an instance of a mesh in the space
-/// of the mesh, a light, a sphere, or another shape by its formula.
+/// of the mesh, a light, a sphere, another shape by its formula, or a shape of a plug-in.
 struct RenderObject {
   ObjectKind kind = ObjectKind::WorldMesh;
-  std::size_t mesh = 0;    // index into World::meshes
-  std::size_t light = 0;   // index into World::lights
-  std::size_t sphere = 0;  // index into World::spheres
-  std::size_t solid = 0;   // index into World::solids
-  Affine to_world;         // InstancedMesh only
+  std::size_t mesh = 0;          // index into World::meshes
+  std::size_t light = 0;         // index into World::lights
+  std::size_t sphere = 0;        // index into World::spheres
+  std::size_t solid = 0;         // index into World::solids
+  std::size_t plugin_shape = 0;  // index into World::plugin_shapes
+  Affine to_world;               // InstancedMesh only
   Affine normal_to_world;
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle: index into World::mirror_planes or -1; empty without any

@@ -141,6 +141,7 @@ class Builder {
   static SolidLeaf leaf_of(const scene::ImplicitForm& f) {
     return {.form = ImplicitLeaf{f}, .to_local = {}, .to_world = {}};
   }
+  static SolidLeaf leaf_of(const scene::PluginForm&) { std::abort(); }  // is no solid: add_plugin_shapes
   static SolidLeaf leaf_of(const scene::CsgForm&) { std::abort(); }  // add() does not come here with CSG
 
   Solid solid_;

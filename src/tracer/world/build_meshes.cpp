@@ -92,10 +92,27 @@ void add_spheres(const scene::Scene& scene, Vec3d origin, World& world) {
 
 void add_solids(const scene::Scene& scene, Vec3d origin, World& world) {
   for (const auto& shape : scene.shapes) {
+    if (std::holds_alternative<scene::PluginForm>(shape.form)) continue;
     RenderObject object;
     object.kind = ObjectKind::Solid;
     object.solid = world.solids.size();
     world.solids.push_back(make_solid(shape, origin));
+    world.objects.push_back(std::move(object));
+  }
+}
+
+void add_plugin_shapes(const scene::Scene& scene,
+                       Vec3d origin,
+                       const PluginLibraries& libraries,
+                       World& world) {
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const auto& shape = scene.shapes[i];
+    if (!std::holds_alternative<scene::PluginForm>(shape.form)) continue;
+    RenderObject object;
+    object.kind = ObjectKind::PluginShape;
+    object.plugin_shape = world.plugin_shapes.size();
+    const auto name = scene::display_name("shape", shape.name, scene.spheres.size() + i);
+    world.plugin_shapes.push_back(make_plugin_shape(shape, name, origin, libraries));
     world.objects.push_back(std::move(object));
   }
 }

@@ -14,6 +14,11 @@ Mat4 relative_to(Mat4 matrix, Vec3d origin);
 void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied_triangles, World& world);
 
 void add_spheres(const scene::Scene& scene, Vec3d origin, World& world);
+/// Shapes by their formula but for spheres.
 void add_solids(const scene::Scene& scene, Vec3d origin, World& world);
+void add_plugin_shapes(const scene::Scene& scene,
+                       Vec3d origin,
+                       const PluginLibraries& libraries,
+                       World& world);
 
 }  // namespace orbs::tracer

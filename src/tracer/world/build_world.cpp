@@ -116,6 +116,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_solids(scene, origin, world);
+  add_plugin_shapes(scene, origin, settings.plugins, world);
   add_lights(scene, origin, colours, world);
   build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
@@ -125,9 +126,9 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   if (settings.mirrored_light && settings.direct_light != DirectLight::Bsdf) find_mirror_planes(world);
   if (settings.light_paths && supports_light_paths(world))
     world.caustic_casters = find_caustic_casters(world);
-  world.accel = std::make_unique<Accel>(
-      AccelGeometry{world.objects, world.meshes, world.spheres, world.solids, world.lights},
-      settings.intersection);
+  world.accel = std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres,
+                                                      world.solids, world.plugin_shapes, world.lights},
+                                        settings.intersection);
   return world;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "tracer/plugins/plugin_library.h"
 #include "tracer/world/world.h"
 
 #include <optional>
@@ -27,10 +28,11 @@ struct WorldSettings {
   /// Off: paths end at the trace depth or where they carry nothing, not by Russian roulette.
   bool roulette = true;
   Intersection intersection = Intersection::Single;
+  PluginLibraries plugins = {};  // those of open_plugins, for scenes that name some
 };
 
-/// Throws InputError if a texture cannot be read, or if the given transport lacks effects that the scene
-/// calls for.
+/// Throws InputError if a texture cannot be read, a plug-in makes no shape, or if the given transport lacks
+/// effects that the scene calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 
 /// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their

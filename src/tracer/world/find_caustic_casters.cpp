@@ -47,7 +47,15 @@ std::optional<BoundingSphere> sphere_about(const World& world, const Solid& soli
   return BoundingSphere{cast<float>(centre), static_cast<float>(length(solid.high - centre))};
 }
 
+std::optional<BoundingSphere> sphere_about(const World& world, const PluginShape& shape) {
+  if (!world.materials[static_cast<std::size_t>(shape.material)].is_near_specular) return std::nullopt;
+  const Vec3d centre = (shape.low + shape.high) * 0.5;
+  return BoundingSphere{cast<float>(centre), static_cast<float>(length(shape.high - centre))};
+}
+
 std::optional<BoundingSphere> sphere_about(const World& world, const RenderObject& object) {
+  if (object.kind == ObjectKind::PluginShape)
+    return sphere_about(world, world.plugin_shapes[object.plugin_shape]);
   if (object.kind == ObjectKind::Solid) return sphere_about(world, world.solids[object.solid]);
   if (object.kind == ObjectKind::Sphere) {
     const SphereSurface& sphere = world.spheres[object.sphere];

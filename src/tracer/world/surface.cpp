@@ -1,5 +1,6 @@
 #include "tracer/world/surface.h"
 
+#include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
 
@@ -85,8 +86,7 @@ SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const 
 // The hit point is known in double. What remains is the rounding of the point and of the origin beside it.
 constexpr float kSolidRounding = 4 * 0x1p-24F;
 
-SurfacePoint point_on_shape(const Solid& solid, const Ray& ray, const Hit& hit) {
-  const SolidPoint point = point_on_solid(solid, ray, hit);
+SurfacePoint point_on_shape(const SolidPoint& point) {
   SurfacePoint out;
   out.material = point.material;
   out.position = cast<float>(point.position);
@@ -99,7 +99,10 @@ SurfacePoint point_on_shape(const Solid& solid, const Ray& ray, const Hit& hit) 
 // Surfaces other than meshes in world space.
 SurfacePoint other_point(const World& world, const RenderObject& object, const Ray& ray, const Hit& hit) {
   if (object.kind == ObjectKind::Sphere) return point_on_sphere(world.spheres[object.sphere], ray, hit);
-  if (object.kind == ObjectKind::Solid) return point_on_shape(world.solids[object.solid], ray, hit);
+  if (object.kind == ObjectKind::Solid)
+    return point_on_shape(point_on_solid(world.solids[object.solid], ray, hit));
+  if (object.kind == ObjectKind::PluginShape)
+    return point_on_shape(point_on_plugin(world.plugin_shapes[object.plugin_shape], ray, hit));
   return point_on_instance(world, object, hit);
 }
 
@@ -172,6 +175,7 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
 Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
   const Hit& hit = surface.hit;
   const RenderObject& object = world.objects[hit.object];
+  if (object.kind == ObjectKind::PluginShape) return hit.barycentric;
   if (is_analytic(object.kind))
     return object.kind == ObjectKind::Sphere
                ? uv_of_sphere(surface.point.geometric_normal)

@@ -11,6 +11,7 @@
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
 #include "tracer/light/light_bvh.h"
+#include "tracer/plugins/plugin_shape.h"
 #include "tracer/shapes/solid.h"
 #include "tracer/world/camera.h"
 
@@ -36,6 +37,7 @@ struct World {
   std::vector<TriangleMesh> meshes;
   std::vector<SphereSurface> spheres;
   std::vector<Solid> solids;
+  std::vector<PluginShape> plugin_shapes;
   std::vector<RenderObject> objects;
   std::vector<AreaLight> lights;
   EmitterTable emitters;
