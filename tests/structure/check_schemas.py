@@ -125,6 +125,7 @@ WRONG = [
     (SCENE, ["integrator", "trace_depth"], 0),
     (SCENE, ["integrator", "distance"], 1),
     (SCENE, ["integrator", "type"], "ambient_occlusion"),
+    (SCENE, ["integrator", "metric"], "ward"),
     (CASE, ["scenes"], []),
     (CASE, ["scenes", 1, "reference"], "../1"),
     (CASE, ["gates", 0, "min"], None),
