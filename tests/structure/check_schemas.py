@@ -171,6 +171,7 @@ OTHER_THAN_SCENES = {
     "case.json": "case",
     "configuration.json": "configuration",
     "algorithms.json": "configuration",
+    "irradiance-cache.json": "configuration",
     "render-times.json": "render times",
 }
 
