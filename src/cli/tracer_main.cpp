@@ -46,6 +46,9 @@ struct Options {
   std::string sampler = "sobol";
   std::string light_selection = "auto";
   std::string intersection = "single";
+  std::string integrator = "scene";
+  double cache_error = 0;  // 0: as in the scene
+  int cache_rays = 0;      // 0: as in the scene
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   /// Nothing: the cheapest that has what the scene calls for.
@@ -108,6 +111,23 @@ void add_algorithm_options(CLI::App& app, Options& options) {
                "no Russian roulette: paths end at the trace depth or where they carry no light");
 }
 
+// Unlike the algorithms these change the expected image: an irradiance cache is biased.
+void add_integrator_options(CLI::App& app, Options& options) {
+  app.add_option("--integrator", options.integrator,
+                 "scene (the one that the scene names), path (path tracing) or irradiance_cache (biased: "
+                 "diffuse interreflection is interpolated between a few places)")
+      ->check(CLI::IsMember({"scene", "path", "irradiance_cache"}))
+      ->capture_default_str();
+  app.add_option(
+         "--cache-error", options.cache_error,
+         "replaces the error of Ward's metric that the scene gives its irradiance cache: less is more "
+         "accurate")
+      ->check(CLI::Range(1e-3, 10.0));
+  app.add_option("--cache-rays", options.cache_rays,
+                 "replaces the number of rays of each record of the irradiance cache")
+      ->check(CLI::Range(8, 4096));
+}
+
 orbs::tracer::Sampler sampler_named(const std::string& name) {
   using orbs::tracer::Sampler;
   if (name == "independent") return Sampler::Independent;
@@ -154,6 +174,7 @@ Options parse_options(int argc, char** argv) {
                  "folder in which the plug-ins that a scene names are looked for, if no --plugin is meant")
       ->check(CLI::ExistingDirectory);
   add_algorithm_options(app, options);
+  add_integrator_options(app, options);
   std::string transport = "auto";
   app.add_option("--transport", transport,
                  "what light paths carry: auto (the cheapest that has what the scene calls for), or one that "
@@ -237,6 +258,7 @@ void stamp(orbs::tracer::Rendering& rendering,
     header["orbs.stokes"] =
         "S0 to S3 in the frame of the image, for a viewer who faces the source: S1 > 0 horizontal, S2 > 0 at "
         "+45 degrees (right and up), S3 > 0 right-circular (the field rotates clockwise)";
+  if (world.irradiance_cache) stamp_cache(rendering, *world.irradiance_cache);
   if (!world.solids.empty()) {
     const auto counts = orbs::tracer::root_counts(world.solids);
     header["orbs.undecided_roots"] = std::to_string(counts.undecided);
@@ -246,6 +268,42 @@ void stamp(orbs::tracer::Rendering& rendering,
     header["orbs.plugin_faults"] = std::to_string(orbs::tracer::plugin_faults(world.plugin_shapes).count);
   if (rendering.variance_leaves_floats) header["orbs.variance"] = "left out: beyond the range of floats";
   header["orbs.bad_samples"] = std::to_string(rendering.bad_samples.count);
+}
+
+// Replaces the integrator of the scene, or its settings.
+void set_integrator(orbs::scene::Scene& scene, const Options& options) {
+  if (options.integrator != "scene") scene.ambient_occlusion.reset();
+  if (options.integrator == "path") scene.irradiance_cache.reset();
+  if (options.integrator == "irradiance_cache" && !scene.irradiance_cache) scene.irradiance_cache.emplace();
+  if (!scene.irradiance_cache) {
+    if (options.cache_error > 0 || options.cache_rays > 0)
+      throw orbs::InputError(
+          "--cache-error and --cache-rays are settings of an irradiance cache, and the image has none: add "
+          "--integrator irradiance_cache, or leave them out");
+    return;
+  }
+  if (options.cache_error > 0 && scene.irradiance_cache->metric != orbs::scene::CacheMetric::Ward)
+    throw orbs::InputError(
+        "--cache-error is a setting of Ward's metric, and the scene asks for that of Tabellion and Lamorlette");
+  if (options.render.split_paths)
+    throw orbs::InputError("--split-paths: an irradiance cache keeps no light paths that have classes");
+  if (options.cache_error > 0) scene.irradiance_cache->error = options.cache_error;
+  if (options.cache_rays > 0) scene.irradiance_cache->rays = options.cache_rays;
+}
+
+void stamp_cache(orbs::tracer::Rendering& rendering, const orbs::scene::IrradianceCache& cache) {
+  auto& header = rendering.image.attributes;
+  const bool is_ward = cache.metric == orbs::scene::CacheMetric::Ward;
+  header["orbs.integrator"] = "irradiance_cache";
+  header["orbs.biased"] = "irradiance cache";
+  header["orbs.variance"] = "left out: an irradiance cache is biased, and its pixels err together";
+  header["orbs.cache_metric"] = is_ward ? fmt::format("ward, error {}", cache.error)
+                                        : fmt::format("tabellion_lamorlette, kappa {}", cache.kappa);
+  header["orbs.cache_rays"] = std::to_string(cache.rays);
+  header["orbs.cache_records"] = std::to_string(rendering.cache_use.records);
+  header["orbs.cache_lookups"] = std::to_string(rendering.cache_use.lookups);
+  header["orbs.cache_uncovered"] = std::to_string(rendering.cache_use.uncovered);
+  header["orbs.cache_negative"] = std::to_string(rendering.cache_use.negative);
 }
 
 void print_summary(const orbs::tracer::Rendering& r, bool as_json) {
@@ -271,6 +329,7 @@ int run(const Options& options) {
   auto scene = scene::load_scene(options.scene, {}, options.camera);
   for (const auto& warning : scene.notes.warnings)
     orbs::print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
+  set_integrator(scene, options);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
   auto world = tracer::make_world(

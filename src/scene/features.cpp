@@ -142,8 +142,9 @@ std::vector<CalledFeature> features_of_effects(const Scene& scene) {
 }
 
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
-  if (!scene.ambient_occlusion) return {};
-  return {{"I1", "the image is ambient occlusion"}};
+  if (scene.ambient_occlusion) return {{"I1", "the image is ambient occlusion"}};
+  if (scene.irradiance_cache) return {{"I2", "diffuse interreflection comes from an irradiance cache"}};
+  return {};
 }
 
 std::vector<CalledFeature> features_called_for(const Scene& scene) {

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "scene/camera_frame.h"
 #include "scene/check_polariser_axis.h"
+#include "scene/effects.h"
 #include "scene/load_instance.h"
 #include "scene/load_light.h"
 #include "scene/load_material.h"
@@ -115,12 +116,38 @@ AmbientOcclusion load_ambient_occlusion(json::ObjectReader& in) {
   return occlusion;
 }
 
+IrradianceCache load_irradiance_cache(json::ObjectReader& in) {
+  constexpr json::Range kErrors{1e-3, 10};
+  constexpr json::Range kSpacings_px{0.1, 10000};
+  IrradianceCache cache;
+  if (in.one_of_or("metric", "ward", {"ward", "tabellion_lamorlette"}) == "ward") {
+    cache.error = in.number_or("error", cache.error, kErrors);
+  } else {
+    cache.metric = CacheMetric::TabellionLamorlette;
+    cache.kappa = in.number_or("kappa", cache.kappa, kErrors);
+  }
+  // As many points as a sampler has in one block, and enough for a ring of strata with neighbours.
+  cache.rays = in.integer_or("rays", cache.rays, 8, 4096);
+  if (in.has("spacing")) {
+    const auto spacing = in.numbers("spacing", 2, kSpacings_px);
+    if (spacing[0] > spacing[1])
+      in.fail("spacing", "the first number is the least spacing and must not be above the second");
+    cache.least_spacing_px = spacing[0];
+    cache.most_spacing_px = spacing[1];
+  }
+  cache.has_gradients = in.boolean_or("gradients", cache.has_gradients);
+  cache.clamps_to_neighbours = in.boolean_or("neighbour_clamping", cache.clamps_to_neighbours);
+  return cache;
+}
+
 void load_integrator(json::ObjectReader in, Scene& scene) {
-  if (in.one_of_or("type", "path", {"path", "ambient_occlusion"}) == "ambient_occlusion") {
+  const auto type = in.one_of_or("type", "path", {"path", "ambient_occlusion", "irradiance_cache"});
+  if (type == "ambient_occlusion") {
     scene.ambient_occlusion = load_ambient_occlusion(in);
     in.finish();
     return;
   }
+  if (type == "irradiance_cache") scene.irradiance_cache = load_irradiance_cache(in);
   if (in.has("trace_depth") && in.holds_text("trace_depth")) {
     in.one_of("trace_depth", {"unlimited"});
     scene.trace_depth = kUnlimitedDepth;
@@ -141,6 +168,15 @@ void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& 
   for (std::size_t i = 0; i < readers.size(); ++i)
     if (const auto problem = check_polariser_axis(scene, static_cast<int>(i)); !problem.empty())
       readers[i].fail("", problem);
+}
+
+void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
+  if (!scene.irradiance_cache) return;
+  const auto found = effects(scene);
+  if (const auto needed = transport(found); needed != LightTransport::Rgb)
+    in.fail("integrator", fmt::format("an irradiance cache keeps three channels, and the scene calls for {} "
+                                      "transport{}: use the integrator 'path'",
+                                      transport_name(needed), reason_for(found)));
 }
 
 void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& scene) {
@@ -200,11 +236,15 @@ Scene load_document(const json::Document& document,
     if (scene.ambient_occlusion && scene.outputs != Outputs{})
       in.fail("outputs",
               "ambient occlusion has no light paths that Stokes vectors or classes could be told of");
+    if (scene.irradiance_cache && scene.outputs != Outputs{})
+      in.fail("outputs",
+              "an irradiance cache keeps no light paths that Stokes vectors or classes could be told of");
   }
   in.finish();
   scene.spectra = std::move(data.spectra);
   scene.notes = {std::move(data.files), std::move(data.warnings), camera};
   check_materials(scene, material_readers);
+  check_irradiance_cache(scene, in);
   return scene;
 }
 

@@ -147,6 +147,23 @@ struct AmbientOcclusion {
   bool operator==(const AmbientOcclusion&) const = default;
 };
 
+/// Which records of an irradiance cache may be used at a point, and how they weigh.
+enum class CacheMetric { Ward, TabellionLamorlette };
+
+/// An integrator in place of plain path tracing, biased: diffuse interreflection is computed at a few places
+/// and interpolated between them.
+struct IrradianceCache {
+  CacheMetric metric = CacheMetric::Ward;
+  double error = 0.2;             // a of Ward's metric: the relative error that interpolation may have
+  double kappa = 1;               // of the metric of Tabellion and Lamorlette: more is more accurate
+  int rays = 512;                 // of each record
+  double least_spacing_px = 1.5;  // bounds of the distance that a record reaches
+  double most_spacing_px = 20;
+  bool has_gradients = true;
+  bool clamps_to_neighbours = true;
+  bool operator==(const IrradianceCache&) const = default;
+};
+
 /// A trace depth that no path reaches: Russian roulette ends them all.
 constexpr int kUnlimitedDepth = 1'000'000;
 
@@ -172,7 +189,8 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
-  std::optional<AmbientOcclusion> ambient_occlusion;  // nothing: path tracing
+  std::optional<AmbientOcclusion> ambient_occlusion;  // at most one of these two; neither: path tracing
+  std::optional<IrradianceCache> irradiance_cache;
   Outputs outputs;
   ReadNotes notes;
   bool operator==(const Scene&) const = default;

@@ -8,6 +8,7 @@
 #include "scene/write_spectra.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -137,12 +138,24 @@ void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
   out.end_object();
 }
 
+void write_cache(Writer& out, const IrradianceCache& cache) {
+  out.member("type", "irradiance_cache");
+  if (cache.metric == CacheMetric::Ward)
+    out.member("metric", "ward").member("error", cache.error);
+  else
+    out.member("metric", "tabellion_lamorlette").member("kappa", cache.kappa);
+  out.member("rays", cache.rays);
+  out.key("spacing").numbers(std::array{cache.least_spacing_px, cache.most_spacing_px});
+  out.member("gradients", cache.has_gradients).member("neighbour_clamping", cache.clamps_to_neighbours);
+}
+
 void write_settings(Writer& out, const Scene& scene) {
   out.key("integrator").begin_object();
   if (scene.ambient_occlusion) {
     write_occlusion(out, *scene.ambient_occlusion);
     return;
   }
+  if (scene.irradiance_cache) write_cache(out, *scene.irradiance_cache);
   out.key("trace_depth");
   if (scene.trace_depth == kUnlimitedDepth)
     out.value("unlimited");

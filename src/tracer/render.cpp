@@ -39,7 +39,8 @@ Rendering render(const World& world,
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Film film = film_for(world, settings);
   const auto passes = plan_passes(settings.samples_per_pixel, settings.replicates);
-  film.has_variance = settings.replicates > 1 || passes.back().replicate > 0;
+  // Pixels that share records err together: the scatter of their samples says nothing of that.
+  film.has_variance = !world.irradiance_cache && (settings.replicates > 1 || passes.back().replicate > 0);
   PassRenderer* const render_pass = kernel_for(world);
   Rendering out;
   for (std::uint32_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {

@@ -133,6 +133,7 @@ WRONG = [
     (SCENE, ["integrator", "trace_depth"], 0),
     (SCENE, ["integrator", "distance"], 1),
     (SCENE, ["integrator", "type"], "ambient_occlusion"),
+    (SCENE, ["integrator", "metric"], "ward"),
     (CASE, ["scenes"], []),
     (CASE, ["scenes", 1, "reference"], "../1"),
     (CASE, ["gates", 0, "min"], None),
@@ -178,6 +179,7 @@ OTHER_THAN_SCENES = {
     "case.json": "case",
     "configuration.json": "configuration",
     "algorithms.json": "configuration",
+    "irradiance-cache.json": "configuration",
     "render-times.json": "render times",
 }
 

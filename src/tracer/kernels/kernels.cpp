@@ -1,6 +1,7 @@
 #include "tracer/kernels/kernels.h"
 
 #include "tracer/integrator/ambient_occlusion.h"
+#include "tracer/irradiance_cache/render_irradiance_cache.h"
 #include "tracer/render/render_pass.h"
 #include "tracer/transport/polarised_transport.h"
 #include "tracer/transport/rgb_transport.h"
@@ -19,6 +20,7 @@ extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport,
 
 PassRenderer* kernel_for(const World& world) {
   if (world.ambient_occlusion) return render_ambient_occlusion;
+  if (world.irradiance_cache) return render_irradiance_cache;
   switch (world.transport) {
     case scene::LightTransport::Rgb:
       return world.has_appearance_materials ? render_pass<RgbBoundaryTransport> : render_pass<RgbTransport>;

@@ -5,8 +5,11 @@
 #include "tracer/sampling/sampler.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace orbs::tracer {
+
+struct IrradianceCaches;
 
 struct RenderSettings {
   int samples_per_pixel = 64;
@@ -26,6 +29,14 @@ struct Progress {
   double seconds = 0;
 };
 
+/// What the irradiance cache did; all zero without one.
+struct CacheUse {
+  std::uint64_t records = 0;
+  std::uint64_t lookups = 0;    // by camera paths
+  std::uint64_t uncovered = 0;  // of the lookups: no record could be used, and the path was traced on
+  std::uint64_t negative = 0;   // of the lookups: a gradient led below zero, and the channel was set to zero
+};
+
 struct Rendering {
   image::Image image;
   int samples_per_pixel = 0;  // fewer than in the settings after a stop
@@ -36,6 +47,8 @@ struct Rendering {
   std::uint64_t light_path_contributions = 0;  // splats of light paths to pixels
   bool variance_leaves_floats = false;         // so the image has none, see float_holds_variances
   BadSamples bad_samples;
+  CacheUse cache_use;
+  std::shared_ptr<const IrradianceCaches> irradiance_caches;  // made by the first pass; else null
 };
 
 }  // namespace orbs::tracer

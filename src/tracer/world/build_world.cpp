@@ -81,15 +81,16 @@ scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSe
 }
 
 // Light paths end at lights, keep their wavelengths, and carry plain factors instead of matrices. So they are
-// not traced where lights reflect, surfaces fluoresce, or light is polarised.
+// not traced where lights reflect, surfaces fluoresce, or light is polarised. An irradiance cache keeps the
+// light that they would carry.
 bool supports_light_paths(const World& world) {
   const bool is_polarised = scene::covers(world.transport, scene::LightTransport::Polarised);
   const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
                                           [](const auto& light) { return !(light.reflectance == Vec3f{}); });
   // Of the transport, not of the materials: one that no surface shows must change nothing.
   const bool may_fluoresce = scene::covers(world.transport, scene::LightTransport::Bispectral);
-  return !world.ambient_occlusion && !is_polarised && !lights_reflect && !may_fluoresce &&
-         !world.emitters.empty();
+  return !world.ambient_occlusion && !world.irradiance_cache && !is_polarised && !lights_reflect &&
+         !may_fluoresce && !world.emitters.empty();
 }
 
 // Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
@@ -110,6 +111,12 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
   world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
   world.ambient_occlusion = scene.ambient_occlusion;
+  world.irradiance_cache = scene.irradiance_cache;
+  if (world.irradiance_cache && world.transport != scene::LightTransport::Rgb)
+    throw InputError(fmt::format(
+        "scene '{}' has an irradiance cache, which keeps three channels, and {} transport has more: render it "
+        "with rgb transport, or by the integrator 'path'",
+        scene.name, scene::transport_name(world.transport)));
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
   add_materials(scene, colours, world);

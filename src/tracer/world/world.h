@@ -30,6 +30,7 @@ struct World {
   bool wants_stokes = false;
   Radiance environment;
   std::optional<scene::AmbientOcclusion> ambient_occlusion;  // in place of path tracing
+  std::optional<scene::IrradianceCache> irradiance_cache;    // of path tracing; needs Rgb transport
   int trace_depth = 1;                                       // most scattering events of a path
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
   std::vector<TexelGrid> textures;

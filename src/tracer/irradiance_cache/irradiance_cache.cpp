@@ -1,0 +1,71 @@
+#include "tracer/irradiance_cache/irradiance_cache.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace orbs::tracer {
+
+namespace {
+
+InterpolatedIrradiance not_negative(Vec3f value) {
+  const Vec3f clamped{std::max(0.0F, value.x), std::max(0.0F, value.y), std::max(0.0F, value.z)};
+  return {clamped, !(clamped == value)};
+}
+
+}  // namespace
+
+IrradianceCache::IrradianceCache(const scene::IrradianceCache& settings, Vec3f low, Vec3f high)
+    : settings_(settings), octree_(low, high) {}
+
+std::optional<InterpolatedIrradiance> IrradianceCache::lookup(const SurfaceElement& at) const {
+  Vec3f sum;
+  float weights = 0;
+  std::optional<Vec3f> at_record;  // a relative error of zero has no finite weight: it decides alone
+  octree_.for_each_at(at.position, [&](std::uint32_t index) {
+    const IrradianceRecord& record = records_[index];
+    const float error = relative_error(settings_, record, at);
+    if (!(error < 1) || is_behind(record, at)) return;
+    const Vec3f value = extrapolated(record, at);
+    if (error == 0) {
+      if (!at_record) at_record = value;
+      return;
+    }
+    const float weight = record_weight(settings_, error);
+    sum += value * weight;
+    weights += weight;
+  });
+  if (at_record) return not_negative(*at_record);
+  // The weight of an error that rounds to 1 is zero: such records do not count.
+  if (!(weights > 0)) return std::nullopt;
+  return not_negative(sum / weights);
+}
+
+bool IrradianceCache::covers(const SurfaceElement& at) const {
+  bool is_covered = false;
+  octree_.for_each_at(at.position, [&](std::uint32_t index) {
+    if (is_covered) return;
+    is_covered = relative_error(settings_, records_[index], at) < 1 && !is_behind(records_[index], at);
+  });
+  return is_covered;
+}
+
+// Over all records: which of them are near depends on their distances, which shrink as others come in. 10 000
+// records need 5e7 differences, a tenth of a second and a thousandth of what it takes to compute them.
+void IrradianceCache::clamp_to_neighbours(IrradianceRecord& record) {
+  const auto between = [&](const IrradianceRecord& other) {
+    return length(other.at.position - record.at.position);
+  };
+  for (const IrradianceRecord& other : records_)
+    record.distance = std::min(record.distance, other.distance + between(other));
+  for (IrradianceRecord& other : records_)
+    other.distance = std::min(other.distance, record.distance + between(other));
+}
+
+void IrradianceCache::insert(IrradianceRecord record) {
+  if (settings_.has_gradients) record.distance = limited_by_gradient(record);
+  if (settings_.clamps_to_neighbours) clamp_to_neighbours(record);
+  octree_.insert(static_cast<std::uint32_t>(records_.size()), record.at.position, reach(settings_, record));
+  records_.push_back(std::move(record));
+}
+
+}  // namespace orbs::tracer

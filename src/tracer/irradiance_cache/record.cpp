@@ -1,0 +1,65 @@
+#include "tracer/irradiance_cache/record.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbs::tracer {
+
+namespace {
+
+// Rounding only: the exact value is not negative.
+float one_minus_cosine(Vec3f a, Vec3f b) { return std::max(0.0F, 1 - dot(a, b)); }
+
+bool is_ward(const scene::IrradianceCache& settings) { return settings.metric == scene::CacheMetric::Ward; }
+
+}  // namespace
+
+float reach(const scene::IrradianceCache& settings, const IrradianceRecord& record) {
+  if (is_ward(settings))
+    return std::clamp(static_cast<float>(settings.error) * record.distance, record.least_spacing,
+                      record.most_spacing);
+  return std::clamp(record.distance / 2, record.least_spacing, record.most_spacing) /
+         static_cast<float>(settings.kappa);
+}
+
+float relative_error(const scene::IrradianceCache& settings,
+                     const IrradianceRecord& record,
+                     const SurfaceElement& at) {
+  const float by_distance = length(at.position - record.at.position) / reach(settings, record);
+  const float by_angle = std::sqrt(one_minus_cosine(at.normal, record.at.normal));
+  if (is_ward(settings)) return by_distance + by_angle / static_cast<float>(settings.error);
+  constexpr float kOneMinusCos10Deg = 0.015192247F;
+  return std::max(by_distance, static_cast<float>(settings.kappa) * by_angle / std::sqrt(kOneMinusCos10Deg));
+}
+
+bool is_behind(const IrradianceRecord& record, const SurfaceElement& at) {
+  // On a sphere (p - p_i) (n + n_i) is zero. Facets with interpolated normals deviate by a part of the angle
+  // between two facets: 1 degree is that of 360 facets around.
+  constexpr float kDip = 0.0175F;
+  const Vec3f from_record = at.position - record.at.position;
+  const float height = dot(from_record, at.normal + record.at.normal) / 2;
+  return height < -(kDip * length(from_record) + at.position_error + record.at.position_error);
+}
+
+float record_weight(const scene::IrradianceCache& settings, float relative_error) {
+  return is_ward(settings) ? 1 / relative_error - 1 : 1 - relative_error;
+}
+
+Vec3f extrapolated(const IrradianceRecord& record, const SurfaceElement& at) {
+  const Vec3f moved = at.position - record.at.position;
+  const Vec3f turned = cross(record.at.normal, at.normal);
+  const auto change = [&](std::size_t channel) {
+    return dot(turned, record.rotation_gradient[channel]) + dot(moved, record.translation_gradient[channel]);
+  };
+  return record.irradiance + Vec3f{change(0), change(1), change(2)};
+}
+
+float limited_by_gradient(const IrradianceRecord& record) {
+  const auto& gradient = record.translation_gradient;
+  const float steepness = length(gradient[0] + gradient[1] + gradient[2]);
+  const float irradiance = record.irradiance.x + record.irradiance.y + record.irradiance.z;
+  if (!(steepness > 0)) return record.distance;
+  return std::min(record.distance, irradiance / steepness);
+}
+
+}  // namespace orbs::tracer
