@@ -24,7 +24,6 @@ struct AcceptedReference {
 struct CaseScene {
   std::string name;  // unique in the suite
   std::filesystem::path file;
-  std::string camera = {};  // one of the file's "cameras"; "": its "camera"
   int spp = 64;
   int camera_paths = 0;  // that the mean of the image needs, over all pixels; a reduced run makes up for them
   double wall_seconds = 0;     // that a render may take; 0: as long as its renderer may
@@ -33,6 +32,7 @@ struct CaseScene {
   std::map<std::string, std::vector<std::string>> arguments = {};  // by the name of a renderer's entry
   std::vector<AcceptedReference> accepted = {};  // tried in turn where the image fails by its reference
   std::string no_reference = {};  // why it has no reference and pixel checks alone judge it; "": it has one
+  std::string camera = {};        // one of the file's "cameras"; "": its "camera"
 };
 
 /// An image made by subtraction, judged like a scene: of - minus.
