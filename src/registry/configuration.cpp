@@ -201,6 +201,20 @@ std::vector<QualityRung> load_cost_ladder(ObjectReader& in) {
   return ladder;
 }
 
+void load_all_scene_settings(ObjectReader& in, Renderer& renderer) {
+  if (in.has("scene_settings")) renderer.scene_settings = load_scene_settings(in.object("scene_settings"));
+  if (in.has("scene_settings_of_sizes")) {
+    auto sizes = in.object("scene_settings_of_sizes");
+    for (const auto& size : sizes.keys())
+      renderer.scene_settings_of_sizes[divisor_of(sizes, size)] = load_scene_settings(sizes.object(size));
+  }
+  if (in.has("scene_settings_of_scenes")) {
+    auto scenes = in.object("scene_settings_of_scenes");
+    for (const auto& scene : scenes.keys())
+      renderer.scene_settings_of_scenes[scene] = load_scene_settings(scenes.object(scene));
+  }
+}
+
 Renderer load_renderer(ObjectReader& in, const ProcessLimits& limits) {
   Renderer renderer;
   renderer.name = plain_name(in, "name");
@@ -214,17 +228,7 @@ Renderer load_renderer(ObjectReader& in, const ProcessLimits& limits) {
     check_pattern(in, "version_pattern", renderer.version_pattern, 1, "1, which holds the version");
   }
   renderer.scene_format = in.text_or("scene_format", kNeutralFormat);
-  if (in.has("scene_settings")) renderer.scene_settings = load_scene_settings(in.object("scene_settings"));
-  if (in.has("scene_settings_of_sizes")) {
-    auto sizes = in.object("scene_settings_of_sizes");
-    for (const auto& size : sizes.keys())
-      renderer.scene_settings_of_sizes[divisor_of(sizes, size)] = load_scene_settings(sizes.object(size));
-  }
-  if (in.has("scene_settings_of_scenes")) {
-    auto scenes = in.object("scene_settings_of_scenes");
-    for (const auto& scene : scenes.keys())
-      renderer.scene_settings_of_scenes[scene] = load_scene_settings(scenes.object(scene));
-  }
+  load_all_scene_settings(in, renderer);
   if (in.has("transports")) {
     auto words = in.object("transports");
     for (const auto& name : words.keys()) {
