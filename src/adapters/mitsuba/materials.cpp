@@ -173,13 +173,13 @@ struct BsdfWriter {
 
 }  // namespace
 
-const BeyondOrbs& beyond_orbs(){
-    static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
-                                    {{"E4", "Mitsuba has no fluorescence"},
-                                     {"E5", "Mitsuba has no thin films"},
-                                     {"E6", "Mitsuba's dielectrics have one index for all wavelengths"}},
-                                    {"S7", "a plug-in is machine code for the built-in tracer"}}};
-return kLevels;
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
+                                  {{"E4", "Mitsuba has no fluorescence"},
+                                   {"E5", "Mitsuba has no thin films"},
+                                   {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
+                                   {"S7", "a plug-in is machine code for the built-in tracer"}}};
+  return kLevels;
 }
 
 std::string material_limit(const scene::Material& material, bool is_polarised) {

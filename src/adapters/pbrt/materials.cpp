@@ -142,13 +142,13 @@ struct MaterialWriter {
 
 }  // namespace
 
-const BeyondOrbs& beyond_orbs(){
-    static const BeyondOrbs kLevels{{"E1", "E2", "E6"},
-                                    {{"E3", "pbrt carries no polarisation"},
-                                     {"E4", "pbrt has no fluorescence"},
-                                     {"E5", "pbrt has no thin films"}},
-                                    {"S7", "a plug-in is machine code for the built-in tracer"}}};
-return kLevels;
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{{"E1", "E2", "E6"},
+                                  {{"E3", "pbrt carries no polarisation"},
+                                   {"E4", "pbrt has no fluorescence"},
+                                   {"E5", "pbrt has no thin films"},
+                                   {"S7", "a plug-in is machine code for the built-in tracer"}}};
+  return kLevels;
 }
 
 std::string material_limit(const scene::Material& material) {

@@ -158,15 +158,16 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
   return fmt::format("{}-texture{}{}", stem, index, lower_extension(texture_in(scene, index).file));
 }
 
-const BeyondOrbs& beyond_orbs(){static const BeyondOrbs kLevels{
-    {"E6", "S1", "S2", "S3", "S4"},
-    {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
-     {"E2", "POV-Ray renders in three colours"},
-     {"E3", "POV-Ray carries no polarisation"},
-     {"E4", "POV-Ray has no fluorescence"},
-     {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"}},
-    {"S7", "a plug-in is machine code for the built-in tracer"}}};
-return kLevels;
+const BeyondOrbs& beyond_orbs() {
+  static const BeyondOrbs kLevels{
+      {"E6", "S1", "S2", "S3", "S4"},
+      {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
+       {"E2", "POV-Ray renders in three colours"},
+       {"E3", "POV-Ray carries no polarisation"},
+       {"E4", "POV-Ray has no fluorescence"},
+       {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"},
+       {"S7", "a plug-in is machine code for the built-in tracer"}}};
+  return kLevels;
 }
 
 std::string material_limit(const scene::Material& material) {
