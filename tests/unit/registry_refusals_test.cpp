@@ -64,7 +64,7 @@ TEST(PlainName, IsNoneOfThoseThatOrbsUsesInAFolderOfARun) {
 TEST(Declares, LevelsThatNoSuiteHasAreRefusedWithTheRange) {
   EXPECT_EQ(refusal("a", "G5/M8/L4/A4/E6", kCommand), "no error");
   EXPECT_EQ(refusal("a", "G0/E0+(6)", kCommand), "no error");
-  for (const char* wrong : {"G9/M8", "G5/M99", "G5/X1", "G5/M8+(11)", "S5", "X0"}) {
+  for (const char* wrong : {"G9/M8", "G5/M99", "G5/X1", "G5/M8+(11)", "S7", "X0"}) {
     const auto message = refusal("a", wrong, kCommand);
     expect_part(message, "configuration.json:2:");
     expect_part(message, "/renderers/0/declares: there is no requirement ");
