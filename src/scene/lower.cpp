@@ -53,8 +53,8 @@ std::string lower_effects(Scene& scene, const Capabilities& capabilities) {
 // Their triangles are there already.
 void drop_subdivision(Scene& scene, const Capabilities& capabilities) {
   for (auto& mesh : scene.meshes)
-    if (mesh.subdivision && !(capabilities.contains("S5") &&
-                              (capabilities.contains("S6") || !mesh.subdivision->displacement)))
+    if (mesh.subdivision &&
+        !(capabilities.contains("S5") && (capabilities.contains("S6") || !mesh.subdivision->displacement)))
       mesh.subdivision.reset();
 }
 

@@ -50,7 +50,7 @@ struct Mesh {
   std::vector<Vec2f> uvs;       // zero where not available
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> triangle_materials;  // one per triangle
-  /// What the triangles are a tessellation of, all of one material; who changes triangles or vertices drops it.
+  /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
   std::optional<SubdivisionSurface> subdivision = std::nullopt;
   bool operator==(const Mesh&) const = default;
 };

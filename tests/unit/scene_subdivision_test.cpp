@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -156,7 +157,7 @@ TEST(SubdivisionScene, RefusesWhatHasNoFiniteSurface) {
               "the displacement '1 / (x - x)' is ");
   expect_part(refusal(square(R"json(, "displacement": {"expression": "sqrt(-1 - x)"})json")),
               "it must be finite");
-  expect_part(refusal(square(R"json(, "displacement": {"expression": "1e300 * (1 + x)"})json")),
+  expect_part(refusal(square(R"json(, "displacement": {"expression": "1e100 * (1 + x)"})json")),
               "farther out than");
   expect_part(refusal(square(R"(, "displacement": {"expression": "x +* y"})")),
               "/displacement/expression: column 4");
@@ -205,21 +206,27 @@ double distance(const scene::Mesh& mesh, const scene::Mesh& other) {
   return largest;
 }
 
-double largest_distance(const std::string& name) {
+void expect_near_theirs(const std::string& name, const std::map<std::string, double>& tolerance_m) {
   const auto folder = std::filesystem::path(ORBS_SOURCE_DIR) / "data/cases/shapes";
   const auto ours = scene::load_scene(folder / (name + ".json"));
   const auto theirs = scene::load_scene(folder / (name + "-mesh.json"));
-  double largest = 0;
-  for (std::size_t i = 0; i < ours.meshes.size(); ++i)
-    if (ours.meshes[i].subdivision) largest = std::max(largest, distance(theirs.meshes[i], ours.meshes[i]));
-  return largest;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < ours.meshes.size(); ++i) {
+    if (!ours.meshes[i].subdivision) continue;
+    EXPECT_LT(distance(theirs.meshes[i], ours.meshes[i]), tolerance_m.at(ours.meshes[i].name)) << name;
+    ++compared;
+  }
+  EXPECT_EQ(compared, tolerance_m.size());
 }
 
 }  // namespace
 
-// OpenSubdiv computes in floats; displaced points also have normals of triangles instead of limits.
+// OpenSubdiv computes in floats. Where the seed's crease ends it takes the mask of smooth points, which is
+// 1.6e-5 off there; displaced points have normals of triangles in their reference.
 TEST(SubdivisionScene, LimitPointsAreThoseOfOpenSubdiv) {
-  EXPECT_LT(largest_distance("s5_subdivision/s5-creases"), 1e-6);
-  EXPECT_LT(largest_distance("s5_subdivision/s5-outlines"), 1e-6);
-  EXPECT_LT(largest_distance("s6_displacement/s6-displacement"), 2e-5);
+  const std::map<std::string, double> limits{{"jack", 1e-6}, {"drum", 1e-6}, {"leaf", 1e-6}, {"seed", 2e-5}};
+  expect_near_theirs("s5_subdivision/s5-creases", limits);
+  expect_near_theirs("s5_subdivision/s5-outlines", limits);
+  expect_near_theirs("s6_displacement/s6-displacement",
+                     {{"bumps", 2e-5}, {"screw", 1e-4}, {"ripples", 1e-6}});
 }

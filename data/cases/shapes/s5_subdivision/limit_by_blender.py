@@ -1,10 +1,10 @@
 """Writes each subdivision surface of a scene as a PLY file of limit points by OpenSubdiv, the library within Blender:
 
-    blender -b --factory-startup -noaudio --python-exit-code 3 --python limit_by_blender.py -- scene.json folder level
+    blender -b --factory-startup -noaudio --python-exit-code 3 --python limit_by_blender.py -- scene.json folder level [mesh ...]
 
-The files of s5_subdivision and s6_displacement were made by Blender 3.4.1, the level is that of the faces. A displaced surface is
-moved by its formula along normals that are sums of those of triangles, weighted by their angles, of a surface two levels finer.
-Nothing of orbs takes part.
+Without names: all meshes that have one. The files of s5_subdivision were made by Blender 3.4.1 at level 4, screw.ply of
+s6_displacement at level 6 and the others there at level 5. A displaced surface is moved by its formula along normals that are sums
+of those of faces, weighted by their angles, of a surface two levels finer. Nothing of orbs takes part.
 """
 
 import json
@@ -120,11 +120,11 @@ end_header
 
 
 def main():
-    scene_file, folder, level = sys.argv[sys.argv.index("--") + 1 :]
+    scene_file, folder, level, *chosen = sys.argv[sys.argv.index("--") + 1 :]
     with open(scene_file, encoding="utf-8") as file:
         scene = json.load(file)
     for mesh in scene["meshes"]:
-        if "subdivision" in mesh:
+        if "subdivision" in mesh and (not chosen or mesh["name"] in chosen):
             points, faces = limit_of(mesh["subdivision"], int(level))
             if "displacement" in mesh["subdivision"]:
                 points = displaced(points, mesh["subdivision"], int(level))
