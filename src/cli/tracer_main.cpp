@@ -217,6 +217,21 @@ class ProgressLine {
   double last_seconds_ = 0;
 };
 
+void stamp_cache(orbs::tracer::Rendering& rendering, const orbs::scene::IrradianceCache& cache) {
+  auto& header = rendering.image.attributes;
+  const bool is_ward = cache.metric == orbs::scene::CacheMetric::Ward;
+  header["orbs.integrator"] = "irradiance_cache";
+  header["orbs.biased"] = "irradiance cache";
+  header["orbs.variance"] = "left out: an irradiance cache is biased, and its pixels err together";
+  header["orbs.cache_metric"] = is_ward ? fmt::format("ward, error {}", cache.error)
+                                        : fmt::format("tabellion_lamorlette, kappa {}", cache.kappa);
+  header["orbs.cache_rays"] = std::to_string(cache.rays);
+  header["orbs.cache_records"] = std::to_string(rendering.cache_use.records);
+  header["orbs.cache_lookups"] = std::to_string(rendering.cache_use.lookups);
+  header["orbs.cache_uncovered"] = std::to_string(rendering.cache_use.uncovered);
+  header["orbs.cache_negative"] = std::to_string(rendering.cache_use.negative);
+}
+
 // Nothing in the header depends on the machine, the time or the number of threads, so the same seed gives the
 // same bytes.
 void stamp(orbs::tracer::Rendering& rendering,
@@ -274,21 +289,6 @@ void set_integrator(orbs::scene::Scene& scene, const Options& options) {
     throw orbs::InputError("--split-paths: an irradiance cache keeps no light paths that have classes");
   if (options.cache_error > 0) scene.irradiance_cache->error = options.cache_error;
   if (options.cache_rays > 0) scene.irradiance_cache->rays = options.cache_rays;
-}
-
-void stamp_cache(orbs::tracer::Rendering& rendering, const orbs::scene::IrradianceCache& cache) {
-  auto& header = rendering.image.attributes;
-  const bool is_ward = cache.metric == orbs::scene::CacheMetric::Ward;
-  header["orbs.integrator"] = "irradiance_cache";
-  header["orbs.biased"] = "irradiance cache";
-  header["orbs.variance"] = "left out: an irradiance cache is biased, and its pixels err together";
-  header["orbs.cache_metric"] = is_ward ? fmt::format("ward, error {}", cache.error)
-                                        : fmt::format("tabellion_lamorlette, kappa {}", cache.kappa);
-  header["orbs.cache_rays"] = std::to_string(cache.rays);
-  header["orbs.cache_records"] = std::to_string(rendering.cache_use.records);
-  header["orbs.cache_lookups"] = std::to_string(rendering.cache_use.lookups);
-  header["orbs.cache_uncovered"] = std::to_string(rendering.cache_use.uncovered);
-  header["orbs.cache_negative"] = std::to_string(rendering.cache_use.negative);
 }
 
 void print_summary(const orbs::tracer::Rendering& r, bool as_json) {

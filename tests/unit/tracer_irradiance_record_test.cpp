@@ -209,11 +209,21 @@ TEST(IrradianceRecord, IsNotUsedBehindItsSurface) {
       record, {{std::sin(angle), 0, std::cos(angle) - 1}, 0, {std::sin(angle), 0, std::cos(angle)}}));
 }
 
-TEST(IrradianceRecord, DistanceIsLimitedByTheGradient) {
+// E / |gradient| is 1 m: a = 0.2 reaches 0.2 m. Where the record has to reach 0.8 m, a quarter of the
+// gradient changes the irradiance by the same 20 %.
+TEST(IrradianceRecord, DistanceAndGradientLimitEachOther) {
   auto record = record_at({}, {0, 0, 1}, 10);
-  EXPECT_EQ(limited_by_gradient(record), 10);
+  limit_by_gradient(kWard, record);
+  EXPECT_EQ(record.distance, 10);
   record.translation_gradient[0] = {3, 0, 0};
-  EXPECT_NEAR(limited_by_gradient(record), 1, 1e-6);
+  limit_by_gradient(kWard, record);
+  EXPECT_NEAR(record.distance, 1, 1e-6);
+  EXPECT_EQ(record.translation_gradient[0].x, 3);
+  record.distance = 10;
+  record.least_spacing = 0.8F;
+  limit_by_gradient(kWard, record);
+  EXPECT_NEAR(record.distance, 1, 1e-6);
+  EXPECT_NEAR(record.translation_gradient[0].x, 0.75, 1e-6);
 }
 
 namespace {
