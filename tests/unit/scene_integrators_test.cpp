@@ -20,7 +20,7 @@ scene::Scene scene_with(const std::string& integrator, const std::string& more =
   return scene::load_scene_text("scene.json",
                                 fmt::format(R"({{"format": "orbs-scene/1", "name": "s",
 "camera": {{"position": [0, 0, 5], "look_at": [0, 0, 0]}},
-"materials": [{{"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}}],
+"materials": [{{"name": "m", "type": "lambert", "reflectance": [0.5, 0.4, 0.3]}}],
 "integrator": {{"type": "irradiance_cache"{}}}{}}})",
                                             integrator, more),
                                 ".");
@@ -81,5 +81,5 @@ TEST(IrradianceCacheScene, RefusalsSayWhereAndWhatToDo) {
   expect_refusal(R"(, "distance": 2)", "distance");
   expect_refusal("", "keeps no light paths", R"(, "outputs": {"path_classes": true})");
   expect_refusal("", "calls for spectral transport", R"(, "spectra": [{"name": "a", "illuminant": "A"}],
-    "environment": {"spectrum": "a"})");
+    "environment": {"spectrum": "a"}, "shapes": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1, "material": "m"}])");
 }

@@ -62,7 +62,7 @@ void IrradianceCache::clamp_to_neighbours(IrradianceRecord& record) {
 }
 
 void IrradianceCache::insert(IrradianceRecord record) {
-  if (settings_.has_gradients) record.distance = limited_by_gradient(record);
+  if (settings_.has_gradients) limit_by_gradient(settings_, record);
   if (settings_.clamps_to_neighbours) clamp_to_neighbours(record);
   octree_.insert(static_cast<std::uint32_t>(records_.size()), record.at.position, reach(settings_, record));
   records_.push_back(std::move(record));

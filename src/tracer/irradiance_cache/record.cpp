@@ -14,12 +14,16 @@ bool is_ward(const scene::IrradianceCache& settings) { return settings.metric ==
 
 }  // namespace
 
+float unbounded_reach(const scene::IrradianceCache& settings, float distance) {
+  return is_ward(settings) ? static_cast<float>(settings.error) * distance
+                           : distance / (2 * static_cast<float>(settings.kappa));
+}
+
 float reach(const scene::IrradianceCache& settings, const IrradianceRecord& record) {
-  if (is_ward(settings))
-    return std::clamp(static_cast<float>(settings.error) * record.distance, record.least_spacing,
-                      record.most_spacing);
-  return std::clamp(record.distance / 2, record.least_spacing, record.most_spacing) /
-         static_cast<float>(settings.kappa);
+  // R- and R+ bound R_i / 2 of Tabellion and Lamorlette, before kappa divides it.
+  const float unit = is_ward(settings) ? 1 : 1 / static_cast<float>(settings.kappa);
+  return std::clamp(unbounded_reach(settings, record.distance), record.least_spacing * unit,
+                    record.most_spacing * unit);
 }
 
 float relative_error(const scene::IrradianceCache& settings,
@@ -54,12 +58,15 @@ Vec3f extrapolated(const IrradianceRecord& record, const SurfaceElement& at) {
   return record.irradiance + Vec3f{change(0), change(1), change(2)};
 }
 
-float limited_by_gradient(const IrradianceRecord& record) {
-  const auto& gradient = record.translation_gradient;
+void limit_by_gradient(const scene::IrradianceCache& settings, IrradianceRecord& record) {
+  auto& gradient = record.translation_gradient;
   const float steepness = length(gradient[0] + gradient[1] + gradient[2]);
   const float irradiance = record.irradiance.x + record.irradiance.y + record.irradiance.z;
-  if (!(steepness > 0)) return record.distance;
-  return std::min(record.distance, irradiance / steepness);
+  if (!(steepness * record.distance > irradiance)) return;
+  record.distance = irradiance / steepness;
+  const float share = unbounded_reach(settings, record.distance) / reach(settings, record);
+  if (share < 1)
+    for (Vec3f& channel : gradient) channel *= share;
 }
 
 }  // namespace orbs::tracer

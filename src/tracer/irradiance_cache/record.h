@@ -28,6 +28,9 @@ struct IrradianceRecord {
   float most_spacing = 0;   // R+
 };
 
+/// As reach, without the bounds R- and R+.
+float unbounded_reach(const scene::IrradianceCache& settings, float distance);
+
 /// Distance within which the record may be used on a flat surface, in metres. Ward, Rubinstein and Clear 1988
 /// (error a): a R_i between R- and R+. Tabellion and Lamorlette 2004: R_i / 2 between R- and R+, over kappa.
 float reach(const scene::IrradianceCache& settings, const IrradianceRecord& record);
@@ -50,8 +53,10 @@ float record_weight(const scene::IrradianceCache& settings, float relative_error
 /// E_i + (n_i x n) rotation_gradient + (p - p_i) translation_gradient, in each channel; may be negative.
 Vec3f extrapolated(const IrradianceRecord& record, const SurfaceElement& at);
 
-/// The distance R_i, at most the mean irradiance over the length of its gradient: extrapolation by a share a
-/// of R_i then changes the irradiance by this share at most (Krivanek and Gautron 2009, 3.2.4).
-float limited_by_gradient(const IrradianceRecord& record);
+/// Limits the distance R_i to the mean irradiance over the length of its translation gradient: extrapolation
+/// by a share a of R_i then changes the irradiance by this share at most (Krivanek and Gautron 2009, 3.2.4).
+/// Where R- makes the record reach farther than that, the gradient is scaled down by the same factor: close
+/// to other surfaces noise over a short ray would lead anywhere.
+void limit_by_gradient(const scene::IrradianceCache& settings, IrradianceRecord& record);
 
 }  // namespace orbs::tracer
