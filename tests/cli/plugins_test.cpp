@@ -35,13 +35,13 @@ void write_tracer(const Sandbox& sandbox, const std::string& plugin) {
   std::filesystem::copy_file(kPlugins + plugin + ".so", sandbox.folder() / "plug-ins/misbehaving.so",
                              std::filesystem::copy_options::overwrite_existing);
   sandbox.write("configuration.json",
-                R"json({"format": "orbs-configuration/1", "defaults": {"suite": "t"},
+                R"x({"format": "orbs-configuration/1", "defaults": {"suite": "t"},
 "suites": [{"name": "t", "cases": "cases", "references": "references"}],
 "renderers": [{"name": "tracer", "executable": "{build}/orbs-tracer", "declares": "G5/M8/S7",
   "plugins": ["plug-ins/misbehaving.so"],
   "command": ["{executable}", "{scene}", "--plugin", "{plugin}", "-o", "{output}", "--spp", "{spp}"]
 }]
-})json");
+})x");
   replace_in(sandbox, "cases/m1_grey/case.json", R"({"name": "v1.5", "file": "grey.json", "spp": 8})",
              R"({"name": "square", "file": "square.json", "spp": 8, "reference": "grey"})");
 }

@@ -55,7 +55,8 @@ TEST_P(PeerWords, OfEveryExportedSceneAreThoseOfTheProgram) {
   for (const auto& suite : configuration_.suites)
     for (const auto& one_case : registry::load_cases(suite))
       for (const auto& scene : one_case.scenes) {
-        const auto prepared = adapters::prepare_scene(renderer_, scene::load_scene(scene.file, {}, scene.camera));
+        const auto prepared =
+            adapters::prepare_scene(renderer_, scene::load_scene(scene.file, {}, scene.camera));
         if (std::holds_alternative<std::string>(prepared)) continue;
         ++exported;
         adapters::export_scene(renderer_, std::get<scene::Scene>(prepared), file);

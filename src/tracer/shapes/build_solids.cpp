@@ -142,7 +142,7 @@ class Builder {
     return {.form = ImplicitLeaf{f}, .to_local = {}, .to_world = {}};
   }
   static SolidLeaf leaf_of(const scene::PluginForm&) { std::abort(); }  // is no solid: add_plugin_shapes
-  static SolidLeaf leaf_of(const scene::CsgForm&) { std::abort(); }  // add() does not come here with CSG
+  static SolidLeaf leaf_of(const scene::CsgForm&) { std::abort(); }     // add() does not come here with CSG
 
   Solid solid_;
   std::vector<Bounds> bounds_;  // of the nodes
