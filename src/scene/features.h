@@ -19,8 +19,8 @@ struct CalledFeature {
 /// defines them, these levels test them. Our own groups: E1 conductors, and rough dielectrics, by their
 /// indices, and lights that reflect (a smooth dielectric is the smooth glass of M8), E2 spectra, E3
 /// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 quadrics by formula, S2 tori and
-/// superellipsoids, S3 implicit surfaces, S4 solids by CSG, S5 subdivision surfaces, S6 their displacement, S7
-/// shapes of plug-ins; I1 ambient occlusion, I2 irradiance caches.
+/// superellipsoids, S3 implicit surfaces, S4 solids by CSG, S5 subdivision surfaces, S6 their displacement,
+/// S7 shapes of plug-ins; I1 ambient occlusion, I2 irradiance caches.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be
