@@ -62,11 +62,13 @@ void limit_by_gradient(const scene::IrradianceCache& settings, IrradianceRecord&
   auto& gradient = record.translation_gradient;
   const float steepness = length(gradient[0] + gradient[1] + gradient[2]);
   const float irradiance = record.irradiance.x + record.irradiance.y + record.irradiance.z;
-  if (!(steepness * record.distance > irradiance)) return;
-  record.distance = irradiance / steepness;
-  const float share = unbounded_reach(settings, record.distance) / reach(settings, record);
-  if (share < 1)
-    for (Vec3f& channel : gradient) channel *= share;
+  if (steepness * record.distance > irradiance) record.distance = irradiance / steepness;
+  // Where the least spacing reaches farther than the distance allows, as in a corner whose rays are a
+  // micrometre long, the gradient alone would lead to any value.
+  const float most = irradiance * unbounded_reach(settings, 1);
+  const float change = steepness * reach(settings, record);
+  if (change > most)
+    for (Vec3f& channel : gradient) channel *= most / change;
 }
 
 }  // namespace orbs::tracer

@@ -55,7 +55,7 @@ Vec3f extrapolated(const IrradianceRecord& record, const SurfaceElement& at);
 
 /// Limits the distance R_i to the mean irradiance over the length of its translation gradient: extrapolation
 /// by a share a of R_i then changes the irradiance by this share at most (Krivanek and Gautron 2009, 3.2.4).
-/// Where R- makes the record reach farther than that, the gradient is scaled down by the same factor: close
+/// Where R- makes the record reach farther than that, the gradient is scaled down to that share: close
 /// to other surfaces noise over a short ray would lead anywhere.
 void limit_by_gradient(const scene::IrradianceCache& settings, IrradianceRecord& record);
 
