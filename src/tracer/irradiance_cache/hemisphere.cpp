@@ -111,10 +111,11 @@ HemisphereStrata hemisphere_strata(int rays) {
 
 Vec3f direction_in_stratum(const HemisphereStrata& strata, std::size_t index, Vec2f place) {
   const auto sectors = static_cast<std::size_t>(strata.sectors);
-  const auto ring = static_cast<double>(index / sectors);
-  const auto sector = static_cast<double>(index % sectors);
-  const double sine_squared = (ring + static_cast<double>(place.x)) / strata.rings;
-  const double azimuth = 2 * kPi * (sector + static_cast<double>(place.y)) / strata.sectors;
+  const std::size_t ring = index / sectors;
+  const std::size_t sector = index % sectors;
+  const double sine_squared = (static_cast<double>(ring) + static_cast<double>(place.x)) / strata.rings;
+  const double azimuth =
+      2 * kPi * (static_cast<double>(sector) + static_cast<double>(place.y)) / strata.sectors;
   const double sine = std::sqrt(sine_squared);
   return cast<float>(Vec3d{sine * std::cos(azimuth), sine * std::sin(azimuth), std::sqrt(1 - sine_squared)});
 }

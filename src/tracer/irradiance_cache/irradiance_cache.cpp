@@ -1,7 +1,6 @@
 #include "tracer/irradiance_cache/irradiance_cache.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace orbs::tracer {
 
@@ -65,7 +64,7 @@ void IrradianceCache::insert(IrradianceRecord record) {
   if (settings_.has_gradients) limit_by_gradient(settings_, record);
   if (settings_.clamps_to_neighbours) clamp_to_neighbours(record);
   octree_.insert(static_cast<std::uint32_t>(records_.size()), record.at.position, reach(settings_, record));
-  records_.push_back(std::move(record));
+  records_.push_back(record);
 }
 
 }  // namespace orbs::tracer
