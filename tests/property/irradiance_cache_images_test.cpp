@@ -98,7 +98,7 @@ TEST(IrradianceCacheImages, StateNoVariance) {
 }
 
 // The same light as by path tracing, but for the bias of interpolation: 5 % in any tile of 8 x 8 pixels, and
-// less than 1 % in the mean. Without interreflection a third of the light is missing.
+// less than 1 % in the mean.
 TEST(IrradianceCacheImages, HaveTheLightOfPathTracing) {
   for (const char* name : {"i2-bleeding", "i2-corner"}) {
     auto scene =

@@ -221,8 +221,8 @@ void expect_near_theirs(const std::string& name, const std::map<std::string, dou
 
 }  // namespace
 
-// OpenSubdiv computes in floats. Where the seed's crease ends it takes the mask of smooth points, which is
-// 1.6e-5 off there; displaced points have normals of triangles in their reference.
+// OpenSubdiv computes in floats. Where the seed's crease ends it probably takes the mask of smooth points,
+// which is 1.6e-5 off there; displaced points have normals of triangles in their reference.
 TEST(SubdivisionScene, LimitPointsAreThoseOfOpenSubdiv) {
   const std::map<std::string, double> limits{{"jack", 1e-6}, {"drum", 1e-6}, {"leaf", 1e-6}, {"seed", 2e-5}};
   expect_near_theirs("s5_subdivision/s5-creases", limits);

@@ -49,7 +49,7 @@ bool IrradianceCache::covers(const SurfaceElement& at) const {
 }
 
 // Over all records: which of them are near depends on their distances, which shrink as others come in. 10 000
-// records need 5e7 differences, a tenth of a second and a thousandth of what it takes to compute them.
+// records need 5e7 differences in all; each record needs hundreds of paths.
 void IrradianceCache::clamp_to_neighbours(IrradianceRecord& record) {
   const auto between = [&](const IrradianceRecord& other) {
     return length(other.at.position - record.at.position);

@@ -54,7 +54,7 @@ float record_weight(const scene::IrradianceCache& settings, float relative_error
 Vec3f extrapolated(const IrradianceRecord& record, const SurfaceElement& at);
 
 /// Limits the distance R_i to the mean irradiance over the length of its translation gradient: extrapolation
-/// by a share a of R_i then changes the irradiance by this share at most (Krivanek and Gautron 2009, 3.2.4).
+/// by a share a of R_i then changes the irradiance by this share at most (Krivanek and Gautron 2009).
 /// Where R- makes the record reach farther than that, the gradient is scaled down to that share: close
 /// to other surfaces noise over a short ray would lead anywhere.
 void limit_by_gradient(const scene::IrradianceCache& settings, IrradianceRecord& record);
