@@ -10,7 +10,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -100,6 +102,30 @@ TEST(Process, AtItsTimeLimitItEndsWithAllThatItStarted) {
   EXPECT_EQ(result.signal, SIGKILL);
   EXPECT_GE(result.wall_seconds, 0.4);
   EXPECT_FALSE(is_running(result.output));
+}
+
+// As by a batch system that signals the processes of a job one by one: the command first, and us after it.
+TEST(Process, AnInterruptThatReachesTheCommandFirstIsNoCrash) {
+  const TestFolder scratch("process-interrupt");
+  const auto ready = scratch.path() / "ready";
+  for (const char* end : {"kill -TERM $$", "exit 143"}) {
+    std::filesystem::remove(ready);
+    std::atomic<bool> stop{false};
+    auto request = shell(fmt::format("touch {}; {}", ready.string(), end));
+    request.stop = &stop;
+    std::thread interrupt([&] {
+      while (!std::filesystem::exists(ready)) std::this_thread::yield();
+      stop = true;
+    });
+    EXPECT_EQ(run_process(request).cause, Cause::Stopped) << end;
+    interrupt.join();
+  }
+  const std::atomic<bool> never{false};
+  auto request = shell("kill -TERM $$");
+  request.stop = &never;
+  const auto crashed = run_process(request);
+  EXPECT_EQ(crashed.cause, Cause::Nothing);
+  EXPECT_EQ(crashed.signal, SIGTERM);
 }
 
 TEST(Process, WhatItLeavesBehindIsEndedWithIt) {

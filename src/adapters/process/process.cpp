@@ -4,12 +4,14 @@
 #include "adapters/process/supervised_child.h"
 #include "base/error.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -114,6 +116,23 @@ std::string end_of_supervisor(int status) {
                              : fmt::format("its supervisor ended with exit code {}", WEXITSTATUS(status));
 }
 
+// A terminal or a batch system signals all processes of a job, in any order: a command that such a signal has
+// ended, a shell that says so of its command included, was interrupted with us if we get it as well. Half a
+// second is long for a signal to arrive, and a crash of this kind is rare enough to wait for it.
+bool is_interrupted_with_us(const ProcessRequest& request, const supervisor::Report& report) {
+  constexpr int kShell = 128;  // a shell's exit code is this and the signal of its command
+  constexpr auto kLongest = std::chrono::milliseconds(500);
+  constexpr auto kPeriod = std::chrono::milliseconds(5);
+  const std::array signals{SIGTERM, SIGINT, SIGHUP};
+  const bool is_signalled = std::any_of(signals.begin(), signals.end(), [&](int signal) {
+    return report.signal == signal || report.exit_code == kShell + signal;
+  });
+  if (request.stop == nullptr || report.cause != supervisor::Cause::Nothing || !is_signalled) return false;
+  for (const auto end = Clock::now() + kLongest; !request.stop->load() && Clock::now() < end;)
+    std::this_thread::sleep_for(kPeriod);
+  return request.stop->load();
+}
+
 // Follows a supervisor that was started to its end, or makes an end of it and of all that it ran.
 ProcessResult finish(const ProcessRequest& request, pid_t supervisor, Pipes& pipes, OutputLog& log) {
   ProcessResult result;
@@ -132,6 +151,7 @@ ProcessResult finish(const ProcessRequest& request, pid_t supervisor, Pipes& pip
   if (report) {
     static_cast<supervisor::Report&>(result) = *report;
     result.orphaned.clear();
+    if (is_interrupted_with_us(request, *report)) result.cause = supervisor::Cause::Stopped;
     return result;
   }
   result.wall_seconds = seconds_since(begin);
