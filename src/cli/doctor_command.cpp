@@ -53,7 +53,9 @@ Examined examine(const registry::Renderer& renderer,
   if (!found.executable)
     found.problem = adapters::program_problem(runner::program_name(renderer, places.root, places.build));
   if (found.executable && !renderer.version_command.empty())
-    found.version = runner::renderer_version({renderer, *found.executable}, places);
+    found.version =
+        runner::renderer_version({renderer, *found.executable}, places,
+                                 {.say = [](const auto& line) { print_clean(stderr, "{}\n", line); }});
   const auto check_scene = [&](const char* key, const std::string& name) {
     if (scenes && !scenes->contains(name))
       found.unknown_scenes.push_back(

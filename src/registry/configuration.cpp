@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/pattern.h"
+#include "base/plain_name.h"
 #include "base/text.h"
 #include "json/document.h"
 #include "json/object_reader.h"
@@ -273,10 +274,9 @@ Renderer load_variant(ObjectReader in, const Renderer& entry) {
   auto variant = entry;
   variant.variant_of = entry.name;
   variant.name = fmt::format("{}-{}", entry.name, plain_name(in, "name"));
-  constexpr std::size_t kMostCharacters = 100;  // as of any plain_name
-  if (variant.name.size() > kMostCharacters)
+  if (variant.name.size() > kMostNameCharacters)
     in.fail("name", fmt::format("'{}' has {} characters, may have {}", variant.name, variant.name.size(),
-                                kMostCharacters));
+                                kMostNameCharacters));
   variant.place = in.place("name");
   variant.arguments = in.system_texts("arguments");
   for (std::size_t i = 0; i < variant.arguments.size(); ++i)

@@ -128,7 +128,8 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;
   for (const auto& renderer : plan.renderers) {
-    versions.push_back(plan.images.empty() ? renderer_version(renderer, plan) : "rendered elsewhere");
+    versions.push_back(plan.images.empty() ? renderer_version(renderer, plan, {.say = context.rendering.say})
+                                           : "rendered elsewhere");
     if (versions.back().starts_with("unknown") && context.rendering.say)
       context.rendering.say(fmt::format("{}: version {}", renderer.entry.name, versions.back()));
   }

@@ -45,15 +45,6 @@ int Names::find_at(const json::ObjectReader& in,
   return found;
 }
 
-bool is_plain_name(const std::string& name) {
-  constexpr std::size_t kMostCharacters = 100;
-  const auto is_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  };
-  return !name.empty() && name.size() <= kMostCharacters && is_word(name.front()) &&
-         std::all_of(name.begin(), name.end(), [&](char c) { return is_word(c) || c == '-' || c == '_'; });
-}
-
 namespace {
 
 bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder) {

@@ -43,10 +43,6 @@ class Names {
   std::map<std::string, int> index_;
 };
 
-/// At most 100 letters, digits, '-' and '_', a letter or a digit first: what can be a word of a command or a
-/// file name and leads nowhere.
-bool is_plain_name(const std::string& name);
-
 /// What one scene may hold: more is a mistake, or meant to exhaust the machine. Some 4 GB.
 struct SceneBudget {
   std::size_t triangles = std::size_t{1} << 26;  // stored once for each mesh

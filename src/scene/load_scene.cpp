@@ -1,6 +1,7 @@
 #include "scene/load_scene.h"
 
 #include "base/files.h"
+#include "base/plain_name.h"
 #include "base/text.h"
 #include "scene/camera_frame.h"
 #include "scene/check_polariser_axis.h"

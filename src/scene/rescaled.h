@@ -5,10 +5,8 @@
 namespace orbs::scene {
 
 /// The power of two by which all lengths are multiplied so that the radius of what is drawn, with the camera,
-/// is at least `least_radius_m`; 1 where it is. Floats are multiplied by it without rounding.
-double enlargement_to(const Scene& scene, double least_radius_m);
-
-/// Likewise so that the radius is at most `most_radius_m`; 1 where it is.
-double reduction_to(const Scene& scene, double most_radius_m);
+/// is at least `least_radius_m` and at most `most_radius_m`, which must be twice as large or more; 1 where it
+/// is. Floats are multiplied by it without rounding.
+double rescaling_into(const Scene& scene, double least_radius_m, double most_radius_m);
 
 }  // namespace orbs::scene

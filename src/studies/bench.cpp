@@ -129,7 +129,8 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   std::vector<runner::PreparedRender> subjects;
   for (const auto& chosen : plan.renderers) {
     subjects.push_back(runner::prepare_render(chosen, plan, scene, scratch.path() / chosen.entry.name));
-    record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, plan), {}, {}});
+    record.renderers.push_back(
+        {chosen.entry.name, runner::renderer_version(chosen, plan, {.say = context.say}), {}, {}});
   }
   Images images{std::vector<std::vector<image::Image>>(subjects.size())};
   for (int round = 0; round < settings.rounds; ++round)

@@ -110,9 +110,9 @@ void judge_last_rungs(CostStudy& study) {
 
 void describe_renderers(CostStudy& study) {
   for (const auto& chosen : study.plan.renderers)
-    study.record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, study.plan),
-                                      chosen.entry.cost_ladder.empty() ? kSampleLadder : kSettingsLadder,
-                                      chosen.entry.biased});
+    study.record.renderers.push_back(
+        {chosen.entry.name, runner::renderer_version(chosen, study.plan, {.say = study.context.say}),
+         chosen.entry.cost_ladder.empty() ? kSampleLadder : kSettingsLadder, chosen.entry.biased});
 }
 
 void check_targets(const CostRecord& record, const std::vector<CostTarget>& earlier) {

@@ -188,7 +188,8 @@ void describe(StabilityStudy& study) {
   record.settings = study.request.settings;
   record.host = runner::this_host();
   for (const auto& chosen : study.plan.renderers)
-    record.renderers.push_back({chosen.entry.name, runner::renderer_version(chosen, study.plan)});
+    record.renderers.push_back(
+        {chosen.entry.name, runner::renderer_version(chosen, study.plan, {.say = study.context.say})});
   for (const auto& scene : study.plan.scenes) record.scenes.push_back({scene.name});
   for (const auto& relation : study.request.relations) {
     const auto& one = relation.of_scenes;

@@ -1,5 +1,9 @@
 // What a version command prints, and which part of it is the version.
+#include "base/scratch_folder.h"
 #include "runner/renderer_version.h"
+
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -31,4 +35,23 @@ TEST(RendererVersion, IsUnknownWhereNoLineMatches) {
   EXPECT_EQ(version_in("", "^(pbrt version.*)"),
             "unknown: its version command prints no line that matches '^(pbrt version.*)'");
   EXPECT_EQ(version_in("\\n", ""), "unknown: its version command prints nothing");
+}
+
+// Blender takes more than five seconds where its files have to be read from the disk, and a run that lasts
+// hours then has no version.
+TEST(RendererVersion, IsAskedForOnceMoreWhereNoAnswerCame) {
+  const ScratchFolder folder("orbs-version");
+  runner::ChosenRenderer renderer;
+  renderer.executable = "/bin/sh";
+  renderer.entry.name = "mine";
+  renderer.entry.version_command = {"{executable}", "-c",
+                                    R"(mkdir "$0" 2>/dev/null && exec tail -f /dev/null; echo version 7)",
+                                    (folder.path() / "asked").string()};
+  std::vector<std::string> said;
+  const auto version = runner::renderer_version(
+      renderer, {},
+      {.first_seconds = 2, .second_seconds = 60, .say = [&](const auto& line) { said.push_back(line); }});
+  EXPECT_EQ(version, "version 7");
+  EXPECT_EQ(said, std::vector<std::string>{
+                      "mine: '/bin/sh' did not say its version within 2 s; waiting for up to 60 s"});
 }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -178,7 +179,7 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
 scene::Scene enlarged(const scene::Scene& scene) {
   constexpr double kLeastRadius_m = 1;
   constexpr double kMargin = 16;
-  const double factor = scene::enlargement_to(scene, kLeastRadius_m);
+  const double factor = scene::rescaling_into(scene, kLeastRadius_m, std::numeric_limits<double>::infinity());
   if (factor == 1) return scene;
   const double all = kMargin * factor;
   return scene::moved(scene, scaling({all, all, all}));

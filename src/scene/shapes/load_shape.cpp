@@ -1,6 +1,7 @@
 #include "scene/shapes/load_shape.h"
 
 #include "base/error.h"
+#include "base/plain_name.h"
 #include "base/text.h"
 #include "scene/shapes/parse_expression.h"
 

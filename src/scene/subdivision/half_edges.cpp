@@ -56,19 +56,19 @@ HalfEdgeOf connect_faces(const ControlCage& cage, HalfEdges& mesh) {
                       "seen from outside, and let no more than two meet at an edge",
                       mesh.face[other->second], mesh.face[h], ends.first, ends.second));
   }
-  mesh.twin.assign(mesh.from.size(), kNoHalfEdge);
+  mesh.opposite.assign(mesh.from.size(), kNoHalfEdge);
   for (const auto& [ends, h] : half_edge)
     if (const auto back = half_edge.find({ends.second, ends.first}); back != half_edge.end())
-      mesh.twin[h] = back->second;
+      mesh.opposite[h] = back->second;
   return half_edge;
 }
 
 void number_edges(HalfEdges& mesh) {
   mesh.edge.resize(mesh.from.size());
   for (std::uint32_t h = 0; h < mesh.from.size(); ++h) {
-    const bool is_boundary = mesh.twin[h] == kNoHalfEdge;
-    if (!is_boundary && mesh.twin[h] < h) {
-      mesh.edge[h] = mesh.edge[mesh.twin[h]];
+    const bool is_boundary = mesh.opposite[h] == kNoHalfEdge;
+    if (!is_boundary && mesh.opposite[h] < h) {
+      mesh.edge[h] = mesh.edge[mesh.opposite[h]];
       continue;
     }
     mesh.edge[h] = static_cast<std::uint32_t>(mesh.half_of_edge.size());
@@ -108,7 +108,7 @@ void check_fans(const HalfEdges& mesh) {
     std::uint32_t half = first[i];
     do {
       --missed[i];
-      half = mesh.twin[mesh.previous(half)];
+      half = mesh.opposite[mesh.previous(half)];
     } while (half != kNoHalfEdge && half != first[i]);
     if (missed[i] != 0)
       throw InputError(fmt::format(
@@ -121,7 +121,7 @@ void check_fans(const HalfEdges& mesh) {
 std::vector<std::uint32_t> first_half_edges(const HalfEdges& mesh) {
   std::vector<std::uint32_t> first(mesh.points_m.size(), kNoHalfEdge);
   for (std::uint32_t h = 0; h < mesh.from.size(); ++h)
-    if (mesh.twin[h] == kNoHalfEdge || first[mesh.from[h]] == kNoHalfEdge) first[mesh.from[h]] = h;
+    if (mesh.opposite[h] == kNoHalfEdge || first[mesh.from[h]] == kNoHalfEdge) first[mesh.from[h]] = h;
   return first;
 }
 

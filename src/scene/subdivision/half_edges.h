@@ -18,7 +18,8 @@ struct HalfEdges {
   // By half edge:
   std::vector<std::uint32_t> from;  // the point where it starts
   std::vector<std::uint32_t> face;
-  std::vector<std::uint32_t> twin;  // that of the other face, running backwards; kNoHalfEdge on a boundary
+  std::vector<std::uint32_t>
+      opposite;  // that of the other face, running backwards; kNoHalfEdge on a boundary
   std::vector<std::uint32_t> edge;
   // By edge:
   std::vector<std::uint32_t> half_of_edge;  // the first of its half edges

@@ -68,7 +68,7 @@ std::vector<Vec3d> edge_points(const HalfEdges& mesh, const std::vector<Vec3d>& 
     const double sharp = std::min(1.0, mesh.edge_sharpness[i]);
     points[i] = ends / 2;
     if (sharp == 1) continue;
-    const Vec3d smooth = (ends + of_faces[mesh.face[half]] + of_faces[mesh.face[mesh.twin[half]]]) / 4;
+    const Vec3d smooth = (ends + of_faces[mesh.face[half]] + of_faces[mesh.face[mesh.opposite[half]]]) / 4;
     points[i] = sharp * points[i] + (1 - sharp) * smooth;
   }
   return points;
@@ -116,7 +116,7 @@ std::vector<Vec3d> moved_points(const HalfEdges& mesh, const std::vector<Vec3d>&
 void connect_quadrilaterals(const HalfEdges& mesh, HalfEdges& out) {
   const auto points = static_cast<std::uint32_t>(mesh.points_m.size());
   const auto edges = static_cast<std::uint32_t>(mesh.half_of_edge.size());
-  const auto twin_of = [&](std::uint32_t half, std::uint32_t place) {
+  const auto opposite_of = [&](std::uint32_t half, std::uint32_t place) {
     return half == kNoHalfEdge ? kNoHalfEdge : 4 * half + place;
   };
   // The half of an edge at the start of one of its half edges, or at its end.
@@ -125,13 +125,14 @@ void connect_quadrilaterals(const HalfEdges& mesh, HalfEdges& out) {
   };
   for (std::uint32_t h = 0; h < mesh.from.size(); ++h) {
     const auto before = mesh.previous(h);
-    const auto across = mesh.twin[h];
+    const auto across = mesh.opposite[h];
     out.first_of_face.push_back(4 * h);
     out.face.insert(out.face.end(), 4, h);
     out.from.insert(out.from.end(), {mesh.from[h], points + mesh.edge[h], points + edges + mesh.face[h],
                                      points + mesh.edge[before]});
-    out.twin.insert(out.twin.end(), {across == kNoHalfEdge ? kNoHalfEdge : 4 * mesh.next(across) + 3,
-                                     4 * mesh.next(h) + 2, 4 * before + 1, twin_of(mesh.twin[before], 0)});
+    out.opposite.insert(out.opposite.end(),
+                        {across == kNoHalfEdge ? kNoHalfEdge : 4 * mesh.next(across) + 3,
+                         4 * mesh.next(h) + 2, 4 * before + 1, opposite_of(mesh.opposite[before], 0)});
     out.edge.insert(out.edge.end(),
                     {half_at_start(h), 2 * edges + h, 2 * edges + before, half_at_start(before) ^ 1U});
   }

@@ -25,7 +25,7 @@ std::vector<std::uint32_t> fan_of(const HalfEdges& mesh, std::uint32_t first) {
   auto half = first;
   do {
     fan.push_back(half);
-    half = mesh.twin[mesh.previous(half)];
+    half = mesh.opposite[mesh.previous(half)];
   } while (half != kNoHalfEdge && half != first);
   return fan;
 }
@@ -49,7 +49,7 @@ VertexRing ring_of(const HalfEdges& mesh, const std::vector<std::uint32_t>& fan)
     ring.is_sharp.push_back(mesh.edge_sharpness[mesh.edge[half]] > 0);
   }
   const auto last = mesh.previous(fan.back());
-  if (mesh.twin[last] != kNoHalfEdge) return ring;
+  if (mesh.opposite[last] != kNoHalfEdge) return ring;
   ring.edge_ends_m.push_back(mesh.points_m[mesh.from[last]]);
   ring.is_sharp.push_back(true);
   return ring;

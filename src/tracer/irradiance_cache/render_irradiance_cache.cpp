@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "tracer/irradiance_cache/build_cache.h"
 #include "tracer/irradiance_cache/visited_batch.h"
+#include "tracer/render/tile_samples.h"
 
 #include <memory>
 #include <mutex>
@@ -11,8 +12,6 @@
 namespace orbs::tracer {
 
 namespace {
-
-constexpr std::size_t kPathsPerBatch = 1024;  // as in path tracing
 
 // What the path of a camera sample still looks for.
 enum class PathStage : std::uint8_t {
@@ -73,17 +72,7 @@ class TileWorker {
       : world_(world), settings_(settings), film_(film), visitor_(world, caches) {}
 
   void trace(const Tile& tile, const Pass& pass) {
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)),
-                                        pass.replicate, {settings_.sampler, pass.length});
-        for (std::uint32_t i = 0; i < pass.count; ++i) samples_.push_back({x, y, block, pass.first + i});
-        if (samples_.size() + pass.count > kPathsPerBatch) flush();
-      }
-    flush();
-    if (!pass.ends_replicate) return;
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) end_replicate(film_.pixels[pixel_index(x, y)]);
+    trace_tile(tile, pass, settings_, film_, samples_, [&] { flush(); });
   }
 
   void report(Rendering& out) const {
@@ -95,10 +84,6 @@ class TileWorker {
   }
 
  private:
-  std::size_t pixel_index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width) + static_cast<std::size_t>(x);
-  }
-
   void flush() {
     if (samples_.empty()) return;
     start_paths(batch_, world_, samples_);
@@ -107,7 +92,7 @@ class TileWorker {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Vec3f radiance = batch_.paths[i].radiance;
       if (is_finite(radiance))
-        add_sample(film_.pixels[pixel_index(samples_[i].x, samples_[i].y)], cast<double>(radiance));
+        add_sample(film_.pixels[pixel_index(film_, samples_[i].x, samples_[i].y)], cast<double>(radiance));
       else
         merge(bad_, {1, samples_[i].x, samples_[i].y});
     }

@@ -5,15 +5,13 @@
 #include "tracer/render/light_pass.h"
 #include "tracer/render/passes.h"
 #include "tracer/render/rendering.h"
+#include "tracer/render/tile_samples.h"
 
 #include <functional>
 #include <mutex>
 
 /// Rendering with one transport; src/tracer/kernels instantiates it.
 namespace orbs::tracer {
-
-/// Enough for full packets of rays, few enough that the state of a thread's paths stays in the L2 cache.
-constexpr int kPathsPerBatch = 1024;
 
 /// Traces the samples of one tile.
 template <Transport T>
@@ -25,27 +23,13 @@ class TileWorker {
   }
 
   void trace(const Tile& tile, const Pass& pass) {
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel_index(x, y)),
-                                        pass.replicate, {settings_.sampler, pass.length});
-        for (std::uint32_t i = 0; i < pass.count; ++i) samples_.push_back({x, y, block, pass.first + i});
-        if (samples_.size() + pass.count > kPathsPerBatch) flush();
-      }
-    flush();
-    if (!pass.ends_replicate) return;
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) end_replicate(film_.pixels[pixel_index(x, y)]);
+    trace_tile(tile, pass, settings_, film_, samples_, [&] { flush(); });
   }
 
   const BadSamples& bad_samples() const { return bad_; }
   double traversal_seconds() const { return batch_.traversal_seconds; }
 
  private:
-  std::size_t pixel_index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width) + static_cast<std::size_t>(x);
-  }
-
   void flush() {
     trace_batch<T>(batch_, world_, samples_);
     std::vector<bool> is_bad(samples_.size(), false);
@@ -53,7 +37,7 @@ class TileWorker {
       const Sample& sample = samples_[i];
       const PathState<T>& path = batch_.paths[i];
       const Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
-      const auto pixel = pixel_index(sample.x, sample.y);
+      const auto pixel = pixel_index(film_, sample.x, sample.y);
       is_bad[i] = !is_finite(radiance);
       if (is_bad[i]) {
         merge(bad_, {1, sample.x, sample.y});
@@ -67,7 +51,7 @@ class TileWorker {
     for (const ClassedRadiance& entry : batch_.classed) {
       if (is_bad[entry.sample]) continue;
       const Sample& sample = samples_[entry.sample];
-      film_.class_sums[static_cast<std::size_t>(entry.path_class)][pixel_index(sample.x, sample.y)] +=
+      film_.class_sums[static_cast<std::size_t>(entry.path_class)][pixel_index(film_, sample.x, sample.y)] +=
           cast<double>(entry.radiance);
     }
     samples_.clear();

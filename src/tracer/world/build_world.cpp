@@ -142,8 +142,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
 }  // namespace
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
-  const double factor =
-      scene::enlargement_to(scene, kLeastRadius_m) * scene::reduction_to(scene, kMostRadius_m);
+  const double factor = scene::rescaling_into(scene, kLeastRadius_m, kMostRadius_m);
   if (factor == 1) return make_world_as_is(scene, settings);
   return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
 }

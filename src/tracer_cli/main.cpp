@@ -1,0 +1,111 @@
+#include "base/error.h"
+#include "base/terminal.h"
+#include "image/image_io.h"
+#include "scene/load_scene.h"
+#include "tracer/choose_light_connections.h"
+#include "tracer/choose_light_paths.h"
+#include "tracer/choose_light_selection.h"
+#include "tracer/render.h"
+#include "tracer/world/build_world.h"
+#include "tracer/world/reset_counts.h"
+#include "tracer_cli/options.h"
+#include "tracer_cli/progress_line.h"
+#include "tracer_cli/stamp.h"
+
+#include <atomic>
+#include <csignal>
+#include <string>
+
+#ifndef ORBS_VERSION
+#  define ORBS_VERSION "unknown"
+#endif
+
+namespace orbs::tracer_cli {
+
+namespace {
+
+std::atomic<bool> stop{false};
+
+extern "C" void request_stop(int) { stop = true; }
+
+scene::Scene scene_for(const Options& options) {
+  auto scene = scene::load_scene(options.scene, {}, options.camera);
+  for (const auto& warning : scene.notes.warnings) print_clean(stderr, "orbs-tracer: warning: {}\n", warning);
+  set_integrator(scene, options);
+  if (options.width > 0) scene.camera.width_px = options.width;
+  if (options.height > 0) scene.camera.height_px = options.height;
+  return scene;
+}
+
+// With the algorithms that trial renderings show to be better.
+tracer::World world_for(const Options& options, const scene::Scene& scene) {
+  auto world = tracer::make_world(scene, world_settings(options, scene));
+  const int threads = options.render.threads;
+  if (options.light_selection == "auto") tracer::choose_light_selection(world, threads);
+  if (options.light_paths == "auto") tracer::choose_light_paths(world, threads);
+  if (options.light_connections == "auto") tracer::choose_light_connections(world, threads);
+  if (options.light_connections == "always")
+    world.connects_light_vertices = tracer::supports_light_connections(world);
+  // What the trial renderings met is no part of the image.
+  tracer::reset_counts(world);
+  return world;
+}
+
+void print_summary(const tracer::Rendering& r, bool as_json) {
+  if (r.variance_leaves_floats)
+    print_clean(stderr,
+                "orbs-tracer: warning: the variances are beyond the range of floats, so the image has none; "
+                "radiances between 1e-16 and 1e19 have them\n");
+  if (r.bad_samples.count > 0)
+    print_clean(stderr,
+                "orbs-tracer: {} samples were not finite and are left out; the first one at pixel ({}, {})\n",
+                r.bad_samples.count, r.bad_samples.first_x, r.bad_samples.first_y);
+  if (as_json)
+    print_clean(
+        "{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
+        "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
+        r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
+  print_clean("orbs: render_seconds {:.4f}\n", r.seconds);
+}
+
+void warn_of_plugin_faults(const tracer::World& world) {
+  if (const auto faults = tracer::plugin_faults(world.plugin_shapes); faults.count > 0)
+    print_clean(stderr,
+                "orbs-tracer: warning: plug-ins broke their rules {} times, which counted as misses: {}\n",
+                faults.count, faults.what);
+}
+
+int run(const Options& options) {
+  const auto scene = scene_for(options);
+  const auto world = world_for(options, scene);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  ProgressLine line(options.as_json);
+  auto rendering = tracer::render(world, render_settings(options, scene), stop,
+                                  [&](const tracer::Progress& p) { line.show(p); });
+  line.finish();
+  stamp(rendering, options, scene, world, ORBS_VERSION);
+  image::write_exr(rendering.image, options.output);
+  warn_of_plugin_faults(world);
+  print_summary(rendering, options.as_json);
+  if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
+  print_clean(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
+              rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);
+  return kInterrupted;
+}
+
+}  // namespace
+
+}  // namespace orbs::tracer_cli
+
+int main(int argc, char** argv) {
+  try {
+    return orbs::tracer_cli::run(orbs::tracer_cli::parse_options(argc, argv, ORBS_VERSION));
+  } catch (const orbs::InputError& e) {
+    orbs::print_clean(stderr, "orbs-tracer: {}\n", e.what());
+    return 2;
+  } catch (const std::exception& e) {
+    orbs::print_clean(stderr, "orbs-tracer: internal error: {}\n", e.what());
+    return 3;
+  }
+}

@@ -1,0 +1,205 @@
+#include "tracer_cli/options.h"
+
+#include "base/error.h"
+#include "scene/effects.h"
+
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::tracer_cli {
+
+namespace {
+
+std::vector<std::string> transport_choices() {
+  std::vector<std::string> choices{"auto"};
+  for (const auto transport : scene::kTransports) choices.emplace_back(scene::transport_name(transport));
+  return choices;
+}
+
+// What is rendered, and how large and how well.
+void add_image_options(CLI::App& app, Options& options) {
+  app.add_option("scene", options.scene, "scene file (orbs-scene/1)")->required();
+  app.add_option("-o,--output", options.output, "image to write (OpenEXR: R,G,B and their variances)")
+      ->required();
+  app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")
+      ->check(CLI::Range(1, 1 << 24))
+      ->capture_default_str();
+  app.add_option("--seed", options.render.seed,
+                 "seed of the random numbers; the same seed gives the same image")
+      ->capture_default_str();
+  app.add_option("--threads", options.render.threads,
+                 "number of threads, 0: all cores; the image does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--width", options.width, "replaces the camera's width, in pixels")
+      ->check(CLI::Range(1, 65536));
+  app.add_option("--height", options.height, "replaces the camera's height, in pixels")
+      ->check(CLI::Range(1, 65536));
+  app.add_flag("--split-paths", options.render.split_paths,
+               "write one layer per class of light path (path.EDSL.R ...)");
+  app.add_option("--camera", options.camera,
+                 "one of the \"cameras\" of the scene, by its name (default: its \"camera\")");
+  app.add_option("--plugin", options.plugins.files,
+                 "shared library with shapes that scenes may name (docs/shapes.md), by the name of its file; "
+                 "may be given several times")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--plugin-folder", options.plugins.folder,
+                 "folder in which the plug-ins that a scene names are looked for, if no --plugin is meant")
+      ->check(CLI::ExistingDirectory);
+}
+
+// The algorithms, in the order of the help text. Their expected image is the same.
+void add_algorithm_options(CLI::App& app, Options& options) {
+  app.add_option("--sampler", options.sampler,
+                 "random numbers: independent, stratified (jittered) or sobol (Owen-scrambled)")
+      ->check(CLI::IsMember({"independent", "stratified", "sobol"}))
+      ->capture_default_str();
+  app.add_option(
+         "--replicates", options.render.replicates,
+         "least number of independent blocks of points per pixel, from which its variance is estimated; "
+         "1: one block has all points, and the image has no variances")
+      ->check(CLI::Range(1, 1 << 16))
+      ->capture_default_str();
+  app.add_option(
+         "--direct-light", options.direct_light,
+         "light that comes straight from emitters: mis (light and BSDF sampling, multiple importance "
+         "sampling), light (next-event estimation alone, but where it cannot find the light) or bsdf (no "
+         "next-event estimation)")
+      ->check(CLI::IsMember({"mis", "light", "bsdf"}))
+      ->capture_default_str();
+  app.add_option("--light-selection", options.light_selection,
+                 "which of several emitters light sampling takes: bvh (by what each may contribute to the "
+                 "point), power (by its power alone) or auto (what a trial rendering shows to be better)")
+      ->check(CLI::IsMember({"auto", "bvh", "power"}))
+      ->capture_default_str();
+  app.add_option(
+         "--light-paths", options.light_paths,
+         "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
+         "or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_option("--light-connections", options.light_connections,
+                 "connections of camera paths to the first hits of light paths (bidirectional): auto (if a "
+                 "trial rendering shows that they reduce noise), always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_option(
+         "--intersection", options.intersection,
+         "arithmetic of the tests of rays against triangles: single (Embree's own) or double (slower; "
+         "the difference of both images shows where rounding decides)")
+      ->check(CLI::IsMember({"single", "double"}))
+      ->capture_default_str();
+  app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
+               "no next-event estimation by way of flat mirrors");
+  app.add_flag("--no-roulette", options.has_no_roulette,
+               "no Russian roulette: paths end at the trace depth or where they carry no light");
+}
+
+// Unlike the algorithms these change the expected image: an irradiance cache is biased.
+void add_integrator_options(CLI::App& app, Options& options) {
+  app.add_option("--integrator", options.integrator,
+                 "scene (the one that the scene names), path (path tracing) or irradiance_cache (biased: "
+                 "diffuse interreflection is interpolated between a few places)")
+      ->check(CLI::IsMember({"scene", "path", "irradiance_cache"}))
+      ->capture_default_str();
+  app.add_option(
+         "--cache-error", options.cache_error,
+         "replaces the error of Ward's metric that the scene gives its irradiance cache: less is more "
+         "accurate")
+      ->check(CLI::Range(1e-3, 10.0));
+  app.add_option("--cache-rays", options.cache_rays,
+                 "replaces the number of rays of each record of the irradiance cache")
+      ->check(CLI::Range(8, 4096));
+}
+
+void add_transport_options(CLI::App& app, Options& options) {
+  app.add_option("--transport", options.transport,
+                 "what light paths carry: auto (the cheapest that has what the scene calls for), or one that "
+                 "has more; the expected image is the same")
+      ->check(CLI::IsMember(transport_choices()))
+      ->capture_default_str();
+  app.add_flag("--lossy", options.may_lose_effects,
+               "permit a transport that lacks effects that the scene calls for; the image lacks them, too");
+}
+
+tracer::Sampler sampler_named(const std::string& name) {
+  using tracer::Sampler;
+  if (name == "independent") return Sampler::Independent;
+  return name == "stratified" ? Sampler::Stratified : Sampler::Sobol;
+}
+
+tracer::DirectLight direct_light_named(const std::string& name) {
+  using tracer::DirectLight;
+  if (name == "light") return DirectLight::Light;
+  return name == "bsdf" ? DirectLight::Bsdf : DirectLight::Mis;
+}
+
+}  // namespace
+
+Options parse_options(int argc, char** argv, const std::string& version) {
+  Options options;
+  CLI::App app{"Renders one orbs-scene/1 file with the reference path tracer."};
+  app.set_version_flag("--version", "orbs-tracer " + version);
+  add_image_options(app, options);
+  add_algorithm_options(app, options);
+  add_integrator_options(app, options);
+  add_transport_options(app, options);
+  app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
+  try {
+    app.parse(argc, argv);
+    if (app.count("--replicates") > 0 && options.render.replicates > options.render.samples_per_pixel)
+      throw InputError(fmt::format(
+          "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
+          options.render.replicates, options.render.samples_per_pixel));
+    tracer::check_plugin_names(options.plugins);
+  } catch (const CLI::ParseError& e) {
+    std::exit(app.exit(e) == 0 ? 0 : 2);
+  }
+  return options;
+}
+
+void set_integrator(scene::Scene& scene, const Options& options) {
+  if (options.integrator != "scene") scene.ambient_occlusion.reset();
+  if (options.integrator == "path") scene.irradiance_cache.reset();
+  if (options.integrator == "irradiance_cache" && !scene.irradiance_cache) scene.irradiance_cache.emplace();
+  if (!scene.irradiance_cache) {
+    if (options.cache_error > 0 || options.cache_rays > 0)
+      throw InputError(
+          "--cache-error and --cache-rays are settings of an irradiance cache, and the image has none: add "
+          "--integrator irradiance_cache, or leave them out");
+    return;
+  }
+  if (options.cache_error > 0 && scene.irradiance_cache->metric != scene::CacheMetric::Ward)
+    throw InputError(
+        "--cache-error is a setting of Ward's metric, and the scene asks for that of Tabellion and Lamorlette");
+  if (options.render.split_paths)
+    throw InputError("--split-paths: an irradiance cache keeps no light paths that have classes");
+  if (options.cache_error > 0) scene.irradiance_cache->error = options.cache_error;
+  if (options.cache_rays > 0) scene.irradiance_cache->rays = options.cache_rays;
+}
+
+tracer::RenderSettings render_settings(const Options& options, const scene::Scene& scene) {
+  auto settings = options.render;
+  settings.sampler = sampler_named(options.sampler);
+  settings.split_paths = settings.split_paths || scene.outputs.path_classes;
+  return settings;
+}
+
+tracer::WorldSettings world_settings(const Options& options, const scene::Scene& scene) {
+  using tracer::Intersection;
+  using tracer::LightSelection;
+  return {.transport = scene::transport_named(options.transport),
+          .may_lose_effects = options.may_lose_effects,
+          .light_paths = options.light_paths != "never",
+          .mirrored_light = !options.has_no_mirrored_light,
+          .direct_light = direct_light_named(options.direct_light),
+          .light_selection = options.light_selection == "power" ? LightSelection::Power : LightSelection::Bvh,
+          .roulette = !options.has_no_roulette,
+          .intersection = options.intersection == "double" ? Intersection::Double : Intersection::Single,
+          .plugins = tracer::open_plugins(scene, options.plugins)};
+}
+
+}  // namespace orbs::tracer_cli
