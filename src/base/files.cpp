@@ -92,6 +92,31 @@ void make_folder(const std::filesystem::path& folder) {
 
 namespace {
 
+void allow_writing(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add, ignored);
+  std::error_code failed;
+  for (auto entry = fs::directory_iterator(folder, failed); !failed && entry != fs::directory_iterator();
+       entry.increment(failed))
+    if (entry->symlink_status(ignored).type() == fs::file_type::directory) allow_writing(entry->path());
+}
+
+}  // namespace
+
+std::error_code remove_tree(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::filesystem::remove_all(path, failed);
+  std::error_code ignored;
+  if (!failed || std::filesystem::symlink_status(path, ignored).type() != std::filesystem::file_type::directory)
+    return failed;
+  allow_writing(path);
+  std::filesystem::remove_all(path, failed);
+  return failed;
+}
+
+namespace {
+
 // All that was written to the disk of that folder. One call instead of one fsync for each of a dozen files:
 // each would wait for a commit of its own, ten times as long in all.
 void flush_disk_of(const std::filesystem::path& folder) {
@@ -115,7 +140,7 @@ void put_in_place(const std::filesystem::path& finished, const std::filesystem::
     // No two folders can change places everywhere; in between there is none, which means "not done yet".
     if (fs::exists(fs::symlink_status(target))) fs::rename(target, old);
     fs::rename(finished, target);
-    fs::remove_all(old);
+    remove_tree(old);  // beside the unfinished renders, which are removed when the run ends
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be put into place: {}", target.string(), e.code().message()));
   }

@@ -1,5 +1,7 @@
 #include "base/scratch_folder.h"
 
+#include "base/files.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -15,8 +17,7 @@ ScratchFolder::ScratchFolder(const std::string& name) {
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  remove_tree(path_);
 }
 
 }  // namespace orbs

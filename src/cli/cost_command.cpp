@@ -94,7 +94,8 @@ void add_options(CLI::App& command, CostOptions& options) {
 
 std::filesystem::path cost_file(const std::string& place) {
   const std::filesystem::path path(place);
-  return std::filesystem::is_directory(path) ? path / results::kCostFile : path;
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? path / results::kCostFile : path;
 }
 
 void report(const studies::CostRecord& record, const CostOptions& options) {

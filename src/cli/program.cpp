@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <set>
@@ -133,6 +134,11 @@ int run_program(int argc, char** argv, const std::string& version) {
     print_clean(
         stderr,
         "orbs: there is not enough memory; fewer renders at a time (-j) or smaller images need less\n");
+    return kBadInput;
+  } catch (const std::filesystem::filesystem_error& e) {
+    // A name that is too long, a link that leads to itself, a working folder that is gone.
+    print_clean(stderr, "orbs: {}: {}\n", e.path1().empty() ? "the working folder" : e.path1().string(),
+                e.code().message());
     return kBadInput;
   } catch (const std::exception& e) {
     // fmt::print throws where a full buffer cannot be written.

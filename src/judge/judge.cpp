@@ -148,11 +148,19 @@ void refuse_constant(const metrics::ImagePair& pair, TargetRecord& record) {
 
 // No image that was rendered can share the noise of another one. This says nothing of how good it is.
 void refuse_copy(const metrics::ImagePair& pair, TargetRecord& record) {
-  if (pair.noise.stated == metrics::StatedNoise::NearerThanReference)
+  if (pair.noise.stated == metrics::StatedNoise::NearerThanReference) {
     take(
         record, Verdict::Fail,
         "it is nearer to the reference than the reference's own noise allows: it is a copy of it, or was rendered "
         "with its seed");
+  } else if (metrics::holds_reference_noise(pair.noise)) {
+    constexpr double kPercent = 100;
+    const auto& [share, low, high] = *pair.noise.shared_noise;
+    take(record, Verdict::Fail,
+         fmt::format("it holds {:.2g} % ({:.2g} to {:.2g} %) of the reference's own noise, which no other render "
+                     "has: it was made from the reference's pixels, or with its seed",
+                     kPercent * share, kPercent * low, kPercent * high));
+  }
 }
 
 std::vector<std::string> gate_metrics(const Case& one_case) {
