@@ -108,7 +108,8 @@ std::error_code remove_tree(const std::filesystem::path& path) {
   std::error_code failed;
   std::filesystem::remove_all(path, failed);
   std::error_code ignored;
-  if (!failed || std::filesystem::symlink_status(path, ignored).type() != std::filesystem::file_type::directory)
+  if (!failed ||
+      std::filesystem::symlink_status(path, ignored).type() != std::filesystem::file_type::directory)
     return failed;
   allow_writing(path);
   std::filesystem::remove_all(path, failed);

@@ -46,8 +46,8 @@ class OpenFolder {
   int descriptor_;
 };
 
-/// Whether folder/path lies in the folder by its words: it is relative and has no "..". Symbolic links are not
-/// looked at.
+/// Whether folder/path lies in the folder by its words: it is relative and has no "..". Symbolic links are
+/// not looked at.
 bool leads_inside(const std::filesystem::path& path);
 
 /// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,

@@ -16,8 +16,6 @@ ScratchFolder::ScratchFolder(const std::string& name) {
   path_ = pattern;
 }
 
-ScratchFolder::~ScratchFolder() {
-  remove_tree(path_);
-}
+ScratchFolder::~ScratchFolder() { remove_tree(path_); }
 
 }  // namespace orbs

@@ -157,9 +157,10 @@ void refuse_copy(const metrics::ImagePair& pair, TargetRecord& record) {
     constexpr double kPercent = 100;
     const auto& [share, low, high] = *pair.noise.shared_noise;
     take(record, Verdict::Fail,
-         fmt::format("it holds {:.2g} % ({:.2g} to {:.2g} %) of the reference's own noise, which no other render "
-                     "has: it was made from the reference's pixels, or with its seed",
-                     kPercent * share, kPercent * low, kPercent * high));
+         fmt::format(
+             "it holds {:.2g} % ({:.2g} to {:.2g} %) of the reference's own noise, which no other render "
+             "has: it was made from the reference's pixels, or with its seed",
+             kPercent * share, kPercent * low, kPercent * high));
   }
 }
 

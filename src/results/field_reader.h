@@ -63,8 +63,9 @@ class FieldReader {
     if (!in_.has(key)) return;
     path = in_.system_text(key);
     if (!leads_inside(path))
-      in_.fail(key, fmt::format("'{}' leads out of the folder of this file; expected a relative path without '..'",
-                                clean_text(path)));
+      in_.fail(key,
+               fmt::format("'{}' leads out of the folder of this file; expected a relative path without '..'",
+                           clean_text(path)));
   }
 
   void rectangle(const std::string& key, std::vector<double>& corners) {

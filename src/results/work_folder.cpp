@@ -23,9 +23,7 @@ WorkFolder::WorkFolder(const fs::path& run) : path_(run / kUnfinished / fmt::for
   make_folder(path_);
 }
 
-WorkFolder::~WorkFolder() {
-  remove_tree(path_.parent_path());
-}
+WorkFolder::~WorkFolder() { remove_tree(path_.parent_path()); }
 
 bool is_unfinished(const fs::path& run, const fs::path& folder) {
   std::error_code failed;

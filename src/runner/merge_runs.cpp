@@ -313,9 +313,10 @@ RunRecord merge_runs(const std::vector<fs::path>& shards,
   const auto missing = missing_parts(list, jobs, targets);
   const auto damaged = damaged_files(runs, jobs, targets);
   if (!contradictions.empty() || !missing.empty() || !damaged.empty())
-    throw InputError(complaint("the runs contradict each other", contradictions) +
-                     complaint("the runs lack", missing) + complaint("files are damaged", damaged) +
-                     (missing.empty() && damaged.empty() ? "" : "orbs run --resume FOLDER completes a shard"));
+    throw InputError(
+        complaint("the runs contradict each other", contradictions) + complaint("the runs lack", missing) +
+        complaint("files are damaged", damaged) +
+        (missing.empty() && damaged.empty() ? "" : "orbs run --resume FOLDER completes a shard"));
   const auto folder = make_run_folder(merged.string());
   const results::RunLock lock(folder);
   auto record = merged_record(list, runs, jobs, targets, folder);

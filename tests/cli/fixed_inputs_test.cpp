@@ -87,7 +87,8 @@ TEST(FixedInputs, AnImageThatALaterRenderDamagesSpoilsItsDifferenceAndNothingEls
              R"("command": ["sh", "{root}/spoil.sh", "{executable}", "--mode", "good")");
   const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m3_mirror", "-j", "1", "-o", "out"});
   EXPECT_EQ(answer.status, 1) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "its scene 'mirror': good/mirror/result.exr: has changed since its render"))
+  EXPECT_TRUE(
+      contains(answer.text, "its scene 'mirror': good/mirror/result.exr: has changed since its render"))
       << answer.text;
   EXPECT_TRUE(contains(sandbox.read("out/results.json"), "\"verdict\": \"unreadable\""));
 }

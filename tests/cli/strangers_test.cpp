@@ -73,19 +73,20 @@ TEST(Strangers, AFolderThatCannotBeLookedIntoIsNoRunAndNoInternalError) {
 TEST(Strangers, NamesThatTheSystemRefusesAreRefusedAndNoInternalError) {
   const Sandbox sandbox;
   const std::string long_name(300, 'n');
-  for (const auto& arguments : std::vector<std::vector<std::string>>{{"cost", "--show", long_name},
-                                                                     {"stability", "--show", long_name},
-                                                                     {"serve", long_name},
-                                                                     {"merge", long_name},
-                                                                     {"merge", ""},
-                                                                     {"judge", ""},
-                                                                     {"judge", long_name},
-                                                                     {"run", "--resume", long_name},
-                                                                     {"compare-runs", long_name, ""},
-                                                                     {"run", "-r", "good", "-o", long_name},
-                                                                     {"report", long_name, "-o", "x.html"},
-                                                                     {"run", "-e", long_name, "-r", "good"},
-                                                                     {"list", "--configuration", long_name}}) {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"cost", "--show", long_name},
+                                             {"stability", "--show", long_name},
+                                             {"serve", long_name},
+                                             {"merge", long_name},
+                                             {"merge", ""},
+                                             {"judge", ""},
+                                             {"judge", long_name},
+                                             {"run", "--resume", long_name},
+                                             {"compare-runs", long_name, ""},
+                                             {"run", "-r", "good", "-o", long_name},
+                                             {"report", long_name, "-o", "x.html"},
+                                             {"run", "-e", long_name, "-r", "good"},
+                                             {"list", "--configuration", long_name}}) {
     const auto answer = sandbox.orbs(arguments);
     EXPECT_EQ(answer.status, 2) << arguments.front() << ": " << answer.text;
     EXPECT_FALSE(contains(answer.text, "internal error")) << answer.text;

@@ -82,7 +82,8 @@ const std::array<Kind, 8>& kinds() {
        {"job.json", feed_job},
        {results::kJobListFile, [](const auto& file) { results::read_job_list(file.parent_path()); }},
        {results::kCostFile, [](const auto& file) { results::read_cost_study(file.parent_path()); }},
-       {results::kStabilityFile, [](const auto& file) { results::read_stability_folder(file.parent_path()); }},
+       {results::kStabilityFile,
+        [](const auto& file) { results::read_stability_folder(file.parent_path()); }},
        {results::kImageHashesFile, [](const auto& file) { results::read_image_hashes(file.parent_path()); }},
        {results::kEffectCostsFile, [](const auto& file) { results::read_effect_costs(file); }},
        {"qualification.json", [](const auto& file) {

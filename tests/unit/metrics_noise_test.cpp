@@ -356,18 +356,21 @@ TEST(NoiseTest, NoiseOfTheReferenceIsFoundInTheResult) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
   const Image own = rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64});
-  const auto made_of = [&](const std::function<float(std::size_t pixel, float own, float reference)>& mix_of) {
-    Image made = without_variance(own);
-    for (std::size_t i = 0; i < made.pixels.size(); ++i)
-      made.pixels[i] =
-          mix_of(i / 3, own.pixels[i / 3 * 6 + i % 3], reference.pixels[i / 3 * 6 + i % 3]);
-    return made;
-  };
+  const auto made_of =
+      [&](const std::function<float(std::size_t pixel, float own, float reference)>& mix_of) {
+        Image made = without_variance(own);
+        for (std::size_t i = 0; i < made.pixels.size(); ++i)
+          made.pixels[i] = mix_of(i / 3, own.pixels[i / 3 * 6 + i % 3], reference.pixels[i / 3 * 6 + i % 3]);
+        return made;
+      };
   const Image blend = made_of([](auto, float a, float b) { return (a + b) / 2; });
   const Image noisy_copy = made_of([](auto, float a, float b) { return b + a - 1; });
   const Image half_copied = made_of([](auto pixel, float a, float b) { return pixel % 64 < 32 ? a : b; });
-  for (const auto& [image, share] :
-       {std::pair{own, 0.0}, {without_variance(own), 0.0}, {blend, 0.5}, {noisy_copy, 1.0}, {half_copied, 0.5}}) {
+  for (const auto& [image, share] : {std::pair{own, 0.0},
+                                     {without_variance(own), 0.0},
+                                     {blend, 0.5},
+                                     {noisy_copy, 1.0},
+                                     {half_copied, 0.5}}) {
     const auto test = test_noise(image, reference);
     ASSERT_TRUE(test.shared_noise);
     EXPECT_LE(test.shared_noise->low, share);
@@ -397,7 +400,8 @@ TEST(NoiseTest, NoImageOfItsOwnHoldsNoiseOfTheReference) {
 // What is in proportion to detail is an error, or none, and no noise.
 TEST(NoiseTest, DetailIsNoNoiseOfTheReference) {
   const Light textured = [](std::uint64_t key, int pixel) {
-    return 1 + 0.2 * (unit_random(mix(key, 1)) - 0.5) + 0.02 * unit_random(mix(77, static_cast<std::uint64_t>(pixel)));
+    return 1 + 0.2 * (unit_random(mix(key, 1)) - 0.5) +
+           0.02 * unit_random(mix(77, static_cast<std::uint64_t>(pixel)));
   };
   const Image reference = rendered(textured, {.size_px = 64, .spp = 4096, .seed = kReferenceSeed});
   Image contrast = rendered(textured, {.size_px = 64, .spp = 1024});
