@@ -27,8 +27,9 @@ void check_output_file(const std::filesystem::path& path);
 /// Makes the folder and those above it, unless they exist. WriteError with the reason if it cannot be made.
 void make_folder(const std::filesystem::path& folder);
 
-/// Removes a file, a link, or a folder with all that it holds, also folders that their owner may not write
-/// to, as renderers leave them. Says why it is still there; no error where there was none.
+/// Removes a file, a link, or a folder with all that it holds, as renderers leave them: also folders that
+/// their owner may not write to, and thousands of folders within each other. Says why something is still
+/// there; no error where there was nothing.
 std::error_code remove_tree(const std::filesystem::path& path);
 
 /// Renames the folder `finished` to `target`, which must lie on the same file system. A reader sees the old
