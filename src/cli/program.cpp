@@ -6,6 +6,7 @@
 #include "base/text_table.h"
 #include "cli/action.h"
 #include "cli/command_table.h"
+#include "cli/parse_complaint.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -109,9 +110,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
       print_clean("{}", wrapped_help(text.str(), static_cast<std::size_t>(terminal_width(STDOUT_FILENO))));
       return status;
     }
-    const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    throw InputError(fmt::format("{}; 'orbs {}--help' lists the options", e.what(), command));
+    throw InputError(parse_complaint(e, app));
   }
   return action();
 }

@@ -57,9 +57,11 @@ int write_report(const ReportOptions& options, const Program& program) {
 void add_report_command(CLI::App& command, const Program& program, Action& action) {
   constexpr double kMostMegabytes = 1e6;
   const auto options = std::make_shared<ReportOptions>();
-  command.add_option(
-      "run", options->run,
-      "Folder of the run or study (default: the newest outputs-*, cost-* or stability-* in the working folder)");
+  command
+      .add_option(
+          "run", options->run,
+          "Folder of the run or study (default: the newest outputs-*, cost-* or stability-* in the working folder)")
+      ->check(not_empty("a folder"));
   command.add_option("-o,--output", options->output, "The file to write")
       ->required()
       ->check(not_empty("a file"));
