@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -92,6 +93,61 @@ void make_folder(const std::filesystem::path& folder) {
 
 namespace {
 
+std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder, bool only_folders) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> entries;
+  std::error_code failed;
+  for (auto entry = fs::directory_iterator(folder, failed); !failed && entry != fs::directory_iterator();
+       entry.increment(failed))
+    if (std::error_code ignored;
+        !only_folders || entry->symlink_status(ignored).type() == fs::file_type::directory)
+      entries.push_back(entry->path());
+  return entries;
+}
+
+void allow_writing(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all, std::filesystem::perm_options::add,
+                               ignored);
+}
+
+// One round of remove_tree: of each folder in `top`, removes the files and moves the folders up to `top`,
+// where the next round finds them. False when no folder could be removed.
+bool remove_top_folders(const std::filesystem::path& top, int round) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  int moved = 0;
+  bool removed = false;
+  for (const auto& folder : entries_of(top, true)) {
+    allow_writing(folder);
+    for (const auto& inner : entries_of(folder, true)) {
+      allow_writing(inner);
+      fs::rename(inner, top / fmt::format(".moved-{}-{}", round, moved++), ignored);
+    }
+    for (const auto& file : entries_of(folder, false)) fs::remove(file, ignored);
+    removed = fs::remove(folder, ignored) || removed;
+  }
+  return removed;
+}
+
+}  // namespace
+
+std::error_code remove_tree(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  fs::remove_all(path, failed);
+  std::error_code ignored;
+  if (!failed || fs::symlink_status(path, ignored).type() != fs::file_type::directory) return failed;
+  allow_writing(path);
+  // The library holds a descriptor for each level, and a process may have some thousand.
+  for (int round = 0; remove_top_folders(path, round); ++round) {
+  }
+  fs::remove_all(path, failed);
+  return failed;
+}
+
+namespace {
+
 // All that was written to the disk of that folder. One call instead of one fsync for each of a dozen files:
 // each would wait for a commit of its own, ten times as long in all.
 void flush_disk_of(const std::filesystem::path& folder) {
@@ -115,7 +171,7 @@ void put_in_place(const std::filesystem::path& finished, const std::filesystem::
     // No two folders can change places everywhere; in between there is none, which means "not done yet".
     if (fs::exists(fs::symlink_status(target))) fs::rename(target, old);
     fs::rename(finished, target);
-    fs::remove_all(old);
+    remove_tree(old);  // beside the unfinished renders, which are removed when the run ends
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be put into place: {}", target.string(), e.code().message()));
   }

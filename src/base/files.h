@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace orbs {
 
@@ -25,6 +26,11 @@ void check_output_file(const std::filesystem::path& path);
 
 /// Makes the folder and those above it, unless they exist. WriteError with the reason if it cannot be made.
 void make_folder(const std::filesystem::path& folder);
+
+/// Removes a file, a link, or a folder with all that it holds, as renderers leave them: also folders that
+/// their owner may not write to, and thousands of folders within each other. Says why something is still
+/// there; no error where there was nothing.
+std::error_code remove_tree(const std::filesystem::path& path);
 
 /// Renames the folder `finished` to `target`, which must lie on the same file system. A reader sees the old
 /// folder, none, or the whole new one, even after a power cut. Makes the folders above. WriteError if the

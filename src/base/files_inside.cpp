@@ -4,6 +4,7 @@
 #include "base/file_state.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -47,6 +48,10 @@ OpenFolder::OpenFolder(const std::filesystem::path& folder)
 OpenFolder::~OpenFolder() { ::close(descriptor_); }
 
 std::filesystem::path OpenFolder::path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
+
+bool leads_inside(const std::filesystem::path& path) {
+  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
 
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative) {
   if (relative.empty() || relative.find('\0') != std::string_view::npos) return std::nullopt;

@@ -46,6 +46,10 @@ class OpenFolder {
   int descriptor_;
 };
 
+/// Whether folder/path lies in the folder by its words: it is relative and has no "..". Symbolic links are
+/// not looked at.
+bool leads_inside(const std::filesystem::path& path);
+
 /// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,
 /// so nothing outside the folder can be reached, whatever is renamed meanwhile. std::nullopt if there is no
 /// such regular file.

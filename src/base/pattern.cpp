@@ -109,9 +109,23 @@ std::shared_ptr<const regex_t> compiled(const std::string& text) {
 Pattern::Pattern(const std::string& text) : compiled_(compiled(text)) {}
 
 std::vector<std::string> Pattern::last_match(const std::string& text) const {
+  // A search may take time that grows with the square of the line's length: two minutes for a megabyte of
+  // "error error error". Lines in which programs say something are short.
+  constexpr std::size_t kLongestLine = 1000;
+  for (std::size_t end = text.size();;) {
+    const auto before = end == 0 ? std::string::npos : text.find_last_of("\n\r", end - 1);
+    const auto begin = before == std::string::npos ? 0 : before + 1;
+    if (end - begin <= kLongestLine)
+      if (auto groups = last_match_in_line(text.substr(begin, end - begin)); !groups.empty()) return groups;
+    if (before == std::string::npos) return {};
+    end = before;
+  }
+}
+
+std::vector<std::string> Pattern::last_match_in_line(const std::string& line) const {
   std::vector<regmatch_t> found(group_count() + 1);
   std::vector<std::string> groups;
-  const char* at = text.c_str();
+  const char* at = line.c_str();
   int flags = 0;
   while (::regexec(compiled_.get(), at, found.size(), found.data(), flags) == 0) {
     groups.clear();
@@ -119,9 +133,8 @@ std::vector<std::string> Pattern::last_match(const std::string& text) const {
       groups.push_back(found[i].rm_so < 0 ? "" : std::string(at + found[i].rm_so, at + found[i].rm_eo));
     // An empty match would be found again where it ends.
     const auto next = found[0].rm_eo > 0 ? found[0].rm_eo : 1;
-    if (at + next > text.c_str() + text.size()) break;
-    // What is behind a match is the start of a line only where a line ends before it.
-    flags = at[next - 1] == '\n' ? 0 : REG_NOTBOL;
+    if (at + next > line.c_str() + line.size()) break;
+    flags = REG_NOTBOL;
     at += next;
   }
   return groups;

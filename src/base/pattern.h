@@ -9,7 +9,8 @@
 namespace orbs {
 
 /// A POSIX extended regular expression (IEEE Std 1003.1, section 9.4), matched line by line: '^' and '$' are
-/// the ends of a line, and no class of characters holds a line break.
+/// the ends of a line, and no class of characters holds a line break. A carriage return ends a line, too,
+/// as programs rewrite their line of progress by it.
 class Pattern {
  public:
   /// InputError with the reason if the text is no expression, refers back to a group, nests more than 50
@@ -20,10 +21,12 @@ class Pattern {
   std::size_t group_count() const { return compiled_->re_nsub; }
 
   /// The texts of the groups in the last match in `text`, "" for a group that took no part. Empty if nothing
-  /// matches.
+  /// matches. Lines of more than 1000 bytes are not searched.
   std::vector<std::string> last_match(const std::string& text) const;
 
  private:
+  std::vector<std::string> last_match_in_line(const std::string& line) const;
+
   std::shared_ptr<const regex_t> compiled_;
 };
 

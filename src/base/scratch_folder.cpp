@@ -1,5 +1,7 @@
 #include "base/scratch_folder.h"
 
+#include "base/files.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -14,9 +16,6 @@ ScratchFolder::ScratchFolder(const std::string& name) {
   path_ = pattern;
 }
 
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
+ScratchFolder::~ScratchFolder() { remove_tree(path_); }
 
 }  // namespace orbs

@@ -1,4 +1,5 @@
 #include "base/terminal.h"
+#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "history/compare_runs.h"
 #include "results/run_folder.h"
@@ -36,8 +37,12 @@ int compare(const Options& options) {
 
 void add_compare_runs_command(CLI::App& command, const Program& /*program*/, Action& action) {
   const auto options = std::make_shared<Options>();
-  command.add_option("before", options->before, "Folder of the earlier run")->required();
-  command.add_option("after", options->after, "Folder of the later run")->required();
+  command.add_option("before", options->before, "Folder of the earlier run")
+      ->required()
+      ->check(not_empty("a folder"));
+  command.add_option("after", options->after, "Folder of the later run")
+      ->required()
+      ->check(not_empty("a folder"));
   auto* markdown = command.add_flag("--markdown", options->as_markdown, "Print Markdown for a pull request");
   command.add_flag("--json", options->as_json, "Print everything as JSON, for programs")->excludes(markdown);
   command.footer(

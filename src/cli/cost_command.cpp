@@ -16,6 +16,8 @@
 #include "studies/cost_study.h"
 #include "studies/cost_svg.h"
 
+#include <cmath>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -33,7 +35,9 @@ struct CostOptions {
 };
 
 // "90", "30s", "20m", "1.5h"; "35", "35dB".
-double number_with_unit(const std::string& text, const std::vector<std::pair<std::string, double>>& units) {
+double number_with_unit(const char* option,
+                        const std::string& text,
+                        const std::vector<std::pair<std::string, double>>& units) {
   std::size_t used = 0;
   double number = 0;
   try {
@@ -43,11 +47,12 @@ double number_with_unit(const std::string& text, const std::vector<std::pair<std
   }
   const auto unit = text.substr(used);
   for (const auto& [name, factor] : units)
-    if (used > 0 && unit == name && number > 0) return number * factor;
+    if (used > 0 && unit == name && number > 0 && std::isfinite(number)) return number * factor;
   std::string known;
   for (const auto& [name, factor] : units)
     if (!name.empty()) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-  throw InputError(fmt::format("'{}' is no number above 0 with one of the units {}", text, known));
+  throw InputError(
+      fmt::format("{}: '{}' is no number above 0 with one of the units {}", option, text, known));
 }
 
 void add_options(CLI::App& command, CostOptions& options) {
@@ -94,7 +99,8 @@ void add_options(CLI::App& command, CostOptions& options) {
 
 std::filesystem::path cost_file(const std::string& place) {
   const std::filesystem::path path(place);
-  return std::filesystem::is_directory(path) ? path / results::kCostFile : path;
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? path / results::kCostFile : path;
 }
 
 void report(const studies::CostRecord& record, const CostOptions& options) {
@@ -124,8 +130,8 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   settings.jobs = 1;
   auto& request = options.request;
   request.settings.budget_seconds =
-      number_with_unit(options.time, {{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}});
-  request.settings.target_db = number_with_unit(options.target, {{"dB", 1}, {"", 1}});
+      number_with_unit("--time", options.time, {{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}});
+  request.settings.target_db = number_with_unit("--target", options.target, {{"dB", 1}, {"", 1}});
   const auto plan = runner::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
   studies::CostRecord record;

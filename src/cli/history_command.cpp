@@ -47,7 +47,8 @@ int show_history(const Options& options) {
 
 void add_history_command(CLI::App& command, const Program& /*program*/, Action& action) {
   const auto options = std::make_shared<Options>();
-  command.add_option("runs", options->runs, "Folders of runs (default: all outputs-* in the working folder)");
+  command.add_option("runs", options->runs, "Folders of runs (default: all outputs-* in the working folder)")
+      ->check(not_empty("a folder"));
   command.add_option("-o,--output", options->page, "Also write the history as a page, one HTML file")
       ->option_text("FILE")
       ->check(not_empty("a file"));

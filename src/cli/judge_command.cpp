@@ -52,7 +52,8 @@ void add_judge_command(CLI::App& command, const Program& program, Action& action
   command
       .add_option("folder", options->folder,
                   "Folder that orbs export made, with the images that were rendered")
-      ->required();
+      ->required()
+      ->check(not_empty("a folder"));
   command
       .add_option("-o,--output", options->output,
                   "New folder for the results (default: outputs-YYMMDD-HHMMSS)")

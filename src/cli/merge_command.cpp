@@ -34,7 +34,9 @@ int merge(const Options& options, const Program& program) {
 
 void add_merge_command(CLI::App& command, const Program& program, Action& action) {
   const auto options = std::make_shared<Options>();
-  command.add_option("runs", options->shards, "Folders of all shards of one run")->required();
+  command.add_option("runs", options->shards, "Folders of all shards of one run")
+      ->required()
+      ->check(not_empty("a folder"));
   command
       .add_option("-o,--output", options->output,
                   "New folder for the whole run (default: outputs-YYMMDD-HHMMSS)")

@@ -6,11 +6,13 @@
 #include "base/text_table.h"
 #include "cli/action.h"
 #include "cli/command_table.h"
+#include "cli/parse_complaint.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <set>
@@ -108,9 +110,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
       print_clean("{}", wrapped_help(text.str(), static_cast<std::size_t>(terminal_width(STDOUT_FILENO))));
       return status;
     }
-    const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    throw InputError(fmt::format("{}; 'orbs {}--help' lists the options", e.what(), command));
+    throw InputError(parse_complaint(e, app));
   }
   return action();
 }
@@ -133,6 +133,11 @@ int run_program(int argc, char** argv, const std::string& version) {
     print_clean(
         stderr,
         "orbs: there is not enough memory; fewer renders at a time (-j) or smaller images need less\n");
+    return kBadInput;
+  } catch (const std::filesystem::filesystem_error& e) {
+    // A name that is too long, a link that leads to itself, a working folder that is gone.
+    print_clean(stderr, "orbs: {}: {}\n", e.path1().empty() ? "the working folder" : e.path1().string(),
+                e.code().message());
     return kBadInput;
   } catch (const std::exception& e) {
     // fmt::print throws where a full buffer cannot be written.

@@ -31,6 +31,11 @@ void open_in_browser(const std::string& url) {
   print_clean(stderr, "there is no xdg-open; open the address in a browser\n");
 }
 
+bool holds_run(const fs::path& folder) {
+  std::error_code ignored;  // a folder of somebody else, a link that leads to itself
+  return fs::exists(folder / "results.json", ignored);
+}
+
 // The folders of the working folder that hold a result, the newest first.
 std::vector<fs::path> newest_folders(const std::function<bool(const fs::path&)>& holds_result) {
   std::vector<fs::path> found;
@@ -53,14 +58,14 @@ std::vector<fs::path> newest_folders(const std::function<bool(const fs::path&)>&
 
 std::vector<fs::path> newest_runs() {
   return newest_folders([](const fs::path& folder) {
-    return folder.filename().string().starts_with("outputs-") && fs::exists(folder / "results.json");
+    return folder.filename().string().starts_with("outputs-") && holds_run(folder);
   });
 }
 
 std::vector<fs::path> newest_runs_and_studies() {
   return newest_folders([](const fs::path& folder) {
     const auto name = folder.filename().string();
-    return (name.starts_with("outputs-") && fs::exists(folder / "results.json")) ||
+    return (name.starts_with("outputs-") && holds_run(folder)) ||
            ((name.starts_with("outputs-") || name.starts_with("cost-")) &&
             results::holds_cost_study(folder)) ||
            (name.starts_with("stability-") && results::holds_stability_study(folder));

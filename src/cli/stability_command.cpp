@@ -73,7 +73,8 @@ void add_folder_options(CLI::App& command, StabilityOptions& options) {
 
 std::filesystem::path stability_file(const std::string& place) {
   const std::filesystem::path path(place);
-  return std::filesystem::is_directory(path) ? path / results::kStabilityFile : path;
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? path / results::kStabilityFile : path;
 }
 
 void print(const studies::StabilityRecord& record, bool as_markdown) {

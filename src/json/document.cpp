@@ -6,6 +6,7 @@
 #include "json/locate.h"
 
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -39,6 +40,15 @@ std::string shortened(const std::string& text) {
   constexpr std::size_t kSide = 150;
   if (text.size() <= 2 * kSide) return text;
   return text.substr(0, kSide) + " ... " + text.substr(text.size() - kSide);
+}
+
+// What the library says without its own name of the error and its place, which we state ourselves:
+// "[json.exception.parse_error.101] parse error at line 1, column 2: ".
+std::string without_prefix(const std::string& text) {
+  constexpr std::string_view kPlace = "parse error at line";
+  auto rest = text.substr(text.starts_with('[') ? text.find("] ") + 2 : 0);
+  if (rest.starts_with(kPlace)) rest.erase(0, rest.find(": ") + 2);
+  return rest;
 }
 
 [[noreturn]] void refuse(const std::string& name,
@@ -84,8 +94,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::json::exception& e) override {
     // Other exceptions are of numbers beyond the range of double.
     if (dynamic_cast<const nlohmann::json::parse_error*>(&e) == nullptr)
-      throw Refusal{"not usable JSON: " + shortened(e.what())};
-    throw Refusal{"not valid JSON: " + shortened(e.what()), byte > 0 ? byte - 1 : 0};
+      throw Refusal{"not usable JSON: " + shortened(without_prefix(e.what()))};
+    throw Refusal{"not valid JSON: " + shortened(without_prefix(e.what())), byte > 0 ? byte - 1 : 0};
   }
 
  private:

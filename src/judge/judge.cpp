@@ -8,6 +8,7 @@
 #include "metrics/bias_message.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,22 @@ bool refuse_negative(const Case& one_case, const metrics::PixelFaults& faults, T
   return false;
 }
 
+// Where a Stokes parameter is no number; "" if all are, or there are none. No gate could measure them.
+std::string stokes_problem(const image::Image& image) {
+  if (!metrics::has_stokes(image)) return "";
+  for (const char* layer : {"S1.", "S2.", "S3."})
+    for (const char* colour : {"R", "G", "B"}) {
+      const auto name = std::string(layer) + colour;
+      const int channel = image::channel_index(image, name);
+      if (channel < 0) continue;
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+          if (const float value = image.at(x, y, static_cast<std::size_t>(channel)); !std::isfinite(value))
+            return fmt::format("{} is {} at pixel ({}, {})", name, value, x, y);
+    }
+  return "";
+}
+
 bool is_constant(const std::vector<float>& rgb) {
   for (std::size_t i = 3; i < rgb.size(); ++i)
     if (rgb[i] != rgb[i - 3]) return false;
@@ -148,11 +165,20 @@ void refuse_constant(const metrics::ImagePair& pair, TargetRecord& record) {
 
 // No image that was rendered can share the noise of another one. This says nothing of how good it is.
 void refuse_copy(const metrics::ImagePair& pair, TargetRecord& record) {
-  if (pair.noise.stated == metrics::StatedNoise::NearerThanReference)
+  if (pair.noise.stated == metrics::StatedNoise::NearerThanReference) {
     take(
         record, Verdict::Fail,
         "it is nearer to the reference than the reference's own noise allows: it is a copy of it, or was rendered "
         "with its seed");
+  } else if (metrics::holds_reference_noise(pair.noise)) {
+    constexpr double kPercent = 100;
+    const auto& [share, low, high] = *pair.noise.shared_noise;
+    take(record, Verdict::Fail,
+         fmt::format(
+             "it holds {:.2g} % ({:.2g} to {:.2g} %) of the reference's own noise, which no other render "
+             "has: it was made from the reference's pixels, or with its seed",
+             kPercent * share, kPercent * low, kPercent * high));
+  }
 }
 
 std::vector<std::string> gate_metrics(const Case& one_case) {
@@ -212,6 +238,11 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
     return judge_image(one_case, without_variances(result), reference, settings, record);
   }
   record.reference_provenance = provenance_of(*reference.image);
+  if (const auto problem = stokes_problem(result);
+      metrics::has_stokes(*reference.image) && !problem.empty()) {
+    take(record, Verdict::InvalidPixels, problem);
+    return std::nullopt;
+  }
   const auto alignment = metrics::check_alignment(result, *reference.image, negatives);
   if (refuse_negative(one_case, alignment.result, record)) return std::nullopt;
   if (alignment.alignment != metrics::Alignment::Comparable) {

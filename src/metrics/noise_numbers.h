@@ -14,6 +14,12 @@ inline MetricResult compute_bias_squared(const ImagePair& pair) {
   return {.value = bias.value, .low = bias.low, .high = bias.high};
 }
 
+inline MetricResult compute_shared_noise(const ImagePair& pair) {
+  const auto& shared = pair.noise.shared_noise;
+  if (!shared) return {std::nullopt};
+  return {.value = shared->value, .low = shared->low, .high = shared->high};
+}
+
 inline MetricResult compute_blocks_off(const ImagePair& pair) {
   return {static_cast<double>(pair.noise.blocks.off)};
 }
@@ -57,6 +63,17 @@ inline constexpr MetricInfo kBiasSquared{
     "image in 1 of 7000",
     kNoMap,
     compute_bias_squared};
+
+inline constexpr MetricInfo kSharedNoise{
+    "shared_noise",
+    "1",
+    Better::NearZero,
+    "share of the reference's own noise that the result holds: 1 + sum of (reference less the mean of its four "
+    "neighbours) times (the same of the difference), over the sum of the squares of the former, or of their variances "
+    "where those are less; over smooth unmasked pixels in blocks of 8 x 8 px without detail; linear Rec.709, no "
+    "clamp. 0 for an image of its own, 1 for a copy; no value where the reference states no noise",
+    kNoMap,
+    compute_shared_noise};
 
 inline constexpr MetricInfo kBlocksOff{
     "blocks_off",

@@ -1,6 +1,7 @@
 #include "metrics/noise_test.h"
 
 #include "base/student_t.h"
+#include "metrics/shared_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@ namespace orbs::metrics {
 namespace {
 
 constexpr double kPerTest = kFalseAlarms / kTests;
+// Three tests of one side each, of the two sides of an interval.
+constexpr double kPerNoiseTest = kPerTest * 2 / 3;
 
 struct Totals {
   double result = 0;
@@ -75,13 +78,13 @@ std::optional<Interval> ratio_of(const PairSamples& samples, std::size_t channel
 
 // Mean of independent numbers; their scatter also holds that of the errors themselves, which only makes the
 // interval wider.
-Interval mean_of(const std::vector<double>& values) {
+Interval mean_of(const std::vector<double>& values, double false_alarms = kPerTest) {
   const auto count = static_cast<double>(values.size());
   double mean = 0;
   for (const double value : values) mean += value / count;
   PooledVariance scatter;
   for (const double value : values) scatter.add((value - mean) * (value - mean));
-  return student_interval(mean, std::sqrt(scatter.sum) / count, scatter.degrees(), kPerTest);
+  return student_interval(mean, std::sqrt(scatter.sum) / count, scatter.degrees(), false_alarms);
 }
 
 // The variances of both images over all channels; which of the two estimates of the result's is chosen as
@@ -117,7 +120,8 @@ PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std
 // independent, is one number per pixel.
 Interval mean_excess(const PairSamples& samples,
                      const std::vector<std::uint8_t>& chosen,
-                     const std::vector<double>& variances) {
+                     const std::vector<double>& variances,
+                     double false_alarms = kPerTest) {
   std::vector<double> excess;
   excess.reserve(variances.size());
   for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
@@ -127,7 +131,7 @@ Interval mean_excess(const PairSamples& samples,
       squares += samples.difference(i) * samples.difference(i);
     excess.push_back((squares - variances[excess.size()]) / 3);
   }
-  return mean_of(excess);
+  return mean_of(excess, false_alarms);
 }
 
 double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& chosen) {
@@ -163,7 +167,7 @@ bool is_less_than_half(const PairSamples& samples, std::vector<double> variances
     variance /= 2;
     sum += variance;
   }
-  return sum > 0 && mean_excess(samples, samples.included, variances).high < 0;
+  return sum > 0 && mean_excess(samples, samples.included, variances, kPerNoiseTest).high < 0;
 }
 
 StatedNoise check_stated_noise(const PairSamples& samples, const PixelVariances& all) {
@@ -212,6 +216,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   test.blocks = score_blocks(samples, kPerTest);
   test.pattern = strongest_pattern(samples, kPerTest);
   test.correlation = strongest_correlation(samples, smooth, kPerTest);
+  test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest);
   if (test.source == NoiseSource::Variances) test.pixels = score_pixels(samples);
   return test;
 }
@@ -234,6 +239,11 @@ std::optional<Interval> mean_error(const NoiseTest& test) {
 
 bool is_square_biased(const NoiseTest& test) {
   return test.bias_squared.low > kNegligible * kNegligible * test.reference_squared;
+}
+
+bool holds_reference_noise(const NoiseTest& test) {
+  constexpr double kMost = 0.25;
+  return test.shared_noise && test.shared_noise->low > kMost;
 }
 
 bool is_residual(const NoiseTest& test) {

@@ -28,7 +28,8 @@
 namespace orbs::metrics {
 
 /// How many control images in total are called wrong; the tests share it evenly: mean ratio, blocks, squares
-/// everywhere and away from edges, patterns, correlation, and the two of the stated noise together.
+/// everywhere and away from edges, patterns, correlation, and the three of the stated and shared noise
+/// together.
 constexpr double kFalseAlarms = 1e-3;
 constexpr int kTests = 7;
 // Every Interval here leaves out a right image with the probability kFalseAlarms / kTests at most (those of
@@ -60,7 +61,8 @@ struct NoiseTest {
   BlockScores blocks;
   std::optional<PatternFinding> pattern;
   std::optional<Correlation> correlation;
-  std::optional<PixelScores> pixels;  // by the result's variances only
+  std::optional<PixelScores> pixels;     // by the result's variances only
+  std::optional<Interval> shared_noise;  // share of the reference's own noise that the result holds
 };
 
 NoiseTest test_noise(const PairSamples& samples);
@@ -76,6 +78,11 @@ bool is_square_biased(const NoiseTest& test);
 
 /// The same away from edges, where correct renderers do not differ.
 bool is_residual(const NoiseTest& test);
+
+/// Whether the result holds more than a quarter of the reference's own noise for sure, so that it was made
+/// from the reference, or with its seed. A quarter, as the variances of references are stored to 2
+/// significant bits.
+bool holds_reference_noise(const NoiseTest& test);
 
 /// The mean ratio that is farthest from zero of those whose whole interval lies beyond kNegligible; nothing
 /// when there is none.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/files_inside.h"
+#include "base/text.h"
 #include "json/object_reader.h"
 #include "results/job_outcome.h"
 #include "results/verdict.h"
@@ -54,6 +56,16 @@ class FieldReader {
   void maybe_infinite(const std::string& key, std::optional<double>& value) {
     get(key, value);
     if (is_infinite()) value = std::numeric_limits<double>::infinity();
+  }
+
+  // Folders of runs come from other machines: no path of theirs may lead merge, serve or report elsewhere.
+  void inside_folder(const std::string& key, std::string& path) {
+    if (!in_.has(key)) return;
+    path = in_.system_text(key);
+    if (!leads_inside(path))
+      in_.fail(key,
+               fmt::format("'{}' leads out of the folder of this file; expected a relative path without '..'",
+                           clean_text(path)));
   }
 
   void rectangle(const std::string& key, std::vector<double>& corners) {

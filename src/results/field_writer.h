@@ -48,6 +48,8 @@ class FieldWriter {
     (*this)(key, value);
   }
 
+  void inside_folder(std::string_view key, const std::string& path) { (*this)(key, path); }
+
   /// JSON has no infinity: it becomes null, with "infinite": true beside it.
   void maybe_infinite(std::string_view key, double value) {
     out_.member(key, value);

@@ -58,6 +58,7 @@ struct JobHashes {
   std::string settings;  // what else makes the image: command, environment, threads
   std::string limits;    // what may end the render without an image: time, memory, files
   std::string judged;    // what its images were judged by: cases, references, the version of orbs
+  std::string image;     // the image's file, by which merge notices damage; "" if there is none
 };
 
 template <class Visitor, RecordOf<JobHashes> Record>
@@ -68,6 +69,7 @@ void fields(Visitor& visit, Record& hashes) {
   visit("settings", hashes.settings);
   visit("limits", hashes.limits);
   visit("judged", hashes.judged);
+  visit("image", hashes.image);
 }
 
 /// When and where the render ran, and what it took. Several seeds add up.
@@ -120,10 +122,10 @@ struct JobFiles {
 
 template <class Visitor, RecordOf<JobFiles> Record>
 void fields(Visitor& visit, Record& files) {
-  visit("folder", files.folder);
+  visit.inside_folder("folder", files.folder);
   visit("native_scene", files.native_scene);
-  visit("image", files.image);
-  visit("log", files.log);
+  visit.inside_folder("image", files.image);
+  visit.inside_folder("log", files.log);
 }
 
 /// One render: what was started, what it cost, how it ended.

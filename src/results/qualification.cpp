@@ -80,7 +80,9 @@ GateRecord read_gate(ObjectReader& in) {
                             mutant.boolean_or("rejected", false), mutant.text_or("reason", "")});
   gate.global = read_smallest(in.object("smallest_global"));
   gate.local = read_smallest(in.object("smallest_local"));
-  for (const double pixel : in.numbers("local_where")) gate.local_where.push_back(static_cast<int>(pixel));
+  constexpr json::Range kPixel{0, 1e9};
+  for (const double pixel : in.numbers("local_where", 0, kPixel))
+    gate.local_where.push_back(static_cast<int>(pixel));
   gate.provenance = read_texts(in.object("provenance"));
   return gate;
 }

@@ -50,7 +50,7 @@ struct MapRecord {
 template <class Visitor, RecordOf<MapRecord> Record>
 void fields(Visitor& visit, Record& map) {
   visit.required("name", map.name);
-  visit.required("image", map.image);
+  visit.inside_folder("image", map.image);
   visit("definition", map.definition);
   visit("signed", map.is_signed);
   visit("scale_maximum", map.scale_maximum);
@@ -124,8 +124,8 @@ void fields(Visitor& visit, Record& target) {
   visit("hidden", target.hidden);
   visit("reference", target.reference);
   visit("reference_provenance", target.reference_provenance);
-  visit("image", target.image);
-  visit("reference_image", target.reference_image);
+  visit.inside_folder("image", target.image);
+  visit.inside_folder("reference_image", target.reference_image);
   visit("maps", target.maps);
 }
 

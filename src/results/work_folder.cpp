@@ -19,15 +19,11 @@ constexpr const char* kUnfinished = ".unfinished";
 
 // The process id keeps it apart from renders of a killed run that are just being ended by their supervisors.
 WorkFolder::WorkFolder(const fs::path& run) : path_(run / kUnfinished / fmt::format("{}", ::getpid())) {
-  std::error_code ignored;
-  fs::remove_all(run / kUnfinished, ignored);
+  remove_tree(run / kUnfinished);
   make_folder(path_);
 }
 
-WorkFolder::~WorkFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_.parent_path(), ignored);
-}
+WorkFolder::~WorkFolder() { remove_tree(path_.parent_path()); }
 
 bool is_unfinished(const fs::path& run, const fs::path& folder) {
   std::error_code failed;

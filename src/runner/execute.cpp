@@ -100,8 +100,8 @@ image::Image merged_image(const std::vector<adapters::Job>& replicas,
                           const std::vector<image::Image>& images,
                           const std::filesystem::path& file) {
   // A later replica may have left anything under any of these names.
-  for (const auto& job : replicas) std::filesystem::remove_all(job.image);
-  std::filesystem::remove_all(file);
+  for (const auto& job : replicas) make_way(job.image);
+  make_way(file);
   auto image = metrics::are_equal(images) ? images.front() : metrics::mean_and_variance_of(images);
   image::write_exr(image, file);
   return image;

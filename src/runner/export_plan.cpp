@@ -41,6 +41,8 @@ std::string command_line(const adapters::Job& job, const ChosenRenderer& rendere
   std::vector<std::string> words;
   for (const auto& variable : renderer.entry.environment)
     if (variable.find('=') != std::string::npos) words.push_back(shell_text({variable}));
+  // A quoted word is no assignment to the shell, but one to env.
+  if (!words.empty()) words.insert(words.begin(), "env");
   for (const auto& word : job.argv) {
     const bool is_program = word == renderer.executable.string();
     words.push_back(is_program ? "\"$renderer\"" : shell_text({inside(word, job.folder.string())}));

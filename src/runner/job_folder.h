@@ -9,4 +9,7 @@ namespace orbs::runner {
 /// the folder exists and can be written to. WriteError when the disk refuses.
 void make_room(const std::filesystem::path& folder);
 
+/// Removes whatever is there under this name. InputError if something stays.
+void make_way(const std::filesystem::path& path);
+
 }  // namespace orbs::runner

@@ -1,5 +1,6 @@
 #include "runner/judge_targets.h"
 
+#include "base/error.h"
 #include "base/files.h"
 #include "image/colour.h"
 #include "image/image_io.h"
@@ -32,7 +33,8 @@ TargetRecord blank_target(const Plan& plan,
   record.declared = planned.declared;
   for (const auto job : planned.jobs) record.jobs.push_back(plan.jobs[job].id);
   const auto reference = std::filesystem::path(kReferenceFolder) / (planned.target + ".exr");
-  if (std::filesystem::exists(folder / reference)) record.reference_image = reference.string();
+  std::error_code ignored;
+  if (std::filesystem::exists(folder / reference, ignored)) record.reference_image = reference.string();
   return record;
 }
 
@@ -162,6 +164,20 @@ std::vector<TargetRecord> judge_scene(const Plan& plan,
   return records;
 }
 
+namespace {
+
+// The image of a finished render. Another renderer may have changed it since.
+image::Image unchanged_image(const JobRecord& job, const std::filesystem::path& run) {
+  const auto file = run / job.files.image;
+  const auto bytes = read_file(file);
+  if (const auto now = hash_text(content_hash(bytes)); !job.hashes.image.empty() && now != job.hashes.image)
+    throw InputError(fmt::format("{}: has changed since its render: its hash is now {}, it was {}",
+                                 job.files.image, now, job.hashes.image));
+  return image::read_exr(file.string(), bytes);
+}
+
+}  // namespace
+
 TargetRecord judge_difference(const Plan& plan,
                               const PlannedTarget& planned,
                               const std::vector<JobRecord>& jobs,
@@ -173,9 +189,17 @@ TargetRecord judge_difference(const Plan& plan,
       record.reason = fmt::format("its scene '{}': {}", jobs[job].identity.scene, jobs[job].end.reason);
       return record;
     }
-  const auto of = image::read_image(folders.run / jobs[planned.jobs[0]].files.image);
-  const auto minus = image::read_image(folders.run / jobs[planned.jobs[1]].files.image);
-  const auto result = judge::difference_of(of, minus);
+  std::vector<image::Image> images;
+  for (const auto job : planned.jobs) {
+    try {
+      images.push_back(unchanged_image(jobs[job], folders.run));
+    } catch (const InputError& e) {
+      record.verdict = Verdict::Unreadable;
+      record.reason = fmt::format("its scene '{}': {}", jobs[job].identity.scene, e.what());
+      return record;
+    }
+  }
+  const auto result = judge::difference_of(images.front(), images.back());
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/files_inside.h"
 #include "results/job_list.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -98,18 +100,71 @@ Targets find_targets(const std::vector<RunRecord>& runs) {
   return targets;
 }
 
-// Renders that no shard has; and targets that no shard has judged, although all of their renders are there.
+// Renders that no shard has; and targets that no shard has judged, although none of their renders is missing.
 std::vector<std::string> missing_parts(const JobList& list, const Jobs& jobs, const Targets& targets) {
   std::vector<std::string> missing;
+  std::set<std::string> missing_jobs;
   for (const auto& job : list.jobs)
-    if (!jobs.contains(job.id))
+    if (!jobs.contains(job.id)) {
       missing.push_back(fmt::format("{} {}: not rendered (job {})", job.renderer, job.scene, job.id));
+      missing_jobs.insert(job.id);
+    }
   for (const auto& target : list.targets)
-    if (!targets.contains(key_of(target)) && std::all_of(target.jobs.begin(), target.jobs.end(),
-                                                         [&](const auto& id) { return jobs.contains(id); }))
+    if (!targets.contains(key_of(target)) &&
+        std::none_of(target.jobs.begin(), target.jobs.end(),
+                     [&](const auto& id) { return missing_jobs.contains(id); }))
       missing.push_back(
           fmt::format("{} {} of {}: not judged", target.renderer, target.target, target.case_name));
   return missing;
+}
+
+// Why the run has no such folder of its own; "" if it has. What another machine has sent may hold a symbolic
+// link to any folder of this one.
+std::string folder_problem(const fs::path& run, const fs::path& relative) {
+  std::error_code failed;
+  const auto found = fs::canonical(run / relative, failed);
+  if (failed) return fmt::format("{}: {}", (run / relative).string(), failed.message());
+  if (found.lexically_relative(fs::canonical(run, failed)) == relative.lexically_normal()) return "";
+  return fmt::format("{}: leads to {}, expected a folder of the run", (run / relative).string(),
+                     found.string());
+}
+
+// Why the run has not the image that was judged, by its hash unless that is ""; "" if it has.
+std::string image_problem(const fs::path& run, const std::string& relative, const std::string& hash) {
+  const auto file = open_inside(run, relative);
+  if (!file) return fmt::format("{}: there is no such file", (run / relative).string());
+  if (hash.empty()) return "";
+  const auto now = hash_text(content_hash(file->read(0, static_cast<std::size_t>(file->size()))));
+  if (now == hash) return "";
+  return fmt::format("{}: is not the image that was judged: its hash is now {}, it was {}",
+                     (run / relative).string(), now, hash);
+}
+
+// What was lost or damaged on the way from the machine that made it.
+std::vector<std::string> damaged_files(const std::vector<RunRecord>& runs,
+                                       const Jobs& jobs,
+                                       const Targets& targets) {
+  std::vector<std::string> damaged;
+  const auto note = [&](std::string problem) {
+    if (!problem.empty()) damaged.push_back(std::move(problem));
+  };
+  for (const auto& run : runs) {
+    std::error_code ignored;
+    if (fs::exists(fs::path(run.folder) / kReferenceFolder, ignored))
+      note(folder_problem(run.folder, kReferenceFolder));
+  }
+  for (const auto& [id, found] : jobs) {
+    const auto& files = found.record->files;
+    const auto& run = runs[found.shard].folder;
+    auto problem = folder_problem(run, files.folder);
+    if (problem.empty() && !files.image.empty())
+      problem = image_problem(run, files.image, found.record->hashes.image);
+    note(std::move(problem));
+  }
+  for (const auto& [key, found] : targets)
+    if (found.record->jobs.size() >= 2 && !found.record->image.empty())
+      note(image_problem(runs[found.shard].folder, found.record->image, ""));
+  return damaged;
 }
 
 // Hard links where the disk allows them: the images of a cluster's run are many gigabytes.
@@ -256,10 +311,12 @@ RunRecord merge_runs(const std::vector<fs::path>& shards,
   const auto targets = find_targets(runs);
   compare_references(runs, contradictions);
   const auto missing = missing_parts(list, jobs, targets);
-  if (!contradictions.empty() || !missing.empty())
-    throw InputError(complaint("the runs contradict each other", contradictions) +
-                     complaint("the runs lack", missing) +
-                     (missing.empty() ? "" : "orbs run --resume FOLDER completes a shard"));
+  const auto damaged = damaged_files(runs, jobs, targets);
+  if (!contradictions.empty() || !missing.empty() || !damaged.empty())
+    throw InputError(
+        complaint("the runs contradict each other", contradictions) + complaint("the runs lack", missing) +
+        complaint("files are damaged", damaged) +
+        (missing.empty() && damaged.empty() ? "" : "orbs run --resume FOLDER completes a shard"));
   const auto folder = make_run_folder(merged.string());
   const results::RunLock lock(folder);
   auto record = merged_record(list, runs, jobs, targets, folder);

@@ -42,6 +42,12 @@ std::optional<JobFile> found_job(const fs::path& folder) {
   }
 }
 
+std::string image_hash(const JobRecord& record, const fs::path& folder) {
+  const auto file = folder / record.files.image;
+  if (record.files.image.empty() || !no_file_problem(file).empty()) return "";
+  return hash_text(content_hash(read_file(file)));
+}
+
 // On a full disk a renderer fails, too, and that is not its fault.
 void refuse_full_disk(const fs::path& folder) {
   constexpr std::uintmax_t kLeast_bytes = 1 << 20;
@@ -150,7 +156,8 @@ class JobRunner {
                      "",
                      settings_hash(plan_, job),
                      limits_hash(plan_, job),
-                     judged_hash(plan_, index, folders_.references, context_.orbs_version)};
+                     judged_hash(plan_, index, folders_.references, context_.orbs_version),
+                     ""};
     return record;
   }
 
@@ -198,6 +205,7 @@ class JobRunner {
     execution.record.hashes.program = program;
     execution.record.hashes.files =
         files_hash(plan_, plan_.jobs[index], execution.record, folders_.unfinished);
+    execution.record.hashes.image = image_hash(execution.record, folders_.unfinished);
     make_folder(folders_.unfinished / folder);
     judged_.targets[index] = judge_scene(plan_, index, execution, folders_);
     mark_expected(plan_.expected, {{now.identity.renderer, now.program.version}}, judged_.targets[index]);

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "json/document.h"
 #include "json/object_reader.h"
+#include "runner/job_folder.h"
 #include "runner/outcome.h"
 #include "runner/render_seconds.h"
 
@@ -69,7 +70,7 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
   job_settings.threads = settings.threads;
   auto job = adapters::make_job(entry, prepared.scene, job_settings, prepared.folder);
   job.may_be_negative = settings.may_be_negative;
-  std::filesystem::remove(job.image);
+  make_way(job.image);
   forget_render_seconds(entry.render_seconds, job.folder);
   adapters::ProcessRequest request;
   request.argv = job.argv;

@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "metrics/compare.h"
 #include "runner/host.h"
+#include "runner/job_folder.h"
 #include "runner/render_once.h"
 
 namespace orbs::studies {
@@ -43,7 +44,7 @@ std::optional<CostRender> measured_render(const CostStudy& study,
   constexpr int kFewestPixels = 4;  // Blender's least width
   if (is_fixed) scene.camera.width_px = scene.camera.height_px = kFewestPixels;
   const auto folder = study.scratch.path() / "render";
-  std::filesystem::remove_all(folder);
+  runner::make_way(folder);
   // What settings ask for may cost as much in few pixels as in many, so the fixed cost is that of the first.
   const auto& ladder = chosen.entry.cost_ladder;
   if (is_fixed && ladder.empty()) wanted.spp = kFixedSpp;

@@ -1,5 +1,6 @@
 #include "studies/missing_light.h"
 
+#include "base/files.h"
 #include "runner/render_once.h"
 #include "scene/scene.h"
 
@@ -43,7 +44,7 @@ std::optional<std::vector<MissingLight>> without_each_light(const runner::Plan& 
     auto made = runner::render_once(subject, {spp, kSeed, plan.threads}, stop);
     if (!made) return std::nullopt;
     images.push_back({name, std::move(made->image)});
-    std::filesystem::remove_all(folder);
+    remove_tree(folder);
   }
   return images;
 }

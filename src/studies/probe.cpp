@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "metrics/seeds.h"
 #include "registry/placeholders.h"
+#include "runner/job_folder.h"
 #include "runner/render_once.h"
 #include "studies/probe_report.h"
 
@@ -67,7 +68,7 @@ ProbeImage render_pass(const ProbeInputs& inputs,
   }
   try {
     const auto folder = inputs.scratch / renderer.entry.name;
-    std::filesystem::remove_all(folder);
+    runner::make_way(folder);
     const auto subject = runner::prepare_render(renderer, inputs.plan, scene, folder);
     const auto image = render_with_noise(inputs, subject);
     if (!image) {

@@ -119,7 +119,7 @@ void fields(Visitor& visit, Record& step) {
   visit("block_y", step.block_y);
   visit("pixels", step.pixels);
   visit("confidence", step.confidence);
-  visit("images", step.images);
+  visit.inside_folder("images", step.images);
 }
 
 struct StabilityRecord {

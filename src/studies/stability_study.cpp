@@ -126,7 +126,7 @@ bool measure_step(const StabilityStudy& study,
     step.outcome = kNoImage;
     step.reason = clean_line(split(e.what(), '\n').front());
   }
-  if (step.outcome == kHolds) std::filesystem::remove_all(folder);
+  if (step.outcome == kHolds) remove_tree(folder);
   return true;
 }
 

@@ -25,7 +25,8 @@ std::optional<Descendant> process_of(pid_t pid) {
   const auto fields = split(std::string_view(text).substr(close + 2), ' ');
   constexpr std::size_t kUserTime = 11;     // field 14 of the file, and with it 15, 16, 17
   constexpr std::size_t kThreadCount = 17;  // field 20
-  if (fields.size() <= kThreadCount) return std::nullopt;
+  constexpr std::size_t kStarted = 19;      // field 22
+  if (fields.size() <= kStarted) return std::nullopt;
   static const auto ticks_per_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
   Descendant process;
   process.pid = pid;
@@ -33,8 +34,12 @@ std::optional<Descendant> process_of(pid_t pid) {
   // The state is that of the main thread. While others run, the kernel counts it among them.
   process.is_zombie =
       (fields[0] == "Z" || fields[0] == "X") && to_integer(fields[kThreadCount]).value_or(0) <= 1;
-  for (std::size_t i = kUserTime; i < kUserTime + 4; ++i)
-    process.cpu_seconds += to_number(fields[i]).value_or(0) / ticks_per_second;
+  const auto seconds = [&](std::size_t field) {
+    return to_number(fields[field]).value_or(0) / ticks_per_second;
+  };
+  process.own_cpu_seconds = seconds(kUserTime) + seconds(kUserTime + 1);
+  process.cpu_seconds = process.own_cpu_seconds + seconds(kUserTime + 2) + seconds(kUserTime + 3);
+  process.started_ticks = to_integer(fields[kStarted]).value_or(0);
   return process;
 }
 

@@ -13,6 +13,8 @@ struct Descendant {
   pid_t parent = 0;
   bool is_zombie = false;  // no thread of it runs any more; its main thread may end long before the others
   double cpu_seconds = 0;  // its own, and those of the children that it has reaped
+  double own_cpu_seconds = 0;
+  long long started_ticks = 0;  // since the machine was booted: an id may be given again
 };
 
 /// All processes below `ancestor`, zombies too.

@@ -6,7 +6,8 @@
 namespace orbs::supervisor {
 
 /// Bytes of all regular files in the folder and the folders in it; symbolic links are not followed. Files
-/// that disappear meanwhile count nothing.
+/// that disappear meanwhile count nothing. More than 200 folders within each other count as more than any
+/// limit.
 std::size_t folder_size(const std::filesystem::path& folder);
 
 }  // namespace orbs::supervisor

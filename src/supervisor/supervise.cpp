@@ -1,5 +1,6 @@
 #include "supervisor/supervise.h"
 
+#include "supervisor/cpu_watch.h"
 #include "supervisor/descendants.h"
 #include "supervisor/folder_size.h"
 #include "supervisor/memory.h"
@@ -44,6 +45,7 @@ struct Supervision {
   double next_poll_at = kShortestWait_seconds;
   std::size_t folder_at_start = 0;
   MemoryWatch memory = {};
+  CpuWatch cpu = {};
   Report report = {};
 
   double now() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -93,6 +95,8 @@ void poll_usage(Supervision& state) {
   double cpu_seconds = to_seconds(collected.ru_utime) + to_seconds(collected.ru_stime);
   const auto processes = descendants_of(::getpid());
   for (const auto& process : processes) cpu_seconds += process.cpu_seconds;
+  state.cpu.note(processes);
+  cpu_seconds = std::max(cpu_seconds, state.cpu.seconds());
   if (limits.cpu_seconds && cpu_seconds >= *limits.cpu_seconds) terminate(state, Cause::CpuTime);
   if (exceeds_memory(state.memory, processes, limits.memory_bytes)) terminate(state, Cause::Memory);
   if (limits.output_bytes && has_written_more_than(state, *limits.output_bytes))
@@ -169,6 +173,8 @@ void record_usage(Supervision& state) {
   ::getrusage(RUSAGE_CHILDREN, &usage);
   state.report.user_seconds = to_seconds(usage.ru_utime);
   state.report.system_seconds = to_seconds(usage.ru_stime);
+  const double lost_seconds = state.cpu.seconds() - state.report.user_seconds - state.report.system_seconds;
+  state.report.user_seconds += std::max(0.0, lost_seconds);
   state.report.peak_rss_bytes =
       std::max(state.memory.peak_bytes, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
   ::getrusage(RUSAGE_SELF, &usage);

@@ -71,6 +71,15 @@ TEST(Export, ARendererThatIsNotInstalledIsExportedForAllTheSame) {
   EXPECT_FALSE(contains(script, sandbox.folder().string())) << script;
 }
 
+TEST(Export, AVariableOfTheEnvironmentMayHoldBlanks) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "environment": ["OPTIONS=slow and sure"])");
+  sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "-o", "out"});
+  const auto script = sandbox.shell("sh out/render.sh");
+  EXPECT_EQ(script.status, 0) << script.text;
+  EXPECT_TRUE(sandbox.has("out/good/grey/result.exr")) << script.text;
+}
+
 TEST(Export, AFormatThatTheRendererDoesNotReadIsRefused) {
   const Sandbox sandbox;
   EXPECT_EQ(sandbox.orbs({"export", "--format", "pbrt"}).status, 2);

@@ -78,6 +78,21 @@ TEST(FixedInputs, ACopyOfAReferenceThatTheRendererChangesJudgesNothing) {
       << answer.text;
 }
 
+// A difference is judged from files that lay open to every renderer since.
+TEST(FixedInputs, AnImageThatALaterRenderDamagesSpoilsItsDifferenceAndNothingElse) {
+  const Sandbox sandbox;
+  sandbox.write("spoil.sh",
+                "for image in ../../../../*/*/result.exr; do echo spoiled >\"$image\"; done\nexec \"$@\"\n");
+  replace_in(sandbox, "configuration.json", R"("command": ["{executable}", "--mode", "good")",
+             R"("command": ["sh", "{root}/spoil.sh", "{executable}", "--mode", "good")");
+  const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m3_mirror", "-j", "1", "-o", "out"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_TRUE(
+      contains(answer.text, "its scene 'mirror': good/mirror/result.exr: has changed since its render"))
+      << answer.text;
+  EXPECT_TRUE(contains(sandbox.read("out/results.json"), "\"verdict\": \"unreadable\""));
+}
+
 TEST(FixedInputs, ARebuiltProgramRendersAgain) {
   const Sandbox sandbox;
   write_renderer(sandbox, "true");

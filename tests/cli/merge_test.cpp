@@ -104,6 +104,59 @@ TEST(Merge, RefusesTwoImagesOfOneRender) {
   EXPECT_TRUE(contains(answer.text, "have different files of this render")) << answer.text;
 }
 
+TEST(Merge, RefusesWhatWasDamagedOnTheWay) {
+  const Sandbox sandbox;
+  run_shards(sandbox, 1);
+  const auto image = sandbox.folder() / "part-1/good/grey/result.exr";
+  ASSERT_TRUE(fs::exists(image));
+  const auto whole = sandbox.read("part-1/good/grey/result.exr");
+  sandbox.write("part-1/good/grey/result.exr", whole.substr(0, whole.size() - 1));
+  const auto torn = sandbox.orbs({"merge", "part-1", "-o", "merged"});
+  EXPECT_EQ(torn.status, 2);
+  EXPECT_TRUE(contains(torn.text, "good/grey/result.exr: is not the image that was judged")) << torn.text;
+  fs::remove(image);
+  EXPECT_TRUE(contains(sandbox.orbs({"merge", "part-1", "-o", "merged"}).text, "there is no such file"));
+  EXPECT_FALSE(sandbox.has("merged"));
+}
+
+// Shards may come from somebody else's machine.
+TEST(Merge, TakesNoFilesFromOutsideOfTheShards) {
+  const Sandbox sandbox;
+  run_shards(sandbox, 1);
+  sandbox.write("private/key", "secret");
+  fs::rename(sandbox.folder() / "part-1/wrong-size/grey", sandbox.folder() / "part-1/moved");
+  fs::create_symlink("../../private", sandbox.folder() / "part-1/wrong-size/grey");
+  const auto link = sandbox.orbs({"merge", "part-1", "-o", "merged"});
+  EXPECT_EQ(link.status, 2);
+  EXPECT_TRUE(contains(link.text, "expected a folder of the run")) << link.text;
+  const auto whole = sandbox.read("part-1/results.json");
+  const std::string folder = R"("folder": "wrong-size/grey")";
+  ASSERT_TRUE(contains(whole, folder));
+  for (const char* path : {"../private", "/etc"}) {
+    auto text = whole;
+    text.replace(text.find(folder), folder.size(), fmt::format(R"("folder": "{}")", path));
+    sandbox.write("part-1/results.json", text);
+    const auto answer = sandbox.orbs({"merge", "part-1", "-o", "merged"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(contains(answer.text, "leads out of the folder of this file")) << answer.text;
+  }
+  EXPECT_FALSE(sandbox.has("merged"));
+}
+
+TEST(Merge, SaysThatATargetOfUnknownRendersWasNotJudged) {
+  const Sandbox sandbox;
+  run_shards(sandbox, 1);
+  auto text = sandbox.read("part-1/jobs.json");
+  const auto targets = text.find("\"targets\": [");
+  ASSERT_NE(targets, std::string::npos);
+  sandbox.write("part-1/jobs.json",
+                text.insert(text.find('[', targets) + 1,
+                            R"({"case": "m1_grey", "target": "lost", "renderer": "good", "jobs": ["0"]},)"));
+  const auto answer = sandbox.orbs({"merge", "part-1", "-o", "merged"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_TRUE(contains(answer.text, "good lost of m1_grey: not judged")) << answer.text;
+}
+
 TEST(Merge, AMergedRunCanBeResumed) {
   const Sandbox sandbox;
   const auto local = sandbox.orbs(run({"-o", "local"}));

@@ -58,6 +58,43 @@ TEST(Strangers, ALinkLeadsASceneNoFurtherThanAPath) {
   EXPECT_EQ(allowed.status, 0) << allowed.text;
 }
 
+TEST(Strangers, AFolderThatCannotBeLookedIntoIsNoRunAndNoInternalError) {
+  const Sandbox sandbox;
+  std::filesystem::create_symlink("outputs-loop", sandbox.folder() / "outputs-loop");
+  for (const char* command : {"history", "report", "serve"}) {
+    std::vector<std::string> words{command};
+    if (words.front() == "report") words.insert(words.end(), {"-o", "page.html"});
+    const auto answer = sandbox.orbs(words);
+    EXPECT_EQ(answer.status, 2) << answer.text;
+    EXPECT_TRUE(contains(answer.text, "there is no outputs-* folder")) << answer.text;
+  }
+}
+
+TEST(Strangers, NamesThatTheSystemRefusesAreRefusedAndNoInternalError) {
+  const Sandbox sandbox;
+  const std::string long_name(300, 'n');
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"cost", "--show", long_name},
+                                             {"stability", "--show", long_name},
+                                             {"serve", long_name},
+                                             {"merge", long_name},
+                                             {"merge", ""},
+                                             {"judge", ""},
+                                             {"judge", long_name},
+                                             {"run", "--resume", long_name},
+                                             {"compare-runs", long_name, ""},
+                                             {"run", "-r", "good", "-o", long_name},
+                                             {"report", long_name, "-o", "x.html"},
+                                             {"run", "-e", long_name, "-r", "good"},
+                                             {"list", "--configuration", long_name}}) {
+    const auto answer = sandbox.orbs(arguments);
+    EXPECT_EQ(answer.status, 2) << arguments.front() << ": " << answer.text;
+    EXPECT_FALSE(contains(answer.text, "internal error")) << answer.text;
+  }
+  const auto gone = sandbox.shell("mkdir gone && cd gone && rmdir ../gone && " ORBS_BINARY_DIR "/orbs list");
+  EXPECT_EQ(gone.status, 2) << gone.text;
+}
+
 TEST(Strangers, ACameraOfBillionsOfPixelsIsAPlainError) {
   const Sandbox sandbox;
   replace_in(sandbox, "cases/m1_grey/grey.json", R"("width": 12, "height": 8)",

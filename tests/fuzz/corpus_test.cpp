@@ -10,11 +10,18 @@ namespace {
 
 using Feed = std::string (*)(std::string_view);
 
-const std::map<std::string, Feed> kFeeds{
-    {"scene", orbs::fuzz::feed_scene}, {"configuration", orbs::fuzz::feed_configuration},
-    {"case", orbs::fuzz::feed_case},   {"obj", orbs::fuzz::feed_obj},
-    {"ply", orbs::fuzz::feed_ply},     {"ies", orbs::fuzz::feed_ies},
-    {"exr", orbs::fuzz::feed_exr},     {"image", orbs::fuzz::feed_image}};
+const std::map<std::string, Feed> kFeeds{{"scene", orbs::fuzz::feed_scene},
+                                         {"configuration", orbs::fuzz::feed_configuration},
+                                         {"case", orbs::fuzz::feed_case},
+                                         {"obj", orbs::fuzz::feed_obj},
+                                         {"ply", orbs::fuzz::feed_ply},
+                                         {"ies", orbs::fuzz::feed_ies},
+                                         {"exr", orbs::fuzz::feed_exr},
+                                         {"image", orbs::fuzz::feed_image},
+                                         {"expression", orbs::fuzz::feed_expression},
+                                         {"table", orbs::fuzz::feed_table},
+                                         {"record", orbs::fuzz::feed_record},
+                                         {"request", orbs::fuzz::feed_request}};
 
 const std::filesystem::path kCorpus = ORBS_SOURCE_DIR "/tests/corpus";
 

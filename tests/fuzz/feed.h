@@ -20,6 +20,11 @@ std::string feed_ies(std::string_view bytes);
 std::string feed_exr(std::string_view bytes);
 std::string feed_image(std::string_view bytes);  // PNG, JPEG, HDR, BMP, TGA, PFM, PPM, PGM
 
+std::string feed_expression(std::string_view bytes);  // a formula of an implicit surface or a displacement
+std::string feed_table(std::string_view bytes);       // a measured spectrum, CSV
+std::string feed_record(std::string_view bytes);      // files of runs, studies and suites: results.json, ...
+std::string feed_request(std::string_view bytes);     // the head of an HTTP request
+
 /// For promises that a reader's own checks are to keep.
 inline void require(bool holds, const std::string& promise) {
   if (!holds) throw std::logic_error("not kept: " + promise);

@@ -4,7 +4,7 @@
 set -euo pipefail
 build=$1 seconds=${2:-120} inputs=("${@:3}")
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
-if ((${#inputs[@]} == 0)); then inputs=(scene configuration case obj ply ies exr image); fi
+if ((${#inputs[@]} == 0)); then inputs=(scene configuration case obj ply ies exr image expression table record request); fi
 for input in "${inputs[@]}"; do
   work=$build/fuzz/$input
   mkdir -p "$work"

@@ -75,6 +75,22 @@ TEST(ProcessLimits, FilesInMemoryCountUntilTheyAreRemoved) {
 }
 
 // What was there before the job takes no memory of the job.
+// The kernel forgets the time of a child whose parent ignores its end.
+TEST(ProcessLimits, ProcessorTimeOfChildrenThatNobodyWaitsForCounts) {
+  const auto result = run_process(shell(R"(exec python3 -c '
+import os, signal, time
+signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+end, other = os.pipe()
+if os.fork() == 0:
+    while time.process_time() < 2: pass
+    os._exit(0)
+os.close(other)
+os.read(end, 1)
+')"));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_GT(result.user_seconds + result.system_seconds, 1);
+}
+
 TEST(ProcessLimits, FilesInMemoryThatAreOnlyReadDoNotCount) {
   if (!has_memory_folder()) GTEST_SKIP() << "there is no room in /dev/shm";
   const FilesInMemory files;

@@ -25,6 +25,21 @@ TEST(Pattern, ThatMatchesNothingEverywhereEndsAllTheSame) {
   EXPECT_EQ(Pattern("(x*)").last_match("ab\nx\n").size(), 1U);
 }
 
+// The line of progress of a renderer is rewritten after each carriage return.
+TEST(Pattern, TakesACarriageReturnForTheEndOfALine) {
+  EXPECT_EQ(Pattern("^\\(([0-9.]+)s\\) *$").last_match("(1s|9s)\r(2.5s)  \r\nend\r\n"), Groups{"2.5"});
+}
+
+// A renderer may print anything. The library would search a megabyte of this for minutes, and this test would
+// reach its time limit.
+TEST(Pattern, SearchesNoLineThatIsLongerThanAnyMessage) {
+  std::string line;
+  while (line.size() < 1000000) line += "error ";
+  const Pattern pattern("(error)[^:]*: *[^ ]");
+  EXPECT_TRUE(pattern.last_match(line).empty());
+  EXPECT_EQ(pattern.last_match("error: a\n" + line + '\n'), Groups{"error"});
+}
+
 TEST(Pattern, ThatIsNoneIsRefusedWithTheReason) {
   try {
     Pattern("took ([0-9");

@@ -32,6 +32,14 @@ TEST(JsonDocument, WhatTheParserAloneNoticesHasItsPlaceToo) {
       << complaint_about(deep);
 }
 
+TEST(JsonDocument, ComplaintsAreFreeOfTheLibrarysOwnNames) {
+  EXPECT_TRUE(
+      complaint_about("{\"a\": rot}").starts_with("a.json:1:7: not valid JSON: syntax error while parsing"))
+      << complaint_about("{\"a\": rot}");
+  for (const char* text : {"rot", "{\"a\": 1e999}", "[1,", "{'a': 1}"})
+    EXPECT_EQ(complaint_about(text).find("json.exception"), std::string::npos) << complaint_about(text);
+}
+
 TEST(JsonDocument, AnEmptyFileIsCalledOne) {
   for (const char* text : {"", " \n\t\n"})
     EXPECT_TRUE(std::string(complaint_about(text))

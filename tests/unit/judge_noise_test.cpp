@@ -101,6 +101,17 @@ TEST(Judge, ACopyOfTheReferenceFails) {
   }
 }
 
+// The reference with the noise of another image upon it is as far from the reference as a render would be.
+TEST(Judge, ACopyOfTheReferenceWithNoiseUponItFails) {
+  const auto reference = noisy_grey(0.25F, 0.004F);
+  auto copy = reference;
+  for (std::size_t i = 0; i < copy.pixels.size(); ++i)
+    if (i % 6 < 3) copy.pixels[i] += 0.02F * static_cast<float>(unit_random(mix(2, i / 6)) - 0.5);
+  const auto record = judged(one_case(), image::select_rgb(copy, ""), reference);
+  EXPECT_EQ(record.verdict, Verdict::Fail) << record.reason;
+  EXPECT_NE(record.reason.find("of the reference's own noise"), std::string::npos) << record.reason;
+}
+
 // Variances of single samples would excuse errors of many times the noise.
 TEST(Judge, VariancesThatAreTooLargeAreNotUsedAndSaidToBeSo) {
   auto overstated = noisy_grey(0.25F, 0.01F);

@@ -41,6 +41,14 @@ image::Image polarised_grey(float s1) {
 
 }  // namespace
 
+TEST(Judge, StokesParametersThatAreNoNumbersAreInvalidPixels) {
+  auto broken = polarised_grey(0.1F);
+  broken.at(3, 2, 4) = std::numeric_limits<float>::quiet_NaN();
+  const auto record = judged(one_case(), broken, polarised_grey(0.1F));
+  EXPECT_EQ(record.verdict, Verdict::InvalidPixels);
+  EXPECT_EQ(record.reason, "S1.G is nan at pixel (3, 2)");
+}
+
 TEST(Judge, StokesParametersMustBeThereAndRight) {
   auto polarised = one_case();
   polarised.gates.push_back({"stokes_error", {}, 0.02});

@@ -351,6 +351,65 @@ TEST(NoiseTest, TheStatedNoiseMustBeThere) {
   EXPECT_EQ(test_noise(overstated, reference).stated, StatedNoise::OverstatedByResult);
 }
 
+// Mean of the light: 1.
+TEST(NoiseTest, NoiseOfTheReferenceIsFoundInTheResult) {
+  const Image reference =
+      rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});
+  const Image own = rendered(from_half_to_three_halves, {.size_px = 64, .spp = 64});
+  const auto made_of =
+      [&](const std::function<float(std::size_t pixel, float own, float reference)>& mix_of) {
+        Image made = without_variance(own);
+        for (std::size_t i = 0; i < made.pixels.size(); ++i)
+          made.pixels[i] = mix_of(i / 3, own.pixels[i / 3 * 6 + i % 3], reference.pixels[i / 3 * 6 + i % 3]);
+        return made;
+      };
+  const Image blend = made_of([](auto, float a, float b) { return (a + b) / 2; });
+  const Image noisy_copy = made_of([](auto, float a, float b) { return b + a - 1; });
+  const Image half_copied = made_of([](auto pixel, float a, float b) { return pixel % 64 < 32 ? a : b; });
+  for (const auto& [image, share] : {std::pair{own, 0.0},
+                                     {without_variance(own), 0.0},
+                                     {blend, 0.5},
+                                     {noisy_copy, 1.0},
+                                     {half_copied, 0.5}}) {
+    const auto test = test_noise(image, reference);
+    ASSERT_TRUE(test.shared_noise);
+    EXPECT_LE(test.shared_noise->low, share);
+    EXPECT_GE(test.shared_noise->high, share);
+    EXPECT_LT(test.shared_noise->high - test.shared_noise->low, 0.5);
+    EXPECT_EQ(holds_reference_noise(test), share > 0) << share;
+  }
+}
+
+// Nothing where the reference is exact, or shows detail beyond its noise.
+TEST(NoiseTest, NoImageOfItsOwnHoldsNoiseOfTheReference) {
+  for (const auto& light : {Light(from_half_to_three_halves), Light(penumbra), Light(fireflies)}) {
+    const Image reference = rendered(light, {.size_px = 40, .spp = 256, .seed = kReferenceSeed});
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      const Image own = rendered(light, {.size_px = 40, .seed = seed});
+      EXPECT_FALSE(holds_reference_noise(test_noise(own, reference))) << seed;
+      EXPECT_FALSE(holds_reference_noise(test_noise(brighter(own, 1.05F), reference))) << seed;
+    }
+    Image overstated = reference;
+    for (std::size_t i = 0; i < overstated.pixels.size(); ++i)
+      if (i % 6 >= 3) overstated.pixels[i] *= 4;
+    EXPECT_FALSE(holds_reference_noise(test_noise(rendered(light, {.size_px = 40}), overstated)));
+    EXPECT_FALSE(test_noise(reference, without_variance(reference)).shared_noise);
+  }
+}
+
+// What is in proportion to detail is an error, or none, and no noise.
+TEST(NoiseTest, DetailIsNoNoiseOfTheReference) {
+  const Light textured = [](std::uint64_t key, int pixel) {
+    return 1 + 0.2 * (unit_random(mix(key, 1)) - 0.5) +
+           0.02 * unit_random(mix(77, static_cast<std::uint64_t>(pixel)));
+  };
+  const Image reference = rendered(textured, {.size_px = 64, .spp = 4096, .seed = kReferenceSeed});
+  Image contrast = rendered(textured, {.size_px = 64, .spp = 1024});
+  for (std::size_t i = 0; i < contrast.pixels.size(); ++i)
+    if (i % 6 < 3) contrast.pixels[i] = 1 + (contrast.pixels[i] - 1) * 1.1F;
+  EXPECT_FALSE(test_noise(contrast, reference).shared_noise);
+}
+
 // The attributes of an image may say what they like: the noise is in its pixels.
 TEST(NoiseTest, NoWordOfTheImageChangesItsNoise) {
   const Image reference =

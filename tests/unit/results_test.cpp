@@ -123,6 +123,26 @@ TEST(JobJson, RefusesCountsThatNoRenderCanHave) {
   }
 }
 
+// Folders of runs come from other machines.
+TEST(JobJson, RefusesPathsThatLeadElsewhere) {
+  const orbs::structure::TestFolder scratch("results-paths");
+  for (const char* path : {"..", "../x", "a/../../x", "/etc/passwd"}) {
+    JobRecord job;
+    job.files.image = path;
+    TargetRecord target;
+    target.maps = {{"l1", path, "", false, 1}};
+    for (const auto& text : {job_json(job, {}), job_json({}, {target})}) {
+      scratch.write("job.json", text);
+      try {
+        read_job_file(scratch.path() / "job.json");
+        ADD_FAILURE() << path << " was read";
+      } catch (const orbs::InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("leads out of the folder"), std::string::npos) << e.what();
+      }
+    }
+  }
+}
+
 TEST(ResultsJson, IsJsonWhateverTheTextsHold) {
   RunRecord run;
   run.suite = "a \"quoted\" \x01 \xff suite\n";

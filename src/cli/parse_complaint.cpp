@@ -1,0 +1,79 @@
+#include "cli/parse_complaint.h"
+
+#include "base/text.h"
+
+#include <set>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::cli {
+
+namespace {
+
+// The innermost command that was given, and its words: "renderer add".
+std::pair<const CLI::App*, std::string> chosen_command(const CLI::App& app) {
+  const CLI::App* command = &app;
+  std::string words;
+  for (auto inner = command->get_subcommands(); !inner.empty(); inner = command->get_subcommands()) {
+    command = inner.front();
+    words += command->get_name() + " ";
+  }
+  return {command, words};
+}
+
+std::string unexpected(std::string_view word, const CLI::App& command, const std::string& words) {
+  std::set<std::string> known;
+  for (const auto* option : command.get_options())
+    for (const auto& name : option->get_lnames()) known.insert("--" + name);
+  const std::string name(word.substr(0, word.find('=')));
+  if (!name.starts_with('-'))
+    return fmt::format("'orbs {}' takes no further argument '{}'", trim(words), name);
+  return fmt::format("'orbs {}' has no option {}{}", trim(words), name, closest(name, known));
+}
+
+// CLI11's "<option>: Value x not in range 1 to 8" and "<option>: x not in {a,b}".
+std::string expected_value(const std::string& text) {
+  constexpr std::string_view kRange = " not in range ";
+  constexpr std::string_view kValue = "Value ";
+  constexpr std::string_view kList = " not in {";
+  const auto colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  const auto option = text.substr(0, colon + 2);
+  const auto rest = text.substr(colon + 2);
+  if (const auto at = rest.find(kRange); at != std::string::npos && rest.starts_with(kValue))
+    return fmt::format("{}expected a number from {}, not '{}'", option, rest.substr(at + kRange.size()),
+                       rest.substr(kValue.size(), at - kValue.size()));
+  if (const auto at = rest.find(kList); at != std::string::npos && rest.ends_with('}')) {
+    const auto words = split(rest.substr(at + kList.size(), rest.size() - at - kList.size() - 1), ',');
+    const auto found = rest.substr(0, at);
+    return fmt::format("{}expected one of {}, not '{}'{}", option, fmt::join(words, ", "), found,
+                       closest(found, {words.begin(), words.end()}));
+  }
+  if (rest.find(" required ") != std::string::npos && rest.ends_with(" missing"))
+    return option + "needs a value";
+  return text;
+}
+
+}  // namespace
+
+std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app) {
+  const auto [command, words] = chosen_command(app);
+  std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const auto found = words_of(text.substr(text.find(": ") + 1));
+    if (!found.empty()) text = unexpected(found.front(), *command, words);
+  } else if (text == "A subcommand is required") {
+    std::vector<std::string> names;
+    for (const auto* inner : command->get_subcommands({})) names.push_back(inner->get_name());
+    text = fmt::format("'orbs{}{}' needs a command; there {} {}", words.empty() ? "" : " ", trim(words),
+                       names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
+  } else {
+    text = expected_value(text);
+  }
+  return fmt::format("{}; 'orbs {}--help' lists the options", text, words);
+}
+
+}  // namespace orbs::cli

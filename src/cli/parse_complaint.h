@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace orbs::cli {
+
+/// What is wrong with the command line, in the words of our own messages: what was expected and found, the
+/// nearest option, and where help is.
+std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app);
+
+}  // namespace orbs::cli
