@@ -1,7 +1,7 @@
-"""Renders a lowered orbs-scene/1 file with Cycles on the CPU; runs inside Blender 3.4:
+"""Renders a lowered orbs-scene/1 file with Cycles; runs inside Blender 3.4:
 
     blender -b --factory-startup -noaudio --python-exit-code 3 --python adapters/cycles.py -- \\
-        --scene lowered.json --output out.exr --spp N --seed S --threads T [--scale auto|number]
+        --scene lowered.json --output out.exr --spp N --seed S --threads T [--scale auto|number] [--device CPU|CUDA|...]
 
 Ends with status 2 and one line on stderr when the scene holds anything unknown; the output appears only when complete.
 Prints `orbs: render_seconds <s>`, the time of the render call alone.
@@ -26,6 +26,7 @@ import bpy
 from mathutils import Matrix, Vector
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import cycles_devices  # noqa: E402
 import cycles_ies  # noqa: E402
 import cycles_materials  # noqa: E402
 import cycles_meshes  # noqa: E402
@@ -50,11 +51,12 @@ def main():
     try:
         with open(arguments.scene, encoding="utf-8") as file:
             scene = json.load(file)
+        cycles_devices.choose_device(arguments.device)
         build(scene, os.path.dirname(os.path.abspath(arguments.scene)), arguments.scale)
         set_integrator(checked(scene.get("integrator", {}), "integrator", [], ["trace_depth"]), arguments)
         render(os.path.abspath(arguments.output))
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
-        print(f"cycles.py: {arguments.scene}: {' '.join(str(error).split())}", file=sys.stderr, flush=True)
+        print(f"cycles.py: error: {arguments.scene}: {' '.join(str(error).split())}", file=sys.stderr, flush=True)
         sys.exit(2)
 
 
@@ -66,6 +68,7 @@ def parse_arguments():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--scale", default="auto")
+    parser.add_argument("--device", choices=cycles_devices.KINDS, default="CPU")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
 
 
@@ -103,7 +106,7 @@ def build(scene, folder, scale_option):
     instances = [checked_instance(i, meshes, descriptions) for i in scene.get("instances", [])]
     lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
     scale = chosen_scale(scale_option, descriptions, meshes, instances, lights)
-    print(f"orbs: scale {scale:.9g}")
+    print(f"orbs: scale {scale:.9g}", flush=True)
     scales_radiance = may_start_in_glass(scene["camera"], descriptions, meshes, instances, lights)
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
     around = cycles_materials.Surroundings(textures, scales_radiance)
@@ -347,7 +350,7 @@ def set_integrator(integrator, arguments):
     scene.render.threads_mode, scene.render.threads = "FIXED", arguments.threads
     cycles = scene.cycles
     settings = {
-        "device": "CPU", "samples": arguments.spp, "seed": arguments.seed,
+        "samples": arguments.spp, "seed": arguments.seed,
         "use_adaptive_sampling": False, "use_denoising": False, "time_limit": 0.0,  # exactly spp samples, unfiltered
         "sample_clamp_direct": 0.0, "sample_clamp_indirect": 0.0,  # 0: no clamping
         "blur_glossy": 0.0, "light_sampling_threshold": 0.0,  # both trade bias for noise when above 0
