@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "judge/judge.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,10 @@ inline image::Image grey_32(float value) {
 
 // 32 x 32 px of mean `value`, each off by `deviation` to one side or the other at random, and a variance that
 // says so.
-inline image::Image noisy_grey(float value, float deviation) {
+inline image::Image noisy_grey(float value, float deviation, std::uint64_t seed = 1) {
   auto image = image::make_image(32, 32, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const bool is_up = unit_random(mix(1, i / 6)) < 0.5;
+    const bool is_up = unit_random(mix(seed, i / 6)) < 0.5;
     image.pixels[i] = i % 6 < 3 ? value + (is_up ? deviation : -deviation) : deviation * deviation;
   }
   return image;

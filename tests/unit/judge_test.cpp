@@ -185,7 +185,7 @@ TEST(Judge, EveryNumberOfTheTableCanBeAGate) {
   for (const auto& metric : metrics::kMetrics) {
     auto gated = one_case();
     gated.gates = {{std::string(metric.name), -1e6, 1e9}};
-    const auto record = judged(gated, noisy_grey(0.25F, 0.03F), noisy_grey(0.5F, 0.03F));
+    const auto record = judged(gated, noisy_grey(0.25F, 0.03F), noisy_grey(0.5F, 0.03F, 2));
     ASSERT_EQ(record.checks.size(), 1U);
     EXPECT_EQ(record.checks[0].what, metric.name);
     EXPECT_EQ(record.verdict, Verdict::Pass) << record.reason;

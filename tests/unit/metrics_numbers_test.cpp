@@ -22,8 +22,9 @@ double number(const Comparison& comparison, std::string_view metric) {
 
 bool is_relative_to_reference(const MetricInfo& metric) {
   return metric.rule == GateRule::WholeInterval || metric.rule == GateRule::AnyOfInterval ||
-         metric.name == "local_bias" || metric.name == "stokes_error" || metric.name.starts_with("block") ||
-         metric.name.starts_with("pixel") || metric.name.starts_with("smallest");
+         metric.name == "local_bias" || metric.name == "stokes_error" || metric.name == "shared_noise" ||
+         metric.name.starts_with("block") || metric.name.starts_with("pixel") ||
+         metric.name.starts_with("smallest");
 }
 
 }  // namespace
