@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
@@ -34,6 +35,14 @@ std::string unexpected(std::string_view word, const CLI::App& command, const std
   return fmt::format("'orbs {}' has no option {}{}", trim(words), name, closest(name, known));
 }
 
+// "0.000000 to 1000000.000000", as CLI11 writes the limits of a number that is no integer.
+std::string plain_range(const std::string& range) {
+  constexpr std::string_view kTo = " to ";
+  const auto at = range.find(kTo);
+  if (at == std::string::npos || range.find('.') == std::string::npos) return range;
+  return fmt::format("{}{}{}", std::stod(range), kTo, std::stod(range.substr(at + kTo.size())));
+}
+
 // CLI11's "<option>: Value x not in range 1 to 8" and "<option>: x not in {a,b}".
 std::string expected_value(const std::string& text) {
   constexpr std::string_view kRange = " not in range ";
@@ -44,7 +53,8 @@ std::string expected_value(const std::string& text) {
   const auto option = text.substr(0, colon + 2);
   const auto rest = text.substr(colon + 2);
   if (const auto at = rest.find(kRange); at != std::string::npos && rest.starts_with(kValue))
-    return fmt::format("{}expected a number from {}, not '{}'", option, rest.substr(at + kRange.size()),
+    return fmt::format("{}expected a number from {}, not '{}'", option,
+                       plain_range(rest.substr(at + kRange.size())),
                        rest.substr(kValue.size(), at - kValue.size()));
   if (const auto at = rest.find(kList); at != std::string::npos && rest.ends_with('}')) {
     const auto words = split(rest.substr(at + kList.size(), rest.size() - at - kList.size() - 1), ',');
@@ -64,7 +74,10 @@ std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app) {
   std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const auto found = words_of(text.substr(text.find(": ") + 1));
-    if (!found.empty()) text = unexpected(found.front(), *command, words);
+    // The words that follow an unknown option are no arguments of their own.
+    const auto option =
+        std::find_if(found.begin(), found.end(), [](const auto& word) { return word.starts_with('-'); });
+    if (!found.empty()) text = unexpected(option == found.end() ? found.front() : *option, *command, words);
   } else if (text == "A subcommand is required") {
     std::vector<std::string> names;
     for (const auto* inner : command->get_subcommands({})) names.push_back(inner->get_name());

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_suite", {"run", "--suite", "orps"}, "has no suite 'orps'"},
         Mistake{"unknown_option", {"run", "--renderers", "good"}, "--renderers"},
         Mistake{"unknown_command", {"rum"}, "there is no command 'rum' (did you mean 'run'?)"},
-        Mistake{"no_command", {}, "'orbs' needs a command; there are bench, "},
+        Mistake{"no_command", {}, "'orbs' needs a command; there are run, merge, "},
         Mistake{"no_inner_command", {"renderer"}, "'orbs renderer' needs a command; there is add"},
         Mistake{"nearest_option",
                 {"run", "--rendrer", "good"},
