@@ -9,6 +9,18 @@ function(orbs_module name)
   target_include_directories(orbs_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   list(TRANSFORM arg_USES PREPEND orbs_)
   target_link_libraries(orbs_${name} PUBLIC ${arg_USES} fmt::fmt PRIVATE orbs_options ${arg_PACKAGES})
+  orbs_precompile(orbs_${name})
+endfunction()
+
+# Most of the time of compiling a file is reading the same headers of the standard library: they are read once, with
+# base, for all targets.
+function(orbs_precompile target)
+  if(target STREQUAL orbs_base)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h>
+      <functional> <map> <memory> <optional> <set> <span> <string> <string_view> <utility> <variant> <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM orbs_base)
+  endif()
 endfunction()
 
 # orbs_program(<name> <main file> USES <modules...> PACKAGES <third-party targets...>)

@@ -4,7 +4,7 @@
 #include "adapters/transports.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/lower.h"
+#include "scene/lower/lower.h"
 
 #include <cassert>
 #include <cmath>

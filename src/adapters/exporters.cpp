@@ -4,7 +4,7 @@
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
 #include "registry/configuration.h"
-#include "scene/write_scene.h"
+#include "scene/load/write_scene.h"
 
 namespace orbs::adapters {
 

@@ -2,7 +2,7 @@
 
 #include "adapters/light_frame.h"
 #include "adapters/masking.h"
-#include "scene/features.h"
+#include "scene/effects/features.h"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #include "adapters/material_meshes.h"
 
-#include "scene/lower_geometry.h"
-#include "scene/lower_material.h"
+#include "scene/lower/geometry.h"
+#include "scene/lower/material.h"
 
 #include <utility>
 

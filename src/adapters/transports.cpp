@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "registry/placeholders.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <set>
 

@@ -5,9 +5,9 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
-#include "studies/bench.h"
-#include "studies/bench_json.h"
-#include "studies/bench_report.h"
+#include "studies/bench/bench.h"
+#include "studies/bench/json.h"
+#include "studies/bench/report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

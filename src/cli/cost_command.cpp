@@ -8,13 +8,13 @@
 #include "registry/image_size.h"
 #include "results/cost_study.h"
 #include "results/host_record.h"
-#include "runner/host.h"
-#include "runner/make_plan.h"
-#include "runner/run_file.h"
-#include "studies/cost_json.h"
-#include "studies/cost_report.h"
-#include "studies/cost_study.h"
-#include "studies/cost_svg.h"
+#include "run/host.h"
+#include "run/plan/make_plan.h"
+#include "run/run_file.h"
+#include "studies/cost/json.h"
+#include "studies/cost/report.h"
+#include "studies/cost/study.h"
+#include "studies/cost/svg.h"
 
 #include <cmath>
 
@@ -112,7 +112,7 @@ void report(const studies::CostRecord& record, const CostOptions& options) {
 studies::CostRecord earlier_record(const std::string& folder) {
   auto record = studies::read_cost_file(cost_file(folder));
   const auto there = results::timing_machine(record.host);
-  const auto here = results::timing_machine(runner::this_host());
+  const auto here = results::timing_machine(run::this_host());
   if (there != here)
     throw InputError(
         fmt::format("{} was measured on another machine ({}), so its times and those of this one ({}) "
@@ -132,11 +132,11 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   request.settings.budget_seconds =
       number_with_unit("--time", options.time, {{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}});
   request.settings.target_db = number_with_unit("--target", options.target, {{"dB", 1}, {"", 1}});
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
   studies::CostRecord record;
   if (options.resume.empty()) {
-    request.folder = runner::make_run_folder(options.output, "cost");
+    request.folder = run::make_run_folder(options.output, "cost");
   } else {
     request.folder = options.resume;
     record = earlier_record(options.resume);

@@ -7,8 +7,8 @@
 #include "cli/options.h"
 #include "json/writer.h"
 #include "registry/cases.h"
-#include "runner/choose_renderers.h"
-#include "runner/renderer_version.h"
+#include "run/plan/choose_renderers.h"
+#include "run/renderer_version.h"
 
 #include <optional>
 #include <set>
@@ -47,15 +47,15 @@ std::optional<std::set<std::string>> scene_names(const registry::Configuration& 
 }
 
 Examined examine(const registry::Renderer& renderer,
-                 const runner::Plan& places,
+                 const run::Plan& places,
                  const std::optional<std::set<std::string>>& scenes) {
-  Examined found{&renderer, runner::installed_executable(renderer, places.root, places.build), "", "", {}};
+  Examined found{&renderer, run::installed_executable(renderer, places.root, places.build), "", "", {}};
   if (!found.executable)
-    found.problem = adapters::program_problem(runner::program_name(renderer, places.root, places.build));
+    found.problem = adapters::program_problem(run::program_name(renderer, places.root, places.build));
   if (found.executable && !renderer.version_command.empty())
     found.version =
-        runner::renderer_version({renderer, *found.executable}, places,
-                                 {.say = [](const auto& line) { print_clean(stderr, "{}\n", line); }});
+        run::renderer_version({renderer, *found.executable}, places,
+                              {.say = [](const auto& line) { print_clean(stderr, "{}\n", line); }});
   const auto check_scene = [&](const char* key, const std::string& name) {
     if (scenes && !scenes->contains(name))
       found.unknown_scenes.push_back(
@@ -120,7 +120,7 @@ void add_doctor_command(CLI::App& command, const Program& program, Action& actio
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       if (!*as_json) print_clean("configuration  {}\n", read.file.string());
-      runner::Plan places;
+      run::Plan places;
       places.root = read.root;
       places.build = program.folder;
       const auto scenes = scene_names(read);

@@ -6,8 +6,8 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "results/effect_costs.h"
-#include "studies/effect_cost.h"
-#include "studies/effect_cost_report.h"
+#include "studies/effects/effect_cost.h"
+#include "studies/effects/report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

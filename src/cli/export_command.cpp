@@ -4,9 +4,9 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
-#include "runner/export_plan.h"
-#include "runner/make_plan.h"
-#include "runner/run_file.h"
+#include "run/cluster/export_plan.h"
+#include "run/plan/make_plan.h"
+#include "run/run_file.h"
 
 #include <map>
 #include <set>
@@ -36,7 +36,7 @@ std::string renderer_of(const registry::Configuration& configuration, const std:
                                configuration.file.string(), kFormats.at(format)));
 }
 
-void check_format(const runner::Plan& plan, const std::string& format) {
+void check_format(const run::Plan& plan, const std::string& format) {
   for (const auto& renderer : plan.renderers)
     if (renderer.entry.scene_format != kFormats.at(format))
       throw InputError(fmt::format("{} reads {}, not {}", registry::entry_name(renderer.entry),
@@ -48,11 +48,10 @@ int export_scenes(const registry::Configuration& configuration,
                   const Options& options,
                   const Program& program) {
   if (options.run.renderers.empty()) settings.renderers = renderer_of(configuration, options.format);
-  const auto plan =
-      runner::make_plan(configuration, settings, program.folder, runner::RenderPlace::Elsewhere);
+  const auto plan = run::make_plan(configuration, settings, program.folder, run::RenderPlace::Elsewhere);
   check_format(plan, options.format);
-  const auto folder = runner::make_run_folder(options.run.output, "export");
-  const auto exported = runner::export_plan(plan, configuration.file, folder);
+  const auto folder = run::make_run_folder(options.run.output, "export");
+  const auto exported = run::export_plan(plan, configuration.file, folder);
   print_clean("{} renders written to {}\n", exported.renders, folder.string());
   for (const auto& left : exported.left_out) print_clean("left out: {}\n", left);
   print_clean("next: sh {}, where the renderer is; then here: orbs judge {}\n",

@@ -6,10 +6,10 @@
 #include "cli/options.h"
 #include "report/files.h"
 #include "report/table.h"
-#include "runner/export_plan.h"
-#include "runner/make_plan.h"
-#include "runner/run.h"
-#include "runner/shard.h"
+#include "run/cluster/export_plan.h"
+#include "run/cluster/shard.h"
+#include "run/plan/make_plan.h"
+#include "run/run.h"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -24,18 +24,18 @@ struct Options {
 };
 
 int judge(const Options& options, const std::string& configuration, const Program& program) {
-  const auto file = runner::read_export_file(options.folder);
+  const auto file = run::read_export_file(options.folder);
   const auto read =
       read_configuration(configuration.empty() ? file.configuration.string() : configuration, program);
-  auto plan = runner::make_plan(read, file.settings, program.folder, runner::RenderPlace::Elsewhere);
+  auto plan = run::make_plan(read, file.settings, program.folder, run::RenderPlace::Elsewhere);
   plan.images = std::filesystem::absolute(options.folder);
-  const auto folder = runner::make_run_folder(options.output);
-  runner::RunContext context;
+  const auto folder = run::make_run_folder(options.output);
+  run::RunContext context;
   context.file = {read.file, plan.settings, local_time_now()};
-  context.whole_plan = runner::job_list(plan);
+  context.whole_plan = run::job_list(plan);
   context.command_line = program.command_line;
   context.rendering.orbs_version = program.version;
-  const auto record = runner::run(plan, folder, context);
+  const auto record = run::run(plan, folder, context);
   report::write_reports(record, folder);
   print_clean("\n{}\nresults: {}\n", report::summary_text(record, report::style_for(STDOUT_FILENO)),
               folder.string());

@@ -3,7 +3,7 @@
 #include "cli/command_table.h"
 #include "report/files.h"
 #include "report/table.h"
-#include "runner/merge_runs.h"
+#include "run/cluster/merge_runs.h"
 
 #include <string>
 #include <vector>
@@ -21,8 +21,8 @@ struct Options {
 };
 
 int merge(const Options& options, const Program& program) {
-  const auto record = runner::merge_runs({options.shards.begin(), options.shards.end()}, options.output,
-                                         program.command_line);
+  const auto record =
+      run::merge_runs({options.shards.begin(), options.shards.end()}, options.output, program.command_line);
   report::write_reports(record, record.folder);
   print_clean("\n{}\n{} renders of {} runs; results: {}\n",
               report::summary_text(record, report::style_for(STDOUT_FILENO)), record.jobs.size(),

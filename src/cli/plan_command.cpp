@@ -5,8 +5,8 @@
 #include "registry/cases.h"
 #include "report/effects_table.h"
 #include "results/record_json.h"
-#include "runner/scene_record.h"
-#include "scene/load_scene.h"
+#include "run/plan/scene_record.h"
+#include "scene/load/load_scene.h"
 
 #include <filesystem>
 
@@ -26,7 +26,7 @@ SceneRecord record_of(const std::string& name,
   const auto scene = with_note(fmt::format("reading scene '{}'", name),
                                [&] { return scene::load_scene(file, data_folders, camera); });
   for (const auto& warning : scene.notes.warnings) print_clean(stderr, "orbs: warning: {}\n", warning);
-  return runner::scene_record(name, scene);
+  return run::scene_record(name, scene);
 }
 
 struct Options {

@@ -4,9 +4,9 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
-#include "runner/make_plan.h"
-#include "studies/probe.h"
-#include "studies/probe_report.h"
+#include "run/plan/make_plan.h"
+#include "studies/probe/probe.h"
+#include "studies/probe/report.h"
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
   settings.size_divisor = 1;  // a probe has a size of its own
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
   const auto records = studies::run_probe(plan, options.probe, context);
   if (!options.output.empty()) write_file(options.output, studies::probe_json(records));

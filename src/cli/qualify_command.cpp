@@ -8,10 +8,10 @@
 #include "cli/study_context.h"
 #include "registry/image_size.h"
 #include "results/run_folder.h"
-#include "runner/make_plan.h"
-#include "studies/diagnosis_rates.h"
-#include "studies/qualify.h"
-#include "studies/qualify_report.h"
+#include "run/plan/make_plan.h"
+#include "studies/qualify/diagnosis_rates.h"
+#include "studies/qualify/qualify.h"
+#include "studies/qualify/report.h"
 
 #include <algorithm>
 
@@ -73,7 +73,7 @@ int qualify(const registry::Configuration& configuration,
   const auto run = results::read_run_folder(folder).run;
   // The control images have the size of their run, and so must all that they are compared with.
   settings.size_divisor = registry::size_divisor(run.size);
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
   if (options.diagnoses) {
     print_clean("{}", studies::diagnoses_text(

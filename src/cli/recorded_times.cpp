@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "registry/image_size.h"
 #include "results/read_record.h"
-#include "runner/shipped_times.h"
+#include "run/plan/shipped_times.h"
 
 #include <algorithm>
 #include <vector>
@@ -31,7 +31,7 @@ std::vector<fs::path> earlier_runs(const fs::path& folder, const fs::path& resum
 }
 
 void take_times(const results::RunRecord& run,
-                const runner::Plan& plan,
+                const run::Plan& plan,
                 std::map<std::string, double>& seconds) {
   for (const auto& job : run.jobs) {
     const auto& was = job.identity;
@@ -44,8 +44,8 @@ void take_times(const results::RunRecord& run,
   }
 }
 
-void take_shipped_times(const runner::Plan& plan, RecordedTimes& times) {
-  const auto shipped = runner::shipped_cpu_seconds(plan);
+void take_shipped_times(const run::Plan& plan, RecordedTimes& times) {
+  const auto shipped = run::shipped_cpu_seconds(plan);
   for (std::size_t job = 0; job < shipped.size(); ++job)
     if (shipped[job] && times.seconds.emplace(plan.jobs[job].id, *shipped[job] / plan.threads).second)
       ++times.from_elsewhere;
@@ -53,7 +53,7 @@ void take_shipped_times(const runner::Plan& plan, RecordedTimes& times) {
 
 }  // namespace
 
-RecordedTimes recorded_times(const runner::Plan& plan, const fs::path& folder, const fs::path& resumed) {
+RecordedTimes recorded_times(const run::Plan& plan, const fs::path& folder, const fs::path& resumed) {
   RecordedTimes times;
   for (const auto& run : earlier_runs(folder, resumed)) {
     if (times.seconds.size() == plan.jobs.size()) break;
@@ -77,7 +77,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / kHour);
 }
 
-std::string amount_text(const runner::Plan& plan, const RecordedTimes& times) {
+std::string amount_text(const run::Plan& plan, const RecordedTimes& times) {
   const auto count = plan.jobs.size();
   auto text = fmt::format("{} render{}", count, count == 1 ? "" : "s");
   double sum = 0;

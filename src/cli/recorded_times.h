@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runner/plan.h"
+#include "run/plan/plan.h"
 
 #include <filesystem>
 #include <map>
@@ -18,7 +18,7 @@ struct RecordedTimes {
 /// if it is not "". Times of other sample counts are scaled; runs with images of another size tell nothing,
 /// nor do those that cannot be read. For the rest, the times that come with the program (data/bench): CPU
 /// seconds of another machine, shared by the threads of a job.
-RecordedTimes recorded_times(const runner::Plan& plan,
+RecordedTimes recorded_times(const run::Plan& plan,
                              const std::filesystem::path& folder,
                              const std::filesystem::path& resumed);
 
@@ -27,6 +27,6 @@ std::string duration_text(double seconds);
 
 /// "113 renders, about 5 h"; where not all were timed, of how many that is known, and where others timed
 /// them.
-std::string amount_text(const runner::Plan& plan, const RecordedTimes& times);
+std::string amount_text(const run::Plan& plan, const RecordedTimes& times);
 
 }  // namespace orbs::cli

@@ -5,7 +5,7 @@
 #include "cli/options.h"
 #include "registry/new_renderer.h"
 #include "registry/placeholders.h"
-#include "runner/choose_renderers.h"
+#include "run/plan/choose_renderers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,11 +19,11 @@ int add(const registry::Configuration& configuration,
         const registry::NewRenderer& added,
         const Program& program) {
   const auto entry = registry::add_renderer(configuration, added);
-  const auto found = runner::installed_executable(entry, configuration.root, program.folder);
+  const auto found = run::installed_executable(entry, configuration.root, program.folder);
   print_clean("added to {}\n", configuration.file.string());
   print_clean("  name        {}\n", entry.name);
   print_clean("  executable  {}\n", found ? found->string()
-                                          : adapters::program_problem(runner::program_name(
+                                          : adapters::program_problem(run::program_name(
                                                 entry, configuration.root, program.folder)));
   print_clean("  reads       {}\n", entry.scene_format);
   print_clean("  declares    {}\n", registry::format_features(entry.declares));

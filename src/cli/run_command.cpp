@@ -13,13 +13,13 @@
 #include "cli/show_runs.h"
 #include "report/files.h"
 #include "report/table.h"
-#include "runner/accept_failures.h"
-#include "runner/execute.h"
-#include "runner/make_plan.h"
-#include "runner/plan_text.h"
-#include "runner/run.h"
-#include "runner/run_file.h"
-#include "runner/shard.h"
+#include "run/accept_failures.h"
+#include "run/cluster/shard.h"
+#include "run/execute.h"
+#include "run/plan/make_plan.h"
+#include "run/plan/plan_text.h"
+#include "run/run.h"
+#include "run/run_file.h"
 
 #include <algorithm>
 
@@ -34,25 +34,25 @@ namespace {
 
 // The plan of the shard that is to be rendered, and the list of the whole.
 struct ShardPlan {
-  runner::Plan plan;
+  run::Plan plan;
   registry::Shard shard{};
   results::JobList whole{};
 };
 
 // The run file of the folder that is resumed, or of a new folder, which is made.
-runner::RunFile run_file_of(const registry::Configuration& configuration,
-                            const runner::Plan& plan,
-                            const registry::Shard& shard,
-                            const std::string& resumed,
-                            std::filesystem::path& folder) {
+run::RunFile run_file_of(const registry::Configuration& configuration,
+                         const run::Plan& plan,
+                         const registry::Shard& shard,
+                         const std::string& resumed,
+                         std::filesystem::path& folder) {
   if (!resumed.empty()) {
     folder = std::filesystem::absolute(resumed).lexically_normal();
-    auto file = runner::read_run_file(folder);
+    auto file = run::read_run_file(folder);
     file.settings = plan.settings;
     return file;
   }
-  folder = runner::make_run_folder(plan.settings.output);
-  runner::RunFile file{configuration.file, plan.settings, local_time_now(), shard};
+  folder = run::make_run_folder(plan.settings.output);
+  run::RunFile file{configuration.file, plan.settings, local_time_now(), shard};
   if (file.settings.executable.find('/') != std::string::npos)
     file.settings.executable = std::filesystem::absolute(file.settings.executable).lexically_normal();
   return file;
@@ -60,7 +60,7 @@ runner::RunFile run_file_of(const registry::Configuration& configuration,
 
 // Before anything starts: a configuration that was found above may not be the one that was meant.
 void announce(const registry::Configuration& configuration,
-              const runner::Plan& plan,
+              const run::Plan& plan,
               const RecordedTimes& times,
               const std::filesystem::path& folder) {
   std::vector<std::string> names;
@@ -90,10 +90,10 @@ void print_end(const results::RunRecord& record, const std::filesystem::path& fo
 }
 
 // InputError with a note where the run was; says how it can be continued if there is anything to continue.
-results::RunRecord render_with_progress(const runner::Plan& plan,
+results::RunRecord render_with_progress(const run::Plan& plan,
                                         const std::filesystem::path& folder,
                                         const std::map<std::string, double>& seconds,
-                                        runner::RunContext& context) {
+                                        run::RunContext& context) {
   std::vector<std::string> ids;
   for (const auto& job : plan.jobs) ids.push_back(job.id);
   const auto run = [&] {
@@ -102,7 +102,7 @@ results::RunRecord render_with_progress(const runner::Plan& plan,
     context.rendering.progress = [&](std::size_t done, std::size_t count, const auto& job,
                                      const auto& targets) { progress.finished(done, count, job, targets); };
     context.rendering.say = [&](const std::string& line) { progress.say(line); };
-    auto made = runner::run(plan, folder, context);
+    auto made = run::run(plan, folder, context);
     report::write_reports(made, folder);
     return made;
   };
@@ -122,7 +122,7 @@ int run_plan(const registry::Configuration& configuration,
              const RunOptions& options) {
   const auto& plan = planned.plan;
   std::filesystem::path folder;
-  runner::RunContext context;
+  run::RunContext context;
   context.file = run_file_of(configuration, plan, planned.shard, options.resume, folder);
   context.whole_plan = planned.whole;
   const auto times = recorded_times(plan, std::filesystem::current_path(),
@@ -133,7 +133,7 @@ int run_plan(const registry::Configuration& configuration,
   context.rendering.stop = &catch_interrupts();
   auto record = render_with_progress(plan, folder, times.seconds, context);
   const bool accepts = !options.accept_failures.empty() && !record.interrupted;
-  const auto accepted = accepts ? runner::accept_failures(configuration, options.accept_failures, record) : 0;
+  const auto accepted = accepts ? run::accept_failures(configuration, options.accept_failures, record) : 0;
   if (accepted > 0) report::write_reports(record, folder);
   print_end(record, folder);
   if (accepts)
@@ -161,20 +161,20 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
       ShardPlan planned;
       if (!options->shard.empty()) planned.shard = registry::parse_shard(options->shard);
       if (!options->resume.empty()) {
-        const auto file = runner::read_run_file(options->resume);
+        const auto file = run::read_run_file(options->resume);
         if (from.empty()) from = file.configuration.string();
         resumed = file.settings;
         planned.shard = file.shard;
       }
       const auto read = read_configuration(from, program);
       const auto settings = run_settings(*chosen, *options, resumed.value_or(read.defaults));
-      planned.plan = runner::make_plan(read, settings, program.folder);
-      planned.whole = runner::job_list(planned.plan);
-      runner::take_shard(planned.shard, planned.plan);
+      planned.plan = run::make_plan(read, settings, program.folder);
+      planned.whole = run::job_list(planned.plan);
+      run::take_shard(planned.shard, planned.plan);
       if (settings.sandbox)
         if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
       if (!settings.dry_run) return run_plan(read, planned, program, *options);
-      print_clean("{}", runner::plan_text(planned.plan));
+      print_clean("{}", run::plan_text(planned.plan));
       return 0;
     };
   });

@@ -4,8 +4,8 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "registry/image_size.h"
-#include "runner/make_plan.h"
-#include "studies/sensitivity_report.h"
+#include "run/plan/make_plan.h"
+#include "studies/qualify/sensitivity_report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ int measure(const registry::Configuration& configuration,
   settings.threads = options.threads;
   settings.size_divisor = options.size.empty() ? 1 : registry::size_divisor(options.size);
   settings.jobs = 1;
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
+  const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
   print_clean("{}", studies::sensitivity_text(studies::measure_sensitivity(plan, options.study, context)));
   return is_stopped(context) ? kInterrupted : 0;

@@ -7,12 +7,12 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "results/stability_study.h"
-#include "runner/make_plan.h"
-#include "runner/run_file.h"
-#include "scene/load_scene.h"
-#include "studies/stability_json.h"
-#include "studies/stability_report.h"
-#include "studies/stability_study.h"
+#include "run/plan/make_plan.h"
+#include "run/run_file.h"
+#include "scene/load/load_scene.h"
+#include "studies/stability/json.h"
+#include "studies/stability/report.h"
+#include "studies/stability/study.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -84,12 +84,12 @@ void print(const studies::StabilityRecord& record, bool as_markdown) {
 int status_of(const studies::StabilityRecord& record) { return studies::all_hold(record) ? 0 : 1; }
 
 // The scenes of these files, known by their names without folder and ending.
-std::vector<runner::PlannedScene> scenes_of(const std::vector<std::string>& files) {
-  std::vector<runner::PlannedScene> scenes;
+std::vector<run::PlannedScene> scenes_of(const std::vector<std::string>& files) {
+  std::vector<run::PlannedScene> scenes;
   for (const std::filesystem::path file : files) {
     auto scene =
         with_note(fmt::format("reading scene '{}'", file.string()), [&] { return scene::load_scene(file); });
-    runner::PlannedScene planned;
+    run::PlannedScene planned;
     planned.name = file.stem().string();
     planned.file = std::filesystem::absolute(file);
     planned.scene = std::make_shared<const scene::Scene>(std::move(scene));
@@ -106,12 +106,12 @@ int measure(const registry::Configuration& configuration,
   if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.size_divisor = 1;  // a study of stability has a size of its own
-  auto plan = runner::make_plan(configuration, settings, program.folder);
+  auto plan = run::make_plan(configuration, settings, program.folder);
   if (!options.files.empty()) plan.scenes = scenes_of(options.files);
   const auto context = study_context(program, stderr);
   studies::StabilityRecord record;
   if (options.resume.empty()) {
-    request.folder = runner::make_run_folder(options.output, "stability");
+    request.folder = run::make_run_folder(options.output, "stability");
   } else {
     request.folder = std::filesystem::absolute(options.resume);
     record = studies::read_stability_file(stability_file(options.resume));

@@ -4,9 +4,9 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
-#include "runner/make_plan.h"
-#include "runner/run_file.h"
-#include "runner/slurm.h"
+#include "run/cluster/slurm.h"
+#include "run/plan/make_plan.h"
+#include "run/run_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -23,19 +23,19 @@ struct Options {
   bool dry_run = false;
 };
 
-int submit_missing(const runner::SlurmJob& job, const std::vector<int>& shards) {
+int submit_missing(const run::SlurmJob& job, const std::vector<int>& shards) {
   if (shards.empty()) {
     print_clean("all {} shards are complete; orbs merge puts them together\n", job.shards);
     return 0;
   }
-  const auto array = runner::submit(runner::array_words(job, shards));
-  const auto merge = runner::submit(runner::merge_words(job, array));
+  const auto array = run::submit(run::array_words(job, shards));
+  const auto merge = run::submit(run::merge_words(job, array));
   print_clean("submitted: array {} of {} shards, then merge {}\nresults: {}\n", array, shards.size(), merge,
               (job.folder / "merged").string());
   return 0;
 }
 
-std::vector<int> all_shards(const runner::SlurmJob& job) {
+std::vector<int> all_shards(const run::SlurmJob& job) {
   std::vector<int> shards;
   for (int shard = 1; shard <= job.shards; ++shard) shards.push_back(shard);
   return shards;
@@ -45,17 +45,17 @@ int submit_plan(const registry::Configuration& configuration,
                 const registry::RunSettings& settings,
                 const Program& program,
                 const Options& options) {
-  const auto plan = runner::make_plan(configuration, settings, program.folder);
-  auto job = runner::slurm_job(
+  const auto plan = run::make_plan(configuration, settings, program.folder);
+  auto job = run::slurm_job(
       configuration.slurm, plan, configuration.file,
       std::filesystem::absolute(options.run.output.empty() ? "FOLDER" : options.run.output), options.shards);
   if (options.dry_run) {
-    print_clean("{}\n{}\n", shell_text(runner::array_words(job, all_shards(job))),
-                shell_text(runner::merge_words(job, "ID")));
+    print_clean("{}\n{}\n", shell_text(run::array_words(job, all_shards(job))),
+                shell_text(run::merge_words(job, "ID")));
     return 0;
   }
-  job.folder = runner::make_run_folder(options.run.output, "cluster");
-  runner::write_slurm_job(job);
+  job.folder = run::make_run_folder(options.run.output, "cluster");
+  run::write_slurm_job(job);
   return submit_missing(job, all_shards(job));
 }
 
@@ -88,8 +88,8 @@ void add_submit_command(CLI::App& command, const Program& program, Action& actio
   command.callback([=, &program, &action] {
     action = [=, &program] {
       if (!options->resume.empty()) {
-        const auto job = runner::read_slurm_job(options->resume);
-        return submit_missing(job, runner::missing_shards(job));
+        const auto job = run::read_slurm_job(options->resume);
+        return submit_missing(job, run::missing_shards(job));
       }
       const auto read = read_configuration(*configuration, program);
       return submit_plan(read, run_settings(*chosen, options->run, read.defaults), program, *options);

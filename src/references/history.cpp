@@ -8,7 +8,7 @@
 #include "json/object_reader.h"
 #include "json/writer.h"
 #include "judge/provenance.h"
-#include "runner/execute.h"
+#include "run/execute.h"
 
 namespace orbs::references {
 

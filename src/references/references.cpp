@@ -9,7 +9,7 @@
 #include "references/store.h"
 #include "registry/cases.h"
 #include "registry/choose_cases.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,10 +9,10 @@
 #include "judge/provenance.h"
 #include "references/history.h"
 #include "results/image_hashes.h"
-#include "runner/execute.h"
-#include "runner/host.h"
-#include "runner/scene_hash.h"
-#include "scene/load_scene.h"
+#include "run/execute.h"
+#include "run/host.h"
+#include "run/plan/scene_hash.h"
+#include "scene/load/load_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ std::string commands_of(const RenderedReference& rendered, bool split_paths) {
 void stamp_origin(const WantedReference& wanted, const std::string& reason, image::Image& image) {
   auto& provenance = image.attributes;
   provenance["orbs.scene_hash"] =
-      hash_text(runner::scene_content_hash(scene::load_scene(wanted.file, {}, wanted.camera), wanted.file));
+      hash_text(run::scene_content_hash(scene::load_scene(wanted.file, {}, wanted.camera), wanted.file));
   provenance["orbs.date"] = local_time_now();
   provenance["orbs.reason"] = reason.empty() ? "first reference of this scene" : reason;
 }
@@ -68,7 +68,7 @@ void stamp(const RenderedReference& rendered,
   provenance["orbs.spp"] = std::to_string(rendered.sum.spp);
   provenance["orbs.settings"] = commands_of(rendered, wanted.split_paths);
   provenance["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
-  provenance["orbs.cpu"] = runner::this_host().cpu;
+  provenance["orbs.cpu"] = run::this_host().cpu;
   provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
   stamp_origin(wanted, reason, image);
   for (const auto& [name, share] : path_shares(rendered.image))

@@ -4,8 +4,8 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "judge/provenance.h"
-#include "runner/scene_hash.h"
-#include "scene/load_scene.h"
+#include "run/plan/scene_hash.h"
+#include "scene/load/load_scene.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ UnfinishedReference unfinished_reference(const std::filesystem::path& target,
                                          bool split_paths) {
   UnfinishedReference unfinished;
   unfinished.folder = target.parent_path() / ".unfinished" / target.stem();
-  const auto of_scene = runner::scene_content_hash(scene::load_scene(scene, {}, camera), scene);
+  const auto of_scene = run::scene_content_hash(scene::load_scene(scene, {}, camera), scene);
   unfinished.made_from =
       hash_text(content_hash(split_paths ? "layers" : "", content_hash(read_file(tracer), of_scene)));
   make_folder(unfinished.folder.parent_path());

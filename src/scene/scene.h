@@ -3,9 +3,9 @@
 #include "base/matrix.h"
 #include "base/vec.h"
 #include "scene/colour.h"
+#include "scene/geometry/subdivision/subdivision_surface.h"
 #include "scene/material.h"
 #include "scene/shapes/shape.h"
-#include "scene/subdivision/subdivision_surface.h"
 #include "scene/texture.h"
 
 #include <array>

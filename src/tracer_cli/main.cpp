@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/terminal.h"
 #include "image/image_io.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "tracer/choose_light_connections.h"
 #include "tracer/choose_light_paths.h"
 #include "tracer/choose_light_selection.h"

@@ -1,7 +1,7 @@
 #include "tracer_cli/options.h"
 
 #include "base/error.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "tracer_cli/stamp.h"
 
 #include "base/files.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "fuzz/feed.h"
-#include "scene/ies.h"
+#include "scene/lights/ies.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "fuzz/feed.h"
 #include "fuzz/mesh_promises.h"
-#include "scene/ply.h"
+#include "scene/geometry/ply.h"
 
 namespace orbs::fuzz {
 

@@ -2,8 +2,8 @@
 #include "base/scratch_folder.h"
 #include "fuzz/feed.h"
 #include "scene/camera_frame.h"
-#include "scene/load_scene.h"
-#include "scene/write_scene.h"
+#include "scene/load/load_scene.h"
+#include "scene/load/write_scene.h"
 
 namespace orbs::fuzz {
 

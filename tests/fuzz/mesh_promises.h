@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fuzz/feed.h"
-#include "scene/load_mesh.h"
-#include "scene/mesh_file.h"
+#include "scene/geometry/mesh_file.h"
+#include "scene/load/mesh.h"
 
 namespace orbs::fuzz {
 

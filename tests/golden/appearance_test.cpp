@@ -1,7 +1,7 @@
 #include "adapters/export.h"
 #include "base/scratch_folder.h"
 #include "golden/read_back.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 

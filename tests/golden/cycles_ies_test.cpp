@@ -1,7 +1,7 @@
 #include "adapters/process/process.h"
 #include "base/files.h"
 #include "base/scratch_folder.h"
-#include "scene/ies.h"
+#include "scene/lights/ies.h"
 
 #include <algorithm>
 #include <string>

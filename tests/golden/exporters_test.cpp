@@ -7,9 +7,9 @@
 #include "base/scratch_folder.h"
 #include "golden/read_back.h"
 #include "image/image_io.h"
-#include "scene/generators.h"
-#include "scene/load_scene.h"
-#include "scene/ply.h"
+#include "scene/geometry/generators.h"
+#include "scene/geometry/ply.h"
+#include "scene/load/load_scene.h"
 
 #include <algorithm>
 #include <array>

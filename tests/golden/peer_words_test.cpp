@@ -7,7 +7,7 @@
 #include "base/scratch_folder.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <algorithm>
 

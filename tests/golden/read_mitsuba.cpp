@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "golden/read_back.h"
 #include "golden/xml.h"
-#include "scene/ply.h"
+#include "scene/geometry/ply.h"
 
 #include <numbers>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "golden/pbrt_tokens.h"
 #include "golden/read_back.h"
-#include "scene/ply.h"
+#include "scene/geometry/ply.h"
 #include "spectra/observer.h"
 
 #include <cmath>

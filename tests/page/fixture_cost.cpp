@@ -4,7 +4,7 @@
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "results/cost_study.h"
-#include "studies/cost_json.h"
+#include "studies/cost/json.h"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "results/stability_study.h"
-#include "studies/stability_json.h"
-#include "studies/stability_report.h"
+#include "studies/stability/json.h"
+#include "studies/stability/report.h"
 
 namespace orbs::page_tests {
 

@@ -5,7 +5,7 @@
 #include "adapters/process/process.h"
 #include "adapters/process/programs.h"
 #include "registry/configuration.h"
-#include "runner/outcome.h"
+#include "run/outcome.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -35,7 +35,7 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   request.folder = folder;
   request.environment = adapters::child_environment(renderer->environment);
   const auto process = adapters::run_process(request);
-  auto outcome = runner::classify(process, job, request.limits);
+  auto outcome = run::classify(process, job, request.limits);
   if (!outcome.image) throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.reason, process.output));
   return std::move(*outcome.image);
 }

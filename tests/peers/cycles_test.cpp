@@ -1,7 +1,7 @@
 #include "peers/cycles_render.h"
 #include "peers/scenes.h"
 #include "peers/texels.h"
-#include "scene/generators.h"
+#include "scene/geometry/generators.h"
 
 #include <algorithm>
 #include <array>

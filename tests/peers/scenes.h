@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "scene/generators.h"
+#include "scene/geometry/generators.h"
 
 #include <array>
 #include <string>

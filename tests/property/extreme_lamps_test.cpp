@@ -1,6 +1,6 @@
 // Closed forms for lamps that are very near, very large or very small, cameras on surfaces, and paths that
 // nothing ends.
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

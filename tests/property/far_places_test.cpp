@@ -1,7 +1,7 @@
 // The position of a scene in its coordinates must not matter, although floats are coarse far from the origin.
 #include "scene/camera_frame.h"
-#include "scene/relation_motion.h"
-#include "unit/tracer_scenes.h"
+#include "scene/relations/motion.h"
+#include "unit/tracer/scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Images with an irradiance cache: furnaces, the same bytes for every number of threads, and path tracing.
 #include "property/light_images.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <cmath>
 #include <filesystem>

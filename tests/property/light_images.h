@@ -1,6 +1,6 @@
 #pragma once
 
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 #include "property/light_quadrature.h"
 
 #include "base/matrix.h"
-#include "unit/spectra_tables.h"
+#include "unit/spectra/tables.h"
 
 #include <algorithm>
 

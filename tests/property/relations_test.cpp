@@ -1,10 +1,10 @@
 // The built-in tracer follows every relation, as far as tests have time: each at its first and, for ladders,
 // at a hard magnitude.
-#include "studies/paired_difference.h"
-#include "studies/stability_relation.h"
+#include "studies/effects/paired_difference.h"
+#include "studies/stability/relation.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
-#include "unit/related_scenes.h"
+#include "unit/scene/related_scenes.h"
 
 #include <gtest/gtest.h>
 

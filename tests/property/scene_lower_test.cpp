@@ -1,7 +1,7 @@
 // Lowering must not change what is drawn: the triangles in world space with their materials are the same at
 // every level.
 #include "base/random.h"
-#include "scene/lower.h"
+#include "scene/lower/lower.h"
 
 #include <algorithm>
 #include <array>

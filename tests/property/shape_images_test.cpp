@@ -1,7 +1,7 @@
 // Images of shapes by their formula: equal to those of triangles, to closed forms, and for every number of
 // threads.
 #include "property/light_images.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 
 #include <array>
 #include <atomic>

@@ -5,7 +5,7 @@
 #include "spectra/rgb.h"
 #include "spectra/wavelengths.h"
 #include "tracer/transport/spectral_transport.h"
-#include "unit/spectra_tables.h"
+#include "unit/spectra/tables.h"
 
 #include <gtest/gtest.h>
 

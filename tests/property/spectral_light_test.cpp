@@ -2,8 +2,8 @@
 #include "property/light_images.h"
 #include "property/light_quadrature.h"
 #include "spectra/rgb.h"
-#include "unit/colour_difference.h"
-#include "unit/spectra_tables.h"
+#include "unit/spectra/colour_difference.h"
+#include "unit/spectra/tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Subdivision surfaces against uniform cubic B-splines, closed forms and what must not depend on the level.
 #include "base/error.h"
 #include "property/hashed_numbers.h"
+#include "scene/geometry/subdivision/subdivide.h"
+#include "scene/geometry/subdivision/tessellate_surface.h"
+#include "scene/geometry/subdivision/vertex_ring.h"
 #include "scene/shapes/parse_expression.h"
-#include "scene/subdivision/subdivide.h"
-#include "scene/subdivision/tessellate_surface.h"
-#include "scene/subdivision/vertex_ring.h"
 
 #include <algorithm>
 #include <array>

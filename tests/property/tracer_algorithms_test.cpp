@@ -1,7 +1,7 @@
 // The algorithms of the tracer that can be chosen: each has the same expected image, and what it costs in
 // noise to do without one.
 #include "tracer/world/build_world.h"
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // A closed room stays dark while a lamp shines on it from outside, whatever its vertex normals are.
 #include "tracer/world/build_world.h"
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <gtest/gtest.h>
 

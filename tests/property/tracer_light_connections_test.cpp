@@ -2,7 +2,7 @@
 #include "tracer/choose_light_connections.h"
 #include "tracer/choose_light_selection.h"
 #include "tracer/world/build_world.h"
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <algorithm>
 #include <cmath>

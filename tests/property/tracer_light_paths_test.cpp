@@ -1,7 +1,7 @@
 // Light paths against camera paths alone, and against mirrored light sampling.
 #include "tracer/choose_light_paths.h"
 #include "tracer/world/build_world.h"
-#include "unit/tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <numbers>
 

@@ -4,7 +4,7 @@
 #include "judge/judge.h"
 #include "metrics/bias_message.h"
 #include "metrics/noise_test.h"
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "tracer/choose_light_paths.h"
 #include "tracer/choose_light_selection.h"
 #include "tracer/render.h"

@@ -1,7 +1,7 @@
 #include "adapters/mitsuba/colours.h"
 
 #include "adapters/mitsuba/xml.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <iterator>
 

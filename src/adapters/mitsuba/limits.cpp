@@ -6,7 +6,7 @@
 #include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/materials.h"
 #include "adapters/mitsuba/stokes_frame.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
-#include "scene/ply.h"
+#include "scene/geometry/ply.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "adapters/pbrt/colours.h"
 
 #include "adapters/pbrt/bands.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <iterator>
 

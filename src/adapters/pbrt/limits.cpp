@@ -6,7 +6,7 @@
 #include "adapters/pbrt/materials.h"
 #include "adapters/pbrt/small_light.h"
 #include "image/image_io.h"
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 
 #include <bit>
 

@@ -9,8 +9,8 @@
 #include "adapters/pbrt/materials.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
-#include "scene/effects.h"
-#include "scene/ply.h"
+#include "scene/effects/effects.h"
+#include "scene/geometry/ply.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,7 +3,7 @@
 #include "adapters/light_frame.h"
 #include "adapters/povray/light_panels.h"
 #include "adapters/povray/sdl.h"
-#include "scene/lower_light.h"
+#include "scene/lower/light.h"
 
 #include <algorithm>
 #include <array>

@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/camera_frame.h"
-#include "scene/relation_motion.h"
-#include "scene/rescaled.h"
+#include "scene/relations/motion.h"
+#include "scene/relations/rescaled.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "scene/materials/boundary.h"
 
-#include "scene/load_spectra.h"
-#include "scene/write_spectra.h"
+#include "scene/load/spectra.h"
+#include "scene/load/write_spectra.h"
 
 #include <cmath>
 

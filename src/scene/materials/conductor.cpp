@@ -1,8 +1,8 @@
 #include "scene/materials/conductor.h"
 
-#include "scene/load_spectra.h"
+#include "scene/load/spectra.h"
+#include "scene/load/write_spectra.h"
 #include "scene/materials/boundary.h"
-#include "scene/write_spectra.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "scene/materials/emission.h"
 
+#include "scene/load/write_spectra.h"
 #include "scene/materials/reflectance.h"
-#include "scene/write_spectra.h"
 
 namespace orbs::scene {
 

@@ -1,7 +1,7 @@
 #include "scene/materials/fluorescent.h"
 
+#include "scene/load/write_spectra.h"
 #include "scene/materials/reflectance.h"
-#include "scene/write_spectra.h"
 #include "spectra/rgb.h"
 
 #include <span>

@@ -1,8 +1,8 @@
 #include "scene/materials/ggx.h"
 
+#include "scene/load/write_spectra.h"
 #include "scene/materials/boundary.h"
 #include "scene/materials/reflectance.h"
-#include "scene/write_spectra.h"
 
 namespace orbs::scene {
 

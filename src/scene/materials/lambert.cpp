@@ -1,8 +1,8 @@
 #include "scene/materials/lambert.h"
 
 #include "json/writer.h"
+#include "scene/load/write_spectra.h"
 #include "scene/materials/reflectance.h"
-#include "scene/write_spectra.h"
 
 namespace orbs::scene {
 

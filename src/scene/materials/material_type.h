@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/colour.h"
-#include "scene/effect.h"
+#include "scene/effects/effect.h"
 
 #include <concepts>
 #include <string_view>

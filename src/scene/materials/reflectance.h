@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/load_spectra.h"
+#include "scene/load/spectra.h"
 #include "scene/materials/material_type.h"
 #include "scene/texture.h"
 

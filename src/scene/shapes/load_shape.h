@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/load_entry.h"
+#include "scene/load/entry.h"
 #include "scene/scene.h"
 
 namespace orbs::scene {

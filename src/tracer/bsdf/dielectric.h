@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 #include "tracer/bsdf/boundary_bsdf.h"
 #include "tracer/bsdf/broadcast.h"
 #include "tracer/bsdf/bsdf_sample.h"

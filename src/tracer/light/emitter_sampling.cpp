@@ -1,6 +1,6 @@
 #include "tracer/light/emitter_sampling.h"
 
-#include "scene/ies.h"
+#include "scene/lights/ies.h"
 #include "tracer/geometry/frame.h"
 #include "tracer/light/spherical_rectangle.h"
 #include "tracer/sampling/warps.h"

@@ -1,6 +1,6 @@
 #include "tracer/world/build_meshes.h"
 
-#include "scene/world_bounds.h"
+#include "scene/geometry/world_bounds.h"
 #include "tracer/geometry/affine.h"
 #include "tracer/shapes/build_solids.h"
 

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "scene/camera_frame.h"
-#include "scene/relation_motion.h"
-#include "scene/rescaled.h"
-#include "scene/world_bounds.h"
+#include "scene/geometry/world_bounds.h"
+#include "scene/relations/motion.h"
+#include "scene/relations/rescaled.h"
 #include "tracer/world/build_lights.h"
 #include "tracer/world/build_materials.h"
 #include "tracer/world/build_meshes.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/effects.h"
+#include "scene/effects/effects.h"
 #include "tracer/accel/accel.h"
 #include "tracer/bsdf/materials.h"
 #include "tracer/colour/colour.h"

@@ -1,0 +1,123 @@
+#include "run/cluster/export_plan.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/shell.h"
+#include "json/document.h"
+#include "json/object_reader.h"
+#include "json/writer.h"
+#include "registry/image_size.h"
+#include "run/prepare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExportFile = "export.json";
+
+// The text with the folder of the job left out of every path in it.
+std::string inside(const std::string& text, const std::string& folder) {
+  std::string out;
+  std::size_t from = 0;
+  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, from)) {
+    out.append(text, from, at - from);
+    from = at + folder.size();
+    if (from < text.size() && text[from] == '/') {
+      ++from;
+    } else {
+      out.push_back('.');
+    }
+  }
+  return out.append(text, from, std::string::npos);
+}
+
+// The words of the command as they are in the folder of the job, where the program is whatever RENDERER says.
+std::string command_line(const adapters::Job& job, const ChosenRenderer& renderer) {
+  std::vector<std::string> words;
+  for (const auto& variable : renderer.entry.environment)
+    if (variable.find('=') != std::string::npos) words.push_back(shell_text({variable}));
+  // A quoted word is no assignment to the shell, but one to env.
+  if (!words.empty()) words.insert(words.begin(), "env");
+  for (const auto& word : job.argv) {
+    const bool is_program = word == renderer.executable.string();
+    words.push_back(is_program ? "\"$renderer\"" : shell_text({inside(word, job.folder.string())}));
+  }
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::string job_lines(const Plan& plan, const PlannedJob& job, const std::vector<adapters::Job>& replicas) {
+  const auto& renderer = plan.renderers[job.renderer];
+  const auto& scene = plan.scenes[job.scene];
+  const auto& camera = scene.scene->camera;
+  std::vector<std::string> commands;
+  for (const auto& replica : replicas) commands.push_back(command_line(replica, renderer));
+  return fmt::format(
+      "# {}: {} x {} px, trace depth {}, {} samples per pixel{}, seed {}\n"
+      "renderer=${{RENDERER:-{}}}\n"
+      "(cd {} && {})\n\n",
+      scene.name, camera.width_px, camera.height_px, scene.scene->trace_depth, job.spp,
+      replicas.size() > 1 ? fmt::format(" in {} images", replicas.size()) : "", plan.settings.seed,
+      shell_text({renderer.executable.string()}), shell_text({job.folder.string()}),
+      fmt::join(commands, " && "));
+}
+
+void write_export_file(const Plan& plan, const fs::path& configuration, const fs::path& folder) {
+  auto settings = plan.settings;
+  settings.output.clear();
+  // The threads are part of the commands, which orbs judge makes again.
+  settings.threads = plan.threads;
+  json::Writer out;
+  out.begin_object()
+      .member("format", "orbs-export/1")
+      .member("configuration", configuration.string())
+      .key("settings");
+  registry::write_run_settings(out, settings);
+  write_file(folder / kExportFile, out.end_object().text());
+}
+
+}  // namespace
+
+ExportedPlan export_plan(const Plan& plan, const fs::path& configuration, const fs::path& folder) {
+  ExportedPlan exported;
+  std::string script =
+      "#!/bin/sh\n"
+      "# Renders all images that orbs judge wants. RENDERER=/path/to/program sh render.sh\n"
+      "# An image is linear and has no tone curve: 32-bit float EXR, no denoiser, a box filter of one pixel.\n"
+      "cd \"$(dirname \"$0\")\" || exit\n\n";
+  for (const auto& job : plan.jobs) {
+    const auto prepared = scene_for(plan, job);
+    if (const auto* reason = std::get_if<std::string>(&prepared)) {
+      exported.left_out.push_back(fmt::format("{} {}: {}", plan.renderers[job.renderer].entry.name,
+                                              plan.scenes[job.scene].name, *reason));
+      continue;
+    }
+    const auto replicas = replicas_of(plan, job, folder);
+    make_folder(replicas.front().folder);
+    write_job_scene(plan, job, std::get<scene::Scene>(prepared), replicas.front());
+    script += job_lines(plan, job, replicas);
+    ++exported.renders;
+  }
+  write_file(folder / "render.sh", script);
+  write_export_file(plan, configuration, folder);
+  return exported;
+}
+
+ExportFile read_export_file(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kExportFile, ignored))
+    throw InputError(
+        fmt::format("{}: holds no {}; name a folder that 'orbs export' made", folder.string(), kExportFile));
+  const auto document = json::parse_file(folder / kExportFile);
+  json::ObjectReader in(document);
+  in.one_of("format", {"orbs-export/1"});
+  ExportFile file{in.system_text("configuration"), registry::read_run_settings(in.object("settings"))};
+  in.finish();
+  return file;
+}
+
+}  // namespace orbs::run

@@ -1,0 +1,49 @@
+#include "run/job_folder.h"
+
+#include "base/error.h"
+#include "base/files.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace orbs::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_ours(const std::string& name) {
+  return name == "job.json" || name == "log.txt" || name == "result.png" || name.starts_with("error-");
+}
+
+std::vector<fs::path> in_the_way(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_ours(entry.path().filename().string()) && entry.symlink_status().type() != fs::file_type::regular)
+      found.push_back(entry.path());
+  return found;
+}
+
+}  // namespace
+
+void make_way(const fs::path& path) {
+  if (const auto failed = remove_tree(path))
+    throw InputError(fmt::format("{}: cannot be removed, and must make way for the results of its render: {}",
+                                 path.string(), failed.message()));
+}
+
+void make_room(const fs::path& folder) {
+  try {
+    if (fs::symlink_status(folder).type() != fs::file_type::directory) fs::remove(folder);
+    fs::create_directories(folder);
+    fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
+    for (const auto& path : in_the_way(folder)) make_way(path);
+  } catch (const fs::filesystem_error& e) {
+    throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
+                                 folder.string(), e.code().message()));
+  }
+}
+
+}  // namespace orbs::run

@@ -1,0 +1,223 @@
+#include "run/plan/make_plan.h"
+
+#include "adapters/job.h"
+#include "adapters/native_scene.h"
+#include "adapters/process/programs.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "judge/gate.h"
+#include "judge/judge.h"
+#include "metrics/mask.h"
+#include "registry/choose_cases.h"
+#include "registry/image_size.h"
+#include "run/expected.h"
+#include "run/plan/choose_renderers.h"
+#include "run/plan/reduced_size.h"
+#include "run/plan/scene_hash.h"
+#include "scene/load/load_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::run {
+
+namespace {
+
+using ScenesByFile =
+    std::map<std::pair<std::string, std::string>, std::shared_ptr<const scene::Scene>>;  // and camera
+
+std::shared_ptr<const scene::Scene> loaded(const registry::CaseScene& wanted,
+                                           const registry::Suite& suite,
+                                           ScenesByFile& by_file) {
+  auto& scene = by_file[{wanted.file.string(), wanted.camera}];
+  if (!scene)
+    scene = with_note(fmt::format("reading scene '{}'", wanted.name), [&] {
+      return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file, suite.data, wanted.camera));
+    });
+  return scene;
+}
+
+// `all` holds the scenes of cases that are not chosen, too: a scene may be judged by the reference of one.
+std::string reference_hash(const registry::CaseScene& judged,
+                           const registry::Suite& suite,
+                           const std::vector<registry::Case>& all,
+                           ScenesByFile& by_file) {
+  for (const auto& one_case : all)
+    for (const auto& scene : one_case.scenes)
+      if (scene.name == registry::reference_name(judged))
+        return hash_text(scene_content_hash(*loaded(scene, suite, by_file), scene.file));
+  return "";  // it has none: load_cases has seen to it that there is one wherever one must be
+}
+
+void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
+  ScenesByFile by_file;
+  for (const auto& one_case : plan.cases)
+    for (const auto& wanted : one_case.scenes) {
+      const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
+                                     [&](const auto& scene) { return scene.name == wanted.name; });
+      if (known) continue;
+      auto scene = with_note(fmt::format("reading {}", one_case.file.string()),
+                             [&] { return loaded(wanted, plan.suite, by_file); });
+      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, std::move(scene), "", wanted.camera_paths,
+                             wanted.wall_seconds, wanted.arguments});
+      plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
+      for (const auto& accepted : wanted.accepted) {
+        auto judged = wanted;
+        judged.reference = accepted.reference;
+        plan.reference_hashes[accepted.reference] = reference_hash(judged, plan.suite, all, by_file);
+      }
+    }
+}
+
+void check_regions(const Plan& plan, const registry::Case& one_case) {
+  const auto scene_of = [&](const std::string& target) {
+    auto name = target;
+    for (const auto& difference : one_case.differences)
+      if (difference.name == target) name = difference.of;
+    return std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                        [&](const auto& scene) { return scene.name == name; });
+  };
+  const auto check = [&](const std::string& target, const Rectangle& region) {
+    const auto& camera = scene_of(target)->scene->camera;
+    if (region.x1 > camera.width_px || region.y1 > camera.height_px)
+      throw InputError(fmt::format("{}: the rectangle {} of '{}' reaches beyond its {} x {} pixels",
+                                   one_case.file.string(), rectangle_text(region), target, camera.width_px,
+                                   camera.height_px));
+  };
+  for (const auto& mask : one_case.masks) {
+    for (const auto& rectangle : mask.rectangles) check(mask.target, rectangle);
+    const auto& camera = scene_of(mask.target)->scene->camera;
+    with_note(fmt::format("reading the masks of '{}' in {}", mask.target, one_case.file.string()), [&] {
+      metrics::included_pixels(judge::mask_of(one_case, mask.target), camera.width_px, camera.height_px);
+    });
+  }
+  for (const auto& pixels : one_case.pixel_checks) check(pixels.target, pixels.region);
+}
+
+// Everything that makes the image what it is, but not the folder and the time: the same id in every run.
+std::string job_id(const Plan& plan, const PlannedScene& scene, const ChosenRenderer& renderer, int spp) {
+  auto text = fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name, renderer.entry.name, spp,
+                          plan.settings.seed);
+  if (const int divisor = plan.settings.size_divisor; divisor != 1)
+    text += fmt::format("\n{}", registry::size_text(divisor));
+  return hash_text(content_hash(text));
+}
+
+std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t renderer) {
+  const auto found = std::find_if(plan.jobs.begin(), plan.jobs.end(), [&](const PlannedJob& job) {
+    return job.renderer == renderer && plan.scenes[job.scene].name == scene_name;
+  });
+  if (found != plan.jobs.end()) return static_cast<std::size_t>(found - plan.jobs.begin());
+  PlannedJob job;
+  job.renderer = renderer;
+  while (plan.scenes[job.scene].name != scene_name) ++job.scene;
+  const auto& scene = plan.scenes[job.scene];
+  const auto& chosen = plan.renderers[renderer];
+  const auto& own_scales = chosen.entry.spp_scale_of_scenes;
+  const auto own_scale = own_scales.find(scene.name);
+  job.spp = adapters::scaled_spp(enough_spp(plan, scene, chosen.entry),
+                                 own_scale == own_scales.end() ? chosen.entry.spp_scale : own_scale->second,
+                                 plan.settings.spp_scale);
+  job.id = job_id(plan, scene, chosen, job.spp);
+  job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
+  job.native_scene = adapters::native_scene(chosen.entry, scene.file, scene.name);
+  plan.jobs.push_back(job);
+  return plan.jobs.size() - 1;
+}
+
+bool declares(const Plan& plan, std::size_t renderer, const registry::Case& one_case) {
+  return registry::has_feature(plan.renderers[renderer].entry.declares,
+                               registry::parse_requirement(one_case.requirement));
+}
+
+// Jobs are started in their order. One scene of each requirement comes first, by every renderer, so that the
+// table of a run fills evenly while it goes on, and one that is interrupted says something of everything.
+void plan_first_jobs(Plan& plan) {
+  std::set<std::string> begun;
+  for (const auto& one_case : plan.cases) {
+    if (!begun.insert(one_case.requirement).second) continue;
+    const auto& scene = one_case.scenes.front().name;
+    for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
+      if (declares(plan, renderer, one_case) &&
+          why_not_at_size(plan, plan.renderers[renderer].entry, one_case, scene, {scene}).empty())
+        job_for(plan, scene, renderer);
+  }
+}
+
+void plan_targets(Plan& plan) {
+  for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer)
+    for (std::size_t c = 0; c < plan.cases.size(); ++c) {
+      const auto& one_case = plan.cases[c];
+      const bool declared = declares(plan, renderer, one_case);
+      const auto add = [&](const std::string& target, const std::vector<std::string>& scenes) {
+        PlannedTarget planned{c, renderer, target, {}, declared};
+        if (declared)
+          planned.unsupported =
+              why_not_at_size(plan, plan.renderers[renderer].entry, one_case, target, scenes);
+        if (declared && planned.unsupported.empty())
+          for (const auto& scene : scenes) planned.jobs.push_back(job_for(plan, scene, renderer));
+        plan.targets.push_back(std::move(planned));
+      };
+      for (const auto& scene : one_case.scenes) add(scene.name, {scene.name});
+      for (const auto& difference : one_case.differences)
+        add(difference.name, {difference.of, difference.minus});
+    }
+}
+
+bool may_be_negative(const Plan& plan, const PlannedJob& job) {
+  return std::any_of(plan.targets.begin(), plan.targets.end(), [&](const PlannedTarget& target) {
+    return target.renderer == job.renderer && target.target == plan.scenes[job.scene].name &&
+           !plan.cases[target.one_case].negative_values.empty();
+  });
+}
+
+int threads_per_job(const registry::RunSettings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::max(1, cores / settings.jobs);
+}
+
+}  // namespace
+
+Plan make_plan(const registry::Configuration& configuration,
+               const registry::RunSettings& settings,
+               const std::filesystem::path& program_folder,
+               RenderPlace place) {
+  Plan plan;
+  plan.place = place;
+  plan.settings = settings;
+  plan.root = configuration.root;
+  plan.build = program_folder;
+  plan.suite = registry::find_suite(configuration, settings.suite);
+  plan.threads = threads_per_job(settings);
+  choose_renderers(configuration, plan);
+  const auto all = registry::load_cases(plan.suite);
+  plan.cases = registry::choose_cases(all, settings);
+  refuse_unknown_expected(configuration, plan.suite, all);
+  plan.expected = configuration.expected;
+  load_scenes(plan, all);
+  for (const auto& one_case : plan.cases) {
+    judge::refuse_unknown_metrics(one_case);
+    check_regions(plan, one_case);
+  }
+  reduce_size(plan);
+  plan_first_jobs(plan);
+  plan_targets(plan);
+  for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
+  for (const auto& renderer : plan.renderers) {
+    if (place == RenderPlace::Elsewhere) break;
+    const auto& program = renderer.entry.command.front();
+    if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
+      throw InputError(
+          fmt::format("renderer '{}': its command starts '{}', which is not there; begin with {{executable}}",
+                      renderer.entry.name, program));
+  }
+  return plan;
+}
+
+}  // namespace orbs::run

@@ -1,0 +1,38 @@
+#include "run/plan/plan_text.h"
+
+#include "base/shell.h"
+#include "registry/image_size.h"
+#include "run/prepare.h"
+
+#include <fmt/format.h>
+
+namespace orbs::run {
+
+std::string plan_text(const Plan& plan) {
+  std::string text = fmt::format(
+      "{} renders for {} images, {} at a time with {} threads each{}\n", plan.jobs.size(),
+      plan.targets.size(), plan.settings.jobs, plan.threads,
+      plan.settings.size_divisor == 1 ? "" : ", at " + registry::size_text(plan.settings.size_divisor));
+  for (const auto& job : plan.jobs) {
+    const auto& scene = plan.scenes[job.scene];
+    const auto& renderer = plan.renderers[job.renderer];
+    text += fmt::format("{}  {}  {}\n", job.id, renderer.entry.name, scene.name);
+    const auto prepared = scene_for(plan, job);
+    if (const auto* reason = std::get_if<std::string>(&prepared)) {
+      text += fmt::format("    unsupported: {}\n", *reason);
+      continue;
+    }
+    if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
+    for (const auto& replica : replicas_of(plan, job, "OUTPUT"))
+      text += fmt::format("    {}\n", shell_text(replica.argv));
+  }
+  for (const auto& target : plan.targets)
+    if (!target.unsupported.empty())
+      text += fmt::format("unsupported: {} {}: {}\n", plan.renderers[target.renderer].entry.name,
+                          target.target, target.unsupported);
+  for (const auto& left : plan.left_out)
+    text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);
+  return text;
+}
+
+}  // namespace orbs::run

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "adapters/job.h"
+#include "run/plan/plan.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// From a planned job to what its renderer is given.
+namespace orbs::run {
+
+/// The entry of the job's renderer with the exporter's settings that it has for the job's scene.
+registry::Renderer entry_for(const Plan& plan, const PlannedJob& job);
+
+/// The scene in the form that the job's renderer reads: lowered to its format, or unchanged where a
+/// hand-written scene exists for it. Else the reason why the renderer cannot render it.
+std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job);
+
+/// Writes the scene of a job, as scene_for gave it, into the folder of `job`, which must exist: exported, or
+/// copied from where it was written by hand. Where the renderer is elsewhere, files that the scene names are
+/// copied beside it.
+void write_job_scene(const Plan& plan,
+                     const PlannedJob& planned,
+                     const scene::Scene& prepared,
+                     const adapters::Job& job);
+
+/// The arguments that the case of the job's scene has for its renderer; none mostly.
+std::vector<std::string> scene_arguments(const Plan& plan, const PlannedJob& job);
+
+/// The job with all paths below `run_folder`, once for each seed that its renderer is given (seed replicas):
+/// the seeds count up from that of the plan, and the replicas share the samples. At least one.
+std::vector<adapters::Job> replicas_of(const Plan& plan,
+                                       const PlannedJob& job,
+                                       const std::filesystem::path& run_folder);
+
+}  // namespace orbs::run

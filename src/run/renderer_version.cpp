@@ -1,0 +1,71 @@
+#include "run/renderer_version.h"
+
+#include "adapters/process/process.h"
+#include "adapters/process/programs.h"
+#include "base/pattern.h"
+#include "base/text.h"
+#include "registry/placeholders.h"
+
+#include <fmt/format.h>
+
+namespace orbs::run {
+
+namespace {
+
+std::string how_it_ended(const adapters::ProcessResult& process) {
+  if (!process.start_error.empty()) return fmt::format("cannot be started: {}", process.start_error);
+  return process.signal != 0 ? fmt::format("was killed by {}", adapters::signal_name(process.signal))
+                             : fmt::format("ended with exit code {}", process.exit_code);
+}
+
+// "" where the line says no version.
+std::string version_in(const std::string& line, const std::string& pattern) {
+  if (pattern.empty()) return line;
+  const auto groups = Pattern(pattern).last_match(line);
+  return groups.empty() ? "" : groups.front();
+}
+
+adapters::ProcessResult answer_of(adapters::ProcessRequest command,
+                                  const std::string& renderer,
+                                  const VersionRequest& request) {
+  command.limits.wall_seconds = request.first_seconds;
+  auto process = adapters::run_process(command);
+  if (process.cause != supervisor::Cause::WallTime) return process;
+  if (request.say)
+    request.say(fmt::format("{}: '{}' did not say its version within {} s; waiting for up to {} s", renderer,
+                            command.argv[0], request.first_seconds, request.second_seconds));
+  command.limits.wall_seconds = request.second_seconds;
+  return adapters::run_process(command);
+}
+
+}  // namespace
+
+std::string renderer_version(const ChosenRenderer& renderer,
+                             const Plan& plan,
+                             const VersionRequest& request) {
+  if (renderer.entry.version_command.empty()) return "";
+  adapters::ProcessRequest command;
+  command.argv = registry::fill_placeholders(renderer.entry.version_command,
+                                             {{"executable", renderer.executable.string()},
+                                              {"root", plan.root.string()},
+                                              {"build", plan.build.string()}});
+  const auto program = adapters::find_program(command.argv[0]);
+  if (!program) return fmt::format("unknown: there is no program '{}'", command.argv[0]);
+  command.argv[0] = program->string();
+  command.environment = adapters::child_environment(renderer.entry.environment);
+  const auto process = answer_of(command, renderer.entry.name, request);
+  if (process.cause == supervisor::Cause::WallTime)
+    return fmt::format("unknown: '{}' did not end within {} s", command.argv[0], request.second_seconds);
+  // Some programs have no such command and say their version in a complaint: then the pattern recognises it.
+  const auto& pattern = renderer.entry.version_pattern;
+  const bool has_failed = process.signal != 0 || process.exit_code != 0 || !process.start_error.empty();
+  for (const auto& line : split(has_failed && pattern.empty() ? "" : process.output, '\n'))
+    if (const auto version = version_in(std::string(trim(line)), pattern); !version.empty())
+      return clean_text(version);
+  if (has_failed) return fmt::format("unknown: '{}' {}", command.argv[0], how_it_ended(process));
+  return pattern.empty()
+             ? "unknown: its version command prints nothing"
+             : fmt::format("unknown: its version command prints no line that matches '{}'", pattern);
+}
+
+}  // namespace orbs::run

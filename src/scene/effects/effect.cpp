@@ -1,0 +1,37 @@
+#include "scene/effects/effect.h"
+
+namespace orbs::scene {
+
+std::string_view effect_name(Effect effect) {
+  switch (effect) {
+    case Effect::Spectral:
+      return "spectral";
+    case Effect::MeasuredMetal:
+      return "measured metal";
+    case Effect::Dispersion:
+      return "dispersion";
+    case Effect::ThinFilm:
+      return "thin film";
+    case Effect::Polarisation:
+      return "polarisation";
+    case Effect::Fluorescence:
+      return "fluorescence";
+    case Effect::RoughBoundary:
+      return "rough boundary";
+    case Effect::ReflectingLight:
+      return "reflecting light";
+    case Effect::AnalyticShape:
+      return "analytic shape";
+    case Effect::Texture:
+      return "texture";
+    case Effect::Ies:
+      return "IES profile";
+    case Effect::Instancing:
+      return "instancing";
+    case Effect::PathClasses:
+      return "path classes";
+  }
+  return "";
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,161 @@
+#include "scene/effects/features.h"
+
+#include "scene/effects/effects.h"
+#include "scene/lower/light.h"
+
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+bool has_several_materials(const Mesh& mesh) {
+  return std::set<int>(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size() > 1;
+}
+
+// The level of group E that tests an effect; "" for effects that ORB.S has a level for, and for those that
+// every boundary by its indices may have (E1).
+const char* level_for(Effect effect) {
+  switch (effect) {
+    case Effect::ReflectingLight:
+      return "E1";
+    case Effect::Spectral:
+      return "E2";
+    case Effect::Polarisation:
+      return "E3";
+    case Effect::Fluorescence:
+      return "E4";
+    case Effect::ThinFilm:
+      return "E5";
+    case Effect::Dispersion:
+      return "E6";
+    case Effect::MeasuredMetal:
+    case Effect::RoughBoundary:
+    case Effect::AnalyticShape:
+    case Effect::Texture:
+    case Effect::Ies:
+    case Effect::Instancing:
+    case Effect::PathClasses:
+      return "";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<CalledFeature> features_of_subdivision(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  std::set<int> seen;
+  for (const auto& instance : scene.instances) {
+    const auto& mesh = mesh_of(scene, instance);
+    if (!mesh.subdivision || !seen.insert(instance.mesh).second) continue;
+    features.push_back({"S5", fmt::format("mesh '{}' is a subdivision surface", mesh.name)});
+    if (mesh.subdivision->displacement)
+      features.push_back({"S6", fmt::format("mesh '{}' is displaced by a formula", mesh.name)});
+  }
+  return features;
+}
+
+std::vector<CalledFeature> features_of_shapes(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    features.push_back(
+        {"S1", display_name("shape", scene.spheres[i].name, i) + " is a sphere by its formula"});
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const auto name = display_name("shape", scene.shapes[i].name, scene.spheres.size() + i);
+    if (std::holds_alternative<CsgForm>(scene.shapes[i].form))
+      features.push_back({"S4", name + " is a solid by CSG"});
+    for_each_leaf(scene.shapes[i], 0, [&](const Shape& leaf, int) {
+      features.push_back(
+          {level_of(leaf.form), fmt::format("{} {} {} by its formula", name,
+                                            &leaf == &scene.shapes[i] ? "is" : "has", what_is(leaf.form))});
+    });
+  }
+  return features;
+}
+
+std::vector<CalledFeature> features_of_geometry(const Scene& scene) {
+  std::vector<CalledFeature> features{{"G1", "the scene is made of triangles"},
+                                      {"G2", "the scene has a camera"}};
+  std::set<int> seen;
+  for (const auto& instance : scene.instances) {
+    const auto& mesh = mesh_of(scene, instance);
+    if (!seen.insert(instance.mesh).second)
+      features.push_back({"G3", fmt::format("mesh '{}' appears several times", mesh.name)});
+    if (instance.matrix != Mat4{})
+      features.push_back({"G3", fmt::format("instance '{}' has a matrix", instance.name)});
+    if (!instance.remap.empty())
+      features.push_back(
+          {has_several_materials(mesh) ? "G5" : "G4",
+           fmt::format("instance '{}' changes materials of mesh '{}'", instance.name, mesh.name)});
+  }
+  for (const auto& part : {features_of_shapes(scene), features_of_subdivision(scene)})
+    features.insert(features.end(), part.begin(), part.end());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (!seen.contains(static_cast<int>(i)))
+      features.push_back(
+          {"G3", fmt::format("mesh '{}' is not instanced and must not appear", scene.meshes[i].name)});
+  return features;
+}
+
+std::vector<CalledFeature> features_of_materials(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  for (const int index : visible_materials(scene)) {
+    const auto& material = material_at(scene, index);
+    const auto needed = std::visit([](const auto& model) { return requirement(model); }, material.model);
+    const auto note = [&](const char* code, const std::string& what) {
+      features.push_back({code, fmt::format("material '{}' {}", material.name, what)});
+    };
+    note(needed.code, fmt::format("is {}", needed.what));
+    const auto& texture = texture_of(material.model);
+    if (!texture) continue;
+    note(std::holds_alternative<Emission>(material.model) ? "M6" : "M4", "has a texture");
+    if (texture->matrix != Mat4{}) note("M5", "has a texture matrix");
+  }
+  return features;
+}
+
+std::vector<CalledFeature> features_of_lights(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const auto& light = scene.lights[i];
+    const auto note = [&](const char* requirement, const char* what) {
+      features.push_back({requirement, fmt::format("{} {}", display_name("light", light.name, i), what)});
+    };
+    const bool is_sphere = std::holds_alternative<SphereShape>(light.shape);
+    note(is_sphere ? "L2" : "L1", is_sphere ? "is a sphere" : "is an area light");
+    if (!is_translation(light.matrix)) note("L3", "is turned or scaled");
+    if (light.ies) note("L4", "has an IES profile");
+  }
+  return features;
+}
+
+std::vector<CalledFeature> features_of_effects(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  for (const auto& finding : effects(scene).called_for)
+    if (const std::string level = level_for(finding.effect); !level.empty())
+      features.push_back({level, fmt::format("{} {}", finding.object, finding.reason)});
+  return features;
+}
+
+std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
+  if (scene.ambient_occlusion) return {{"I1", "the image is ambient occlusion"}};
+  if (scene.irradiance_cache) return {{"I2", "diffuse interreflection comes from an irradiance cache"}};
+  return {};
+}
+
+std::vector<CalledFeature> features_called_for(const Scene& scene) {
+  std::map<std::string, std::string> found;
+  for (const auto& features :
+       {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
+        features_of_effects(scene), features_of_integrator(scene)})
+    for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
+  std::vector<CalledFeature> out;
+  for (const auto& [requirement, what] : found) out.push_back({requirement, what});
+  return out;
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/geometry/mesh_file.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace orbs::scene {
+
+/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl. Normals are used as given; where they
+/// may lack, all corners have one or none has. InputError with file and line.
+MeshFile read_obj(const std::filesystem::path& file, FileNormals normals = FileNormals::Required);
+MeshFile parse_obj(const std::string& name,
+                   std::string_view text,
+                   FileNormals normals = FileNormals::Required);
+
+}  // namespace orbs::scene

@@ -1,0 +1,111 @@
+#include "scene/geometry/world_bounds.h"
+
+#include "scene/shapes/shape_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace orbs::scene {
+
+namespace {
+
+// Half the size of a light's shape along its own axes.
+Vec3d half_size(const RectShape& rect) { return {rect.half_width_m, 0, rect.half_length_m}; }
+Vec3d half_size(const DiskShape& disk) { return {disk.radius_m, 0, disk.radius_m}; }
+Vec3d half_size(const SphereShape& sphere) { return {sphere.radius_m, sphere.radius_m, sphere.radius_m}; }
+
+WorldBounds around(const Mat4& matrix, Vec3d half) {
+  const Vec3d centre = transform_point(matrix, {});
+  const auto reach = [&](std::size_t row) {
+    return std::fabs(matrix(row, 0)) * half.x + std::fabs(matrix(row, 1)) * half.y +
+           std::fabs(matrix(row, 2)) * half.z;
+  };
+  const Vec3d extent{reach(0), reach(1), reach(2)};
+  return {centre - extent, centre + extent};
+}
+
+}  // namespace
+
+WorldBounds joined(const WorldBounds& a, const WorldBounds& b) {
+  return {{std::fmin(a.low.x, b.low.x), std::fmin(a.low.y, b.low.y), std::fmin(a.low.z, b.low.z)},
+          {std::fmax(a.high.x, b.high.x), std::fmax(a.high.y, b.high.y), std::fmax(a.high.z, b.high.z)}};
+}
+
+WorldBounds world_bounds(const Scene& scene, const Instance& instance) {
+  std::optional<WorldBounds> bounds;
+  for (const Vec3f position : mesh_of(scene, instance).positions) {
+    const Vec3d p = transform_point(instance.matrix, cast<double>(position));
+    bounds = bounds ? joined(*bounds, {p, p}) : WorldBounds{p, p};
+  }
+  return bounds.value_or(WorldBounds{});
+}
+
+namespace {
+
+std::optional<WorldBounds> with_shapes_and_lights(const Scene& scene, std::optional<WorldBounds> bounds) {
+  const auto add = [&](const WorldBounds& one) { bounds = bounds ? joined(*bounds, one) : one; };
+  for (const auto& sphere : scene.spheres) {
+    const Vec3d extent{sphere.radius_m, sphere.radius_m, sphere.radius_m};
+    add({sphere.centre_m - extent, sphere.centre_m + extent});
+  }
+  for (const auto& shape : scene.shapes)
+    for (const Vec3d corner : bounding_corners(shape)) add({corner, corner});
+  for (const auto& light : scene.lights)
+    add(around(light.matrix, std::visit([](const auto& shape) { return half_size(shape); }, light.shape)));
+  return bounds;
+}
+
+}  // namespace
+
+std::optional<WorldBounds> world_bounds(const Scene& scene) {
+  std::optional<WorldBounds> bounds;
+  for (const auto& instance : scene.instances) {
+    const auto one = world_bounds(scene, instance);
+    bounds = bounds ? joined(*bounds, one) : one;
+  }
+  return with_shapes_and_lights(scene, bounds);
+}
+
+namespace {
+
+std::vector<WorldBounds> rough_instance_bounds(const Scene& scene) {
+  std::vector<WorldBounds> of_meshes;
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh)
+    of_meshes.push_back(world_bounds(scene, {"", static_cast<int>(mesh), Mat4{}, {}}));
+  std::vector<WorldBounds> bounds;
+  for (const auto& instance : scene.instances) {
+    const auto& [low, high] = of_meshes[static_cast<std::size_t>(instance.mesh)];
+    bounds.push_back(around(instance.matrix * translation((low + high) * 0.5), (high - low) * 0.5));
+  }
+  return bounds;
+}
+
+}  // namespace
+
+std::optional<WorldBounds> rough_bounds(const Scene& scene) {
+  std::optional<WorldBounds> bounds;
+  for (const auto& one : rough_instance_bounds(scene)) bounds = bounds ? joined(*bounds, one) : one;
+  return with_shapes_and_lights(scene, bounds);
+}
+
+std::vector<bool> vast_instances(const Scene& scene, double ratio) {
+  const auto bounds = rough_instance_bounds(scene);
+  std::vector<std::size_t> by_size(bounds.size());
+  std::iota(by_size.begin(), by_size.end(), std::size_t{0});
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [&](std::size_t a, std::size_t b) { return radius_of(bounds[a]) < radius_of(bounds[b]); });
+  const Vec3d eye = scene.camera.position_m;
+  auto smaller = *with_shapes_and_lights(scene, WorldBounds{eye, eye});
+  std::vector<bool> is_vast(bounds.size(), false);
+  bool all_that_follow = false;
+  for (const std::size_t i : by_size) {
+    all_that_follow =
+        all_that_follow || (radius_of(smaller) > 0 && radius_of(bounds[i]) > ratio * radius_of(smaller));
+    is_vast[i] = all_that_follow;
+    if (!all_that_follow) smaller = joined(smaller, bounds[i]);
+  }
+  return is_vast;
+}
+
+}  // namespace orbs::scene

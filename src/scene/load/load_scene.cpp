@@ -1,0 +1,270 @@
+#include "scene/load/load_scene.h"
+
+#include "base/files.h"
+#include "base/plain_name.h"
+#include "base/text.h"
+#include "scene/camera_frame.h"
+#include "scene/check_polariser_axis.h"
+#include "scene/effects/effects.h"
+#include "scene/load/instance.h"
+#include "scene/load/light.h"
+#include "scene/load/material.h"
+#include "scene/load/mesh.h"
+#include "scene/shapes/load_shape.h"
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::scene {
+
+namespace {
+
+// Directions are floats, rounded by up to 6e-8: with finer pixels the image would move by a tenth of a pixel.
+void check_pixels(json::ObjectReader& in, const Camera& camera) {
+  constexpr double kFinest_rad = 1e-6;
+  const double pixel_rad = 2 * camera_frame(camera).half_height / camera.height_px;
+  if (!(pixel_rad >= kFinest_rad))
+    in.fail(
+        in.has("fov_y") ? "fov_y" : "height",
+        fmt::format("makes pixels of {:.4g} rad; they must be at least {} rad high, which is what directions "
+                    "in float can tell: widen fov_y, or take fewer pixels",
+                    pixel_rad, kFinest_rad));
+}
+
+Camera load_camera(json::ObjectReader in) {
+  constexpr int kLargestSide = 65536;
+  constexpr long long kMostPixels = 1LL << 26;
+  Camera camera;
+  camera.position_m = in.vec3("position", kPlace);
+  camera.look_at_m = in.vec3("look_at", kPlace);
+  camera.up = in.vec3_or("up", camera.up, kPlace);
+  camera.fov_y_deg = in.number_or("fov_y", camera.fov_y_deg, {1e-3, 179.0});
+  camera.width_px = in.integer_or("width", camera.width_px, 1, kLargestSide);
+  camera.height_px = in.integer_or("height", camera.height_px, 1, kLargestSide);
+  // The images of a render, with variances and in double, take some 100 bytes for each pixel.
+  if (const auto pixels = static_cast<long long>(camera.width_px) * camera.height_px; pixels > kMostPixels)
+    in.fail(in.has("height") ? "height" : "width",
+            fmt::format("{} x {} are {} pixels; an image may have at most {} (8192 x 8192)", camera.width_px,
+                        camera.height_px, pixels, kMostPixels));
+  camera.near_m = in.number_or("near", camera.near_m, json::kPositive);
+  camera.far_m = in.number_or("far", camera.far_m, json::kPositive);
+  if (in.has("focus_distance")) camera.focus_distance_m = in.number("focus_distance", json::kPositive);
+  in.finish();
+  if (camera.near_m >= camera.far_m)
+    in.fail(in.has("near") ? "near" : "far",
+            fmt::format("'near' must be below 'far', they are {} and {}", camera.near_m, camera.far_m));
+  const Vec3d view = camera.look_at_m - camera.position_m;
+  if (length(view) == 0) in.fail("look_at", "must differ from position: the view has no direction");
+  // gluLookAt divides by |view x up|: below 1e-9 of their lengths the image's up direction is rounding
+  // noise.
+  if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
+    in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");
+  check_pixels(in, camera);
+  return camera;
+}
+
+// Where no camera is chosen, the file must have one without a name.
+Camera load_cameras(json::ObjectReader& in, const std::string& chosen) {
+  if (!in.has("cameras") && chosen.empty()) return load_camera(in.object("camera"));
+  std::map<std::string, Camera> named;
+  std::set<std::string> names;
+  if (in.has("cameras")) {
+    auto cameras = in.object("cameras");
+    for (const auto& name : cameras.keys()) {
+      if (!is_plain_name(name))
+        cameras.fail(name, "is no plain name: at most 100 letters, digits, '-' and '_'");
+      named[name] = load_camera(cameras.object(name));
+      names.insert(name);
+    }
+    cameras.finish();
+    if (named.empty()) in.fail("cameras", "must hold at least one camera by its name; leave it out for none");
+  }
+  const auto own = in.has("camera") ? std::optional(load_camera(in.object("camera"))) : std::nullopt;
+  if (chosen.empty() && own) return *own;
+  if (const auto found = named.find(chosen); found != named.end()) return found->second;
+  const auto there_are =
+      names.empty() ? "the file has no \"cameras\"" : fmt::format("there are: {}", fmt::join(names, ", "));
+  if (chosen.empty())
+    in.fail("", fmt::format("has several cameras and none without a name; choose one, by \"camera\" in the "
+                            "scene's entry of case.json or by --camera of orbs-tracer; {}",
+                            there_are));
+  in.fail("cameras", fmt::format("there is no camera '{}'{}; {}", clean_line(chosen), closest(chosen, names),
+                                 there_are));
+}
+
+Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
+  Texture texture;
+  texture.name = in.text("name");
+  texture.file = existing_file(in, "file", folders);
+  const auto wrap = [&](const char* key) {
+    return in.one_of_or(key, "repeat", {"repeat", "clamp"}) == "clamp" ? Wrap::Clamp : Wrap::Repeat;
+  };
+  texture.wrap_u = wrap("wrap_u");
+  texture.wrap_v = wrap("wrap_v");
+  in.finish();
+  return texture;
+}
+
+AmbientOcclusion load_ambient_occlusion(json::ObjectReader& in) {
+  AmbientOcclusion occlusion;
+  if (in.has("distance")) occlusion.distance_m = in.number("distance", kLength);
+  const bool is_uniform = in.one_of_or("weight", "cosine", {"cosine", "uniform"}) == "uniform";
+  occlusion.weight = is_uniform ? OcclusionWeight::Uniform : OcclusionWeight::Cosine;
+  return occlusion;
+}
+
+IrradianceCache load_irradiance_cache(json::ObjectReader& in) {
+  constexpr json::Range kErrors{1e-3, 10};
+  constexpr json::Range kSpacings_px{0.1, 10000};
+  IrradianceCache cache;
+  if (in.one_of_or("metric", "ward", {"ward", "tabellion_lamorlette"}) == "ward") {
+    cache.error = in.number_or("error", cache.error, kErrors);
+  } else {
+    cache.metric = CacheMetric::TabellionLamorlette;
+    cache.kappa = in.number_or("kappa", cache.kappa, kErrors);
+  }
+  // As many points as a sampler has in one block, and enough for a ring of strata with neighbours.
+  cache.rays = in.integer_or("rays", cache.rays, 8, 4096);
+  if (in.has("spacing")) {
+    const auto spacing = in.numbers("spacing", 2, kSpacings_px);
+    if (spacing[0] > spacing[1])
+      in.fail("spacing", "the first number is the least spacing and must not be above the second");
+    cache.least_spacing_px = spacing[0];
+    cache.most_spacing_px = spacing[1];
+  }
+  cache.has_gradients = in.boolean_or("gradients", cache.has_gradients);
+  cache.clamps_to_neighbours = in.boolean_or("neighbour_clamping", cache.clamps_to_neighbours);
+  return cache;
+}
+
+void load_integrator(json::ObjectReader in, Scene& scene) {
+  const auto type = in.one_of_or("type", "path", {"path", "ambient_occlusion", "irradiance_cache"});
+  if (type == "ambient_occlusion") {
+    scene.ambient_occlusion = load_ambient_occlusion(in);
+    in.finish();
+    return;
+  }
+  if (type == "irradiance_cache") scene.irradiance_cache = load_irradiance_cache(in);
+  if (in.has("trace_depth") && in.holds_text("trace_depth")) {
+    in.one_of("trace_depth", {"unlimited"});
+    scene.trace_depth = kUnlimitedDepth;
+  } else {
+    scene.trace_depth = in.integer_or("trace_depth", scene.trace_depth, 1, 1000);
+  }
+  in.finish();
+}
+
+Outputs load_outputs(json::ObjectReader in) {
+  Outputs outputs{in.boolean_or("stokes", false), in.boolean_or("path_classes", false)};
+  in.finish();
+  return outputs;
+}
+
+// Checks that need the whole scene; `readers` are those of the materials.
+void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& readers) {
+  for (std::size_t i = 0; i < readers.size(); ++i)
+    if (const auto problem = check_polariser_axis(scene, static_cast<int>(i)); !problem.empty())
+      readers[i].fail("", problem);
+}
+
+void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
+  if (!scene.irradiance_cache) return;
+  const auto found = effects(scene);
+  if (const auto needed = transport(found); needed != LightTransport::Rgb)
+    in.fail("integrator", fmt::format("an irradiance cache keeps three channels, and the scene calls for {} "
+                                      "transport{}: use the integrator 'path'",
+                                      transport_name(needed), reason_for(found)));
+}
+
+void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& scene) {
+  if (!in.has("environment")) return;
+  const auto radiance = load_radiance(in, "environment", data);
+  scene.environment = radiance.rgb;
+  scene.environment_spectrum = radiance.spectrum;
+}
+
+// Meshes whose vertices are relative to an origin get it back by the matrices of their instances, in double.
+void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& instances) {
+  for (auto& instance : instances) {
+    const Vec3d origin = origins[static_cast<std::size_t>(instance.mesh)];
+    if (!(origin == Vec3d{})) instance.matrix = instance.matrix * translation(origin);
+  }
+}
+
+Scene load_document(const json::Document& document,
+                    const DataFolders& folders,
+                    SceneBudget left,
+                    const std::string& camera) {
+  json::ObjectReader in(document);
+  in.one_of("format", {"orbs-scene/1"});
+  Scene scene;
+  scene.name = in.text("name");
+  scene.camera = load_cameras(in, camera);
+  SpectralData data{.folders = folders};
+  for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
+  load_environment(in, data, scene);
+  Names textures("texture");
+  for (auto& entry : in.objects_or_none("textures")) {
+    textures.add(entry, "name");
+    scene.textures.push_back(load_texture(entry, folders));
+  }
+  Names materials("material");
+  auto material_readers = in.objects("materials");
+  for (auto& entry : material_readers) {
+    materials.add(entry, "name");
+    scene.materials.push_back(load_material(entry, textures, data));
+  }
+  Names meshes("mesh");
+  std::vector<Vec3d> origins;
+  for (auto& entry : in.objects_or_none("meshes")) {
+    meshes.add(entry, "name");
+    auto file = load_mesh(entry, folders, materials, left);
+    scene.meshes.push_back(std::move(file.mesh));
+    origins.push_back(file.origin_m);
+  }
+  for (auto& entry : in.objects_or_none("instances"))
+    load_instances(entry, meshes, materials, left, scene.instances);
+  move_to_origins(origins, scene.instances);
+  for (auto& entry : in.objects_or_none("shapes")) load_shape(entry, materials, scene);
+  for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
+  if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
+  if (in.has("outputs")) {
+    scene.outputs = load_outputs(in.object("outputs"));
+    if (scene.ambient_occlusion && scene.outputs != Outputs{})
+      in.fail("outputs",
+              "ambient occlusion has no light paths that Stokes vectors or classes could be told of");
+    if (scene.irradiance_cache && scene.outputs != Outputs{})
+      in.fail("outputs",
+              "an irradiance cache keeps no light paths that Stokes vectors or classes could be told of");
+  }
+  in.finish();
+  scene.spectra = std::move(data.spectra);
+  scene.notes = {std::move(data.files), std::move(data.warnings), camera};
+  check_materials(scene, material_readers);
+  check_irradiance_cache(scene, in);
+  return scene;
+}
+
+}  // namespace
+
+Scene load_scene_text(const std::string& name,
+                      const std::string& text,
+                      const std::filesystem::path& folder,
+                      SceneBudget budget,
+                      const std::string& camera) {
+  const auto document = json::parse(name, text);
+  return load_document(document, {folder}, budget, camera);
+}
+
+Scene load_scene(const std::filesystem::path& file,
+                 const std::vector<std::filesystem::path>& data_folders,
+                 const std::string& camera) {
+  const auto document = json::parse(file.string(), read_file(file));
+  return load_document(document, {std::filesystem::absolute(file).parent_path(), data_folders}, {}, camera);
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,225 @@
+#include "scene/load/mesh.h"
+
+#include "base/text.h"
+#include "scene/geometry/crease_normals.h"
+#include "scene/geometry/ply.h"
+#include "scene/geometry/read_obj.h"
+#include "scene/geometry/subdivision/load_subdivision.h"
+#include "scene/load/generator.h"
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+template <typename Vector>
+std::vector<Vector> vectors(json::ObjectReader& in, const std::string& key, std::size_t width) {
+  const auto numbers = in.numbers(key);
+  if (numbers.size() % width != 0)
+    in.fail(key, fmt::format("must hold groups of {} numbers, holds {}", width, numbers.size()));
+  std::vector<Vector> out(numbers.size() / width);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    using Real = decltype(out[i].x);
+    out[i].x = static_cast<Real>(numbers[i * width]);
+    out[i].y = static_cast<Real>(numbers[i * width + 1]);
+    if constexpr (requires { out[i].z; }) out[i].z = static_cast<Real>(numbers[i * width + 2]);
+  }
+  return out;
+}
+
+MeshFile inline_mesh(json::ObjectReader& in) {
+  MeshFile file;
+  place_vertices(vectors<Vec3d>(in, "positions", 3), file);
+  Mesh& mesh = file.mesh;
+  mesh.normals = vectors<Vec3f>(in, "normals", 3);
+  mesh.tangents.resize(mesh.positions.size());
+  mesh.uvs.resize(mesh.positions.size());
+  if (in.has("tangents")) mesh.tangents = vectors<Vec3f>(in, "tangents", 3);
+  if (in.has("uvs")) mesh.uvs = vectors<Vec2f>(in, "uvs", 2);
+  const auto corners = in.numbers("triangles", 0, json::kNotNegative);
+  if (corners.size() % 3 != 0)
+    in.fail("triangles", fmt::format("must hold groups of 3 indices, holds {}", corners.size()));
+  mesh.triangles.resize(corners.size() / 3);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] >= static_cast<double>(mesh.positions.size()))
+      in.fail_at(
+          "triangles", i,
+          fmt::format("index {} is out of range: there are {} vertices", corners[i], mesh.positions.size()));
+    if (corners[i] != static_cast<double>(static_cast<std::uint32_t>(corners[i])))
+      in.fail_at("triangles", i, fmt::format("must be a whole number, is {}", corners[i]));
+    mesh.triangles[i / 3][i % 3] = static_cast<std::uint32_t>(corners[i]);
+  }
+  return file;
+}
+
+std::string index_problem(const Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const auto corner : mesh.triangles[i])
+      if (corner >= count)
+        return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
+  return "";
+}
+
+MeshFile mesh_of_file(json::ObjectReader& in, const DataFolders& folders) {
+  const auto file = existing_file(in, "file", folders);
+  const auto extension = file.extension();
+  const auto normals = in.has("crease_angle") ? FileNormals::MayLack : FileNormals::Required;
+  if (extension != ".obj" && extension != ".ply") in.fail("file", "must end in .obj or .ply");
+  return with_note("loading the mesh that " + in.place("file") + " names",
+                   [&] { return extension == ".obj" ? read_obj(file, normals) : read_ply(file, normals); });
+}
+
+// Normals of a file that has none, by the angle that the scene gives.
+void add_normals(json::ObjectReader& in, MeshFile& file) {
+  const double crease_deg = in.number("crease_angle", {0, 180});
+  if (!file.lacks_normals)
+    in.fail("crease_angle", "the file has normals, which are used as given: leave the key out");
+  if (const auto problem = index_problem(file.mesh); !problem.empty()) in.fail("file", problem);
+  compute_normals(file.mesh, crease_deg);
+}
+
+void assign_runs(json::ObjectReader& in, const Names& materials, Mesh& mesh) {
+  mesh.triangle_materials.clear();
+  for (auto& run : in.objects("triangle_materials")) {
+    const int material = materials.find(run, "material");
+    const int count = run.integer("count", 1, 1 << 30);
+    run.finish();
+    if (mesh.triangle_materials.size() + static_cast<std::size_t>(count) > mesh.triangles.size())
+      run.fail("count", fmt::format("the counts go beyond the mesh's {} triangles", mesh.triangles.size()));
+    mesh.triangle_materials.insert(mesh.triangle_materials.end(), static_cast<std::size_t>(count), material);
+  }
+  if (mesh.triangle_materials.size() != mesh.triangles.size())
+    in.fail("triangle_materials", fmt::format("the counts add up to {}, the mesh has {} triangles",
+                                              mesh.triangle_materials.size(), mesh.triangles.size()));
+}
+
+// Maps the materials of the file (usemtl names, or slots of the list `materials`) to those of the scene.
+void assign_file_materials(json::ObjectReader& in, const Names& materials, MeshFile& file) {
+  std::vector<int> scene_material;
+  if (file.names_are_slots) {
+    const auto names = in.texts("materials");
+    for (std::size_t i = 0; i < names.size(); ++i)
+      scene_material.push_back(materials.find_at(in, "materials", i, names[i]));
+  } else {
+    for (const auto& name : file.material_names) {
+      scene_material.push_back(materials.lookup(name));
+      if (scene_material.back() < 0) in.fail("file", "usemtl: " + materials.unknown(name));
+    }
+  }
+  for (int& material : file.mesh.triangle_materials) {
+    if (material < 0 || material >= static_cast<int>(scene_material.size()))
+      in.fail(file.names_are_slots ? "materials" : "file",
+              fmt::format("a triangle has material {}, which is not in the list of {}; or give \"material\"",
+                          material, scene_material.size()));
+    material = scene_material[static_cast<std::size_t>(material)];
+  }
+}
+
+void assign_materials(json::ObjectReader& in, const Names& materials, MeshFile& file, bool from_file) {
+  if (in.has("material")) {
+    file.mesh.triangle_materials.assign(file.mesh.triangles.size(), materials.find(in, "material"));
+  } else if (in.has("triangle_materials")) {
+    assign_runs(in, materials, file.mesh);
+  } else if (from_file) {
+    assign_file_materials(in, materials, file);
+  } else {
+    in.fail("", "needs \"material\" or \"triangle_materials\"");
+  }
+}
+
+// Appends to `places` where the vertices lie, and everything else to `whole`.
+void append_moved(Mesh& whole, std::vector<Vec3d>& places, const MeshFile& file, const Mat4& matrix) {
+  const Mesh& part = file.mesh;
+  const Mat4 back = inverse(matrix).value();  // load_matrix has refused singular ones
+  const auto first = static_cast<std::uint32_t>(places.size());
+  const bool moves = !(matrix == Mat4{});
+  const auto unit = [](Vec3d v) { return length(v) > 0 ? normalised(v) : v; };
+  for (std::size_t i = 0; i < part.positions.size(); ++i) {
+    const Vec3d p = cast<double>(part.positions[i]) + file.origin_m;
+    const Vec3d n = cast<double>(part.normals[i]);
+    const Vec3d t = cast<double>(part.tangents[i]);
+    places.push_back(moves ? transform_point(matrix, p) : p);
+    whole.normals.push_back(moves ? cast<float>(unit(transform_normal(back, n))) : part.normals[i]);
+    whole.tangents.push_back(moves ? cast<float>(unit(transform_direction(matrix, t))) : part.tangents[i]);
+    whole.uvs.push_back(part.uvs[i]);
+  }
+  for (const auto& t : part.triangles) whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  whole.triangle_materials.insert(whole.triangle_materials.end(), part.triangle_materials.begin(),
+                                  part.triangle_materials.end());
+}
+
+MeshFile load_source(json::ObjectReader& in,
+                     const DataFolders& folders,
+                     const Names& materials,
+                     SceneBudget& left) {
+  MeshFile file;
+  const bool from_file = in.has("file");
+  if (from_file)
+    file = mesh_of_file(in, folders);
+  else if (in.has("generator"))
+    file.mesh = load_generated(in, left);
+  else if (in.has("positions"))
+    file = inline_mesh(in);
+  else
+    in.fail("", "needs one of: generator, file, positions, parts, subdivision");
+  if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
+  if (from_file && in.has("crease_angle")) add_normals(in, file);
+  assign_materials(in, materials, file, from_file);
+  return file;
+}
+
+}  // namespace
+
+MeshFile load_mesh(json::ObjectReader in,
+                   const DataFolders& folders,
+                   const Names& materials,
+                   SceneBudget& left) {
+  MeshFile file;
+  const std::string name = in.text("name");
+  if (in.has("parts")) {
+    std::vector<Vec3d> places;
+    for (auto& part : in.objects("parts")) {
+      if (part.has("subdivision")) part.fail("subdivision", "cannot be a part: give it a mesh of its own");
+      const Mat4 matrix = load_matrix(part, "matrix");
+      append_moved(file.mesh, places, load_source(part, folders, materials, left), matrix);
+      part.finish();
+    }
+    place_vertices(places, file);
+  } else if (in.has("subdivision")) {
+    file = load_subdivision(in, left);
+    file.mesh.triangle_materials.assign(file.mesh.triangles.size(), materials.find(in, "material"));
+  } else {
+    file = load_source(in, folders, materials, left);
+  }
+  in.finish();
+  file.mesh.name = name;
+  if (const auto problem = mesh_problem(file.mesh); !problem.empty()) in.fail("", problem);
+  if (largest_magnitude(file.origin_m) > kFarthest_m)
+    in.fail("", fmt::format("the mesh lies farther out than {} m", kFarthest_m));
+  return file;
+}
+
+std::string mesh_problem(const Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  if (mesh.triangles.empty()) return "the mesh has no triangles";
+  if (mesh.normals.size() != count)
+    return fmt::format("there are {} positions and {} normals", count, mesh.normals.size());
+  if (mesh.tangents.size() != count)
+    return fmt::format("there are {} positions and {} tangents", count, mesh.tangents.size());
+  if (mesh.uvs.size() != count)
+    return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_finite(mesh.positions[i]) || largest_magnitude(mesh.positions[i]) > kFarthest_m)
+      return fmt::format("position {} lies farther out than {} m, or is no number", i, kFarthest_m);
+    if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
+    if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))
+      return fmt::format("texture coordinate {} is not finite", i);
+    if (!is_finite(mesh.normals[i]) || dot(mesh.normals[i], mesh.normals[i]) == 0)
+      return fmt::format("normal {} must be finite and not zero: normals are used as given", i);
+  }
+  return index_problem(mesh);
+}
+
+}  // namespace orbs::scene

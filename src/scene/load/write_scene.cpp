@@ -1,0 +1,196 @@
+#include "scene/load/write_scene.h"
+
+#include "base/files.h"
+#include "json/writer.h"
+#include "scene/geometry/ply.h"
+#include "scene/geometry/subdivision/write_subdivision.h"
+#include "scene/load/write_spectra.h"
+#include "scene/shapes/write_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+using json::Writer;
+
+void write_camera(Writer& out, const Camera& camera) {
+  out.key("camera").begin_object();
+  out.member("position", camera.position_m).member("look_at", camera.look_at_m).member("up", camera.up);
+  out.member("fov_y", camera.fov_y_deg).member("width", camera.width_px).member("height", camera.height_px);
+  out.member("near", camera.near_m).member("far", camera.far_m);
+  if (camera.focus_distance_m) out.member("focus_distance", *camera.focus_distance_m);
+  out.end_object();
+}
+
+void write_texture_use(Writer& out, const Scene& scene, const std::optional<TextureUse>& use) {
+  if (!use) return;
+  out.key("texture").begin_object();
+  out.member("name", texture_at(scene, *use).name);
+  out.key("matrix").numbers(use->matrix.m).end_object();
+}
+
+void write_model(Writer& out, const Scene& scene, const MaterialModel& model) {
+  out.member("type", type_name(model));
+  std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
+}
+
+void write_materials(Writer& out, const Scene& scene) {
+  out.key("textures").begin_array();
+  for (const auto& texture : scene.textures) {
+    const auto word = [](Wrap wrap) { return wrap == Wrap::Clamp ? "clamp" : "repeat"; };
+    out.begin_object().member("name", texture.name).member("file", texture.file.string());
+    out.member("wrap_u", word(texture.wrap_u)).member("wrap_v", word(texture.wrap_v)).end_object();
+  }
+  out.end_array().key("materials").begin_array();
+  for (const auto& material : scene.materials) {
+    out.begin_object().member("name", material.name);
+    write_model(out, scene, material.model);
+    write_texture_use(out, scene, texture_of(material.model));
+    out.end_object();
+  }
+  out.end_array();
+}
+
+// The face property of the PLY indexes the list of materials that the mesh uses, which stands in the JSON by
+// name.
+void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::filesystem::path& ply) {
+  if (mesh.subdivision) {
+    out.begin_object().member("name", mesh.name).key("subdivision");
+    write_subdivision(out, *mesh.subdivision);
+    out.member("material", material_at(scene, mesh.triangle_materials.front()).name).end_object();
+    return;
+  }
+  Mesh copy = mesh;
+  std::vector<int> used;
+  for (int& material : copy.triangle_materials) {
+    const auto found = std::find(used.begin(), used.end(), material);
+    const auto slot = static_cast<int>(found - used.begin());
+    if (found == used.end()) used.push_back(material);
+    material = slot;
+  }
+  write_ply(copy, ply);
+  std::vector<std::string> names;
+  for (const int material : used) names.push_back(material_at(scene, material).name);
+  out.begin_object()
+      .member("name", mesh.name)
+      .member("file", ply.filename().string())
+      .member("materials", names)
+      .end_object();
+}
+
+void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
+  out.begin_object().member("name", instance.name);
+  out.member("mesh", mesh_of(scene, instance).name);
+  out.key("matrix").numbers(instance.matrix.m);
+  std::vector<std::string> remap;
+  for (const auto& [from, to] : instance.remap)
+    for (const int material : {from, to}) remap.push_back(material_at(scene, material).name);
+  if (!remap.empty()) out.member("remap", remap);
+  out.end_object();
+}
+
+void write_shape(Writer& out, const RectShape& s) {
+  out.member("type", "rect").member("half_width", s.half_width_m).member("half_length", s.half_length_m);
+}
+void write_shape(Writer& out, const DiskShape& s) { out.member("type", "disk").member("radius", s.radius_m); }
+void write_shape(Writer& out, const SphereShape& s) {
+  out.member("type", "sphere").member("radius", s.radius_m);
+}
+
+void write_shapes(Writer& out, const Scene& scene) {
+  if (scene.spheres.empty() && scene.shapes.empty()) return;
+  out.key("shapes").begin_array();
+  for (const auto& sphere : scene.spheres) {
+    out.begin_object().member("type", "sphere").member("name", sphere.name);
+    out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
+    out.member("material", material_at(scene, sphere.material).name).end_object();
+  }
+  for (const auto& shape : scene.shapes) write_shape(out, scene, shape);
+  out.end_array();
+}
+
+void write_light(Writer& out, const Scene& scene, const Light& light) {
+  out.begin_object().member("name", light.name);
+  std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
+  write_colour(out, scene.spectra, "radiance", light.radiance, light.spectrum);
+  if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
+  out.key("matrix").numbers(light.matrix.m);
+  if (light.ies) {
+    out.key("ies")
+        .begin_object()
+        .member("file", light.ies->file.string())
+        .member("point_area", light.ies->point_area);
+    out.key("matrix").numbers(light.ies->matrix.m).end_object();
+  }
+  out.end_object();
+}
+
+void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
+  out.member("type", "ambient_occlusion");
+  if (std::isfinite(occlusion.distance_m)) out.member("distance", occlusion.distance_m);
+  out.member("weight", occlusion.weight == OcclusionWeight::Uniform ? "uniform" : "cosine");
+  out.end_object();
+}
+
+void write_cache(Writer& out, const IrradianceCache& cache) {
+  out.member("type", "irradiance_cache");
+  if (cache.metric == CacheMetric::Ward)
+    out.member("metric", "ward").member("error", cache.error);
+  else
+    out.member("metric", "tabellion_lamorlette").member("kappa", cache.kappa);
+  out.member("rays", cache.rays);
+  out.key("spacing").numbers(std::array{cache.least_spacing_px, cache.most_spacing_px});
+  out.member("gradients", cache.has_gradients).member("neighbour_clamping", cache.clamps_to_neighbours);
+}
+
+void write_settings(Writer& out, const Scene& scene) {
+  out.key("integrator").begin_object();
+  if (scene.ambient_occlusion) {
+    write_occlusion(out, *scene.ambient_occlusion);
+    return;
+  }
+  if (scene.irradiance_cache) write_cache(out, *scene.irradiance_cache);
+  out.key("trace_depth");
+  if (scene.trace_depth == kUnlimitedDepth)
+    out.value("unlimited");
+  else
+    out.value(scene.trace_depth);
+  out.end_object();
+  const auto& [stokes, path_classes] = scene.outputs;
+  if (!stokes && !path_classes) return;
+  out.key("outputs").begin_object();
+  out.member("stokes", stokes).member("path_classes", path_classes).end_object();
+}
+
+}  // namespace
+
+void write_scene(const Scene& scene, const std::filesystem::path& file) {
+  Writer out;
+  out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
+  write_camera(out, scene.camera);
+  write_spectra(out, scene.spectra);
+  write_colour(out, scene.spectra, "environment", scene.environment, scene.environment_spectrum);
+  write_materials(out, scene);
+  out.key("meshes").begin_array();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    write_mesh(out, scene, scene.meshes[i],
+               file.parent_path() / fmt::format("{}.{}.ply", file.stem().string(), i));
+  out.end_array().key("instances").begin_array();
+  for (const auto& instance : scene.instances) write_instance(out, scene, instance);
+  out.end_array();
+  write_shapes(out, scene);
+  out.key("lights").begin_array();
+  for (const auto& light : scene.lights) write_light(out, scene, light);
+  out.end_array();
+  write_settings(out, scene);
+  out.end_object();
+  write_file(file, out.text());
+}
+
+}  // namespace orbs::scene

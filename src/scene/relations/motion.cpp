@@ -1,0 +1,71 @@
+#include "scene/relations/motion.h"
+
+#include "scene/geometry/placed_vertices.h"
+#include "scene/lower/geometry.h"
+
+#include <fmt/format.h>
+
+namespace orbs::scene {
+
+namespace {
+
+void move_camera(Camera& camera, const Mat4& motion, double scale) {
+  camera.position_m = transform_point(motion, camera.position_m);
+  camera.look_at_m = transform_point(motion, camera.look_at_m);
+  // Divided by the scale: only the direction matters, and its length must stay within that of a place.
+  camera.up = transform_direction(motion, camera.up) / scale;
+  camera.near_m *= scale;
+  camera.far_m *= scale;
+  if (camera.focus_distance_m) *camera.focus_distance_m *= scale;
+}
+
+}  // namespace
+
+Scene moved(const Scene& scene, const Mat4& motion) {
+  // A similarity stretches every vector alike.
+  const double scale = length(transform_direction(motion, {1, 0, 0}));
+  Scene out = scene;
+  move_camera(out.camera, motion, scale);
+  for (auto& instance : out.instances) instance.matrix = motion * instance.matrix;
+  for (auto& light : out.lights) light.matrix = motion * light.matrix;
+  for (auto& sphere : out.spheres) {
+    sphere.centre_m = transform_point(motion, sphere.centre_m);
+    sphere.radius_m *= scale;
+  }
+  for (auto& shape : out.shapes) shape.matrix = motion * shape.matrix;
+  if (out.ambient_occlusion) out.ambient_occlusion->distance_m *= scale;
+  for (auto& material : out.materials)
+    std::visit(
+        [&](auto& model) {
+          if constexpr (requires { model.axis; })
+            model.axis = transform_direction(motion, model.axis) / scale;
+        },
+        material.model);
+  return out;
+}
+
+std::string turning_problem(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    if (texture_of(material_at(scene, scene.spheres[i].material).model))
+      return fmt::format("{} has a texture, whose coordinates follow the axes of the world",
+                         display_name("sphere", scene.spheres[i].name, i));
+  return "";
+}
+
+Scene with_moved_vertices(const Scene& scene, Vec3d offset) {
+  Scene out = moved(scene, translation(offset));
+  out.meshes = scene.meshes;
+  out.instances = scene.instances;
+  merge_into_world_mesh(out);
+  for (auto& instance : out.instances) {
+    auto& mesh = out.meshes[static_cast<std::size_t>(instance.mesh)];
+    std::vector<Vec3d> vertices;
+    for (const Vec3f position : mesh.positions) vertices.push_back(cast<double>(position) + offset);
+    auto placed = placed_vertices(vertices);
+    mesh.positions = std::move(placed.positions);
+    instance.matrix = translation(placed.origin_m);
+  }
+  return out;
+}
+
+}  // namespace orbs::scene

@@ -1,0 +1,185 @@
+#include "studies/cost/report.h"
+
+#include "base/text_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// The goal in decibels that is nearest the target of the study.
+std::size_t main_goal(const CostRecord& record) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < cost_goals().size(); ++i)
+    if (cost_goals()[i].metric == kPsnr &&
+        std::fabs(cost_goals()[i].level - record.settings.target_db) <
+            std::fabs(cost_goals()[nearest].level - record.settings.target_db))
+      nearest = i;
+  return nearest;
+}
+
+const CostCurve* find_curve(const CostRecord& record,
+                            const CostNumbers& numbers,
+                            std::size_t target,
+                            std::size_t renderer) {
+  for (const auto& curve : numbers.curves)
+    if (record.ladders[curve.ladder].target == target && record.ladders[curve.ladder].renderer == renderer &&
+        !curve.points.empty())
+      return &curve;
+  return nullptr;
+}
+
+// One render says nothing of its interval.
+std::string seconds_text(const Interval& seconds) {
+  if (seconds.low == seconds.high) return fmt::format("{:.2g} s (one render)", seconds.value);
+  return fmt::format("{:.2g} s ({:.2g}-{:.2g})", seconds.value, seconds.low, seconds.high);
+}
+
+std::string price_text(const CostCurve* curve, std::size_t goal) {
+  if (curve == nullptr) return "-";
+  const auto& price = curve->prices.at(goal);
+  if (price.cpu_seconds) return seconds_text(*price.cpu_seconds);
+  if (price.at_least) return fmt::format("> {:.2g} s", *price.at_least);
+  if (price.note.starts_with("the first rung"))
+    return fmt::format("< {:.2g} s", curve->points.front().cpu_seconds.value);
+  return "?";
+}
+
+std::vector<TableRow> price_rows(const CostRecord& record, const CostNumbers& numbers, std::size_t goal) {
+  TableRow head{"", fmt::format("CPU time to {}", goal_text(cost_goals().at(goal)))};
+  for (const auto& renderer : record.renderers)
+    head.push_back(renderer.biased.empty() ? renderer.name
+                                           : fmt::format("{} ({})", renderer.name, renderer.biased));
+  std::vector<TableRow> rows{head};
+  for (std::size_t target = 0; target < record.targets.size(); ++target) {
+    TableRow row{record.targets[target].requirement, record.targets[target].name};
+    for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer)
+      row.push_back(price_text(find_curve(record, numbers, target, renderer), goal));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// "orbs is cheaper than cycles to 35 dB on 17 scenes, dearer on 1, ...; cycles takes 2.08 times as long (1.83
+// to 2.37; geometric mean of 10)".
+std::string ranking(const CostRecord& record, const CostNumbers& numbers, std::size_t goal) {
+  struct Tally {
+    int cheaper = 0, dearer = 0, equal = 0, unknown = 0;
+    std::vector<double> logs;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Tally> tallies;
+  const auto& wanted = cost_goals().at(goal);
+  for (const auto& one : numbers.comparisons) {
+    if (one.goal.metric != wanted.metric || one.goal.level != wanted.level) continue;
+    auto& tally = tallies[{one.first, one.second}];
+    tally.cheaper += one.verdict == "dearer" ? 1 : 0;  // the verdict is of the second
+    tally.dearer += one.verdict == "cheaper" ? 1 : 0;
+    tally.equal += one.verdict == "no difference shown" ? 1 : 0;
+    tally.unknown += one.verdict == "not comparable" ? 1 : 0;
+    if (one.time_ratio) tally.logs.push_back(std::log(one.time_ratio->value));
+  }
+  std::string text;
+  for (const auto& [pair, tally] : tallies) {
+    text += fmt::format(
+        "{} is cheaper than {} to {} on {} scenes, dearer on {}, no difference shown on {}, not comparable on {}",
+        record.renderers[pair.first].name, record.renderers[pair.second].name, goal_text(wanted),
+        tally.cheaper, tally.dearer, tally.equal, tally.unknown);
+    // The interval of two ratios has one degree of freedom: "0.00 to 64000" says nothing.
+    constexpr std::size_t kFewestRatios = 3;
+    if (tally.logs.size() >= kFewestRatios) {
+      const auto mean = mean_interval(tally.logs);
+      text += fmt::format("; {} takes {:.2f} times as long ({:.2f} to {:.2f}; geometric mean of {})",
+                          record.renderers[pair.second].name, std::exp(mean.value), std::exp(mean.low),
+                          std::exp(mean.high), tally.logs.size());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string self_text(const CostRecord& record, const CostNumbers& numbers) {
+  const auto& found = numbers.self_comparison;
+  if (!found) return "no renderer was compared with itself, so nothing is ranked: it needs two seeds\n";
+  const auto& ladder = record.ladders[found->ladder];
+  return fmt::format(
+      "{} twice on {}: time {:.3f} ({:.3f} to {:.3f}), error {:.3f} ({:.3f} to {:.3f}): {}\n",
+      record.renderers[ladder.renderer].name, record.targets[ladder.target].name, found->time_ratio.value,
+      found->time_ratio.low, found->time_ratio.high, found->error_ratio.value, found->error_ratio.low,
+      found->error_ratio.high,
+      found->passed ? "no difference, as it must be"
+      : !found->is_known
+          ? "too uncertain to show anything, so nothing is ranked: more seeds are needed"
+          : "a difference where there is none: the machine was not steady, and nothing is ranked");
+}
+
+std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
+  std::string text;
+  for (const auto& curve : numbers.curves) {
+    if (!curve.fit || !curve.fit->has_floor) continue;
+    const auto& ladder = record.ladders[curve.ladder];
+    const auto& bias = curve.fit->bias_squared;
+    text += fmt::format("{} on {}: no time brings the relMSE below {:.2g} ({:.2g} to {:.2g}){}{}\n",
+                        record.renderers[ladder.renderer].name, record.targets[ladder.target].name,
+                        bias.value, bias.low, bias.high, ladder.finding.empty() ? "" : ": ", ladder.finding);
+  }
+  return text;
+}
+
+std::string notes_text(const CostRecord& record) {
+  std::string text;
+  for (const auto& ladder : record.ladders)
+    if (!ladder.note.empty())
+      text += fmt::format("{} on {}: {}\n", record.renderers[ladder.renderer].name,
+                          record.targets[ladder.target].name, ladder.note);
+  return text;
+}
+
+std::string fixed_text(const CostRecord& record, const CostNumbers& numbers) {
+  std::vector<std::string> parts;
+  for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer) {
+    std::vector<double> seconds;
+    for (const auto& curve : numbers.curves)
+      if (record.ladders[curve.ladder].renderer == renderer && !curve.points.empty())
+        seconds.push_back(curve.fixed_cpu_seconds.value);
+    if (!seconds.empty())
+      parts.push_back(
+          fmt::format("{} {:.2g} s", record.renderers[renderer].name, median_interval(seconds).value));
+  }
+  return fmt::format("fixed cost of a render (in every time above; median of the scenes): {}\n",
+                     fmt::join(parts, ", "));
+}
+
+std::string conditions(const CostRecord& record) {
+  return fmt::format(
+      "{} cores of {}, {} threads a render, load {:.1f} to {:.1f}; {} seeds a rung, size {}{}\n",
+      record.host.cores, record.host.cpu, record.settings.threads, record.load, record.load_end,
+      record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted");
+}
+
+}  // namespace
+
+std::string cost_table(const CostRecord& record) {
+  const auto numbers = cost_numbers(record);
+  const auto goal = main_goal(record);
+  return fmt::format("{}\n{}\n{}{}{}{}{}", text_table(price_rows(record, numbers, goal)),
+                     self_text(record, numbers), ranking(record, numbers, goal), fixed_text(record, numbers),
+                     floors_text(record, numbers), notes_text(record), conditions(record));
+}
+
+std::string cost_markdown(const CostRecord& record) {
+  const auto numbers = cost_numbers(record);
+  std::string text;
+  for (std::size_t goal = 0; goal < cost_goals().size(); ++goal)
+    text += fmt::format("{}\n{}\n", markdown_table(price_rows(record, numbers, goal)),
+                        ranking(record, numbers, goal));
+  return fmt::format("{}{}\n{}\n{}", text, self_text(record, numbers), fixed_text(record, numbers),
+                     conditions(record));
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "studies/cost/numbers.h"
+
+#include <string>
+
+namespace orbs::studies {
+
+/// For a terminal: the time to the goal nearest the study's target, per scene and renderer; who is cheaper
+/// over all scenes; floors; and the comparison of a renderer with itself, without which nothing is ranked.
+std::string cost_table(const CostRecord& record);
+
+/// The same as Markdown, with the times to every goal.
+std::string cost_markdown(const CostRecord& record);
+
+}  // namespace orbs::studies

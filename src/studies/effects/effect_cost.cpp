@@ -1,0 +1,158 @@
+#include "studies/effects/effect_cost.h"
+
+#include "base/error.h"
+#include "base/local_time.h"
+#include "base/scratch_folder.h"
+#include "registry/cases.h"
+#include "run/execute.h"
+#include "run/host.h"
+#include "run/plan/choose_renderers.h"
+#include "run/render_once.h"
+#include "scene/effects/without_effect.h"
+#include "scene/load/load_scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// The scene with one transport, or without one effect, and its renders of all rounds.
+struct Variant {
+  std::string name;
+  run::PreparedRender subject;
+  std::vector<std::string> arguments;
+  bool is_enough = false;  // carries all that the scene calls for
+  std::vector<double> cpu_seconds{};
+  std::vector<image::Image> images{};
+};
+
+scene::Scene scaled_scene(const registry::CaseScene& one, const registry::Suite& suite, int size_px) {
+  auto scene = scene::load_scene(one.file, suite.data, one.camera);
+  auto& camera = scene.camera;
+  const double scale = static_cast<double>(size_px) / std::max(camera.width_px, camera.height_px);
+  if (scale < 1) {
+    camera.width_px = std::max(1, static_cast<int>(camera.width_px * scale));
+    camera.height_px = std::max(1, static_cast<int>(camera.height_px * scale));
+  }
+  return scene;
+}
+
+// The first variant is the scene as it is, with the transport that it calls for.
+std::vector<Variant> variants_of(const scene::Scene& scene,
+                                 const run::Plan& plan,
+                                 const std::filesystem::path& scratch) {
+  const auto& renderer = plan.renderers.front();
+  const auto found = scene::effects(scene);
+  const auto needed = scene::transport(found);
+  std::vector<Variant> variants;
+  const auto subject = run::prepare_render(renderer, plan, scene, scratch / "scene");
+  variants.push_back({std::string(transport_name(needed)), subject, {}, true});
+  for (const auto transport : scene::kTransports) {
+    if (transport == needed) continue;
+    const std::string name(transport_name(transport));
+    variants.push_back({name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed)});
+  }
+  std::set<scene::Effect> effects;
+  for (const auto& finding : found.called_for) effects.insert(finding.effect);
+  for (const auto effect : effects) {
+    auto without = scene;
+    if (!scene::leave_out(effect, without)) continue;
+    const auto name = fmt::format("without {}", effect_name(effect));
+    // The transport stays the same, or its saving of time would be taken for that of the effect.
+    variants.push_back({name,
+                        run::prepare_render(renderer, plan, without, scratch / name),
+                        {"--transport", std::string(transport_name(needed))},
+                        false});
+  }
+  return variants;
+}
+
+// False if the user interrupts.
+bool render_rounds(std::vector<Variant>& variants,
+                   const EffectCostSettings& settings,
+                   const StudyContext& context) {
+  for (int round = 0; round < settings.rounds; ++round)
+    for (std::size_t turn = 0; turn < variants.size(); ++turn) {
+      // Every other round runs backwards, so that no variant always comes first.
+      auto& variant = variants[round % 2 == 0 ? turn : variants.size() - 1 - turn];
+      auto made = run::render_once(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true},
+                                   context.stop);
+      if (!made) return false;
+      variant.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
+      variant.images.push_back(std::move(made->image));
+    }
+  return true;
+}
+
+Alternative compared(const Variant& usual, const Variant& other) {
+  Alternative out{other.name, other.is_enough, {}, 0, change_between(usual.images, other.images)};
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < usual.cpu_seconds.size(); ++i)
+    ratios.push_back(other.cpu_seconds[i] / usual.cpu_seconds[i]);
+  out.time_ratio = *spread_of(ratios);
+  const double variance = mean_variance(usual.images);
+  if (variance > 0 && out.change.is_comparable)
+    out.error_ratio = out.time_ratio.median * mean_variance(other.images) / variance;
+  return out;
+}
+
+SceneEffectCosts effect_costs_of(const std::string& name,
+                                 const std::vector<Variant>& variants,
+                                 const EffectCostSettings& settings) {
+  const Variant& usual = variants.front();
+  SceneEffectCosts effect_costs{name, usual.name, {}, 0, {}};
+  const auto paths = static_cast<double>(usual.images.front().pixel_count()) * settings.spp;
+  effect_costs.paths_per_cpu_second = paths / spread_of(usual.cpu_seconds)->median;
+  for (const auto& finding : scene::effects(usual.subject.scene).called_for) {
+    const std::string effect(effect_name(finding.effect));
+    if (effect_costs.effects.empty() || effect_costs.effects.back() != effect)
+      effect_costs.effects.push_back(effect);
+  }
+  for (std::size_t i = 1; i < variants.size(); ++i)
+    effect_costs.alternatives.push_back(compared(usual, variants[i]));
+  return effect_costs;
+}
+
+}  // namespace
+
+std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& configuration,
+                                                const std::string& suite,
+                                                const std::string& scenes,
+                                                const EffectCostSettings& settings,
+                                                const StudyContext& context) {
+  run::Plan plan;
+  plan.root = configuration.root;
+  plan.build = context.build;
+  plan.settings.renderers = "orbs";
+  run::choose_renderers(configuration, plan);
+  EffectCosts list{settings,         context.orbs_version, suite, local_time_now(),
+                   run::this_host(), run::load_average(),  {}};
+  const auto& chosen_suite = registry::find_suite(configuration, suite);
+  const auto chosen = registry::scenes_of(chosen_suite, scenes);
+  for (const auto& one : chosen) {
+    const ScratchFolder scratch("orbs-effects");
+    const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
+                                 [&] { return scaled_scene(one, chosen_suite, settings.size_px); });
+    auto variants = variants_of(scene, plan, scratch.path());
+    if (!render_rounds(variants, settings, context)) return std::nullopt;
+    list.scenes.push_back(effect_costs_of(one.name, variants, settings));
+    context.say(fmt::format("[{}/{}] {}", list.scenes.size(), chosen.size(), one.name));
+  }
+  return list;
+}
+
+bool all_agree(const EffectCosts& list) {
+  return std::all_of(list.scenes.begin(), list.scenes.end(), [](const SceneEffectCosts& scene) {
+    return std::all_of(scene.alternatives.begin(), scene.alternatives.end(),
+                       [](const Alternative& alternative) {
+                         return !alternative.is_enough || !alternative.change.is_comparable ||
+                                alternative.change.bias.empty();
+                       });
+  });
+}
+
+}  // namespace orbs::studies

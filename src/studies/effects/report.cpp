@@ -1,0 +1,136 @@
+#include "studies/effects/report.h"
+
+#include "base/text_table.h"
+#include "json/writer.h"
+#include "results/field_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// As many decimals as two digits of the error need.
+std::string percent(const MeanOfRounds& m) {
+  const double error = 100 * m.standard_error;
+  const int decimals = error > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6) : 3;
+  return fmt::format("{:+.{}f} ± {:.{}f} %", 100 * m.value, decimals, error, decimals);
+}
+
+// Says that the image is the same, or what is lost.
+std::string image_text(const Alternative& alternative) {
+  const auto& change = alternative.change;
+  if (change.is_equal) return "same to the bit";
+  if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
+  if (change.bias.empty()) return "same but for noise";
+  return fmt::format("{}mean {}, most {} at ({}, {})", alternative.is_enough ? "DIFFERS: " : "",
+                     percent(change.mean), percent(change.largest), change.x, change.y);
+}
+
+std::string ratio_text(double ratio) { return ratio > 0 ? fmt::format("{:.2f}", ratio) : "-"; }
+
+void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
+  out.key(name)
+      .begin_object()
+      .member("value", m.value)
+      .member("standard_error", m.standard_error)
+      .end_object();
+}
+
+void put(json::Writer& out, const Alternative& alternative) {
+  const auto& change = alternative.change;
+  out.begin_object().member("name", alternative.name).member("is_enough", alternative.is_enough);
+  write_spread(out, "time_ratio", alternative.time_ratio);
+  out.member("error_ratio", alternative.error_ratio)
+      .member("is_equal", change.is_equal)
+      .member("change", image_text(alternative));
+  put(out, "mean_change", change.mean);
+  put(out, "largest_change", change.largest);
+  out.member("largest_x", change.x)
+      .member("largest_y", change.y)
+      .member("bias", change.bias)
+      .member("is_comparable", change.is_comparable)
+      .end_object();
+}
+
+void put_definitions(json::Writer& out) {
+  out.key("definitions")
+      .begin_object()
+      .member("time_ratio",
+              "CPU time of the samples over that of the same samples with the usual transport; "
+              "median, least and most of the rounds")
+      .member("error_ratio",
+              "median time ratio times the ratio of the mean variances in linear Rec.709: the cost "
+              "of equal noise; 0 if unknown: no noise, or no light paths for the caustic")
+      .member("mean_change",
+              "difference of the mean Rec.709 luminances over the mean of the image that the scene calls "
+              "for; same random numbers, standard error over the rounds")
+      .member("largest_change", "the same of the block of 8 x 8 px where it is largest")
+      .member("bias", "what differs by more than noise: means, blocks and squares as orbs compare tests them")
+      .end_object();
+}
+
+}  // namespace
+
+std::string effect_cost_table(const EffectCosts& list) {
+  std::string text;
+  for (const auto& scene : list.scenes) {
+    text += fmt::format("{}{}: {}, {:.2f} million paths per CPU second{}\n", text.empty() ? "" : "\n",
+                        scene.scene, scene.transport, scene.paths_per_cpu_second / 1e6,
+                        scene.effects.empty() ? "" : fmt::format("; {}", fmt::join(scene.effects, ", ")));
+    std::vector<TableRow> rows{{"  alternative", "time ratio", "to equal noise", "image"}};
+    for (const auto& alternative : scene.alternatives)
+      rows.push_back({fmt::format("  {}", alternative.name), ratio_text(alternative.time_ratio.median),
+                      ratio_text(alternative.error_ratio), image_text(alternative)});
+    text += text_table(rows, {Align::Left, Align::Right, Align::Right});
+  }
+  return text;
+}
+
+std::string effect_cost_markdown(const EffectCosts& list) {
+  std::string text =
+      "| scene | calls for | alternative | time | to equal noise | image |\n|---|---|---|---|---|---|\n";
+  for (const auto& scene : list.scenes)
+    for (const auto& alternative : scene.alternatives)
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, alternative.name,
+                          ratio_text(alternative.time_ratio.median), ratio_text(alternative.error_ratio),
+                          image_text(alternative));
+  return text;
+}
+
+std::string effect_cost_json(const EffectCosts& list) {
+  json::Writer out;
+  out.begin_object()
+      .member("format", "orbs-effect-cost/1")
+      .member("orbs_version", list.orbs_version)
+      .member("suite", list.suite)
+      .member("started", list.started)
+      .member("load", list.load)
+      .member("rounds", list.settings.rounds)
+      .member("spp", list.settings.spp)
+      .member("size_px", list.settings.size_px);
+  auto host = list.host;
+  host.name.clear();  // published with the suite, whose readers need the kind of machine alone
+  out.key("host");
+  results::write_record(out, host);
+  out.key("scenes").begin_array();
+  for (const auto& scene : list.scenes) {
+    out.begin_object()
+        .member("scene", scene.scene)
+        .member("transport", scene.transport)
+        .member("effects", scene.effects)
+        .member("paths_per_cpu_second", scene.paths_per_cpu_second);
+    out.key("alternatives").begin_array();
+    for (const auto& alternative : scene.alternatives) put(out, alternative);
+    out.end_array().end_object();
+  }
+  out.end_array();
+  put_definitions(out);
+  return out.end_object().text();
+}
+
+}  // namespace orbs::studies

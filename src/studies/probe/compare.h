@@ -1,0 +1,42 @@
+#pragma once
+
+#include "image/image.h"
+#include "studies/probe/primary_visibility.h"
+#include "studies/probe/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbs::studies {
+
+/// Pixels that should show one object, or the background, and do not.
+struct Mismatch {
+  int object = kNoObject;  // the expected one
+  int pixels = 0;
+  int x = 0;  // the first of these pixels
+  int y = 0;
+  std::string instead;  // what most of these pixels show
+};
+
+struct ProbeFindings {
+  int compared = 0;                      // pixels that one object covers completely
+  std::vector<Mismatch> mismatches;      // those of most pixels first
+  int cracks = 0;                        // single pixels that show something behind; not among the mismatches
+  std::optional<double> needed_samples;  // so many times more, since noise hides what is compared
+};
+
+/// Compares the image of the id pass. A pixel counts if all its points see the same object, because then a
+/// pixel filter no wider than one pixel can only give that object's colour. Both comparisons leave room for
+/// the noise that the image's variances state.
+ProbeFindings compare_id_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image);
+
+/// Compares the image of the uv pass. A pixel counts if its coordinates stay within one period of the ramp
+/// and change slowly enough that the texture filter does not matter.
+ProbeFindings compare_uv_pass(const ProbeScene& probe,
+                              const std::vector<VisibleSurface>& surfaces,
+                              const image::Image& image);
+
+}  // namespace orbs::studies

@@ -1,0 +1,132 @@
+#include "studies/probe/probe.h"
+
+#include "adapters/export.h"
+#include "adapters/native_scene.h"
+#include "base/error.h"
+#include "base/scratch_folder.h"
+#include "base/text.h"
+#include "metrics/seeds.h"
+#include "registry/placeholders.h"
+#include "run/job_folder.h"
+#include "run/render_once.h"
+#include "studies/probe/report.h"
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+struct ProbeInputs {
+  const run::Plan& plan;
+  const ProbeSettings& settings;
+  const StudyContext& context;
+  const std::filesystem::path& scratch;
+};
+
+// The renderer as if it declared the lamps and the plain emission that an id pass is made of: a new entry
+// that declares no more than M1 can be probed, too. Textured emission is left to those that declare it.
+run::ChosenRenderer with_emission(run::ChosenRenderer renderer) {
+  for (const auto* requirement : {"M2", "L1", "L2"}) {
+    const auto code = registry::parse_requirement(requirement);
+    renderer.entry.declares[code.group].insert(code.level);
+  }
+  return renderer;
+}
+
+// With the variances that the renderer writes, or else with those that two seeds give. Nothing when stopped.
+std::optional<image::Image> render_with_noise(const ProbeInputs& inputs, const run::PreparedRender& subject) {
+  std::vector<image::Image> replicas;
+  const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command, "seed");
+  for (const int seed : {1, 2}) {
+    // Noise of colours may be negative where the colour is dark.
+    const auto made = run::render_once(subject,
+                                       {.spp = inputs.settings.spp,
+                                        .seed = seed,
+                                        .threads = inputs.settings.threads,
+                                        .may_be_negative = true},
+                                       inputs.context.stop);
+    if (!made) return std::nullopt;
+    replicas.push_back(made->image);
+    if (!has_seed || image::channel_index(made->image, "variance.R") >= 0) break;
+  }
+  return replicas.size() == 1 || metrics::are_equal(replicas) ? replicas.front()
+                                                              : metrics::mean_and_variance_of(replicas);
+}
+
+template <typename Compare>
+ProbeImage render_pass(const ProbeInputs& inputs,
+                       const run::ChosenRenderer& renderer,
+                       const scene::Scene& scene,
+                       Compare compare) {
+  ProbeImage taken;
+  const auto prepared = adapters::prepare_scene(renderer.entry, scene);
+  if (const auto* reason = std::get_if<std::string>(&prepared)) {
+    taken.unsupported = *reason;
+    return taken;
+  }
+  try {
+    const auto folder = inputs.scratch / renderer.entry.name;
+    run::make_way(folder);
+    const auto subject = run::prepare_render(renderer, inputs.plan, scene, folder);
+    const auto image = render_with_noise(inputs, subject);
+    if (!image) {
+      taken.no_image = "was stopped";
+      return taken;
+    }
+    taken.findings = compare(*image);
+  } catch (const InputError& e) {
+    taken.no_image = split(e.what(), '\n').front();
+  }
+  return taken;
+}
+
+void say_record(const ProbeInputs& inputs, const ProbeRecord& record) {
+  inputs.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_message(record)));
+}
+
+void probe_scene(const ProbeInputs& inputs,
+                 const run::PlannedScene& planned,
+                 std::vector<ProbeRecord>& records) {
+  const auto probe = make_id_pass(*planned.scene, inputs.settings.most_px);
+  const auto surfaces = primary_visibility(probe.scene, {}, inputs.settings.threads);
+  const auto uv_scene = make_uv_pass(probe, inputs.scratch / "ramp.exr");
+  for (const auto& chosen : inputs.plan.renderers) {
+    if (is_stopped(inputs.context)) return;
+    const auto renderer = with_emission(chosen);
+    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
+    for (const auto& object : probe.objects) record.object_names.push_back(object.name);
+    if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {
+      record.id_pass.unsupported = "is rendered from a hand-written scene, which nobody can colour";
+      say_record(inputs, record);
+      records.push_back(std::move(record));
+      continue;
+    }
+    record.id_pass = render_pass(inputs, renderer, probe.scene, [&](const image::Image& image) {
+      return compare_id_pass(probe, surfaces, image);
+    });
+    if (record.id_pass.unsupported.empty())
+      record.uv_pass = render_pass(inputs, renderer, uv_scene, [&](const image::Image& image) {
+        return compare_uv_pass(probe, surfaces, image);
+      });
+    if (is_stopped(inputs.context)) return;
+    say_record(inputs, record);
+    records.push_back(std::move(record));
+  }
+}
+
+}  // namespace
+
+std::vector<ProbeRecord> run_probe(const run::Plan& plan,
+                                   const ProbeSettings& settings,
+                                   const StudyContext& context) {
+  const ScratchFolder scratch("orbs-probe");
+  write_ramp(scratch.path() / "ramp.exr");
+  const ProbeInputs inputs{plan, settings, context, scratch.path()};
+  std::vector<ProbeRecord> records;
+  for (const auto& scene : plan.scenes)
+    if (!is_stopped(context)) probe_scene(inputs, scene, records);
+  return records;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,108 @@
+#include "studies/probe/report.h"
+
+#include "json/writer.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+constexpr std::size_t kMostNamed = 3;
+
+std::string object_name(const ProbeRecord& record, int object) {
+  return object == kNoObject ? "the background" : record.object_names[static_cast<std::size_t>(object)];
+}
+
+std::string mismatch_text(const ProbeRecord& record, const Mismatch& mismatch) {
+  return fmt::format("{} ({} pixel{}, first at ({}, {}), which show {})",
+                     object_name(record, mismatch.object), mismatch.pixels, mismatch.pixels == 1 ? "" : "s",
+                     mismatch.x, mismatch.y, mismatch.instead);
+}
+
+std::string differs(const char* what, const ProbeRecord& record, const ProbeFindings& findings) {
+  std::vector<std::string> named;
+  for (const auto& mismatch : findings.mismatches)
+    if (named.size() < kMostNamed) named.push_back(mismatch_text(record, mismatch));
+  const auto rest = findings.mismatches.size() - named.size();
+  return fmt::format("{}: {}{}", what, fmt::join(named, "; "),
+                     rest == 0 ? "" : fmt::format("; and {} more", rest));
+}
+
+std::string undecided(const ProbeImage& image) {
+  return image.findings.needed_samples
+             ? fmt::format("noise hides what is compared: needs about {:.2g} times the samples (--spp)",
+                           *image.findings.needed_samples)
+             : "";
+}
+
+// The fault that the image shows; "" if it shows none.
+std::string fault(const char* what, const ProbeRecord& record, const ProbeImage& image) {
+  if (!image.no_image.empty()) return image.no_image;
+  return image.findings.mismatches.empty() ? "" : differs(what, record, image.findings);
+}
+
+void put_image(json::Writer& out, const char* name, const ProbeRecord& record, const ProbeImage& image) {
+  out.key(name).begin_object();
+  if (!image.unsupported.empty()) out.member("unsupported", image.unsupported);
+  if (!image.no_image.empty()) out.member("no_image", image.no_image);
+  out.member("compared_pixels", image.findings.compared).member("crack_pixels", image.findings.cracks);
+  if (image.findings.needed_samples) out.member("times_the_samples_needed", *image.findings.needed_samples);
+  out.key("mismatches").begin_array();
+  for (const auto& mismatch : image.findings.mismatches)
+    out.begin_object()
+        .member("object", object_name(record, mismatch.object))
+        .member("pixels", mismatch.pixels)
+        .member("x", mismatch.x)
+        .member("y", mismatch.y)
+        .member("instead", mismatch.instead)
+        .end_object();
+  out.end_array().end_object();
+}
+
+}  // namespace
+
+ProbeVerdict probe_verdict(const ProbeRecord& record) {
+  if (!record.id_pass.unsupported.empty()) return ProbeVerdict::NotChecked;
+  if (!fault("", record, record.id_pass).empty() || !fault("", record, record.uv_pass).empty())
+    return ProbeVerdict::Wrong;
+  return undecided(record.id_pass).empty() && undecided(record.uv_pass).empty() ? ProbeVerdict::Right
+                                                                                : ProbeVerdict::NotChecked;
+}
+
+std::string probe_message(const ProbeRecord& record) {
+  if (!record.id_pass.unsupported.empty()) return "not checked: " + record.id_pass.unsupported;
+  const auto id_fault = fault("scene mapping differs", record, record.id_pass);
+  if (!id_fault.empty()) return id_fault;
+  const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
+  if (!uv_fault.empty()) return uv_fault;
+  for (const auto* image : {&record.id_pass, &record.uv_pass})
+    if (const auto reason = undecided(*image); !reason.empty()) return "not checked: " + reason;
+  const int cracks = record.id_pass.findings.cracks;
+  return fmt::format("ok, {} pixels{}, {}", record.id_pass.findings.compared,
+                     cracks == 0 ? "" : fmt::format(" ({} of them at cracks between triangles)", cracks),
+                     record.uv_pass.unsupported.empty()
+                         ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
+                         : "texture coordinates not checked: " + record.uv_pass.unsupported);
+}
+
+std::string probe_json(const std::vector<ProbeRecord>& records) {
+  json::Writer out;
+  out.begin_array();
+  for (const auto& record : records) {
+    out.begin_object()
+        .member("scene", record.scene)
+        .member("renderer", record.renderer)
+        .member("checked", probe_verdict(record) != ProbeVerdict::NotChecked)
+        .member("ok", probe_verdict(record) == ProbeVerdict::Right)
+        .member("reason", probe_message(record));
+    put_image(out, "id_pass", record, record.id_pass);
+    put_image(out, "uv_pass", record, record.uv_pass);
+    out.end_object();
+  }
+  out.end_array();
+  return out.text();
+}
+
+}  // namespace orbs::studies

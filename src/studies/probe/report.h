@@ -1,0 +1,23 @@
+#pragma once
+
+#include "studies/probe/record.h"
+
+#include <string>
+#include <vector>
+
+namespace orbs::studies {
+
+/// Wrong: the renderer failed, or a pixel shows a wrong object or wrong coordinates. NotChecked: there is no
+/// id pass for this renderer, or noise hides what would be compared. A renderer without textured emission is
+/// right without its uv pass.
+enum class ProbeVerdict { Right, Wrong, NotChecked };
+ProbeVerdict probe_verdict(const ProbeRecord& record);
+
+/// "ok", "not checked" with the reason, or what differs: "scene mapping differs: instance 'box', material
+/// 'red' (412 pixels, first at (3, 7), where there is nothing)".
+std::string probe_message(const ProbeRecord& record);
+
+/// The record for programs: a JSON list, one entry for each scene and renderer.
+std::string probe_json(const std::vector<ProbeRecord>& records);
+
+}  // namespace orbs::studies

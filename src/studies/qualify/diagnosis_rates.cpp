@@ -1,0 +1,154 @@
+#include "studies/qualify/diagnosis_rates.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/text_table.h"
+#include "judge/diagnosis.h"
+#include "judge/judge.h"
+#include "studies/qualify/control_image.h"
+#include "studies/qualify/typical_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+
+bool is_refused(const DiagnosisSubject& subject, const Image& image) {
+  results::TargetRecord record;
+  record.target = subject.target;
+  judge::judge_image(subject.one_case, image, {"", subject.reference, ""},
+                     {.measured = judge::Measured::ForTheVerdict}, record);
+  return record.verdict == results::Verdict::Fail;
+}
+
+FaultDiagnosis diagnosis_of(const DiagnosisSubject& subject,
+                            const Image& image,
+                            std::string fault,
+                            std::string expected) {
+  const auto mask = judge::mask_of(subject.one_case, subject.target);
+  const auto found = judge::diagnosed({image, subject.reference, subject.other_targets, mask});
+  FaultDiagnosis out{subject.target, std::move(fault), std::move(expected)};
+  if (!found) return out;
+  out.diagnosis = judge::diagnosis_text(found);
+  out.said = !out.expected.empty() && found->text.starts_with(out.expected) ? Said::Right : Said::Wrong;
+  return out;
+}
+
+// References of the case's other targets, those that are there.
+std::map<std::string, Image> other_targets_of(const run::Plan& plan,
+                                              const registry::Case& one_case,
+                                              const std::string& target) {
+  std::map<std::string, Image> others;
+  for (const auto& name : registry::target_names(one_case)) {
+    if (name == target) continue;
+    auto other = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes, {},
+                                       plan.settings.size_divisor);
+    if (other.image) others[name] = std::move(*other.image);
+  }
+  return others;
+}
+
+TableRow row_of(const std::string& fault, const std::string& expected, const std::array<int, 3>& counts) {
+  const int all = counts[0] + counts[1] + counts[2];
+  return {fault,
+          expected.empty() ? "none" : expected,
+          std::to_string(all),
+          std::to_string(counts[0]),
+          std::to_string(counts[1]),
+          std::to_string(counts[2])};
+}
+
+}  // namespace
+
+std::vector<FaultDiagnosis> diagnose_faults(const DiagnosisSubject& subject, int first, int step) {
+  std::vector<FaultDiagnosis> diagnoses{diagnosis_of(subject, subject.control, "", "")};
+  const auto faults = typical_faults(subject.reference, subject.other_targets);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (static_cast<int>(i) % step != first % step) continue;
+    const auto& [fault, expected] = faults[i];
+    // A change that leaves the reference as it is is no fault of this target.
+    if (image::has_same_colours(fault.apply(subject.reference), subject.reference)) continue;
+    const auto image = fault.apply(subject.control);
+    if (is_refused(subject, image)) diagnoses.push_back(diagnosis_of(subject, image, fault.name, expected));
+  }
+  return diagnoses;
+}
+
+std::vector<FaultDiagnosis> measure_diagnoses(const run::Plan& plan,
+                                              const results::RunRecord& run,
+                                              const std::string& renderer,
+                                              const StudyContext& context) {
+  struct Subject {
+    const registry::Case* one_case;
+    std::string target;
+  };
+  std::vector<Subject> subjects;
+  for (const auto& target : plan.targets) {
+    const auto is_known = [&](const auto& one) { return one.target == target.target; };
+    if (target.renderer == 0 && target.unsupported.empty() &&
+        std::none_of(subjects.begin(), subjects.end(), is_known))
+      subjects.push_back({&plan.cases[target.one_case], target.target});
+  }
+  std::vector<std::vector<FaultDiagnosis>> found(subjects.size());
+  for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
+    if (is_stopped(context)) return;
+    const auto& [one_case, target] = subjects[static_cast<std::size_t>(index)];
+    const auto reference = judge::load_reference(*one_case, target, plan.suite.references,
+                                                 plan.reference_hashes, {}, plan.settings.size_divisor);
+    if (!reference.image) throw InputError(reference.problem);
+    const auto control = control_image(run, renderer, one_case->name, target);
+    found[static_cast<std::size_t>(index)] = diagnose_faults(
+        {*one_case, target, *reference.image, control, other_targets_of(plan, *one_case, target)});
+  });
+  std::vector<FaultDiagnosis> all;
+  for (const auto& one : found) all.insert(all.end(), one.begin(), one.end());
+  return all;
+}
+
+DiagnosisRates rates_of(const std::vector<FaultDiagnosis>& diagnoses) {
+  DiagnosisRates rates;
+  for (const auto& one : diagnoses) {
+    ++(one.expected.empty() ? rates.others : rates.usual);
+    if (one.said == Said::Right) ++rates.right;
+    if (one.said == Said::Wrong) ++rates.wrong;
+    if (!one.fault.empty()) continue;
+    ++rates.controls;
+    if (one.said != Said::Nothing) ++rates.controls_said;
+  }
+  return rates;
+}
+
+std::string diagnoses_text(const std::vector<FaultDiagnosis>& diagnoses) {
+  std::vector<std::pair<std::string, std::string>> order;  // fault, expected
+  std::map<std::string, std::array<int, 3>> counts;
+  std::string wrong;
+  for (const auto& one : diagnoses) {
+    if (!counts.contains(one.fault))
+      order.emplace_back(one.fault, one.expected.starts_with("the image of") ? "the image of" : one.expected);
+    ++counts[one.fault].at(static_cast<std::size_t>(one.said));
+    if (one.said == Said::Wrong)
+      wrong += fmt::format("{}: '{}' was called: {}\n", one.target,
+                           one.fault.empty() ? "(control image)" : one.fault, one.diagnosis);
+  }
+  std::vector<TableRow> rows{{"fault", "right is", "images", "right", "nothing", "wrong"}};
+  for (const auto& [fault, expected] : order)
+    rows.push_back(row_of(fault.empty() ? "(control image)" : fault, expected, counts.at(fault)));
+  const auto rates = rates_of(diagnoses);
+  constexpr auto kRight = Align::Right;
+  return text_table(rows, {Align::Left, Align::Left, kRight, kRight, kRight, kRight}) +
+         fmt::format(
+             "\n{}{} of {} usual faults are named, {} of {} diagnoses are wrong, {} of {} control images "
+             "got one\n",
+             wrong, rates.right, rates.usual, rates.wrong, diagnoses.size(), rates.controls_said,
+             rates.controls);
+}
+
+}  // namespace orbs::studies

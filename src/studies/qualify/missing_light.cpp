@@ -1,0 +1,52 @@
+#include "studies/qualify/missing_light.h"
+
+#include "base/files.h"
+#include "run/render_once.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+bool glows(const scene::Scene& scene) {
+  const auto visible = scene::visible_materials(scene);
+  return std::any_of(visible.begin(), visible.end(), [&](int material) {
+    return std::holds_alternative<scene::Emission>(scene.materials[static_cast<std::size_t>(material)].model);
+  });
+}
+
+}  // namespace
+
+std::string why_no_light_can_miss(const scene::Scene& scene) {
+  if (scene.lights.empty()) return "it has no light that could be missing";
+  const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::RgbColour{};
+  return has_more ? "" : "its only light: without it the image is black";
+}
+
+std::optional<std::vector<MissingLight>> without_each_light(const run::Plan& plan,
+                                                            const run::PlannedScene& scene,
+                                                            int spp,
+                                                            const std::filesystem::path& scratch,
+                                                            const std::atomic<bool>* stop) {
+  constexpr int kSeed = 2;  // any that no reference has
+  std::vector<MissingLight> images;
+  for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
+    auto dark = *scene.scene;
+    const auto name = "without " + scene::display_name("light", dark.lights[i].name, i);
+    dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
+    const auto subject = run::prepare_render(plan.renderers.front(), plan, dark, folder);
+    auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
+    if (!made) return std::nullopt;
+    images.push_back({name, std::move(made->image)});
+    remove_tree(folder);
+  }
+  return images;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "image/image.h"
+#include "run/plan/plan.h"
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbs::studies {
+
+/// A scene rendered with one of its lights left out.
+struct MissingLight {
+  std::string name;  // "without light 'turned'"
+  image::Image image;
+};
+
+/// Why no light of the scene can be left out such that another one still lights it: another light, a visible
+/// emitter or the environment. "" when one can.
+std::string why_no_light_can_miss(const scene::Scene& scene);
+
+/// The scene with one light left out, for each light, rendered by the plan's first renderer in `scratch`.
+/// Nothing when stopped. InputError when the renderer fails.
+std::optional<std::vector<MissingLight>> without_each_light(const run::Plan& plan,
+                                                            const run::PlannedScene& scene,
+                                                            int spp,
+                                                            const std::filesystem::path& scratch,
+                                                            const std::atomic<bool>* stop);
+
+}  // namespace orbs::studies

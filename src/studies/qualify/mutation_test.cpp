@@ -1,0 +1,144 @@
+#include "studies/qualify/mutation_test.h"
+
+#include "judge/judge.h"
+#include "run/outcome.h"
+#include "studies/qualify/mutants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+using results::GateRecord;
+using results::MutantRecord;
+using results::SmallestFault;
+using results::TargetRecord;
+using results::Verdict;
+
+TargetRecord judged(const MutationSubject& subject, const Image& image) {
+  TargetRecord record;
+  record.target = subject.target;
+  adapters::Job expected;
+  expected.width_px = subject.reference.image->width;
+  expected.height_px = subject.reference.image->height;
+  expected.may_be_negative =
+      judge::is_difference(subject.one_case, subject.target) || !subject.one_case.negative_values.empty();
+  const auto usable = run::check_pixels(expected, image, "the image");
+  if (const auto verdict = results::verdict_without_image(usable.kind)) {
+    record.verdict = *verdict;
+    record.reason = usable.reason;
+    return record;
+  }
+  judge::judge_image(subject.one_case, image, subject.reference, {.measured = judge::Measured::ForTheVerdict},
+                     record);
+  return record;
+}
+
+// Inconclusive, "too noisy to tell", is no rejection.
+bool is_rejected(const TargetRecord& record) {
+  return results::worse(record.verdict, Verdict::Fail) == record.verdict;
+}
+
+MutantRecord tried(const MutationSubject& subject, const std::string& fault, const Image& mutant) {
+  const auto record = judged(subject, mutant);
+  return {fault, "", is_rejected(record),
+          fmt::format("{}: {}", results::verdict_name(record.verdict), record.reason)};
+}
+
+// The most similar other reference of the same size: a gate that rejects it rejects all others.
+MutantRecord tried_with_another(const MutationSubject& subject) {
+  const auto own = image::select_rgb(*subject.reference.image, "").pixels;
+  const Image* nearest = nullptr;
+  std::string name;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [other_name, other] : subject.others) {
+    if (other.width != subject.control.width || other.height != subject.control.height) continue;
+    const auto pixels = image::select_rgb(other, "").pixels;
+    double sum = 0;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      sum += std::fabs(static_cast<double>(own[i]) - static_cast<double>(pixels[i]));
+    if (sum == 0 || sum >= least) continue;  // 0: the same image, so no fault
+    least = sum;
+    name = other_name;
+    nearest = &other;
+  }
+  if (nearest == nullptr) return {"another image", "no other reference has its size", false, ""};
+  return tried(subject, fmt::format("the image of {}", name), *nearest);
+}
+
+void test_mutants(const MutationSubject& subject, const Rectangle& leak, double mean, GateRecord& gate) {
+  gate.mutants.push_back(tried_with_another(subject));
+  auto faults = faults_of(*subject.reference.image);
+  faults.push_back({"a leak of the mean light into 16 x 16 px",
+                    [&](const Image& image) { return with_leak(image, leak, mean); }});
+  for (const auto& fault : faults) {
+    // An equivalent mutant: a change that leaves the reference unchanged is no fault of this target.
+    if (image::has_same_colours(fault.apply(*subject.reference.image), *subject.reference.image)) {
+      gate.mutants.push_back({fault.name, "it leaves the reference as it is, to the bit", false, ""});
+    } else {
+      gate.mutants.push_back(tried(subject, fault.name, fault.apply(subject.control)));
+    }
+  }
+  if (!subject.why_no_light_can_miss.empty())
+    gate.mutants.push_back({"a missing light", subject.why_no_light_can_miss, false, ""});
+  for (const auto& missing : subject.missing_lights)
+    gate.mutants.push_back(tried(subject, missing.name, missing.image));
+}
+
+// The smallest size between `least` and `most` for which `holds`, within 10 %, by bisection of the ratio;
+// assumes that larger faults are easier to detect.
+template <typename Predicate>
+std::optional<double> smallest(double least, double most, Predicate holds) {
+  constexpr double kPrecision = 1.1;
+  if (!holds(most)) return std::nullopt;
+  if (holds(least)) return least;
+  while (most / least > kPrecision) {
+    const double middle = std::sqrt(least * most);
+    (holds(middle) ? most : least) = middle;
+  }
+  return most;
+}
+
+template <typename Mutant>
+SmallestFault smallest_fault(const MutationSubject& subject, double least, double most, Mutant mutant) {
+  const auto verdict = [&](double size) { return judged(subject, mutant(size)); };
+  SmallestFault found;
+  found.rejected = smallest(least, most, [&](double size) { return is_rejected(verdict(size)); });
+  found.seen = smallest(least, found.rejected.value_or(most), [&](double size) {
+    const auto record = verdict(size);
+    return is_rejected(record) || !record.remarks.empty();
+  });
+  return found;
+}
+
+}  // namespace
+
+GateRecord mutation_test(const MutationSubject& subject) {
+  GateRecord gate;
+  gate.case_name = subject.one_case.name;
+  gate.target = subject.target;
+  const auto control = judged(subject, subject.control);
+  gate.accepts_control = control.verdict == Verdict::Pass;
+  gate.control_reason = fmt::format("{}: {}{}{}", results::verdict_name(control.verdict), control.reason,
+                                    control.remarks.empty() ? "" : "; ", fmt::join(control.remarks, "; "));
+  const auto where =
+      place_of_leak(*subject.reference.image, judge::mask_of(subject.one_case, subject.target));
+  const double mean = mean_radiance(*subject.reference.image);
+  test_mutants(subject, where, mean, gate);
+  gate.global = smallest_fault(subject, 1e-4, 0.5,
+                               [&](double share) { return with_more_light(subject.control, share); });
+  gate.local = smallest_fault(subject, 1e-2, 100,
+                              [&](double share) { return with_leak(subject.control, where, share * mean); });
+  gate.local_where = {where.x0, where.y0, where.x1, where.y1};
+  return gate;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,213 @@
+#include "studies/qualify/sensitivity.h"
+
+#include "adapters/job.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/scratch_folder.h"
+#include "judge/judge.h"
+#include "judge/noise.h"
+#include "metrics/seeds.h"
+#include "run/render_once.h"
+#include "studies/qualify/subtle_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+using image::Image;
+
+constexpr std::array kAllKnowledge{NoiseKnowledge::Variances, NoiseKnowledge::TwoSeeds,
+                                   NoiseKnowledge::OneSeed, NoiseKnowledge::NoiseFree};
+
+struct Subject {
+  const registry::Case* one_case = nullptr;
+  std::string target;
+  judge::Reference reference;
+};
+
+// Two renders of one scene with different seeds, each of half the samples.
+struct Renders {
+  int seed = 0;
+  Image first, second;
+};
+
+// The mean of two images, and the variance of that mean by the images' own.
+Image mean_of_both(const Renders& renders) {
+  Image mean = renders.first;
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    const bool is_variance = image::is_variance(mean.channels[i % mean.channel_count()]);
+    mean.pixels[i] = (mean.pixels[i] + renders.second.pixels[i]) / (is_variance ? 4.0F : 2.0F);
+  }
+  return mean;
+}
+
+// The reference as an image without noise would meet it: its own values are taken to be the truth, and the
+// noise of the control image, of which the variance is known, is put upon them at a tenth of its power.
+Image noisy_reference(const Image& reference, const Image& control) {
+  const double share = std::sqrt(0.1);
+  Image noisy = reference;
+  for (const char* colour : {"R", "G", "B"}) {
+    const auto variance_name = std::string("variance.") + colour;
+    const int variance = image::channel_index(reference, variance_name);
+    const int of_control = image::channel_index(control, variance_name);
+    if (variance < 0 || of_control < 0) throw InputError("the images have no variances");
+    const auto value = static_cast<std::size_t>(image::channel_index(reference, colour));
+    const auto control_value = static_cast<std::size_t>(image::channel_index(control, colour));
+    for (int y = 0; y < reference.height; ++y)
+      for (int x = 0; x < reference.width; ++x) {
+        const double from = static_cast<double>(reference.at(x, y, value));
+        const double to = static_cast<double>(control.at(x, y, control_value));
+        noisy.at(x, y, value) = static_cast<float>(from + share * (to - from));
+        noisy.at(x, y, static_cast<std::size_t>(variance)) =
+            static_cast<float>(share * share *
+                               static_cast<double>(reference.at(x, y, static_cast<std::size_t>(variance)) +
+                                                   control.at(x, y, static_cast<std::size_t>(of_control))));
+      }
+  }
+  return noisy;
+}
+
+struct Pair {
+  Image control;
+  judge::Reference reference;
+  metrics::ResultNoise noise = metrics::ResultNoise::AsTheImageSays;
+};
+
+Pair pair_for(const Subject& subject, const Renders& renders, NoiseKnowledge knowledge) {
+  switch (knowledge) {
+    case NoiseKnowledge::Variances:
+      return {mean_of_both(renders), subject.reference};
+    case NoiseKnowledge::TwoSeeds:
+      return {metrics::mean_and_variance_of({renders.first, renders.second}), subject.reference};
+    case NoiseKnowledge::OneSeed:
+      return {judge::without_variances(mean_of_both(renders)), subject.reference};
+    case NoiseKnowledge::NoiseFree:
+      break;
+  }
+  auto reference = subject.reference;
+  reference.image = noisy_reference(*subject.reference.image, mean_of_both(renders));
+  return {judge::without_variances(*subject.reference.image), std::move(reference),
+          metrics::ResultNoise::NoiseFree};
+}
+
+Answer answer_of(const results::TargetRecord& record) {
+  if (record.verdict == results::Verdict::Inconclusive) return Answer::Inconclusive;
+  if (record.verdict != results::Verdict::Pass) return Answer::Rejected;
+  if (!record.remarks.empty()) return Answer::Remarked;
+  return record.hidden.empty() ? Answer::Silent : Answer::Hidden;
+}
+
+JudgedImage judged(const Subject& subject, const Pair& pair, const Image& image) {
+  results::TargetRecord record;
+  record.target = subject.target;
+  judge::judge_image(*subject.one_case, image, pair.reference,
+                     {.measured = judge::Measured::ForTheVerdict, .result_noise = pair.noise}, record);
+  JudgedImage out;
+  out.target = subject.target;
+  out.answer = answer_of(record);
+  out.reason = record.reason;
+  for (const auto& remark : record.remarks) out.reason += "; " + remark;
+  if (!record.hidden.empty()) out.reason += "; " + record.hidden;
+  return out;
+}
+
+std::vector<JudgedImage> judge_renders(const Subject& subject,
+                                       const Renders& renders,
+                                       bool with_mutants,
+                                       const run::Plan& plan,
+                                       const StudyContext& context) {
+  struct Task {
+    std::size_t knowledge;
+    std::optional<Fault> fault;
+  };
+  std::vector<Pair> pairs;
+  std::vector<Task> tasks;
+  auto faults = with_mutants ? subtle_faults(*subject.reference.image) : std::vector<Fault>{};
+  // A change that leaves the reference as it is is no fault of this scene.
+  std::erase_if(faults, [&](const Fault& fault) {
+    return image::has_same_colours(fault.apply(*subject.reference.image), *subject.reference.image);
+  });
+  for (const auto knowledge : kAllKnowledge) {
+    pairs.push_back(pair_for(subject, renders, knowledge));
+    tasks.push_back({pairs.size() - 1, {}});
+    for (const auto& fault : faults) tasks.push_back({pairs.size() - 1, fault});
+  }
+  std::vector<JudgedImage> images(tasks.size());
+  for_each_index(static_cast<int>(tasks.size()), plan.threads, [&](int index) {
+    if (is_stopped(context)) return;
+    const auto& [knowledge, fault] = tasks[static_cast<std::size_t>(index)];
+    const Pair& pair = pairs[knowledge];
+    auto& image = images[static_cast<std::size_t>(index)];
+    image = judged(subject, pair, fault ? fault->apply(pair.control) : pair.control);
+    image.knowledge = kAllKnowledge.at(knowledge);
+    image.fault = fault ? fault->name : "";
+    image.seed = renders.seed;
+  });
+  return images;
+}
+
+Subject subject_of(const run::Plan& plan, const run::PlannedScene& scene) {
+  for (const auto& one_case : plan.cases) {
+    const auto names = registry::target_names(one_case);
+    if (std::find(names.begin(), names.end(), scene.name) == names.end()) continue;
+    Subject subject{&one_case, scene.name,
+                    judge::load_reference(one_case, scene.name, plan.suite.references, plan.reference_hashes,
+                                          {}, plan.settings.size_divisor)};
+    if (!subject.reference.image) throw InputError(subject.reference.problem);
+    return subject;
+  }
+  return {};  // part of a difference alone
+}
+
+}  // namespace
+
+const char* name_of(NoiseKnowledge knowledge) {
+  constexpr std::array kNames{"variances", "two seeds", "one seed", "noise-free"};
+  return kNames.at(static_cast<std::size_t>(knowledge));
+}
+
+const char* name_of(Answer answer) {
+  constexpr std::array kNames{"rejected", "inconclusive", "remark", "hidden", "silent"};
+  return kNames.at(static_cast<std::size_t>(answer));
+}
+
+std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
+                                             const SensitivitySettings& settings,
+                                             const StudyContext& context) {
+  constexpr int kFirstSeed = 100000;  // far from those of runs and of references
+  const ScratchFolder scratch("orbs-sensitivity");
+  std::vector<JudgedImage> images;
+  for (const auto& scene : plan.scenes) {
+    if (!scene.size_problem.empty()) {
+      context.say(fmt::format("{}: left out, {}", scene.name, scene.size_problem));
+      continue;
+    }
+    const Subject subject = subject_of(plan, scene);
+    if (subject.one_case == nullptr) continue;
+    const auto prepared =
+        run::prepare_render(plan.renderers.front(), plan, *scene.scene, scratch.path() / scene.name);
+    const int spp = adapters::scaled_spp(scene.spp, 0.5, settings.spp_scale);
+    for (int i = 0; i < settings.controls; ++i) {
+      const int seed = kFirstSeed + 2 * i;
+      auto first = run::render_once(prepared, {spp, seed, plan.threads}, context.stop);
+      auto second = run::render_once(prepared, {spp, seed + 1, plan.threads}, context.stop);
+      if (!first || !second) return images;
+      const auto found = judge_renders(subject, {seed, std::move(first->image), std::move(second->image)},
+                                       i == 0, plan, context);
+      if (is_stopped(context)) return images;
+      images.insert(images.end(), found.begin(), found.end());
+    }
+    context.say(fmt::format("{}: judged", scene.name));
+  }
+  return images;
+}
+
+}  // namespace orbs::studies

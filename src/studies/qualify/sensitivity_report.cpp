@@ -1,0 +1,89 @@
+#include "studies/qualify/sensitivity_report.h"
+
+#include "base/text_table.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace orbs::studies {
+
+namespace {
+
+constexpr int kAnswers = 5;
+constexpr int kKnowledges = 4;
+
+struct Counts {
+  std::array<int, kAnswers> of{};
+  int all = 0;
+};
+
+using ByKnowledge = std::array<Counts, kKnowledges>;
+
+void add(const JudgedImage& image, ByKnowledge& counts) {
+  auto& one = counts.at(static_cast<std::size_t>(image.knowledge));
+  ++one.of.at(static_cast<std::size_t>(image.answer));
+  ++one.all;
+}
+
+// "5 rejected, 1 silent": only what is not zero.
+std::string counts_text(const Counts& counts) {
+  std::string text;
+  for (int i = 0; i < kAnswers; ++i)
+    if (const int count = counts.of.at(static_cast<std::size_t>(i)); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(static_cast<Answer>(i)));
+  return text;
+}
+
+TableRow row_of(const std::string& name, const ByKnowledge& counts) {
+  TableRow row{name};
+  for (const auto& one : counts) row.push_back(counts_text(one));
+  return row;
+}
+
+std::string controls_line(const ByKnowledge& controls) {
+  int all = 0;
+  int wrong = 0;
+  int inconclusive = 0;
+  for (const auto& one : controls) {
+    all += one.all;
+    wrong += one.of[static_cast<std::size_t>(Answer::Rejected)] +
+             one.of[static_cast<std::size_t>(Answer::Remarked)];
+    inconclusive += one.of[static_cast<std::size_t>(Answer::Inconclusive)];
+  }
+  return fmt::format("{} of {} control images were called wrong, {} inconclusive\n", wrong, all,
+                     inconclusive);
+}
+
+}  // namespace
+
+std::string sensitivity_text(const std::vector<JudgedImage>& images) {
+  std::vector<std::string> order;
+  std::map<std::string, ByKnowledge> faults;
+  ByKnowledge controls{};
+  std::string silent;
+  for (const auto& image : images) {
+    if (image.fault.empty()) {
+      add(image, controls);
+      if (image.answer == Answer::Rejected || image.answer == Answer::Remarked)
+        silent += fmt::format("{} {} seed {}: a control image: {}\n", image.target, name_of(image.knowledge),
+                              image.seed, image.reason);
+      continue;
+    }
+    if (!faults.contains(image.fault)) order.push_back(image.fault);
+    add(image, faults[image.fault]);
+    if (image.answer == Answer::Silent)
+      silent +=
+          fmt::format("{} {}: '{}' passes silently\n", image.target, name_of(image.knowledge), image.fault);
+  }
+  TableRow head{"fault"};
+  for (int i = 0; i < kKnowledges; ++i) head.emplace_back(name_of(static_cast<NoiseKnowledge>(i)));
+  std::vector<TableRow> rows{head};
+  for (const auto& name : order) rows.push_back(row_of(name, faults.at(name)));
+  rows.push_back(row_of("(control image)", controls));
+  return text_table(rows, {}) + "\n" + silent + controls_line(controls);
+}
+
+}  // namespace orbs::studies

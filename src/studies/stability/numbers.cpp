@@ -1,0 +1,76 @@
+#include "studies/stability/numbers.h"
+
+#include <cmath>
+
+namespace orbs::studies {
+
+namespace {
+
+// Distance of a magnitude from one, in decades: the same for a ladder upwards and one downwards.
+double decades_of(double magnitude) { return std::fabs(std::log10(magnitude)); }
+
+bool is_break(const StabilityStep& step) { return step.outcome == kBreaks || step.outcome == kNoImage; }
+
+// What the steps of one ladder say, which follow each other in the record from the easiest to the hardest.
+struct Ladder {
+  std::optional<double> held_to;
+  std::optional<std::size_t> first_break;
+  bool is_measured = false;
+  bool is_bit_equal = true;
+  bool is_inconclusive = false;
+};
+
+Ladder ladder_of(const StabilityRecord& record, std::size_t scene, const StabilityCell& cell) {
+  Ladder ladder;
+  for (std::size_t i = 0; i < record.steps.size(); ++i) {
+    const auto& step = record.steps[i];
+    if (step.scene != scene || step.renderer != cell.renderer || step.relation != cell.relation ||
+        step.outcome == kNotApplicable)
+      continue;
+    ladder.is_measured = true;
+    ladder.is_bit_equal = ladder.is_bit_equal && step.is_bit_equal;
+    if (step.outcome == kTooNoisy) ladder.is_inconclusive = true;
+    if (is_break(step) && !ladder.first_break) ladder.first_break = i;
+    if (step.outcome == kHolds && !ladder.first_break && !ladder.is_inconclusive)
+      ladder.held_to = step.magnitude;
+  }
+  return ladder;
+}
+
+void add(const StabilityRecord& record, const Ladder& ladder, StabilityCell& cell) {
+  const bool is_ladder = record.relations[cell.relation].is_ladder;
+  cell.inconclusive += ladder.is_inconclusive && !ladder.first_break ? 1 : 0;
+  const double held = ladder.held_to ? decades_of(*ladder.held_to) : 0;
+  if (is_ladder && (!cell.decades || held < *cell.decades)) {
+    cell.decades = held;
+    cell.held_to = ladder.held_to;
+  }
+  if (!ladder.first_break) return;
+  const auto magnitude_at = [&](std::size_t step) { return decades_of(record.steps[step].magnitude); };
+  if (!cell.first_break || magnitude_at(*ladder.first_break) < magnitude_at(*cell.first_break))
+    cell.first_break = ladder.first_break;
+}
+
+}  // namespace
+
+std::vector<StabilityCell> stability_cells(const StabilityRecord& record) {
+  std::vector<StabilityCell> cells;
+  for (std::size_t relation = 0; relation < record.relations.size(); ++relation)
+    for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer) {
+      StabilityCell cell;
+      cell.relation = relation;
+      cell.renderer = renderer;
+      cell.is_bit_equal = true;
+      for (std::size_t scene = 0; scene < record.scenes.size(); ++scene) {
+        const auto ladder = ladder_of(record, scene, cell);
+        if (!ladder.is_measured) continue;
+        ++cell.scenes;
+        cell.is_bit_equal = cell.is_bit_equal && ladder.is_bit_equal;
+        add(record, ladder, cell);
+      }
+      cells.push_back(cell);
+    }
+  return cells;
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,136 @@
+#include "studies/stability/report.h"
+
+#include "base/text_table.h"
+#include "studies/stability/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::studies {
+
+namespace {
+
+// Powers of two and of ten in the form that they were chosen in.
+std::string magnitude_text(double magnitude, const std::string& unit) {
+  const double power = std::log2(magnitude);
+  const bool is_power_of_two = power == std::round(power) && std::fabs(power) >= 10;
+  const auto text = is_power_of_two ? fmt::format("2^{:g}", power) : fmt::format("{:g}", magnitude);
+  return unit.empty() ? text : text + " " + unit;
+}
+
+std::string cell_text(const StabilityRecord& record, const StabilityCell& cell) {
+  if (cell.scenes == 0) return "-";
+  const auto& relation = record.relations[cell.relation];
+  const auto text_of = [&](double magnitude) { return magnitude_text(magnitude, relation.unit); };
+  std::string text;
+  if (cell.first_break) {
+    const auto& step = record.steps[*cell.first_break];
+    const std::string what = step.outcome == kNoImage ? "no image" : "breaks";
+    if (!relation.is_ladder)
+      text = what;
+    else if (cell.held_to)
+      text = fmt::format("to {}; {} at {}", text_of(*cell.held_to), what, text_of(step.magnitude));
+    else
+      text = fmt::format("{} at {}", what, text_of(step.magnitude));
+  } else if (relation.is_ladder) {
+    text = cell.held_to ? fmt::format("all, to {}", text_of(*cell.held_to)) : "";
+  } else if (cell.inconclusive < cell.scenes) {
+    text = "holds";
+  }
+  if (!text.empty() && cell.is_bit_equal) text += ", to the bit";
+  if (cell.inconclusive > 0)
+    text += fmt::format("{}{} inconclusive", text.empty() ? "" : "; ", cell.inconclusive);
+  return text;
+}
+
+std::vector<TableRow> matrix_rows(const StabilityRecord& record) {
+  TableRow head{"relation", "change"};
+  for (const auto& renderer : record.renderers) head.push_back(renderer.name);
+  std::vector<TableRow> rows{head};
+  for (const auto& relation : record.relations) rows.push_back({relation.name, relation.change});
+  for (const auto& cell : stability_cells(record)) rows[cell.relation + 1].push_back(cell_text(record, cell));
+  return rows;
+}
+
+std::vector<TableRow> break_rows(const StabilityRecord& record) {
+  std::vector<TableRow> rows{{"renderer", "relation", "at", "scene", "what happens"}};
+  for (const auto& cell : stability_cells(record)) {
+    if (!cell.first_break) continue;
+    const auto& step = record.steps[*cell.first_break];
+    const auto& relation = record.relations[step.relation];
+    rows.push_back({record.renderers[step.renderer].name, relation.name,
+                    relation.is_ladder ? magnitude_text(step.magnitude, relation.unit) : "",
+                    record.scenes[step.scene].name, step.reason});
+  }
+  return rows;
+}
+
+bool shows_single_pixels(const StabilityRecord& record, const StabilityStep& step) {
+  return record.relations[step.relation].name == kPrecisionRelation && step.outcome != kNotApplicable;
+}
+
+// Scenes by double precision, the most sensitive first.
+std::vector<TableRow> precision_rows(const StabilityRecord& record) {
+  std::vector<const StabilityStep*> steps;
+  for (const auto& step : record.steps)
+    if (shows_single_pixels(record, step)) steps.push_back(&step);
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const auto* a, const auto* b) { return a->pixels > b->pixels; });
+  std::vector<TableRow> rows{{"renderer", "scene", "single pixels", "mean", "outcome"}};
+  for (const auto* step : steps)
+    rows.push_back({record.renderers[step->renderer].name, record.scenes[step->scene].name,
+                    fmt::format("{:.2g} %", 100 * step->pixels), fmt::format("{:+.2g} %", 100 * step->mean),
+                    step->outcome});
+  return rows;
+}
+
+constexpr std::string_view kPrecisionTitle = "Single against double precision: how far pixels differ";
+
+std::string conditions(const StabilityRecord& record) {
+  std::vector<std::string> scenes;
+  std::vector<std::string> versions;
+  for (const auto& scene : record.scenes) scenes.push_back(scene.name);
+  for (const auto& renderer : record.renderers)
+    versions.push_back(fmt::format("{}: {}", renderer.name, renderer.version));
+  const auto& settings = record.settings;
+  return fmt::format(
+      "scenes {}; at most {} px, {} samples per pixel, {} seeds{}\n{}\n"
+      "A relation breaks where the mean is off by more than {:g} %, or a block of 8 x 8 px by more than {:g} %, "
+      "with a confidence of 99.99 %.\n",
+      fmt::join(scenes, ", "), settings.size_px, settings.spp, settings.seeds,
+      record.is_finished ? "" : "; interrupted", fmt::join(versions, "\n"), 100 * settings.mean_bound,
+      100 * settings.block_bound);
+}
+
+}  // namespace
+
+std::string break_text(const StabilityStep& step) {
+  return fmt::format("the mean is off by {:+.2g} % +- {:.1g}, the block at ({}, {}) by {:+.2g} % +- {:.1g}",
+                     100 * step.mean, 100 * step.mean_error, step.block_x, step.block_y, 100 * step.block,
+                     100 * step.block_error);
+}
+
+std::string stability_table(const StabilityRecord& record) {
+  const auto breaks = break_rows(record);
+  const auto precision = precision_rows(record);
+  return fmt::format(
+      "{}\n{}{}{}", text_table(matrix_rows(record)),
+      breaks.size() > 1 ? "First breaks\n" + text_table(breaks) + "\n" : "",
+      precision.size() > 1 ? fmt::format("{}\n{}\n", kPrecisionTitle, text_table(precision)) : "",
+      conditions(record));
+}
+
+std::string stability_markdown(const StabilityRecord& record) {
+  const auto breaks = break_rows(record);
+  const auto precision = precision_rows(record);
+  return fmt::format(
+      "{}{}{}\n{}", markdown_table(matrix_rows(record)),
+      breaks.size() > 1 ? "\nFirst breaks:\n\n" + markdown_table(breaks) : "",
+      precision.size() > 1 ? fmt::format("\n{}:\n\n{}", kPrecisionTitle, markdown_table(precision)) : "",
+      conditions(record));
+}
+
+}  // namespace orbs::studies

@@ -1,0 +1,78 @@
+// The table of exporters, and what becomes of a type of material that an exporter does not know.
+#include "adapters/exporters.h"
+
+#include "adapters/export.h"
+#include "adapters/material_support.h"
+#include "json/document.h"
+#include "json/object_reader.h"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+TEST(Exporters, TheSchemaOfTheConfigurationHasTheirWords) {
+  const auto document = json::parse_file(ORBS_SOURCE_DIR "/data/schema/orbs-configuration-1.schema.json");
+  json::ObjectReader schema(document);
+  const auto words =
+      schema.object("$defs").object("renderer").object("properties").object("scene_format").texts("enum");
+  EXPECT_EQ(std::set<std::string>(words.begin(), words.end()), adapters::scene_formats());
+}
+
+TEST(Exporters, EachHasAFileOfItsOwn) {
+  std::set<std::string> files;
+  for (const auto& exporter : adapters::exporters()) files.insert(exporter.scene_file);
+  EXPECT_EQ(files.size(), adapters::exporters().size());
+}
+
+TEST(Exporters, AnUnknownFormatIsAnsweredWithAllFormatsAndTheNearest) {
+  registry::Renderer renderer;
+  renderer.name = "r";
+  renderer.place = "configuration.json:7";
+  EXPECT_NO_THROW(adapters::check_scene_format(renderer));
+  renderer.scene_format = registry::kNativeFormat;
+  EXPECT_NO_THROW(adapters::check_scene_format(renderer));
+  renderer.scene_format = "mitsubo";
+  try {
+    adapters::check_scene_format(renderer);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: mitsuba, native, "
+        "orbs-scene, pbrt, povray (did you mean 'mitsuba'?)");
+  }
+}
+
+struct WriterOfTwo {
+  std::string operator()(const scene::Lambert&) const { return "lambert"; }
+  std::string operator()(const scene::Mirror&) const { return "mirror"; }
+};
+
+struct NoMirrors {
+  std::string operator()(const scene::Mirror&) const { return "mirrors are out of fashion"; }
+};
+
+std::string limit_of(const scene::MaterialModel& model) {
+  const adapters::BeyondOrbs levels{{"E1"}, {}};
+  return adapters::limit_of_material<WriterOfTwo>({"a", model}, "Fake", levels, NoMirrors{});
+}
+
+TEST(MaterialSupport, ATypeThatTheWriterDoesNotKnowIsRefusedByName) {
+  EXPECT_EQ(limit_of(scene::Lambert{}), "");
+  EXPECT_EQ(limit_of(scene::Mirror{}), "mirrors are out of fashion");
+  EXPECT_EQ(limit_of(scene::RoughGlass{}), "material 'a': Fake has no rough_glass");
+  EXPECT_EQ(limit_of(scene::Conductor{}), "material 'a': Fake has no conductor");
+  EXPECT_EQ(limit_of(scene::Polariser{}), "") << "beyond_orbs_limits refuses E3";
+}
+
+TEST(MaterialSupport, NothingIsWrittenForATypeThatTheWriterDoesNotKnow) {
+  EXPECT_EQ(adapters::text_of_material({"a", scene::Lambert{}}, "Fake", WriterOfTwo{}), "lambert");
+  EXPECT_THROW(adapters::text_of_material({"a", scene::Glass{}}, "Fake", WriterOfTwo{}), InputError);
+}
+
+}  // namespace

@@ -1,0 +1,122 @@
+// Images that follow from a formula, and the closed forms behind them.
+#include "analytic/albedo.h"
+#include "analytic/analytic_image.h"
+#include "analytic/fresnel_plane.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+namespace {
+
+double cosine_of(double angle) { return std::cos(angle * std::numbers::pi / 180); }
+
+scene::Camera camera(Vec3d position, Vec3d look_at, double fov_y, int size) {
+  scene::Camera made;
+  made.position_m = position;
+  made.look_at_m = look_at;
+  made.fov_y_deg = fov_y;
+  made.width_px = made.height_px = size;
+  return made;
+}
+
+}  // namespace
+
+TEST(AnalyticImage, FresnelReflectanceIsTheTabulated) {
+  EXPECT_NEAR(analytic::fresnel_reflectance(1, 1.5, 0), 0.04, 1e-12);
+  EXPECT_NEAR(analytic::fresnel_reflectance(cosine_of(30), 1.5, 0), 0.041523, 1e-6);
+  EXPECT_NEAR(analytic::fresnel_reflectance(cosine_of(75), 1.5, 0), 0.253061, 1e-6);
+  EXPECT_NEAR(analytic::fresnel_reflectance(1, 2.9, 3), 0.52085915, 1e-8);
+  EXPECT_NEAR(analytic::fresnel_reflectance(cosine_of(42), 1 / 1.5, 0), 1, 1e-12);
+  EXPECT_LT(analytic::fresnel_reflectance(cosine_of(41.5), 1 / 1.5, 0), 0.7);
+}
+
+TEST(AnalyticImage, PlatesTransmitWhatTheyReflectBetweenThem) {
+  const auto at = [](double angle, int plates) {
+    const registry::FresnelPlane image{{0, 0, 1}, {1.5, 1.5, 1.5}, {}, 1, plates};
+    return analytic::fresnel_plane(image,
+                                   {{}, {std::sin(angle * std::numbers::pi / 180), 0, -cosine_of(angle)}})[0];
+  };
+  EXPECT_NEAR(at(0, 1), 0.923077, 1e-6);
+  EXPECT_NEAR(at(60, 1), 0.836232, 1e-6);
+  EXPECT_NEAR(at(75, 1), 0.596092, 1e-6);
+  EXPECT_NEAR(at(0, 3), 0.8, 1e-9);
+}
+
+TEST(AnalyticImage, DirectionalAlbedosAreTheTabulated) {
+  EXPECT_NEAR(analytic::oren_nayar_albedo(0.5, 0), 0.674262, 1e-6);
+  EXPECT_NEAR(analytic::oren_nayar_albedo(0.5, std::numbers::pi / 3), 0.791338, 1e-6);
+  EXPECT_NEAR(analytic::oren_nayar_albedo(1. / 9, std::numbers::pi / 2), 1.014643, 1e-6);
+  EXPECT_NEAR(analytic::ggx_albedo(1, 1), 1 - std::numbers::ln2, 1e-6);
+  EXPECT_NEAR(analytic::ggx_albedo(0.5, 0.5), 0.6982, 1e-4);
+  EXPECT_NEAR(analytic::ggx_albedo(0.5, 0.05), 0.9126, 1e-4);
+  EXPECT_NEAR(analytic::ggx_albedo(0.1, 0.5), 0.9692, 1e-4);
+}
+
+// The lamps of the emission scene: on both edges of a ground, 0 and 1.9 m from its middle.
+TEST(AnalyticImage, EmissionIsTheSumOfItsTwoLamps) {
+  registry::DirectLight image;
+  image.surfaces = {{registry::FlatPolygon{{{-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}}}, 0, 0.5}};
+  image.sources.push_back(
+      {registry::FlatPolygon{{{-2, 0, -.5}, {-2, 1, -.5}, {-2, 1, .5}, {-2, 0, .5}}}, 1, {}, {}, {}});
+  image.sources.push_back(
+      {registry::FlatPolygon{{{2, 0, -.5}, {2, 0, .5}, {2, 1, .5}, {2, 1, -.5}}}, 1, {}, {}, {}});
+  const auto at = [&](double x, double z) {
+    auto view = camera({x, 1, z}, {x, 0, z}, 1e-3, 1);
+    view.up = {0, 0, -1};
+    return static_cast<double>(analytic::analytic_image(image, view).pixels[0]);
+  };
+  EXPECT_NEAR(at(0, 0), 0.01534745, 1e-7);
+  EXPECT_NEAR(at(1, 0), 0.03815372, 1e-7);
+  EXPECT_NEAR(at(-1.9, 0), 0.21251801, 1e-6);
+  EXPECT_NEAR(at(-1.5, .5), 0.06376646, 1e-7);
+}
+
+// A pixel is the mean over its square: a disk of radius r covers pi r^2 / 4 of a square of side 2.
+TEST(AnalyticImage, PixelsAreMeansOverTheirSquares) {
+  registry::DirectLight image;
+  image.surfaces = {{registry::FormulaSphere{{0, 0, 0}, 0.5}, 1, {}}};
+  const auto view = camera({0, 0, 1000}, {0, 0, 0}, 2 * std::atan(1. / 1000) * 180 / std::numbers::pi, 1);
+  EXPECT_NEAR(static_cast<double>(analytic::analytic_image(image, view).pixels[0]), std::numbers::pi / 16,
+              1e-4);
+}
+
+TEST(AnalyticImage, MirrorsDarkenByEachReflection) {
+  const registry::MirrorCorridor corridor{1, -1, 0.9};
+  const auto along = [&](double x) {
+    return static_cast<double>(
+        analytic::analytic_image(corridor, camera({0, 0, 0}, {x, -1, -0.1}, 0.1, 1)).pixels[0]);
+  };
+  EXPECT_NEAR(along(0.5), 1, 1e-7);
+  EXPECT_NEAR(along(1.5), 0.9, 1e-7);
+  EXPECT_NEAR(along(-3.5), 0.81, 1e-7);
+}
+
+// Ambient occlusion: white surfaces under a white sky that hide it from each other, and never from
+// themselves.
+TEST(AnalyticImage, SurfacesThatAreSourcesTooHideTheSkyFromOthersAlone) {
+  const auto square = [](double half) {
+    return registry::FlatPolygon{{{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}}};
+  };
+  const auto at = [](const registry::AnalyticShape& floor, const registry::AnalyticShape& body, Vec3d from,
+                     Vec3d to) {
+    registry::DirectLight image;
+    image.environment = 1;
+    image.surfaces = {{floor, 0, 1}, {body, 0, 1}};
+    image.sources = {{floor, 0, {}, {}, {}}, {body, 0, {}, {}, {}}};
+    auto view = camera(from, to, 1e-4, 1);
+    view.up = {0, 0.1, -1};
+    return static_cast<double>(analytic::analytic_image(image, view).pixels[0]);
+  };
+  const registry::FlatPolygon wall{{{0, 0, 5000}, {0, 0, -5000}, {0, 1, -5000}, {0, 1, 5000}}};
+  EXPECT_NEAR(at(square(4), wall, {1, 9, 0}, {1, 0, 0}), (1 + 1 / std::sqrt(2.0)) / 2, 1e-6);
+  EXPECT_NEAR(at(square(1e4), wall, {9, 0.5, 0}, {0, 0.5, 0}), 0.5, 1e-4);
+  // 1 - (1 + x^2)^(-3/2) beside a sphere that rests on the floor; its own side sees half of the floor.
+  const registry::FormulaSphere ball{{0, 1, 0}, 1};
+  EXPECT_NEAR(at(square(4), ball, {2, 9, 0}, {2, 0, 0}), 1 - std::pow(5.0, -1.5), 1e-6);
+  EXPECT_NEAR(at(square(1e6), ball, {9, 1, 0}, {1, 1, 0}), 0.5, 1e-4);
+  EXPECT_NEAR(at(square(4), ball, {0, 9, 0}, {0, 2, 0}), 1, 1e-6);
+}

@@ -1,0 +1,157 @@
+// Two runs compared: what is found, and how often something is found where nothing is.
+#include "history/compare_runs.h"
+
+#include "base/error.h"
+#include "unit/history/made_up_run.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using history::Change;
+using history::Direction;
+using history::Quantity;
+
+namespace {
+
+bool has_change(const history::RunComparison& comparison,
+                Quantity quantity,
+                Direction direction,
+                const std::string& renderer,
+                const std::string& target) {
+  return std::any_of(comparison.changes.begin(), comparison.changes.end(), [&](const Change& change) {
+    return change.quantity == quantity && change.direction == direction && change.renderer == renderer &&
+           change.target == target;
+  });
+}
+
+}  // namespace
+
+// The stated rate is 1 in 100. Of 200 pairs 7 or more then have an alarm with a probability of 0.4 %.
+TEST(CompareRuns, RaisesNoMoreAlarmsThanStatedOnRunsOfEqualPrograms) {
+  int alarms = 0;
+  for (std::uint64_t pair = 0; pair < 200; ++pair) {
+    const auto comparison = history::compare_runs(made_up::run(2 * pair + 1), made_up::run(2 * pair + 2));
+    if (!comparison.changes.empty()) ++alarms;
+  }
+  EXPECT_LE(alarms, 6);
+}
+
+// Of 40 pairs; the rest has noise that is against it.
+TEST(CompareRuns, OnePercentLessLightOfARendererIsFound) {
+  int found = 0;
+  for (std::uint64_t pair = 0; pair < 40; ++pair) {
+    const auto comparison =
+        history::compare_runs(made_up::run(2 * pair + 1), made_up::run(2 * pair + 2, {.light = 0.99}));
+    if (has_change(comparison, Quantity::Light, Direction::Worse, "r0", "")) ++found;
+  }
+  EXPECT_EQ(found, 40);
+}
+
+TEST(CompareRuns, TenPercentMoreTimeOfARendererIsFound) {
+  int found = 0;
+  for (std::uint64_t pair = 0; pair < 40; ++pair) {
+    const auto comparison =
+        history::compare_runs(made_up::run(2 * pair + 1), made_up::run(2 * pair + 2, {.time = 1.1}));
+    if (has_change(comparison, Quantity::Time, Direction::Worse, "r0", "")) ++found;
+  }
+  EXPECT_GE(found, 36);
+}
+
+// Whose renders are compared with those of the other: it is not the other that got faster.
+TEST(CompareRuns, OfTwoRenderersTheSlowerOneIsNamedAndNotTheOther) {
+  for (std::uint64_t pair = 0; pair < 10; ++pair)
+    for (const auto& change : history::compare_runs(made_up::run(2 * pair + 1, {.renderers = 2}),
+                                                    made_up::run(2 * pair + 2, {.renderers = 2, .time = 1.2}))
+                                  .changes)
+      EXPECT_EQ(change.renderer, "r0");
+}
+
+TEST(CompareRuns, AMachineThatIsSlowerAsAWholeIsNoSlowerRenderer) {
+  auto after = made_up::run(2);
+  for (auto& job : after.jobs) job.cost.cpu_seconds *= 1.2;
+  EXPECT_TRUE(history::compare_runs(made_up::run(1), after).changes.empty());
+}
+
+TEST(CompareRuns, LessTimeIsBetterAndNoFailure) {
+  const auto faster = history::compare_runs(made_up::run(1, {.time = 1.1}), made_up::run(2));
+  EXPECT_TRUE(has_change(faster, Quantity::Time, Direction::Better, "r0", ""));
+  EXPECT_EQ(history::exit_status(faster), 0);
+}
+
+TEST(CompareRuns, MoreNoiseIsFoundInEachTarget) {
+  const auto comparison = history::compare_runs(made_up::run(1), made_up::run(2, {.noise = 1.5}));
+  EXPECT_GE(std::count_if(comparison.changes.begin(), comparison.changes.end(),
+                          [](const Change& change) { return change.quantity == Quantity::Error; }),
+            25);
+}
+
+TEST(CompareRuns, OneRenderThatTakesTwiceAsLongIsFound) {
+  auto after = made_up::run(2);
+  after.jobs[5].cost.cpu_seconds *= 2;
+  const auto comparison = history::compare_runs(made_up::run(1), after);
+  EXPECT_TRUE(has_change(comparison, Quantity::Time, Direction::Worse, "r0", "s5"));
+}
+
+TEST(CompareRuns, TimesOfAnotherKindOfMachineAreNotCompared) {
+  auto after = made_up::run(2, {.time = 1.5});
+  for (auto& job : after.jobs) job.cost.host.cpu = "another";
+  const auto comparison = history::compare_runs(made_up::run(1), after);
+  EXPECT_TRUE(comparison.changes.empty());
+  ASSERT_EQ(comparison.notes.size(), 1U);
+  EXPECT_EQ(comparison.notes[0], "times of renders of 120 not compared: another kind of machine");
+}
+
+TEST(CompareRuns, OtherSamplesMakeOtherNumbers) {
+  auto after = made_up::run(2, {.light = 0.99, .time = 2});
+  for (auto& job : after.jobs) job.identity.spp = 128;
+  const auto comparison = history::compare_runs(made_up::run(1), after);
+  EXPECT_TRUE(comparison.changes.empty());
+  EXPECT_EQ(comparison.notes.size(), 2U);
+}
+
+TEST(CompareRuns, VerdictsAreFactsAndTheWorstComesFirst) {
+  auto before = made_up::run(1);
+  auto after = before;
+  after.targets[0].verdict = results::Verdict::Fail;
+  after.targets[1].verdict = results::Verdict::Crash;
+  after.targets[2].verdict = results::Verdict::Inconclusive;
+  before.targets[3].verdict = results::Verdict::Fail;
+  before.targets[4].verdict = results::Verdict::Skipped;
+  after.targets[5].verdict = results::Verdict::Fail;
+  after.targets[5].expectation = results::Expectation::Known;
+  const auto comparison = history::compare_runs(before, after);
+  std::vector<std::string> texts;
+  for (const auto& change : comparison.changes)
+    texts.push_back(history::direction_name(change.direction) + " " + change.target + " " + change.after);
+  EXPECT_EQ(texts, (std::vector<std::string>{"worse s1 crash", "worse s0 fail", "changed s5 known",
+                                             "changed s2 inconclusive", "better s3 pass"}));
+  EXPECT_EQ(history::exit_status(comparison), 1);
+}
+
+TEST(CompareRuns, TargetsOfOneRunAloneAreNamed) {
+  auto after = made_up::run(2);
+  after.targets.pop_back();
+  const auto comparison = history::compare_runs(made_up::run(1), after);
+  ASSERT_EQ(comparison.notes.size(), 1U);
+  EXPECT_EQ(comparison.notes[0], "1 targets are only in run-1: r3 s29");
+}
+
+TEST(CompareRuns, RunsOfOtherSuitesAreRefused) {
+  auto after = made_up::run(2);
+  after.suite = "other";
+  EXPECT_THROW(history::compare_runs(made_up::run(1), after), InputError);
+}
+
+TEST(CompareRuns, MarkdownEscapesWhatWouldEndACell) {
+  auto before = made_up::run(1);
+  auto after = before;
+  after.targets[0].verdict = results::Verdict::Fail;
+  after.targets[0].reason = "a | b <script>";
+  const auto text = history::comparison_markdown(history::compare_runs(before, after));
+  EXPECT_NE(text.find("**1 worse, 0 better, 0 changed otherwise**"), std::string::npos) << text;
+  EXPECT_NE(text.find("| worse | r0 | M1 | s0 | verdict | pass | fail |  | a \\| b \\<script> |"),
+            std::string::npos)
+      << text;
+}

@@ -1,0 +1,73 @@
+// Pixel checks that know their noise, and targets that they alone judge.
+#include "unit/judge/images.h"
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+using namespace orbs::judge_images;
+using results::Verdict;
+
+namespace {
+
+registry::Case case_with_check(double expected, double tolerance, double standard_errors) {
+  auto made = one_case();
+  made.scenes[0].no_reference = "its light is known";
+  made.pixel_checks = {
+      {"a", {0, 0, 16, 12}, {expected, expected, expected}, tolerance, "known", "", standard_errors}};
+  return made;
+}
+
+results::TargetRecord judged_alone(const registry::Case& by, const image::Image& result) {
+  results::TargetRecord record;
+  record.target = "a";
+  judge::judge_image(by, result, {{}, std::nullopt, "'a' has no reference"}, {}, record);
+  return record;
+}
+
+}  // namespace
+
+TEST(JudgeChecks, AloneTheyDecide) {
+  EXPECT_EQ(judged_alone(case_with_check(0.5, 0, 0), grey(0.5F)).verdict, Verdict::Pass);
+  const auto wrong = judged_alone(case_with_check(0.5, 0.01, 0), grey(0.52F));
+  EXPECT_EQ(wrong.verdict, Verdict::Fail);
+  EXPECT_NE(wrong.reason.find("expected (0.5, 0.5, 0.5) within 0.01 (known)"), std::string::npos)
+      << wrong.reason;
+  EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), grey(-0.1F)).verdict, Verdict::InvalidPixels);
+}
+
+TEST(JudgeChecks, WhatCannotBeMeasuredDoesNotPass) {
+  auto small = case_with_check(0.5, 0, 0);
+  small.pixel_checks[0].not_measured = "not measured at 1/8";
+  EXPECT_EQ(judged_alone(small, grey(0.5F)).verdict, Verdict::Inconclusive);
+}
+
+// 192 pixels of variance 0.0192: the standard error of their mean is 0.01.
+TEST(JudgeChecks, NoiseIsToldFromErrors) {
+  const auto verdict = [](float value, double tolerance) {
+    return judged_alone(case_with_check(0.5, tolerance, 4), grey(value, 0.0192F)).verdict;
+  };
+  EXPECT_EQ(verdict(0.505F, 0.05), Verdict::Pass);
+  EXPECT_EQ(verdict(0.515F, 0.05), Verdict::Inconclusive);
+  EXPECT_EQ(verdict(0.585F, 0.05), Verdict::Inconclusive);
+  EXPECT_EQ(verdict(0.595F, 0.05), Verdict::Fail);
+  EXPECT_EQ(judged_alone(case_with_check(0.5, 0.05, 4), grey(0.54F)).verdict, Verdict::Pass);
+}
+
+TEST(JudgeChecks, AZeroIsAZero) {
+  EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), grey(0)).verdict, Verdict::Pass);
+  auto leak = grey(0);
+  leak.at(3, 4, 1) = 1e-20F;
+  EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), leak).verdict, Verdict::Fail);
+}
+
+// Two seeds that both met no light have no scatter, which says nothing of the light that they have not met.
+TEST(JudgeChecks, ABlackRegionIsNoProofThatLightIsMissing) {
+  const auto black = judged_alone(case_with_check(0.001, 0.0001, 4), grey(0, 0.0F));
+  EXPECT_EQ(black.verdict, Verdict::Inconclusive);
+  EXPECT_NE(black.reason.find("all its samples are black"), std::string::npos) << black.reason;
+  // Without noise, or in a check that allows none, a black region is wrong.
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0)).verdict, Verdict::Fail);
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 0), grey(0, 0.0F)).verdict, Verdict::Fail);
+  // What is not black has its noise.
+  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0.0005F, 0.0F)).verdict, Verdict::Fail);
+}

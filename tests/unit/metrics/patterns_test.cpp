@@ -1,0 +1,98 @@
+#include "metrics/patterns.h"
+
+#include "base/random.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs::metrics;
+using orbs::image::Image;
+using Rgb = std::array<double, 3>;
+
+constexpr int kSide_px = 96;
+
+// Coloured waves with shadows and highlights, at any place between pixels.
+Rgb waves(double x, double y) {
+  const double wave = 1 + 0.9 * std::sin(x / 7) * std::cos(y / 5);
+  return {0.8 * wave, 0.5 * wave + 0.1 * std::sin(x / 11), 0.3 + 0.25 * std::cos(y / 9)};
+}
+
+using Shading = std::function<Rgb(double x, double y)>;
+
+// `relative_noise` of each channel, the same in all three as in a path tracer.
+Image rendered(const Shading& shading, double relative_noise, std::uint64_t seed) {
+  Image image = orbs::image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  for (int y = 0; y < kSide_px; ++y)
+    for (int x = 0; x < kSide_px; ++x) {
+      const auto key = orbs::mix(seed, static_cast<std::uint64_t>(y * kSide_px + x));
+      const double noise = 1 + relative_noise * std::sqrt(12.0) * (orbs::unit_random(key) - 0.5);
+      const Rgb rgb = shading(x, y);
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(rgb.at(c) * noise);
+    }
+  return image;
+}
+
+std::optional<PatternFinding> found(const Shading& shading, std::uint64_t seed = 1) {
+  const Image reference = rendered(waves, 0.01, 1000);
+  return strongest_pattern(pair_samples(rendered(shading, 0.05, seed), reference), 1e-4);
+}
+
+void expect_pattern(const Shading& shading, const std::string& words, double amplitude) {
+  const auto finding = found(shading);
+  ASSERT_TRUE(finding) << words;
+  EXPECT_EQ(describe(*finding).substr(0, words.size()), words) << describe(*finding);
+  EXPECT_NEAR(std::fabs(finding->amplitude), amplitude, 0.25 * amplitude) << words;
+  EXPECT_LT(finding->low, finding->amplitude);
+  EXPECT_LT(finding->amplitude, finding->high);
+}
+
+Rgb scaled(Rgb rgb, double factor) {
+  for (double& value : rgb) value *= factor;
+  return rgb;
+}
+
+}  // namespace
+
+// One in 10,000 is promised: none in 200 has the probability 0.98.
+TEST(Patterns, NoneIsSeenInNoise) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) EXPECT_FALSE(found(waves, seed)) << seed;
+}
+
+TEST(Patterns, AreNamedWithTheirSize) {
+  const double middle = (kSide_px - 1) / 2.0;
+  expect_pattern([&](double x, double y) { return scaled(waves(x, y), 1 + 0.05 * (x - middle) / middle); },
+                 "brighter towards the right edge", 0.05);
+  expect_pattern([&](double x, double y) { return scaled(waves(x, y), 1 - 0.05 * (y - middle) / middle); },
+                 "brighter towards the upper edge", 0.05);
+  expect_pattern([](double x, double y) { return waves(x + 0.2, y); }, "shifted to the left by 0.", 0.2);
+  expect_pattern([](double x, double y) { return waves(x, y - 0.2); }, "shifted down by 0.", 0.2);
+  expect_pattern(
+      [&](double x, double y) { return waves(middle + (x - middle) / 1.01, middle + (y - middle) / 1.01); },
+      "scaled up", 0.01);
+  expect_pattern([&](double x, double y) { return waves(x + 0.01 * (y - middle), y - 0.01 * (x - middle)); },
+                 "rotated clockwise", 0.01);
+  expect_pattern(
+      [](double x, double y) {
+        Rgb rgb = waves(x, y);
+        const double grey = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+        for (double& value : rgb) value += 0.03 * (grey - value);
+        return rgb;
+      },
+      "of less saturated colours", 0.03);
+  expect_pattern(
+      [](double x, double y) {
+        return scaled(waves(x, y), (static_cast<int>(x) + static_cast<int>(y)) % 2 == 0 ? 1.03 : 0.97);
+      },
+      "chequered", 0.03);
+}
+
+TEST(Patterns, ABlackReferenceHasNone) {
+  const Image black = orbs::image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
+  EXPECT_FALSE(strongest_pattern(pair_samples(rendered(waves, 0.05, 1), black), 1e-4));
+}

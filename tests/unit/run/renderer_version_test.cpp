@@ -1,0 +1,58 @@
+// What a version command prints, and which part of it is the version.
+#include "run/renderer_version.h"
+
+#include "base/scratch_folder.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+std::string version_in(const std::string& output, const std::string& pattern) {
+  run::ChosenRenderer renderer;
+  renderer.executable = "/usr/bin/printf";
+  renderer.entry.version_command = {"{executable}", output};
+  renderer.entry.version_pattern = pattern;
+  return run::renderer_version(renderer, {});
+}
+
+}  // namespace
+
+// Threads and vector width are the machine's: on another one all images would be outdated.
+TEST(RendererVersion, IsTheGroupOfThePatternInTheFirstLineThatMatches) {
+  const std::string output =
+      "warming up\\nMitsuba version 3.8.0 ([], Linux, 64bit, 2 threads, 16-wide SIMD)\\nMitsuba version 9\\n";
+  EXPECT_EQ(version_in(output, "^(Mitsuba version [^ ]+)"), "Mitsuba version 3.8.0");
+  EXPECT_EQ(version_in(output, ""), "warming up");
+}
+
+TEST(RendererVersion, IsUnknownWhereNoLineMatches) {
+  EXPECT_EQ(version_in("hello\\n", "^(pbrt version.*)"),
+            "unknown: its version command prints no line that matches '^(pbrt version.*)'");
+  EXPECT_EQ(version_in("", "^(pbrt version.*)"),
+            "unknown: its version command prints no line that matches '^(pbrt version.*)'");
+  EXPECT_EQ(version_in("\\n", ""), "unknown: its version command prints nothing");
+}
+
+// Blender takes more than five seconds where its files have to be read from the disk, and a run that lasts
+// hours then has no version.
+TEST(RendererVersion, IsAskedForOnceMoreWhereNoAnswerCame) {
+  const ScratchFolder folder("orbs-version");
+  run::ChosenRenderer renderer;
+  renderer.executable = "/bin/sh";
+  renderer.entry.name = "mine";
+  renderer.entry.version_command = {"{executable}", "-c",
+                                    R"(mkdir "$0" 2>/dev/null && exec tail -f /dev/null; echo version 7)",
+                                    (folder.path() / "asked").string()};
+  std::vector<std::string> said;
+  const auto version = run::renderer_version(
+      renderer, {},
+      {.first_seconds = 2, .second_seconds = 60, .say = [&](const auto& line) { said.push_back(line); }});
+  EXPECT_EQ(version, "version 7");
+  EXPECT_EQ(said, std::vector<std::string>{
+                      "mine: '/bin/sh' did not say its version within 2 s; waiting for up to 60 s"});
+}

@@ -1,0 +1,115 @@
+#include "scene/lights/ies.h"
+
+#include "base/error.h"
+#include "base/files.h"
+
+#include <filesystem>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace orbs;
+
+scene::IesProfile load(const std::string& name) {
+  const auto file = std::filesystem::path(ORBS_SOURCE_DIR) / "data/common/ies" / name;
+  return scene::parse_ies(file.string(), read_file(file));
+}
+
+std::string small_file(const std::string& numbers) {
+  return "IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n" + numbers;
+}
+
+}  // namespace
+
+// I = 400 c (1 + 3.2 s^2)(1 + .45 s cos f + .25 s sin f + .15 s^2 cos 2f), stored every 2.5 by 15 degrees.
+TEST(Ies, TheAsymmetricBatwingHasItsFormula) {
+  const auto profile = load("batwing_asymmetric.ies");
+  EXPECT_NEAR(scene::candela_at(profile, 0, 0), 400, 5e-3);
+  EXPECT_NEAR(scene::candela_at(profile, 45, 90), 810.0, 0.5);
+  EXPECT_NEAR(scene::candela_at(profile, 45, 270), 550.0, 0.5);
+  EXPECT_EQ(scene::candela_at(profile, 90.5, 0), 0);
+  EXPECT_NEAR(scene::candela_at(profile, 45, 90 + 720), scene::candela_at(profile, 45, 90), 1e-9);
+}
+
+// Our azimuth: 0 is +X, 90 is +Z of the light, and vertical 0 is -Y.
+TEST(Ies, DirectionsAreThoseOfTheLight) {
+  const auto profile = load("batwing_asymmetric.ies");
+  const double s = std::numbers::sqrt2 / 2;
+  EXPECT_NEAR(scene::candela_towards(profile, {0, -3, 0}), 400, 5e-3);
+  EXPECT_NEAR(scene::candela_towards(profile, {0, -s, s}), scene::candela_at(profile, 45, 90), 1e-6);
+  EXPECT_NEAR(scene::candela_towards(profile, {s, -s, 0}), scene::candela_at(profile, 45, 0), 1e-6);
+  EXPECT_EQ(scene::candela_towards(profile, {0, 1, 0}), 0);
+}
+
+TEST(Ies, InterpolatesBilinearly) {
+  const auto p = scene::parse_ies(
+      "x", small_file("1 -1 2 3 3 1 2 0 0 0 0.5 1 10\n0,10 20\n0 90 180\n1 2 3\n3 4 5\n5 6 7\n"));
+  EXPECT_DOUBLE_EQ(p.max_candela,
+                   7);  // multiplier 2 x ballast 0.5; the third factor of a 2002 file never multiplies
+  EXPECT_DOUBLE_EQ(scene::candela_at(p, 5, 45), 2.5);
+  EXPECT_DOUBLE_EQ(scene::candela_at(p, 5, 315), 2.5) << "0 to 180 mirrors at the plane of 0 and 180";
+  EXPECT_DOUBLE_EQ(scene::candela_at(p, 20, 180), 7);
+}
+
+TEST(Ies, UnfoldsTheSymmetryThatTheRangeOfPlanesStates) {
+  const auto axial = scene::parse_ies("x", small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 4\n"));
+  for (const double phi : {0.0, 77.0, 200.0, 359.0}) EXPECT_DOUBLE_EQ(scene::candela_at(axial, 45, phi), 6);
+  const auto quadrant =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n0 30 90\n1 1\n2 2\n4 4\n"));
+  for (const double phi : {30.0, 150.0, 210.0, 330.0})
+    EXPECT_DOUBLE_EQ(scene::candela_at(quadrant, 10, phi), 2) << phi;
+  const auto turned =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n90 180 270\n1 1\n2 2\n5 5\n"));
+  EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 0), 2);
+  EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 45), 1.5);
+  EXPECT_DOUBLE_EQ(scene::candela_at(turned, 10, 315), 3.5);
+}
+
+// Planes at 90, 140 and 270 mirror to 40; on the circle 0 lies 90 degrees after 270 and 40 before the next.
+TEST(Ies, HalvesThatMeetWithoutAPlaneAreJoinedByTheirNeighbours) {
+  const auto half =
+      scene::parse_ies("x", small_file("1 1 1 2 3 1 2 0 0 0 1 1 1\n0 90\n90 140 270\n1 1\n13 13\n26 26\n"));
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 40), 13);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 0), 17);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 360), 17);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 20), 15);
+  EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 315), 21.5);
+}
+
+// 100 million numbers would be 800 MB.
+TEST(Ies, NumbersThatCannotBeInTheFileAskForNoMemory) {
+  std::string angles;
+  for (int i = 0; i < 10000; ++i) angles += std::to_string(i * 0.018) + "\n";
+  try {
+    scene::parse_ies("x", small_file("1 1 1 10000 10000 1 2 0 0 0 1 1 1\n" + angles + angles));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "x: not a usable LM-63 file: the file ends before its 100000000 numbers called candela value");
+  }
+}
+
+TEST(Ies, ComplainsAboutWhatItCannotUse) {
+  const auto error = [](const std::string& text) {
+    try {
+      scene::parse_ies("x.ies", text);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error("").find("no line that starts with TILT="), std::string::npos);
+  EXPECT_NE(error("TILT=lamp.tlt\n1").find("only NONE and INCLUDE"), std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 2 2 0 0 0 1 1 1\n")).find("only type C"), std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8\n"))
+                .find("ends where candela value should stand"),
+            std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n90 0\n0\n8 4\n")).find("must ascend"),
+            std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 x\n")).find("'x'"), std::string::npos);
+  EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n0 0\n")).find("one must be above 0"),
+            std::string::npos);
+}

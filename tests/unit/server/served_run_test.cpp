@@ -1,0 +1,25 @@
+// A run as the server holds it, whatever becomes of its folder.
+#include "server/served_run.h"
+
+#include "results/record_json.h"
+#include "structure/source_files.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+using namespace orbs;
+
+TEST(ServedRun, ARunWhoseFolderIsGoneIsNoLongerFollowed) {
+  const structure::TestFolder scratch("served-run");
+  results::RunRecord record;
+  record.finished = false;
+  scratch.write("results.json", results::run_json(record));
+  const results::RunLock lock(scratch.path());
+  server::ServedRun run(scratch.path());
+  ASSERT_TRUE(run.is_live());
+  const auto version = run.version();
+  std::filesystem::remove_all(scratch.path());
+  while (run.is_live()) std::this_thread::yield();  // it looks now and then
+  EXPECT_GT(run.version(), version);
+}
