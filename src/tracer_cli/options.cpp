@@ -41,9 +41,10 @@ void add_image_options(CLI::App& app, Options& options) {
                "write one layer per class of light path (path.EDSL.R ...)");
   app.add_option("--camera", options.camera,
                  "one of the \"cameras\" of the scene, by its name (default: its \"camera\")");
-  app.add_option("--plugin", options.plugins.files,
-                 "shared library with shapes that scenes may name (docs/shapes.md), by the name of its file; "
-                 "may be given several times")
+  app.add_option(
+         "--plugin", options.plugins.files,
+         "shared library with shapes that scenes may name (docs/use/plug-ins.md), by the name of its file; "
+         "may be given several times")
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--plugin-folder", options.plugins.folder,

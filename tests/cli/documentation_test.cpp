@@ -1,5 +1,5 @@
-// What the documentation says about the program: docs/commands.md names every option that --help names, and
-// the commands that the pages show work.
+// What the documentation says about the program: docs/reference/commands.md names every option that --help
+// names, and the commands that the pages show work.
 #include "structure/documentation.h"
 
 #include "base/text.h"
@@ -114,13 +114,13 @@ TEST(CommandsPage, NamesEveryCommandAndOptionAndNoOther) {
   const Sandbox sandbox;
   const auto help = help_of_commands(sandbox);
   ASSERT_GE(help.size(), 10u) << "the help is no longer read correctly";
-  const auto page = structure::read_page(kRoot / "docs/commands.md");
+  const auto page = structure::read_page(kRoot / "docs/reference/commands.md");
   for (const auto& [name, text] : help) {
     std::string section;
     // What follows " -- " is the command of a renderer.
     for (const auto& line : structure::section(page, "## " + name))
       section += line.substr(0, line.find(" -- ")) + "\n";
-    EXPECT_FALSE(section.empty()) << "docs/commands.md has no section '## " << name << "'";
+    EXPECT_FALSE(section.empty()) << "docs/reference/commands.md has no section '## " << name << "'";
     auto listed = listed_options(text);
     auto named = options_in(section);
     listed.erase("--help");  // every command has it; the page says so once

@@ -1,6 +1,6 @@
 // How often the diagnosis of a wrong image is right: typical faults of the suite's references at 1/4 of their
 // size, with the noise of a run. `orbs qualify --diagnoses` measures the same on images of a run; the
-// numbers in docs/verdicts.md are from there.
+// numbers in docs/understand/verdicts.md are from there.
 #include "studies/qualify/diagnosis_rates.h"
 
 #include "base/parallel.h"

@@ -18,7 +18,7 @@ struct CodeLine {
 
 struct Link {
   std::size_t line = 0;  // from 1
-  std::string target;    // "docs/cases.md#gates"; images count as links
+  std::string target;    // "docs/use/cases.md#gates"; images count as links
 };
 
 /// What a page holds. Lines of code blocks are no headings, and have no links.

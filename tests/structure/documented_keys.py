@@ -11,9 +11,9 @@ import re
 import sys
 
 PAGES = {
-    "orbs-scene": "docs/scene-format.md",
-    "orbs-case": "docs/cases.md",
-    "orbs-configuration": "docs/renderers.md",
+    "orbs-scene": "docs/reference/scene-format.md",
+    "orbs-case": "docs/use/cases.md",
+    "orbs-configuration": "docs/use/renderers.md",
 }
 
 

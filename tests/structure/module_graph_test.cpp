@@ -1,4 +1,4 @@
-// docs/architecture.md draws the modules as src/CMakeLists.txt lists them.
+// docs/understand/architecture.md draws the modules as src/CMakeLists.txt lists them.
 #include "structure/documentation.h"
 #include "structure/source_files.h"
 
@@ -74,15 +74,15 @@ TEST(ModuleGraph, IsThatOfTheUsesLists) {
   const fs::path root = ORBS_SOURCE_DIR;
   const auto modules = read_modules(root / "src/CMakeLists.txt");
   ASSERT_GE(modules.order.size(), 10u) << "src/CMakeLists.txt is no longer read correctly";
-  EXPECT_EQ(
-      orbs::structure::check_generated_part(root / "docs/architecture.md", "modules", drawing_of(modules)),
-      "");
+  EXPECT_EQ(orbs::structure::check_generated_part(root / "docs/understand/architecture.md", "modules",
+                                                  drawing_of(modules)),
+            "");
 }
 
 TEST(ModuleGraph, EachModuleHasARowThatSaysWhatItHolds) {
   const fs::path root = ORBS_SOURCE_DIR;
-  const auto rows = orbs::structure::section(orbs::structure::read_page(root / "docs/architecture.md"),
-                                             "## What each module holds");
+  const auto rows = orbs::structure::section(
+      orbs::structure::read_page(root / "docs/understand/architecture.md"), "## What each module holds");
   std::set<std::string> described;
   for (const auto& row : rows)
     if (row.starts_with("| `src/")) described.insert(row.substr(7, row.find('`', 7) - 7));

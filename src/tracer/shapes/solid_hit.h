@@ -22,7 +22,7 @@ struct SolidPoint {
 
 SolidPoint point_on_solid(const Solid& solid, const Ray& ray, const Hit& hit);
 
-/// Defined in docs/scene-format.md.
+/// Defined in docs/reference/scene-format.md.
 Vec2f texture_coordinates(const Solid& solid, const Hit& hit, Vec3f position);
 
 }  // namespace orbs::tracer
