@@ -30,21 +30,21 @@ void check_setting(const registry::Renderer& renderer, const SceneSetting& setti
 
 void check_scene_format(const registry::Renderer& renderer) {
   const auto known = scene_formats();
-  if (!known.contains(renderer.scene_format))
+  if (!known.contains(renderer.format.name))
     throw InputError(fmt::format("{}: scene_format: '{}' is not one of: {}{}", entry_name(renderer),
-                                 renderer.scene_format, fmt::join(known, ", "),
-                                 closest(renderer.scene_format, known)));
+                                 renderer.format.name, fmt::join(known, ", "),
+                                 closest(renderer.format.name, known)));
 }
 
 void check_scene_settings(const registry::Renderer& renderer) {
-  const auto* exporter = find_exporter(renderer.scene_format);
+  const auto* exporter = find_exporter(renderer.format.name);
   const auto settings = exporter == nullptr ? std::vector<SceneSetting>{} : exporter->settings;
   std::set<std::string> known;
   for (const auto& setting : settings) known.insert(setting.name);
-  for (const auto& [name, value] : renderer.scene_settings) {
+  for (const auto& [name, value] : renderer.format.settings) {
     if (!known.contains(name))
       throw InputError(fmt::format("{}: scene_settings: the format {} has no setting '{}'{}; it has: {}",
-                                   entry_name(renderer), renderer.scene_format, name, closest(name, known),
+                                   entry_name(renderer), renderer.format.name, name, closest(name, known),
                                    known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
     for (const auto& setting : settings)
       if (setting.name == name) check_setting(renderer, setting, value);
@@ -64,13 +64,13 @@ ImageChannels image_channels(const std::string& format, const scene::Scene& scen
 
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene) {
-  auto lowered = scene::lower(scene, registry::feature_codes(renderer.declares));
+  auto lowered = scene::lower(scene, registry::feature_codes(renderer.support.declares));
   if (std::holds_alternative<std::string>(lowered)) return lowered;
   if (auto reason = transport_limit(renderer, scene); !reason.empty()) return reason;
-  const auto* exporter = find_exporter(renderer.scene_format);
+  const auto* exporter = find_exporter(renderer.format.name);
   check_scene_format(renderer);
   if (exporter == nullptr) return "it reads hand-written scenes only";
-  const auto limits = exporter->limits(std::get<scene::Scene>(lowered), renderer.scene_settings);
+  const auto limits = exporter->limits(std::get<scene::Scene>(lowered), renderer.format.settings);
   if (!limits.empty()) return limits.front();
   return lowered;
 }
@@ -78,9 +78,9 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
 void export_scene(const registry::Renderer& renderer,
                   const scene::Scene& prepared,
                   const std::filesystem::path& file) {
-  const auto* exporter = find_exporter(renderer.scene_format);
+  const auto* exporter = find_exporter(renderer.format.name);
   assert(exporter != nullptr && "prepare_scene has given a reason");
-  exporter->write(prepared, renderer.scene_settings, file);
+  exporter->write(prepared, renderer.format.settings, file);
 }
 
 }  // namespace orbs::adapters

@@ -30,22 +30,22 @@ namespace {
 
 std::int64_t strided_seed(const registry::Renderer& renderer, int seed) {
   constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  const auto strided = std::int64_t{seed} * renderer.seed_stride;
+  const auto strided = std::int64_t{seed} * renderer.sampling.seed_stride;
   if (strided > kMost)
     throw InputError(fmt::format(
         "{}: seed {} times its seed_stride {} is {}; at most {} is a seed of most renderers: choose a "
         "smaller seed",
-        entry_name(renderer), seed, renderer.seed_stride, strided, kMost));
+        entry_name(renderer), seed, renderer.sampling.seed_stride, strided, kMost));
   return strided;
 }
 
 std::vector<std::string> words_of_command(const registry::Renderer& renderer,
                                           const std::vector<std::string>& of_scene) {
-  auto words = renderer.command;
+  auto words = renderer.command.words;
   auto place = std::find(words.begin(), words.end(), "{arguments}");
   if (place != words.end()) place = words.erase(place);
-  place = words.insert(place, renderer.arguments.begin(), renderer.arguments.end());
-  words.insert(place + static_cast<std::ptrdiff_t>(renderer.arguments.size()), of_scene.begin(),
+  place = words.insert(place, renderer.command.arguments.begin(), renderer.command.arguments.end());
+  words.insert(place + static_cast<std::ptrdiff_t>(renderer.command.arguments.size()), of_scene.begin(),
                of_scene.end());
   return words;
 }
@@ -74,7 +74,7 @@ std::vector<std::filesystem::path> plugin_files(const registry::Renderer& render
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& build) {
   std::vector<std::filesystem::path> files;
-  for (const auto& plugin : renderer.plugins)
+  for (const auto& plugin : renderer.command.plugins)
     files.push_back(resolve_path(
         root, registry::fill_placeholders(plugin, {{"root", root.string()}, {"build", build.string()}})));
   return files;
@@ -87,11 +87,11 @@ Job make_job(const registry::Renderer& renderer,
   Job job;
   job.folder = folder;
   job.scene_file =
-      folder / (settings.scene_file.empty() ? scene_file_name(renderer.scene_format) : settings.scene_file);
+      folder / (settings.scene_file.empty() ? scene_file_name(renderer.format.name) : settings.scene_file);
   job.image = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
-  if (settings.scene_file.empty()) job.channels = image_channels(renderer.scene_format, scene);
+  if (settings.scene_file.empty()) job.channels = image_channels(renderer.format.name, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},
                                 {"output", job.image.string()},

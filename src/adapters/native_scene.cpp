@@ -40,9 +40,9 @@ std::vector<fs::path> files_beside(const fs::path& native) {
 fs::path native_scene_file(const registry::Renderer& renderer,
                            const fs::path& neutral_file,
                            const std::string& scene_name) {
-  if (renderer.native_scenes.empty()) return {};
+  if (renderer.format.native_scenes.empty()) return {};
   return neutral_file.parent_path() / registry::entry_of(renderer) /
-         fmt::format("{}.{}", scene_name, renderer.native_scenes);
+         fmt::format("{}.{}", scene_name, renderer.format.native_scenes);
 }
 
 fs::path native_scene(const registry::Renderer& renderer,

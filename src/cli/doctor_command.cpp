@@ -52,7 +52,7 @@ Examined examine(const registry::Renderer& renderer,
   Examined found{&renderer, run::installed_executable(renderer, places.root, places.build), "", "", {}};
   if (!found.executable)
     found.problem = adapters::program_problem(run::program_name(renderer, places.root, places.build));
-  if (found.executable && !renderer.version_command.empty())
+  if (found.executable && !renderer.command.version_command.empty())
     found.version =
         run::renderer_version({renderer, *found.executable}, places,
                               {.say = [](const auto& line) { print_clean(stderr, "{}\n", line); }});
@@ -61,8 +61,9 @@ Examined examine(const registry::Renderer& renderer,
       found.unknown_scenes.push_back(
           fmt::format("{}: no suite has a scene '{}'{}", key, name, closest(name, *scenes)));
   };
-  for (const auto& [name, scale] : renderer.spp_scale_of_scenes) check_scene("spp_scale_of_scenes", name);
-  for (const auto& [name, settings] : renderer.scene_settings_of_scenes)
+  for (const auto& [name, scale] : renderer.sampling.spp_scale_of_scenes)
+    check_scene("spp_scale_of_scenes", name);
+  for (const auto& [name, settings] : renderer.format.settings_of_scenes)
     check_scene("scene_settings_of_scenes", name);
   return found;
 }
@@ -74,14 +75,15 @@ void print(const Examined& found) {
   const auto add = [&](const char* what, const std::string& text) { rows.push_back({"", what, text}); };
   add("program", found.executable ? found.executable->string() : "not installed: " + found.problem);
   if (!found.version.empty()) add("version", found.version);
-  add("reads", renderer.native_scenes.empty() ? renderer.scene_format
-                                              : fmt::format("{}, hand-written scenes *.{}",
-                                                            renderer.scene_format, renderer.native_scenes));
+  add("reads",
+      renderer.format.native_scenes.empty()
+          ? renderer.format.name
+          : fmt::format("{}, hand-written scenes *.{}", renderer.format.name, renderer.format.native_scenes));
   // The program must have been built with each of them; a run says which one is missing.
-  for (const auto& [transport, word] : renderer.transports)
+  for (const auto& [transport, word] : renderer.format.transports)
     add("needs", fmt::format("{} for {} light paths", word, transport));
-  add("declares", registry::format_features(renderer.declares));
-  for (const auto& limit : renderer.known_limits)
+  add("declares", registry::format_features(renderer.support.declares));
+  for (const auto& limit : renderer.support.known_limits)
     add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), limit.reason));
   for (const auto& scene : found.unknown_scenes) add("warning", scene);
   print_clean("{}", text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}}));
@@ -97,9 +99,11 @@ void print_json(const std::filesystem::path& configuration, const std::vector<Ex
     if (found.executable) out.member("program", found.executable->string());
     if (!found.problem.empty()) out.member("problem", found.problem);
     if (!found.version.empty()) out.member("version", found.version);
-    out.member("scene_format", renderer.scene_format);
-    out.member("declares", registry::format_features(renderer.declares)).key("known_limits").begin_array();
-    for (const auto& limit : renderer.known_limits)
+    out.member("scene_format", renderer.format.name);
+    out.member("declares", registry::format_features(renderer.support.declares))
+        .key("known_limits")
+        .begin_array();
+    for (const auto& limit : renderer.support.known_limits)
       out.begin_object()
           .member("requirements",
                   std::vector<std::string>(limit.requirements.begin(), limit.requirements.end()))

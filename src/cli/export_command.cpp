@@ -31,16 +31,16 @@ const std::map<std::string, std::string> kFormats{
 // The first renderer that reads the format, unless one is named.
 std::string renderer_of(const registry::Configuration& configuration, const std::string& format) {
   for (const auto& renderer : configuration.renderers)
-    if (renderer.scene_format == kFormats.at(format)) return renderer.name;
+    if (renderer.format.name == kFormats.at(format)) return renderer.name;
   throw InputError(fmt::format("{}: no renderer has the scene_format {}; 'orbs renderer add' makes an entry",
                                configuration.file.string(), kFormats.at(format)));
 }
 
 void check_format(const run::Plan& plan, const std::string& format) {
   for (const auto& renderer : plan.renderers)
-    if (renderer.entry.scene_format != kFormats.at(format))
+    if (renderer.entry.format.name != kFormats.at(format))
       throw InputError(fmt::format("{} reads {}, not {}", registry::entry_name(renderer.entry),
-                                   renderer.entry.scene_format, kFormats.at(format)));
+                                   renderer.entry.format.name, kFormats.at(format)));
 }
 
 int export_scenes(const registry::Configuration& configuration,

@@ -39,7 +39,8 @@ Table suites(const Configuration& configuration) {
 Table renderers(const Configuration& configuration) {
   Table table{"renderers", "name, what it declares, program", {"name", "declares", "executable"}, {}};
   for (const auto& renderer : configuration.renderers)
-    table.rows.push_back({renderer.name, registry::format_features(renderer.declares), renderer.executable});
+    table.rows.push_back(
+        {renderer.name, registry::format_features(renderer.support.declares), renderer.command.executable});
   return table;
 }
 

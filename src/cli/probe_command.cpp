@@ -64,7 +64,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   auto settings = filtered_settings(configuration, options.filters);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
-  settings.size_divisor = 1;  // a probe has a size of its own
+  settings.size_divisor = registry::FullSize;  // a probe has a size of its own
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
   const auto records = studies::run_probe(plan, options.probe, context);

@@ -25,9 +25,9 @@ int add(const registry::Configuration& configuration,
   print_clean("  executable  {}\n", found ? found->string()
                                           : adapters::program_problem(run::program_name(
                                                 entry, configuration.root, program.folder)));
-  print_clean("  reads       {}\n", entry.scene_format);
-  print_clean("  declares    {}\n", registry::format_features(entry.declares));
-  print_clean("  command     {}\n", fmt::join(entry.command, " "));
+  print_clean("  reads       {}\n", entry.format.name);
+  print_clean("  declares    {}\n", registry::format_features(entry.support.declares));
+  print_clean("  command     {}\n", fmt::join(entry.command.words, " "));
   print_clean(
       "next, in that file:\n"
       "  \"command\"   as its command line is; it may use {{{}}}\n"

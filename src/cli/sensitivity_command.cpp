@@ -47,7 +47,7 @@ int measure(const registry::Configuration& configuration,
   auto settings = filtered_settings(configuration, options.filters);
   settings.renderers = options.renderer;
   settings.threads = options.threads;
-  settings.size_divisor = options.size.empty() ? 1 : registry::size_divisor(options.size);
+  settings.size_divisor = options.size.empty() ? registry::FullSize : registry::size_divisor(options.size);
   settings.jobs = 1;
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);

@@ -105,7 +105,7 @@ int measure(const registry::Configuration& configuration,
   auto settings = filtered_settings(configuration, options.filters);
   if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  settings.size_divisor = 1;  // a study of stability has a size of its own
+  settings.size_divisor = registry::FullSize;  // a study of stability has a size of its own
   auto plan = run::make_plan(configuration, settings, program.folder);
   if (!options.files.empty()) plan.scenes = scenes_of(options.files);
   const auto context = study_context(program, stderr);

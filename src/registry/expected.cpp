@@ -17,10 +17,8 @@ namespace {
 
 using json::ObjectReader;
 
-std::string patterns_text(ObjectReader& in, const std::string& key) {
-  auto text = in.text(key);
+void check_patterns(ObjectReader& in, const std::string& key, const std::string& text) {
   if (patterns_of(text).empty()) in.fail(key, "must hold a name or a pattern such as 'm*'");
-  return text;
 }
 
 void refuse_unknown_renderers(ObjectReader& in,
@@ -31,36 +29,6 @@ void refuse_unknown_renderers(ObjectReader& in,
                      [&](const auto& name) { return glob_match(pattern, name); }))
       in.fail("renderer", fmt::format("no renderer matches '{}'{}", pattern,
                                       closest(pattern, {renderers.begin(), renderers.end()})));
-}
-
-VersionRange load_version(ObjectReader& in) {
-  if (!in.has("version")) return {};
-  try {
-    return parse_version_range(in.text("version"));
-  } catch (const InputError& e) {
-    in.fail("version", e.what());
-  }
-}
-
-ExpectedFailure load_entry(ObjectReader in, const std::vector<std::string>& renderers) {
-  ExpectedFailure entry;
-  entry.place = in.place("renderer");
-  entry.renderer = patterns_text(in, "renderer");
-  refuse_unknown_renderers(in, entry.renderer, renderers);
-  entry.version = load_version(in);
-  entry.scene = patterns_text(in, "scene");
-  entry.verdict = in.text("verdict");
-  entry.reason = in.text("reason");
-  if (trim(entry.reason).empty()) in.fail("reason", "must say why the failure is accepted");
-  if (in.has("measure")) {
-    auto numbers = in.object("measure");
-    for (const auto& check : numbers.keys())
-      entry.measure[check] =
-          numbers.holds_number(check) ? std::optional<double>(numbers.number(check)) : std::nullopt;
-    numbers.finish();
-  }
-  in.finish();
-  return entry;
 }
 
 std::string entry_text(const ExpectedFailure& entry) {
@@ -85,11 +53,18 @@ std::string entry_text(const ExpectedFailure& entry) {
 
 }  // namespace
 
-std::vector<ExpectedFailure> load_expected(ObjectReader& in, const std::vector<std::string>& renderers) {
-  std::vector<ExpectedFailure> expected;
-  for (auto& entry : in.objects_or_none("expected"))
-    expected.push_back(load_entry(std::move(entry), renderers));
-  return expected;
+void check_expected(ObjectReader& in,
+                    const std::vector<std::string>& renderers,
+                    std::vector<ExpectedFailure>& expected) {
+  auto entries = in.objects_or_none("expected");
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    auto& failure = expected[i];
+    failure.place = entries[i].place("renderer");
+    check_patterns(entries[i], "renderer", failure.renderer);
+    refuse_unknown_renderers(entries[i], failure.renderer, renderers);
+    check_patterns(entries[i], "scene", failure.scene);
+    if (trim(failure.reason).empty()) entries[i].fail("reason", "must say why the failure is accepted");
+  }
 }
 
 const ExpectedFailure* find_expected(const std::vector<ExpectedFailure>& expected,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "json/object_reader.h"
+#include "json/fields.h"
 #include "registry/version_range.h"
 
 #include <map>
@@ -24,9 +24,27 @@ struct ExpectedFailure {
   std::map<std::string, std::optional<double>> measure{};
 };
 
-/// Reads the entries. InputError with file, line and key, also for a renderer that is none of `renderers`.
-/// Verdicts and scenes are checked where they are known.
-std::vector<ExpectedFailure> load_expected(json::ObjectReader& in, const std::vector<std::string>& renderers);
+template <class Visitor, json::RecordOf<ExpectedFailure> Record>
+void fields(Visitor& visit, Record& failure) {
+  visit.required("renderer", failure.renderer, {.help = "Names or patterns, separated by commas"});
+  visit("version", failure.version,
+        {.help = "Comparisons with the version of the renderer that must all hold, such as `>=3.4 <4`",
+         .unset = "every version"});
+  visit.required("scene", failure.scene,
+                 {.help = "Names or patterns of scenes and differences, separated by commas"});
+  visit.required("verdict", failure.verdict, {.help = "The verdict that is expected"});
+  visit.required("reason", failure.reason, {.help = "Why the failure is accepted"});
+  visit("measure", failure.measure,
+        {.help = "The failed checks with their numbers, null for a check on no number",
+         .unset = "whatever fails is expected"});
+}
+
+/// Checks the entries that were read from "expected" of the object `in`, and notes their places. InputError
+/// with file, line and key, also for a renderer that is none of `renderers`. Verdicts and scenes are checked
+/// where they are known.
+void check_expected(json::ObjectReader& in,
+                    const std::vector<std::string>& renderers,
+                    std::vector<ExpectedFailure>& expected);
 
 /// The entry that counts for a target of a renderer in this version: the last one that matches. nullptr if
 /// there is none.

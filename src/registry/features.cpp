@@ -188,6 +188,13 @@ void refuse_unknown(const FeatureSet& features) {
     refuse_unknown(RequirementCode{group, levels.empty() ? 0 : *levels.rbegin()});
 }
 
+std::string to_text(const FeatureSet& features) { return format_features(features); }
+
+void from_text(std::string_view text, FeatureSet& features) {
+  features = parse_features(text);
+  refuse_unknown(features);
+}
+
 bool comes_before(RequirementCode a, RequirementCode b) {
   return std::pair(rank(a.group), a.level) < std::pair(rank(b.group), b.level);
 }

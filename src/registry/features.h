@@ -8,8 +8,11 @@
 namespace orbs::registry {
 
 /// Requirement numbers by group letter: {'M': {1, 2, 3}} are M1 to M3. A group with no numbers is one of
-/// which nothing is fulfilled, which differs from a group that is not mentioned.
-using FeatureSet = std::map<char, std::set<int>>;
+/// which nothing is fulfilled, which differs from a group that is not mentioned. It is a type of its own, and
+/// no alias, so that the visitors of fields() find its to_text().
+struct FeatureSet : std::map<char, std::set<int>> {
+  using map::map;
+};
 
 /// Highest requirement number that the notation takes; keeps a typo like L70000000 from filling the memory.
 constexpr int kHighestLevel = 99;
@@ -39,6 +42,10 @@ std::string format_requirement(RequirementCode code);
 /// A4 of ORB.S, E1 to E6 beyond it, S1 to S7, shapes by their formula, and I1 and I2, integrators.
 void refuse_unknown(RequirementCode code);
 void refuse_unknown(const FeatureSet& features);
+
+/// As fields() write and read what a renderer declares. InputError as of parse_features and refuse_unknown.
+std::string to_text(const FeatureSet& features);
+void from_text(std::string_view text, FeatureSet& features);
 
 /// Order of the specification: groups G, M, L, A, then the others by letter; numbers within a group.
 bool comes_before(RequirementCode a, RequirementCode b);

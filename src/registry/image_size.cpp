@@ -8,8 +8,8 @@ namespace orbs::registry {
 
 std::string size_text(int divisor) { return divisor == 1 ? "1" : fmt::format("1/{}", divisor); }
 
-int size_divisor(const std::string& text) {
-  for (const int divisor : kSizeDivisors)
+SizeDivisor size_divisor(std::string_view text) {
+  for (const auto divisor : kSizeDivisors)
     if (size_text(divisor) == text) return divisor;
   throw InputError(fmt::format("'{}' is no size; there are 1, 1/2, 1/4 and 1/8 of the full width", text));
 }

@@ -2,16 +2,21 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 /// The size of a run: by what the width and the height of each scene's image are divided.
 namespace orbs::registry {
 
-inline constexpr std::array kSizeDivisors{1, 2, 4, 8};
+enum SizeDivisor : int { FullSize = 1, HalfSize = 2, QuarterSize = 4, EighthSize = 8 };
+
+inline constexpr std::array kSizeDivisors{FullSize, HalfSize, QuarterSize, EighthSize};
 
 /// "1", "1/4": the share of the full width, as --size, results and messages write it.
 std::string size_text(int divisor);
+inline std::string to_text(SizeDivisor divisor) { return size_text(divisor); }
 
 /// The divisor that `text` stands for. InputError for any other text than those of kSizeDivisors.
-int size_divisor(const std::string& text);
+SizeDivisor size_divisor(std::string_view text);
+inline void from_text(std::string_view text, SizeDivisor& divisor) { divisor = size_divisor(text); }
 
 }  // namespace orbs::registry

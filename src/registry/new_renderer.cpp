@@ -16,19 +16,19 @@ namespace {
 const Renderer* of_same_format(const Configuration& configuration, const std::string& scene_format) {
   for (const auto& renderer : configuration.renderers)
     if (scene_format != kNeutralFormat && scene_format != kNativeFormat &&
-        renderer.scene_format == scene_format)
+        renderer.format.name == scene_format)
       return &renderer;
   return nullptr;
 }
 
 void write_command(const Renderer& alike, json::Writer& out) {
-  if (!alike.transports.empty()) {
+  if (!alike.format.transports.empty()) {
     out.key("transports").begin_object();
-    for (const auto& [name, word] : alike.transports) out.member(name, word);
+    for (const auto& [name, word] : alike.format.transports) out.member(name, word);
     out.end_object();
   }
-  if (alike.seed_stride > 1) out.member("seed_stride", alike.seed_stride);
-  out.member("command", alike.command);
+  if (alike.sampling.seed_stride > 1) out.member("seed_stride", alike.sampling.seed_stride);
+  out.member("command", alike.command.words);
 }
 
 void write_command(const Configuration& configuration, const NewRenderer& added, json::Writer& out) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "json/object_reader.h"
+#include "json/fields.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,16 @@ struct SlurmSettings {
   std::vector<std::string> options{};  // further words for sbatch
 };
 
-/// Reads the object "slurm" of configuration.json. InputError with file, line and key.
-SlurmSettings load_slurm(json::ObjectReader in);
+template <class Visitor, json::RecordOf<SlurmSettings> Settings>
+void fields(Visitor& visit, Settings& slurm) {
+  visit("partition", slurm.partition, {.help = "As `--partition` of sbatch"});
+  visit("account", slurm.account, {.help = "As `--account` of sbatch"});
+  visit("time", slurm.time, {.help = "Limit of each task, as sbatch takes it"});
+  visit("options", slurm.options, {.help = "Further options of sbatch, such as `--constraint=avx2`"});
+}
+
+/// InputError, with file, line and key, for an option that is none. `in` is the object that holds "slurm", if
+/// it has any.
+void check_slurm(json::ObjectReader& in, const SlurmSettings& settings);
 
 }  // namespace orbs::registry

@@ -19,6 +19,9 @@ struct VersionRange {
 /// InputError saying what can be read if the text is no range.
 VersionRange parse_version_range(const std::string& text);
 
+inline const std::string& to_text(const VersionRange& range) { return range.text; }
+inline void from_text(const std::string& text, VersionRange& range) { range = parse_version_range(text); }
+
 /// Whether the first number of `version` ("Blender 3.4.1") lies in the range; parts that one of the two lacks
 /// count as 0, so 3.4 equals 3.4.0. A text without a number lies in no range that has a bound.
 bool is_in_range(const VersionRange& range, const std::string& version);

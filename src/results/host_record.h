@@ -25,6 +25,9 @@ struct Host {
   friend bool operator==(const Host&, const Host&) = default;
 };
 
+/// A host that nobody noted is left out of a record.
+inline bool is_absent(const Host& host) { return host == Host{}; }
+
 template <class Visitor, RecordOf<Host> Record>
 void fields(Visitor& visit, Record& host) {
   visit("name", host.name);

@@ -1,5 +1,9 @@
 #include "results/job_outcome.h"
 
+#include "base/error.h"
+
+#include <fmt/format.h>
+
 namespace orbs::results {
 
 std::optional<Verdict> verdict_without_image(JobOutcome outcome) {
@@ -41,6 +45,12 @@ std::optional<JobOutcome> job_outcome_named(std::string_view name) {
   for (const auto outcome : kJobOutcomes)
     if (job_outcome_name(outcome) == name) return outcome;
   return std::nullopt;
+}
+
+void from_text(std::string_view name, JobOutcome& value) {
+  const auto found = job_outcome_named(name);
+  if (!found) throw InputError(fmt::format("'{}' is no outcome that this version of orbs knows", name));
+  value = *found;
 }
 
 bool leaves_visible_image(JobOutcome outcome) {

@@ -38,6 +38,10 @@ std::string_view job_outcome_name(JobOutcome outcome);
 /// The outcome of that name, if there is one.
 std::optional<JobOutcome> job_outcome_named(std::string_view name);
 
+/// As fields() write and read it. InputError for an unknown name.
+inline std::string_view to_text(JobOutcome value) { return job_outcome_name(value); }
+void from_text(std::string_view name, JobOutcome& value);
+
 /// True where the renderer left a file that can be looked at even if it cannot be judged.
 bool leaves_visible_image(JobOutcome outcome);
 

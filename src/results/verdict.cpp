@@ -1,6 +1,10 @@
 #include "results/verdict.h"
 
+#include "base/error.h"
+
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace orbs::results {
 
@@ -46,6 +50,12 @@ std::optional<Verdict> verdict_named(std::string_view name) {
   for (const auto verdict : kVerdicts)
     if (verdict_name(verdict) == name) return verdict;
   return std::nullopt;
+}
+
+void from_text(std::string_view name, Verdict& value) {
+  const auto found = verdict_named(name);
+  if (!found) throw InputError(fmt::format("'{}' is no verdict that this version of orbs knows", name));
+  value = *found;
 }
 
 Verdict worse(Verdict a, Verdict b) { return std::max(a, b); }
@@ -95,6 +105,12 @@ std::optional<Expectation> expectation_named(std::string_view name) {
   for (const auto expectation : kExpectations)
     if (expectation_name(expectation) == name) return expectation;
   return std::nullopt;
+}
+
+void from_text(std::string_view name, Expectation& value) {
+  const auto found = expectation_named(name);
+  if (!found) throw InputError(fmt::format("'{}' is no expectation that this version of orbs knows", name));
+  value = *found;
 }
 
 std::string_view state_name(Verdict verdict, Expectation expectation) {

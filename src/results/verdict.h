@@ -50,6 +50,10 @@ std::string_view verdict_name(Verdict verdict);
 /// The verdict of that name, if there is one.
 std::optional<Verdict> verdict_named(std::string_view name);
 
+/// As fields() write and read it. InputError for an unknown name.
+inline std::string_view to_text(Verdict value) { return verdict_name(value); }
+void from_text(std::string_view name, Verdict& value);
+
 Verdict worse(Verdict a, Verdict b);
 
 /// Whether the verdict says of the renderer that it is right or not: all but skipped, inconclusive and
@@ -71,6 +75,8 @@ inline constexpr std::array kExpectations{Expectation::None, Expectation::Known,
 /// "none", "known", "news".
 std::string_view expectation_name(Expectation expectation);
 std::optional<Expectation> expectation_named(std::string_view name);
+inline std::string_view to_text(Expectation value) { return expectation_name(value); }
+void from_text(std::string_view name, Expectation& value);
 
 /// What reports call a verdict with its expectation: "known", "unexpected pass", else the name of the
 /// verdict.

@@ -48,7 +48,7 @@ adapters::ProcessRequest process_request(const registry::Renderer& renderer,
   request.argv = job.argv;
   request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
   request.folder = job.folder;
-  auto allowed = renderer.environment;
+  auto allowed = renderer.command.environment;
   allowed.push_back(fmt::format("ORBS_JOB={}", job.id));
   request.environment = adapters::child_environment(allowed);
   request.log = job.folder / "log.txt";
@@ -88,7 +88,7 @@ void note_process(const adapters::ProcessResult& process,
   cost.wall_seconds += process.wall_seconds;
   cost.cpu_seconds += process.user_seconds + process.system_seconds;
   cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, process.peak_rss_bytes);
-  if (const auto seconds = render_seconds(renderer.render_seconds, process.output, folder))
+  if (const auto seconds = render_seconds(renderer.timing.render_seconds, process.output, folder))
     cost.render_seconds = cost.render_seconds.value_or(0) + *seconds;
   record.end.exit_code = process.exit_code;
   record.end.core_dumped = process.core_dumped;
@@ -125,7 +125,7 @@ std::pair<Outcome, std::filesystem::path> run_replicas(const std::vector<adapter
                                                        JobRecord& record) {
   std::vector<image::Image> images;
   for (const auto& job : replicas) {
-    forget_render_seconds(renderer.render_seconds, job.folder);
+    forget_render_seconds(renderer.timing.render_seconds, job.folder);
     auto request = process_request(renderer, job, stop);
     if (isolation) request.argv = adapters::isolated(request.argv, *isolation);
     const auto process = came_back.empty() ? adapters::run_process(request) : take_image(job, came_back);
@@ -159,9 +159,8 @@ void note_command(const std::vector<adapters::Job>& replicas,
 JobRecord skipped_record(const Plan& plan, const PlannedJob& job) {
   JobRecord record;
   const auto& renderer = plan.renderers[job.renderer].entry;
-  record.identity = {job.id,        plan.suite.name, plan.scenes[job.scene].name,
-                     renderer.name, job.spp,         plan.settings.seed,
-                     renderer.seeds};
+  record.identity = {job.id,  plan.suite.name,    plan.scenes[job.scene].name, renderer.name,
+                     job.spp, plan.settings.seed, renderer.sampling.seeds};
   record.program.threads = plan.threads;
   record.files.folder = job.folder.string();
   if (!job.native_scene.empty())

@@ -82,7 +82,7 @@ std::string diagnosis_of(const Plan& plan,
 }
 
 judge::JudgeSettings judge_settings(const Plan& plan, const PlannedTarget& planned) {
-  const bool is_noise_free = plan.renderers[planned.renderer].entry.is_noise_free;
+  const bool is_noise_free = plan.renderers[planned.renderer].entry.sampling.is_noise_free;
   const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
   return {.threads = plan.threads, .result_noise = noise};
 }

@@ -3,12 +3,12 @@
 #include "adapters/job.h"
 #include "adapters/native_scene.h"
 #include "base/files.h"
+#include "json/field_writer.h"
 #include "run/plan/job_limits.h"
 #include "run/plan/scene_hash.h"
 #include "run/prepare.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace orbs::run {
 
@@ -41,19 +41,12 @@ std::string scene_hash(const Plan& plan, const PlannedJob& job) {
 }
 
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
-  const auto& chosen = plan.renderers[job.renderer];
-  const auto& entry = chosen.entry;
-  std::string text = fmt::format(
-      "{}\n{}\n{}\n{}\n{}\n{}\n", chosen.executable.string(), fmt::join(command_words(plan, job), "\n"),
-      fmt::join(entry.environment, "\n"), entry.scene_format, plan.threads, entry.render_seconds.pattern);
-  text += fmt::format("{}\n{}\n{}\n", entry.render_seconds.file, entry.render_seconds.key,
-                      entry.render_seconds.unit_seconds);
-  for (const auto& [name, value] : entry_for(plan, job).scene_settings)
-    text += fmt::format("{} {}\n", name, value);
-  for (const auto& [transport, word] : entry.transports) text += fmt::format("{} {}\n", transport, word);
-  text += fmt::format("{}", job.may_be_negative);
-  if (entry.seeds > 1) text += fmt::format("\n{} seeds", entry.seeds);
-  return hash_text(content_hash(text));
+  const auto& executable = plan.renderers[job.renderer].executable;
+  json::Writer out;
+  out.begin_object().member("program", executable.string()).member("words", command_words(plan, job));
+  out.member("threads", plan.threads).member("may_be_negative", job.may_be_negative);
+  json::write_fields(out, entry_for(plan, job), [](const json::Field& field) { return field.changes_image; });
+  return hash_text(content_hash(out.end_object().text()));
 }
 
 std::string limits_hash(const Plan& plan, const PlannedJob& job) {
@@ -68,7 +61,8 @@ std::string judged_hash(const Plan& plan,
                         const judge::ReferenceCopies& references,
                         const std::string& orbs_version) {
   auto hash = content_hash(orbs_version);
-  if (plan.renderers[plan.jobs[index].renderer].entry.is_noise_free) hash = content_hash("noise-free", hash);
+  if (plan.renderers[plan.jobs[index].renderer].entry.sampling.is_noise_free)
+    hash = content_hash("noise-free", hash);
   for (const auto& planned : plan.targets) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != index) continue;
     const auto& one_case = plan.cases[planned.one_case];

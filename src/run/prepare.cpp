@@ -24,7 +24,7 @@ namespace {
 
 adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int replica) {
   const auto& renderer = plan.renderers[job.renderer];
-  const int seeds = renderer.entry.seeds;
+  const int seeds = renderer.entry.sampling.seeds;
   adapters::JobSettings settings;
   settings.spp = (job.spp + seeds - 1) / seeds;
   settings.seed = plan.settings.seed + replica;
@@ -44,7 +44,7 @@ std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const Planne
   const auto& planned = plan.scenes[job.scene];
   const auto renderer = entry_for(plan, job);
   if (!job.native_scene.empty()) return *planned.scene;
-  if (renderer.scene_format == registry::kNativeFormat)
+  if (renderer.format.name == registry::kNativeFormat)
     return fmt::format("it reads hand-written scenes only, and there is no {}",
                        adapters::native_scene_file(renderer, planned.file, planned.name).string());
   return adapters::prepare_scene(renderer, *planned.scene);
@@ -79,7 +79,7 @@ void write_job_scene(const Plan& plan,
   const auto renderer = entry_for(plan, planned);
   if (!planned.native_scene.empty()) {
     adapters::copy_native_scene(planned.native_scene, job.folder);
-  } else if (plan.place == RenderPlace::Elsewhere && renderer.scene_format == registry::kNeutralFormat) {
+  } else if (plan.place == RenderPlace::Elsewhere && renderer.format.name == registry::kNeutralFormat) {
     adapters::export_scene(renderer, with_files_beside(prepared, job.folder), job.scene_file);
   } else {
     // The exporters of other formats write all files into the folder of the scene.
@@ -92,7 +92,7 @@ std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const std::filesystem::path& run_folder) {
   const auto& renderer = plan.renderers[job.renderer].entry;
   std::vector<adapters::Job> replicas;
-  for (int replica = 0; replica < renderer.seeds; ++replica)
+  for (int replica = 0; replica < renderer.sampling.seeds; ++replica)
     replicas.push_back(adapters::make_job(renderer, *plan.scenes[job.scene].scene,
                                           job_settings(plan, job, replica), run_folder / job.folder));
   return replicas;

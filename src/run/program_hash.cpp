@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> program_files(const ChosenRenderer& renderer,
         std::find(files.begin(), files.end(), file) == files.end())
       files.push_back(file);
   };
-  const auto& command = renderer.entry.command;
+  const auto& command = renderer.entry.command.words;
   for (std::size_t i = 0; i < command.size(); ++i) {
     if (!is_fixed(command[i])) continue;
     const auto word = registry::fill_placeholders(command[i], values);

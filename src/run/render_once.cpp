@@ -71,14 +71,14 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
   auto job = adapters::make_job(entry, prepared.scene, job_settings, prepared.folder);
   job.may_be_negative = settings.may_be_negative;
   make_way(job.image);
-  forget_render_seconds(entry.render_seconds, job.folder);
+  forget_render_seconds(entry.timing.render_seconds, job.folder);
   adapters::ProcessRequest request;
   request.argv = job.argv;
   request.argv[0] = adapters::find_program(job.argv[0]).value_or(job.argv[0]).string();
   if (prepared.is_built_in) request.argv.emplace_back("--json");
   for (const auto& argument : settings.more_arguments) request.argv.push_back(argument);
   request.folder = job.folder;
-  request.environment = adapters::child_environment(entry.environment);
+  request.environment = adapters::child_environment(entry.command.environment);
   request.limits = entry.limits;
   request.stop = stop;
   const auto process = adapters::run_process(request);
@@ -95,7 +95,7 @@ std::optional<RenderedImage> render_once(const PreparedRender& prepared,
                process.supervisor_cpu_seconds,
                report.traversal_share,
                report.samples_cpu_seconds,
-               render_seconds(entry.render_seconds, process.output, job.folder)};
+               render_seconds(entry.timing.render_seconds, process.output, job.folder)};
   made.image = std::move(*outcome.image);
   return made;
 }

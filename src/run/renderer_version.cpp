@@ -43,21 +43,21 @@ adapters::ProcessResult answer_of(adapters::ProcessRequest command,
 std::string renderer_version(const ChosenRenderer& renderer,
                              const Plan& plan,
                              const VersionRequest& request) {
-  if (renderer.entry.version_command.empty()) return "";
+  if (renderer.entry.command.version_command.empty()) return "";
   adapters::ProcessRequest command;
-  command.argv = registry::fill_placeholders(renderer.entry.version_command,
+  command.argv = registry::fill_placeholders(renderer.entry.command.version_command,
                                              {{"executable", renderer.executable.string()},
                                               {"root", plan.root.string()},
                                               {"build", plan.build.string()}});
   const auto program = adapters::find_program(command.argv[0]);
   if (!program) return fmt::format("unknown: there is no program '{}'", command.argv[0]);
   command.argv[0] = program->string();
-  command.environment = adapters::child_environment(renderer.entry.environment);
+  command.environment = adapters::child_environment(renderer.entry.command.environment);
   const auto process = answer_of(command, renderer.entry.name, request);
   if (process.cause == supervisor::Cause::WallTime)
     return fmt::format("unknown: '{}' did not end within {} s", command.argv[0], request.second_seconds);
   // Some programs have no such command and say their version in a complaint: then the pattern recognises it.
-  const auto& pattern = renderer.entry.version_pattern;
+  const auto& pattern = renderer.entry.command.version_pattern;
   const bool has_failed = process.signal != 0 || process.exit_code != 0 || !process.start_error.empty();
   for (const auto& line : split(has_failed && pattern.empty() ? "" : process.output, '\n'))
     if (const auto version = version_in(std::string(trim(line)), pattern); !version.empty())

@@ -4,6 +4,8 @@
 #include "base/files.h"
 #include "base/local_time.h"
 #include "json/document.h"
+#include "json/field_reader.h"
+#include "json/field_writer.h"
 #include "json/object_reader.h"
 
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ RunFile read_run_file(const std::filesystem::path& folder) {
   const auto document = json::parse_file(folder / kRunFile);
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-run/1"});
-  RunFile file{in.text("configuration"), registry::read_run_settings(in.object("settings")),
+  RunFile file{in.text("configuration"), json::read_settings<registry::RunSettings>(in.object("settings")),
                in.text("started"), registry::parse_shard(in.text_or("shard", "1/1"))};
   in.finish();
   return file;
@@ -59,7 +61,7 @@ void write_run_file(const RunFile& file, const std::filesystem::path& folder) {
   json::Writer out;
   out.begin_object().member("format", "orbs-run/1").member("configuration", file.configuration.string());
   out.member("started", file.started).member("shard", registry::shard_text(file.shard)).key("settings");
-  registry::write_run_settings(out, file.settings);
+  json::write_record(out, file.settings);
   write_file(folder / kRunFile, out.end_object().text());
 }
 

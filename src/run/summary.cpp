@@ -83,7 +83,7 @@ void summarise(const Plan& plan, const std::vector<std::string>& versions, resul
     renderer.variant_of = chosen.entry.variant_of;
     renderer.version = versions[i];
     renderer.executable = chosen.executable.string();
-    renderer.declared = registry::format_features(chosen.entry.declares);
+    renderer.declared = registry::format_features(chosen.entry.support.declares);
   }
   summarise(record);
 }

@@ -50,7 +50,7 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   std::map<std::string, std::map<std::string, std::string>> headers;
   for (const auto& renderer : configuration.renderers) {
     std::string line;
-    for (const auto& word : registry::fill_placeholders(renderer.command, values)) line += word + " ";
+    for (const auto& word : registry::fill_placeholders(renderer.command.words, values)) line += word + " ";
     const auto answer = sandbox.shell(line + "--width 8 --height 6");
     ASSERT_EQ(answer.status, 0) << renderer.name << ": " << answer.text;
     headers[renderer.name] = image::read_image(sandbox.folder() / "out.exr").attributes;

@@ -10,11 +10,12 @@ namespace {
 void check_renderer(const registry::Renderer& renderer) {
   registry::Placeholders values;
   for (const auto& name : registry::command_placeholders()) values[name] = name;
-  for (const auto* words : {&renderer.command, &renderer.version_command})
+  for (const auto* words : {&renderer.command.words, &renderer.command.version_command})
     for (const auto& word : registry::fill_placeholders(*words, values))
       require(word.find('\0') == std::string::npos, "an argument ends where it seems to end");
   require(renderer.name.find('\0') == std::string::npos, "a name is one of a folder");
-  require(registry::parse_features(registry::format_features(renderer.declares)) == renderer.declares,
+  require(registry::parse_features(registry::format_features(renderer.support.declares)) ==
+              renderer.support.declares,
           "feature numbers mean the same after writing");
   registry::limit_reason(renderer, "M2");
 }

@@ -237,7 +237,7 @@ scene::Scene scene_of_balls(const scene::MaterialModel& model) {
 
 registry::Renderer pbrt_with_e1() {
   registry::Renderer out = renderer("pbrt");
-  out.declares = registry::parse_features("G5/M8-(6,7)/L3/A4/E6-(3-5)");
+  out.support.declares = registry::parse_features("G5/M8-(6,7)/L3/A4/E6-(3-5)");
   return out;
 }
 

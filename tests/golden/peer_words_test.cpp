@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Programs,
                          [](const auto& peer) { return peer.param.name; });
 
 TEST_P(PeerWords, OfEveryExportedSceneAreThoseOfTheProgram) {
-  const fs::path file = scratch_.path() / adapters::scene_file_name(renderer_.scene_format);
+  const fs::path file = scratch_.path() / adapters::scene_file_name(renderer_.format.name);
   std::set<std::string> unknown;
   int exported = 0;
   for (const auto& suite : configuration_.suites)
@@ -68,7 +68,7 @@ TEST_P(PeerWords, OfEveryExportedSceneAreThoseOfTheProgram) {
 }
 
 TEST_P(PeerWords, OfItsCommandAreThoseOfTheProgram) {
-  for (const auto& word : renderer_.command)
+  for (const auto& word : renderer_.command.words)
     if (word.starts_with('-')) {
       EXPECT_TRUE(known_.contains("option " + word)) << word;
     }

@@ -19,7 +19,7 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   const auto configuration = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   const auto renderer = std::find_if(configuration.renderers.begin(), configuration.renderers.end(),
                                      [](const auto& entry) { return entry.name == "cycles"; });
-  const auto program = adapters::find_program(renderer->executable);
+  const auto program = adapters::find_program(renderer->command.executable);
   if (!program)
     throw std::runtime_error(
         "blender is not on PATH; the adapter is tested on the real program: install the package blender");
@@ -33,7 +33,7 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   adapters::ProcessRequest request;
   request.argv = job.argv;
   request.folder = folder;
-  request.environment = adapters::child_environment(renderer->environment);
+  request.environment = adapters::child_environment(renderer->command.environment);
   const auto process = adapters::run_process(request);
   auto outcome = run::classify(process, job, request.limits);
   if (!outcome.image) throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.reason, process.output));

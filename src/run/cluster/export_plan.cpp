@@ -4,8 +4,8 @@
 #include "base/files.h"
 #include "base/shell.h"
 #include "json/document.h"
-#include "json/object_reader.h"
-#include "json/writer.h"
+#include "json/field_reader.h"
+#include "json/field_writer.h"
 #include "registry/image_size.h"
 #include "run/prepare.h"
 
@@ -39,7 +39,7 @@ std::string inside(const std::string& text, const std::string& folder) {
 // The words of the command as they are in the folder of the job, where the program is whatever RENDERER says.
 std::string command_line(const adapters::Job& job, const ChosenRenderer& renderer) {
   std::vector<std::string> words;
-  for (const auto& variable : renderer.entry.environment)
+  for (const auto& variable : renderer.entry.command.environment)
     if (variable.find('=') != std::string::npos) words.push_back(shell_text({variable}));
   // A quoted word is no assignment to the shell, but one to env.
   if (!words.empty()) words.insert(words.begin(), "env");
@@ -76,7 +76,7 @@ void write_export_file(const Plan& plan, const fs::path& configuration, const fs
       .member("format", "orbs-export/1")
       .member("configuration", configuration.string())
       .key("settings");
-  registry::write_run_settings(out, settings);
+  json::write_record(out, settings);
   write_file(folder / kExportFile, out.end_object().text());
 }
 
@@ -115,7 +115,8 @@ ExportFile read_export_file(const fs::path& folder) {
   const auto document = json::parse_file(folder / kExportFile);
   json::ObjectReader in(document);
   in.one_of("format", {"orbs-export/1"});
-  ExportFile file{in.system_text("configuration"), registry::read_run_settings(in.object("settings"))};
+  ExportFile file{in.system_text("configuration"),
+                  json::read_settings<registry::RunSettings>(in.object("settings"))};
   in.finish();
   return file;
 }

@@ -7,6 +7,8 @@
 #include "base/shell.h"
 #include "base/text.h"
 #include "json/document.h"
+#include "json/field_reader.h"
+#include "json/field_writer.h"
 #include "json/object_reader.h"
 #include "json/writer.h"
 #include "registry/image_size.h"
@@ -126,14 +128,8 @@ void write_slurm_job(const SlurmJob& job) {
   json::Writer out;
   out.begin_object().member("format", "orbs-slurm/1").member("program", job.program).member("run", job.run);
   out.member("shards", job.shards).member("cores", job.cores);
-  out.member("memory_megabytes", static_cast<unsigned long long>(job.memory_megabytes))
-      .key("slurm")
-      .begin_object();
-  const auto& settings = job.settings;
-  if (!settings.partition.empty()) out.member("partition", settings.partition);
-  if (!settings.account.empty()) out.member("account", settings.account);
-  if (!settings.time.empty()) out.member("time", settings.time);
-  out.member("options", settings.options).end_object();
+  out.member("memory_megabytes", static_cast<unsigned long long>(job.memory_megabytes)).key("slurm");
+  json::write_record(out, job.settings);
   write_file(job.folder / "array.sh", array_script(job));
   write_file(job.folder / "merge.sh", merge_script(job));
   write_file(job.folder / kSlurmFile, out.end_object().text());
@@ -155,7 +151,7 @@ SlurmJob read_slurm_job(const fs::path& folder) {
   job.shards = in.integer("shards", 1, kMost);
   job.cores = in.integer("cores", 1, kMost);
   job.memory_megabytes = static_cast<std::size_t>(in.integer("memory_megabytes", 0, kMost));
-  job.settings = registry::load_slurm(in.object("slurm"));
+  job.settings = json::read_settings<registry::SlurmSettings>(in.object("slurm"));
   in.finish();
   return job;
 }

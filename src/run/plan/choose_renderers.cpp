@@ -28,10 +28,10 @@ void take_executable(ChosenRenderer& chosen, const std::string& given) {
 
 // At every size and for every scene that has its own, so that a misspelled name is an error of the first run.
 void check_all_settings(const registry::Renderer& renderer) {
-  for (const int divisor : registry::kSizeDivisors) {
+  for (const auto divisor : registry::kSizeDivisors) {
     const auto sized = registry::at_size(renderer, divisor);
     adapters::check_scene_settings(sized);
-    for (const auto& [scene, settings] : renderer.scene_settings_of_scenes)
+    for (const auto& [scene, settings] : renderer.format.settings_of_scenes)
       adapters::check_scene_settings(registry::for_scene(sized, scene));
   }
 }
@@ -41,7 +41,7 @@ void check_all_settings(const registry::Renderer& renderer) {
 std::string program_name(const registry::Renderer& renderer,
                          const std::filesystem::path& root,
                          const std::filesystem::path& build) {
-  return registry::fill_placeholders(renderer.executable,
+  return registry::fill_placeholders(renderer.command.executable,
                                      {{"root", root.string()}, {"build", build.string()}});
 }
 

@@ -118,11 +118,12 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   while (plan.scenes[job.scene].name != scene_name) ++job.scene;
   const auto& scene = plan.scenes[job.scene];
   const auto& chosen = plan.renderers[renderer];
-  const auto& own_scales = chosen.entry.spp_scale_of_scenes;
+  const auto& own_scales = chosen.entry.sampling.spp_scale_of_scenes;
   const auto own_scale = own_scales.find(scene.name);
-  job.spp = adapters::scaled_spp(enough_spp(plan, scene, chosen.entry),
-                                 own_scale == own_scales.end() ? chosen.entry.spp_scale : own_scale->second,
-                                 plan.settings.spp_scale);
+  job.spp = adapters::scaled_spp(
+      enough_spp(plan, scene, chosen.entry),
+      own_scale == own_scales.end() ? chosen.entry.sampling.spp_scale : own_scale->second,
+      plan.settings.spp_scale);
   job.id = job_id(plan, scene, chosen, job.spp);
   job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
   job.native_scene = adapters::native_scene(chosen.entry, scene.file, scene.name);
@@ -131,7 +132,7 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
 }
 
 bool declares(const Plan& plan, std::size_t renderer, const registry::Case& one_case) {
-  return registry::has_feature(plan.renderers[renderer].entry.declares,
+  return registry::has_feature(plan.renderers[renderer].entry.support.declares,
                                registry::parse_requirement(one_case.requirement));
 }
 
@@ -211,7 +212,7 @@ Plan make_plan(const registry::Configuration& configuration,
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
   for (const auto& renderer : plan.renderers) {
     if (place == RenderPlace::Elsewhere) break;
-    const auto& program = renderer.entry.command.front();
+    const auto& program = renderer.entry.command.words.front();
     if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
       throw InputError(
           fmt::format("renderer '{}': its command starts '{}', which is not there; begin with {{executable}}",

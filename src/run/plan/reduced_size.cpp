@@ -52,7 +52,7 @@ void reduce_size(Plan& plan) {
 }
 
 int enough_spp(const Plan& plan, const PlannedScene& scene, const registry::Renderer& renderer) {
-  if (plan.settings.size_divisor == 1 || renderer.is_noise_free) return scene.spp;
+  if (plan.settings.size_divisor == 1 || renderer.sampling.is_noise_free) return scene.spp;
   const int pixels = scene.scene->camera.width_px * scene.scene->camera.height_px;
   return std::max(scene.spp, (scene.camera_paths + pixels - 1) / pixels);
 }
@@ -65,13 +65,13 @@ std::string why_not_at_size(const Plan& plan,
   const int divisor = plan.settings.size_divisor;
   if (divisor == 1) return "";
   const auto prefix = fmt::format("not measured at {}: ", registry::size_text(divisor));
-  if (!renderer.has_box_filter)
+  if (!renderer.sampling.has_box_filter)
     return fmt::format(
         "{}{} does not filter by a box of one pixel (box_filter), so its image is no average "
         "of the full one",
         prefix, renderer.name);
-  const bool command_has_size = registry::uses_placeholder(renderer.command, "width") &&
-                                registry::uses_placeholder(renderer.command, "height");
+  const bool command_has_size = registry::uses_placeholder(renderer.command.words, "width") &&
+                                registry::uses_placeholder(renderer.command.words, "height");
   for (const auto& name : scenes) {
     const auto planned = std::find_if(plan.scenes.begin(), plan.scenes.end(),
                                       [&](const auto& scene) { return scene.name == name; });

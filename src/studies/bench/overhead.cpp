@@ -30,8 +30,8 @@ run::Plan copying_plan(const scene::Scene& scene, const std::filesystem::path& i
   run::Plan plan;
   registry::Renderer entry;
   entry.name = "copy";
-  entry.declares = registry::parse_features("G5/M8/L4/A4");
-  entry.command = {"{executable}", image.string(), "{output}"};
+  entry.support.declares = registry::parse_features("G5/M8/L4/A4");
+  entry.command.words = {"{executable}", image.string(), "{output}"};
   plan.renderers.push_back({entry, "/bin/cp"});
   plan.scenes.push_back({"scene", {}, 1, std::make_shared<const scene::Scene>(scene)});
   run::PlannedJob job;

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<CostRung> settings_rungs(const registry::Renderer& entry) {
   std::vector<CostRung> rungs;
-  for (const auto& quality : entry.cost_ladder) rungs.push_back({quality.name, quality.spp});
+  for (const auto& quality : entry.timing.cost_ladder) rungs.push_back({quality.name, quality.spp});
   return rungs;
 }
 
@@ -55,7 +55,7 @@ std::optional<CostPilot> pilot(const CostStudy& study,
   if (!fixed) return std::nullopt;
   // Not its wall clock where that is longer: other work on the machine would count for every render.
   found.fixed_seconds = std::min(fixed->wall_seconds, fixed->cpu_seconds);
-  found.is_noise_free = entry.is_noise_free;
+  found.is_noise_free = entry.sampling.is_noise_free;
   constexpr int kPilotSeed = 900;  // of no rung
   wanted.purpose = kOfRung;
   wanted.seed = kPilotSeed;

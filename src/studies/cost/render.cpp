@@ -13,9 +13,9 @@ namespace orbs::studies {
 namespace {
 
 run::ChosenRenderer with_settings(run::ChosenRenderer renderer, const std::string& rung) {
-  for (const auto& quality : renderer.entry.cost_ladder)
+  for (const auto& quality : renderer.entry.timing.cost_ladder)
     if (quality.name == rung)
-      for (const auto& [name, value] : quality.scene_settings) renderer.entry.scene_settings[name] = value;
+      for (const auto& [name, value] : quality.scene_settings) renderer.entry.format.settings[name] = value;
   return renderer;
 }
 
@@ -46,7 +46,7 @@ std::optional<CostRender> measured_render(const CostStudy& study,
   const auto folder = study.scratch.path() / "render";
   run::make_way(folder);
   // What settings ask for may cost as much in few pixels as in many, so the fixed cost is that of the first.
-  const auto& ladder = chosen.entry.cost_ladder;
+  const auto& ladder = chosen.entry.timing.cost_ladder;
   if (is_fixed && ladder.empty()) wanted.spp = kFixedSpp;
   const auto& rung = is_fixed && !ladder.empty() ? ladder.front().name : wanted.rung;
   const auto prepared = run::prepare_render(with_settings(chosen, rung), study.plan, scene, folder);

@@ -82,7 +82,7 @@ bool render_rounds(Progress& progress) {
       }
       const auto& entry = study.plan.renderers[task.render.renderer].entry;
       // Without random samples, every further image would be the same; its time is measured twice.
-      if (entry.is_noise_free && round >= 2) continue;
+      if (entry.sampling.is_noise_free && round >= 2) continue;
       if (!do_task(progress, task)) return false;
     }
   return true;
@@ -100,7 +100,7 @@ void judge_last_rungs(CostStudy& study) {
     judged.target = subject.target.name;
     judge::JudgeSettings settings;
     settings.measured = judge::Measured::ForTheVerdict;
-    if (entry.is_noise_free) settings.result_noise = metrics::ResultNoise::NoiseFree;
+    if (entry.sampling.is_noise_free) settings.result_noise = metrics::ResultNoise::NoiseFree;
     judge::judge_image(*subject.one_case, image::read_image(file), {{}, subject.reference, ""}, settings,
                        judged);
     ladder.finding = judged.verdict == results::Verdict::Pass ? "" : judged.reason;
@@ -112,7 +112,8 @@ void describe_renderers(CostStudy& study) {
   for (const auto& chosen : study.plan.renderers)
     study.record.renderers.push_back(
         {chosen.entry.name, run::renderer_version(chosen, study.plan, {.say = study.context.say}),
-         chosen.entry.cost_ladder.empty() ? kSampleLadder : kSettingsLadder, chosen.entry.biased});
+         chosen.entry.timing.cost_ladder.empty() ? kSampleLadder : kSettingsLadder,
+         chosen.entry.sampling.biased});
 }
 
 void check_targets(const CostRecord& record, const std::vector<CostTarget>& earlier) {

@@ -29,7 +29,7 @@ struct ProbeInputs {
 run::ChosenRenderer with_emission(run::ChosenRenderer renderer) {
   for (const auto* requirement : {"M2", "L1", "L2"}) {
     const auto code = registry::parse_requirement(requirement);
-    renderer.entry.declares[code.group].insert(code.level);
+    renderer.entry.support.declares[code.group].insert(code.level);
   }
   return renderer;
 }
@@ -37,7 +37,7 @@ run::ChosenRenderer with_emission(run::ChosenRenderer renderer) {
 // With the variances that the renderer writes, or else with those that two seeds give. Nothing when stopped.
 std::optional<image::Image> render_with_noise(const ProbeInputs& inputs, const run::PreparedRender& subject) {
   std::vector<image::Image> replicas;
-  const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command, "seed");
+  const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command.words, "seed");
   for (const int seed : {1, 2}) {
     // Noise of colours may be negative where the colour is dark.
     const auto made = run::render_once(subject,

@@ -22,14 +22,14 @@ std::optional<std::vector<image::Image>> StabilityImages::render(const scene::Sc
     run::RenderSettings settings{
         .spp = spp, .seed = seed, .threads = settings_.threads, .may_be_negative = true};
     if (change == RenderChange::Threads) settings.threads = 3;
-    if (change == RenderChange::Precision) settings.more_arguments = renderer_.entry.double_precision;
+    if (change == RenderChange::Precision) settings.more_arguments = renderer_.entry.command.double_precision;
     const auto made = run::render_once(prepared, settings, context_.stop);
     if (!made) return std::nullopt;
     return image::select_rgb(made->image, "");
   };
   // Far from each other, so that a renderer may count passes on from a seed.
   constexpr int kOther = 1000;
-  const bool is_noise_free = renderer_.entry.is_noise_free;
+  const bool is_noise_free = renderer_.entry.sampling.is_noise_free;
   std::vector<image::Image> images;
   for (int seed = 1; seed <= (is_noise_free ? 1 : settings_.seeds); ++seed) {
     const bool is_halved = change == RenderChange::TwoHalves;

@@ -135,8 +135,8 @@ std::string_view missing_change(const StabilityStudy& study, const StabilityStep
   const auto render = study.request.relations[step.relation].render;
   const auto& entry = study.plan.renderers[step.renderer].entry;
   const bool is_of_noise = render == RenderChange::Seed || render == RenderChange::TwoHalves;
-  if (is_of_noise && entry.is_noise_free) return "the renderer has no random numbers";
-  if (render == RenderChange::Precision && entry.double_precision.empty())
+  if (is_of_noise && entry.sampling.is_noise_free) return "the renderer has no random numbers";
+  if (render == RenderChange::Precision && entry.command.double_precision.empty())
     return "the renderer's entry has no arguments for double_precision";
   return "";
 }

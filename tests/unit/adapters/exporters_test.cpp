@@ -34,9 +34,9 @@ TEST(Exporters, AnUnknownFormatIsAnsweredWithAllFormatsAndTheNearest) {
   renderer.name = "r";
   renderer.place = "configuration.json:7";
   EXPECT_NO_THROW(adapters::check_scene_format(renderer));
-  renderer.scene_format = registry::kNativeFormat;
+  renderer.format.name = registry::kNativeFormat;
   EXPECT_NO_THROW(adapters::check_scene_format(renderer));
-  renderer.scene_format = "mitsubo";
+  renderer.format.name = "mitsubo";
   try {
     adapters::check_scene_format(renderer);
     FAIL();

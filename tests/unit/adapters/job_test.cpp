@@ -14,7 +14,7 @@ namespace {
 Renderer renderer_with(std::vector<std::string> command) {
   Renderer renderer;
   renderer.name = std::string("r");
-  renderer.command = std::move(command);
+  renderer.command.words = std::move(command);
   return renderer;
 }
 
@@ -44,7 +44,7 @@ TEST(Job, EveryPlaceholderHasItsValue) {
 
 TEST(Job, SeedsStandAsFarApartAsTheRendererNeedsThem) {
   auto renderer = renderer_with({"{executable}", "{scene}", "{output}", "{seed}"});
-  renderer.seed_stride = 1000003;
+  renderer.sampling.seed_stride = 1000003;
   EXPECT_EQ(make_job(renderer, scene_of(1, 1), {1, 2, 1, "", "", "/r"}, "/o").argv.back(), "2000006");
   EXPECT_THROW(make_job(renderer, scene_of(1, 1), {1, 5000, 1, "", "", "/r"}, "/o"), orbs::InputError);
 }
@@ -71,15 +71,15 @@ TEST(Job, MoreSamplesThanACountCanHoldAreRefused) {
 
 TEST(Export, ASettingThatTheFormatDoesNotHaveIsAnError) {
   auto renderer = renderer_with({});
-  renderer.scene_format = "povray";
-  renderer.scene_settings["photons"] = 1000;
+  renderer.format.name = "povray";
+  renderer.format.settings["photons"] = 1000;
   EXPECT_NO_THROW(orbs::adapters::check_scene_settings(renderer));
-  renderer.scene_settings["photon"] = 1000;
+  renderer.format.settings["photon"] = 1000;
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
-  renderer.scene_settings = {{"photons", 0.5}};
+  renderer.format.settings = {{"photons", 0.5}};
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
-  renderer.scene_settings = {{"photons", 1}};
-  renderer.scene_format = "orbs-scene";
+  renderer.format.settings = {{"photons", 1}};
+  renderer.format.name = "orbs-scene";
   EXPECT_THROW(orbs::adapters::check_scene_settings(renderer), orbs::InputError);
 }
 
@@ -96,16 +96,16 @@ orbs::scene::Scene polarised_scene() {
 TEST(Transports, TheCommandGetsTheRenderersWordForWhatTheSceneCallsFor) {
   auto renderer = renderer_with({"{executable}", "-m", "{transport}", "{scene}", "{output}"});
   EXPECT_EQ(make_job(renderer, polarised_scene(), {}, "/o").argv[2], "polarised");
-  renderer.transports = {{"rgb", "scalar_rgb"}, {"polarised", "scalar_spectral_polarized"}};
+  renderer.format.transports = {{"rgb", "scalar_rgb"}, {"polarised", "scalar_spectral_polarized"}};
   EXPECT_EQ(make_job(renderer, polarised_scene(), {}, "/o").argv[2], "scalar_spectral_polarized");
   EXPECT_EQ(make_job(renderer, scene_of(8, 8), {}, "/o").argv[2], "scalar_rgb");
 }
 
 TEST(Transports, ASceneThatTheRendererHasNoWordForIsRefusedWithTheReason) {
   auto renderer = renderer_with({"{transport}"});
-  renderer.declares = orbs::registry::parse_features("G5/M8/L4/A4/E6");
+  renderer.support.declares = orbs::registry::parse_features("G5/M8/L4/A4/E6");
   EXPECT_EQ(orbs::adapters::transport_limit(renderer, polarised_scene()), "");
-  renderer.transports = {{"rgb", "scalar_rgb"}};
+  renderer.format.transports = {{"rgb", "scalar_rgb"}};
   EXPECT_EQ(orbs::adapters::transport_limit(renderer, scene_of(8, 8)), "");
   const auto prepared = orbs::adapters::prepare_scene(renderer, polarised_scene());
   ASSERT_TRUE(std::holds_alternative<std::string>(prepared));
@@ -116,16 +116,16 @@ TEST(Transports, ASceneThatTheRendererHasNoWordForIsRefusedWithTheReason) {
 
 TEST(Transports, WordsForPathsThatDoNotExistOrThatNobodyUsesAreErrors) {
   auto renderer = renderer_with({"{executable}", "{transport}"});
-  renderer.transports = {{"spectral", "s"}};
+  renderer.format.transports = {{"spectral", "s"}};
   EXPECT_NO_THROW(orbs::adapters::check_transports(renderer));
-  renderer.transports = {{"polarized", "p"}};
+  renderer.format.transports = {{"polarized", "p"}};
   try {
     orbs::adapters::check_transports(renderer);
     FAIL() << "'polarized' passed";
   } catch (const orbs::InputError& e) {
     EXPECT_NE(std::string(e.what()).find("polarised"), std::string::npos) << e.what();
   }
-  renderer.transports = {{"spectral", "s"}};
-  renderer.command = {"{executable}"};
+  renderer.format.transports = {{"spectral", "s"}};
+  renderer.command.words = {"{executable}"};
   EXPECT_THROW(orbs::adapters::check_transports(renderer), orbs::InputError);
 }

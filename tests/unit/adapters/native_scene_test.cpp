@@ -14,7 +14,7 @@ namespace {
 registry::Renderer renderer() {
   registry::Renderer entry;
   entry.name = "art";
-  entry.native_scenes = "arm";
+  entry.format.native_scenes = "arm";
   return entry;
 }
 
@@ -28,7 +28,7 @@ TEST(NativeScene, LiesInTheRenderersFolderOfTheCase) {
   EXPECT_EQ(adapters::native_scene(renderer(), neutral, "v1.5"), scratch.path() / "m1/art/v1.5.arm");
   EXPECT_EQ(adapters::native_scene(renderer(), neutral, "grey"), "");
   auto other = renderer();
-  other.native_scenes = "";
+  other.format.native_scenes = "";
   EXPECT_EQ(adapters::native_scene(other, neutral, "v1.5"), "");
 }
 

@@ -49,11 +49,11 @@ TEST(Configuration, ASmallEntryIsCompleteAndTheRestHasDefaults) {
   ASSERT_EQ(configuration.renderers.size(), 1U);
   const auto& renderer = configuration.renderers[0];
   EXPECT_EQ(renderer.name, "a");
-  EXPECT_EQ(renderer.declares, orbs::registry::parse_features("G1/M2"));
+  EXPECT_EQ(renderer.support.declares, orbs::registry::parse_features("G1/M2"));
   EXPECT_EQ(renderer.limits.wall_seconds, 600);
   EXPECT_FALSE(renderer.limits.memory_bytes);
-  EXPECT_EQ(renderer.spp_scale, 1);
-  EXPECT_EQ(renderer.scene_format, "orbs-scene");
+  EXPECT_EQ(renderer.sampling.spp_scale, 1);
+  EXPECT_EQ(renderer.format.name, "orbs-scene");
   EXPECT_EQ(configuration.defaults.suite, "orbs");
   EXPECT_TRUE(configuration.defaults.log);
 }
@@ -64,11 +64,11 @@ TEST(Configuration, SeveralSeedsNeedAPlaceForThemInTheCommand) {
   EXPECT_NE(message_of(with_renderer(kRenderer + R"(, "seeds": 17)")).find("/seeds:"), std::string::npos);
   const auto fitting = load(with_renderer(
       R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}", "{seed}"], "seeds": 16)"));
-  EXPECT_EQ(fitting.renderers[0].seeds, 16);
+  EXPECT_EQ(fitting.renderers[0].sampling.seeds, 16);
 }
 
 TEST(Configuration, WhatTakesASeedIsNotNoiseFree) {
-  EXPECT_TRUE(load(with_renderer(kRenderer + R"(, "noise_free": true)")).renderers[0].is_noise_free);
+  EXPECT_TRUE(load(with_renderer(kRenderer + R"(, "noise_free": true)")).renderers[0].sampling.is_noise_free);
   const auto message = message_of(with_renderer(
       R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}", "{seed}"], "noise_free": true)"));
   EXPECT_NE(message.find("/renderers/0/noise_free: contradicts {seed}"), std::string::npos) << message;
@@ -142,11 +142,16 @@ TEST(Configuration, LimitsOfARendererStandInPlaceOfThoseOfTheFile) {
 
 TEST(Configuration, SettingsOfSizesAreKnownByTheirDivisor) {
   const auto renderer = with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/4": {"photons": 5}})");
-  EXPECT_EQ(load(renderer).renderers.at(0).scene_settings_of_sizes.at(4).at("photons"), 5);
+  EXPECT_EQ(
+      load(renderer).renderers.at(0).format.settings_of_sizes.at(orbs::registry::QuarterSize).at("photons"),
+      5);
   EXPECT_EQ(
       message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1/3": {"photons": 5}})")),
-      "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1~13: is no reduced size; expected "
-      "1/2, 1/4 or 1/8");
+      "configuration.json:3:167: /renderers/0/scene_settings_of_sizes/1~13: '1/3' is no size; there are 1, 1/2, "
+      "1/4 and 1/8 of the full width");
+  const auto full =
+      message_of(with_renderer(kRenderer + R"(, "scene_settings_of_sizes": {"1": {"photons": 5}})"));
+  EXPECT_NE(full.find("/scene_settings_of_sizes/1: is no reduced size"), std::string::npos) << full;
 }
 
 TEST(Configuration, SettingsOfAScenePrecedeThoseOfASize) {
@@ -155,15 +160,15 @@ TEST(Configuration, SettingsOfAScenePrecedeThoseOfASize) {
                                      R"(, "scene_settings_of_sizes": {"1/4": {"photons": 5}})"
                                      R"(, "scene_settings_of_scenes": {"124": {"photons": 6}})"))
           .renderers.at(0);
-  const auto photons = [&](int size_divisor, const char* scene) {
+  const auto photons = [&](orbs::registry::SizeDivisor size_divisor, const char* scene) {
     const auto own = orbs::registry::for_scene(orbs::registry::at_size(renderer, size_divisor), scene);
-    EXPECT_EQ(own.scene_settings.at("radiosity"), 1);
-    return own.scene_settings.at("photons");
+    EXPECT_EQ(own.format.settings.at("radiosity"), 1);
+    return own.format.settings.at("photons");
   };
-  EXPECT_EQ(photons(1, "101"), 4);
-  EXPECT_EQ(photons(4, "101"), 5);
-  EXPECT_EQ(photons(4, "124"), 6);
-  EXPECT_EQ(photons(1, "124"), 6);
+  EXPECT_EQ(photons(orbs::registry::FullSize, "101"), 4);
+  EXPECT_EQ(photons(orbs::registry::QuarterSize, "101"), 5);
+  EXPECT_EQ(photons(orbs::registry::QuarterSize, "124"), 6);
+  EXPECT_EQ(photons(orbs::registry::FullSize, "124"), 6);
 }
 
 TEST(Configuration, ScalesOfSamplesMustBePositive) {
@@ -213,7 +218,7 @@ TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
   const auto place = [](const std::string& members) {
     return load(with_renderer(kRenderer + R"(, "render_seconds": {)" + members + "}"))
         .renderers[0]
-        .render_seconds;
+        .timing.render_seconds;
   };
   EXPECT_EQ(place(R"x("pattern": "([0-9]+):([0-9.]+)")x").pattern, "([0-9]+):([0-9.]+)");
   EXPECT_EQ(place(R"x("file": "a/b.json", "key": "t", "unit_seconds": 0.001)x").unit_seconds, 0.001);
@@ -237,7 +242,7 @@ TEST(Configuration, ARenderersOwnTimeStandsInItsOutputOrInAFile) {
 
 TEST(Configuration, AVersionIsOneGroupOfAPattern) {
   const auto right = with_renderer(kRenderer + R"x(, "version_pattern": "^(r [^,]+)")x");
-  EXPECT_EQ(load(right).renderers[0].version_pattern, "^(r [^,]+)");
+  EXPECT_EQ(load(right).renderers[0].command.version_pattern, "^(r [^,]+)");
   EXPECT_NE(message_of(with_renderer(kRenderer + R"x(, "version_pattern": "^r")x"))
                 .find("has 0 groups in parentheses, needs 1, which holds the version"),
             std::string::npos);
@@ -252,8 +257,8 @@ TEST(Configuration, AStrideOfSeedsNeedsASeed) {
 TEST(Configuration, HandWrittenScenesHaveAnEnding) {
   const auto native =
       load(with_renderer(kRenderer + R"(, "scene_format": "native", "native_scenes": "arm")"));
-  EXPECT_EQ(native.renderers[0].scene_format, "native");
-  EXPECT_EQ(native.renderers[0].native_scenes, "arm");
+  EXPECT_EQ(native.renderers[0].format.name, "native");
+  EXPECT_EQ(native.renderers[0].format.native_scenes, "arm");
   EXPECT_NE(
       message_of(with_renderer(kRenderer + R"(, "scene_format": "native")")).find("needs 'native_scenes'"),
       std::string::npos);
@@ -305,7 +310,7 @@ TEST(Configuration, AnUnknownSuiteIsAnErrorWithTheNearestName) {
 TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   std::vector<std::string> formats;
-  for (const auto& renderer : configuration.renderers) formats.push_back(renderer.scene_format);
+  for (const auto& renderer : configuration.renderers) formats.push_back(renderer.format.name);
   EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
 }
 

@@ -42,7 +42,7 @@ std::string message_of(const Stand& stand, const registry::NewRenderer& added) {
 TEST(NewRenderer, IsReadBackAndEveryOtherByteStays) {
   const Stand stand;
   const auto added = add_renderer(stand.read(), {.name = "mine", .executable = "/opt/my renderer"});
-  EXPECT_EQ(added.executable, "/opt/my renderer");
+  EXPECT_EQ(added.command.executable, "/opt/my renderer");
   const auto text = read_file(stand.file());
   const auto end_of_first = kText.find("\"{output}\"] }") + 13;
   EXPECT_EQ(text.substr(0, end_of_first), kText.substr(0, end_of_first));
@@ -51,14 +51,14 @@ TEST(NewRenderer, IsReadBackAndEveryOtherByteStays) {
   const auto read = stand.read();
   ASSERT_EQ(read.renderers.size(), 2U);
   EXPECT_EQ(read.renderers[1].name, "mine");
-  EXPECT_EQ(read.renderers[1].command.front(), "{executable}");
+  EXPECT_EQ(read.renderers[1].command.words.front(), "{executable}");
 }
 
 TEST(NewRenderer, OfAFormatTakesTheCommandOfTheFirstWithThatFormat) {
   const Stand stand;
   const auto added = add_renderer(stand.read(), {.name = "b", .scene_format = "pbrt"});
-  EXPECT_EQ(added.command, stand.read().renderers[0].command);
-  EXPECT_EQ(added.executable, "b");
+  EXPECT_EQ(added.command.words, stand.read().renderers[0].command.words);
+  EXPECT_EQ(added.command.executable, "b");
 }
 
 TEST(NewRenderer, TakesTheWordsForTransportsAlongWithTheCommand) {
@@ -67,9 +67,9 @@ TEST(NewRenderer, TakesTheWordsForTransportsAlongWithTheCommand) {
     { "name": "a", "executable": "a", "declares": "G1", "scene_format": "mitsuba",
       "transports": { "rgb": "scalar_rgb" }, "command": ["{executable}", "{transport}", "{scene}", "{output}"] } ] })");
   const auto added = add_renderer(stand.read(), {.name = "b", .scene_format = "mitsuba"});
-  EXPECT_EQ(added.transports, stand.read().renderers[0].transports);
+  EXPECT_EQ(added.format.transports, stand.read().renderers[0].format.transports);
   const auto other = add_renderer(stand.read(), {.name = "c", .scene_format = "povray"});
-  EXPECT_TRUE(other.transports.empty());
+  EXPECT_TRUE(other.format.transports.empty());
 }
 
 TEST(NewRenderer, WithATakenNameOrAWrongEntryLeavesTheFileAlone) {

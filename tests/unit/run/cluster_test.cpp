@@ -22,7 +22,7 @@ run::Plan plan_of(int count) {
   run::Plan plan;
   plan.root = ORBS_SOURCE_DIR;
   plan.suite.name = "orbs";
-  plan.settings.size_divisor = 4;
+  plan.settings.size_divisor = registry::QuarterSize;
   for (const char* name : {"orbs", "cycles"}) {
     run::ChosenRenderer renderer;
     renderer.entry.name = name;

@@ -15,8 +15,8 @@ using namespace orbs;
 std::string version_in(const std::string& output, const std::string& pattern) {
   run::ChosenRenderer renderer;
   renderer.executable = "/usr/bin/printf";
-  renderer.entry.version_command = {"{executable}", output};
-  renderer.entry.version_pattern = pattern;
+  renderer.entry.command.version_command = {"{executable}", output};
+  renderer.entry.command.version_pattern = pattern;
   return run::renderer_version(renderer, {});
 }
 
@@ -45,9 +45,9 @@ TEST(RendererVersion, IsAskedForOnceMoreWhereNoAnswerCame) {
   run::ChosenRenderer renderer;
   renderer.executable = "/bin/sh";
   renderer.entry.name = "mine";
-  renderer.entry.version_command = {"{executable}", "-c",
-                                    R"(mkdir "$0" 2>/dev/null && exec tail -f /dev/null; echo version 7)",
-                                    (folder.path() / "asked").string()};
+  renderer.entry.command.version_command = {
+      "{executable}", "-c", R"(mkdir "$0" 2>/dev/null && exec tail -f /dev/null; echo version 7)",
+      (folder.path() / "asked").string()};
   std::vector<std::string> said;
   const auto version = run::renderer_version(
       renderer, {},

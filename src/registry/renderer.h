@@ -1,0 +1,303 @@
+#pragma once
+
+#include "base/process_limits.h"
+#include "json/fields.h"
+#include "registry/features.h"
+#include "registry/image_size.h"
+#include "registry/limits.h"
+#include "registry/run_settings.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The entry of a renderer in configuration.json.
+namespace orbs::registry {
+
+/// Words of "scene_format". Neutral: scenes as the suite holds them. Native: a format of the renderer's own,
+/// of which there are hand-written scenes only. All other words are those of the exporters, who check them.
+inline constexpr const char* kNeutralFormat = "orbs-scene";
+inline constexpr const char* kNativeFormat = "native";
+
+/// How the program is called. No shell is involved.
+struct Command {
+  std::string executable;  // a path with placeholders, or a program on PATH
+  std::vector<std::string> words;
+  std::vector<std::string> arguments;  // of the variant, in the place of {arguments} in the words
+  std::vector<std::string> plugins{};  // with {root} and {build}, relative to the folder of the configuration
+  std::vector<std::string> environment;
+  std::vector<std::string> version_command;
+  std::string version_pattern;                  // "" for the whole first line
+  std::vector<std::string> double_precision{};  // none: it has no double precision
+};
+
+template <class Visitor, json::RecordOf<Command> Record>
+void fields(Visitor& visit, Record& command) {
+  visit.required("executable", command.executable,
+                 {.help = "A program on PATH, or a path that may begin with `{root}`, the folder of "
+                          "`configuration.json`, or `{build}`"});
+  visit.required(
+      "command", command.words,
+      {.help = "Program and arguments, each word one argument; must use `{scene}` and `{output}`"});
+  visit("plugins", command.plugins,
+        {.help = "Files of plug-ins, relative to `configuration.json`; they may begin with `{root}` or "
+                 "`{build}`. The command needs a word with `{plugin}`, which stands there once for each"});
+  visit("environment", command.environment, {.help = "`NAME`, passed on from the caller, or `NAME=value`"});
+  visit("version_command", command.version_command,
+        {.help =
+             "Prints its version: it must end within 5 s, and with exit status 0 unless the pattern matches",
+         .changes_image = false});
+  visit("version_pattern", command.version_pattern,
+        {.help =
+             "POSIX extended regular expression with one group, which holds the version in the first line of "
+             "the output that matches",
+         .unset = "the whole first line",
+         .changes_image = false});
+  visit(
+      "double_precision", command.double_precision,
+      {.help = "Arguments that follow the command where it is to work in double precision; `orbs stability` "
+               "then compares both",
+       .changes_image = false});
+}
+
+using SceneSettings = std::map<std::string, double>;
+
+/// What the renderer reads.
+struct SceneFormat {
+  std::string name = kNeutralFormat;
+  SceneSettings settings;  // numbers for the exporter of the format; which, it says itself
+  std::map<SizeDivisor, SceneSettings> settings_of_sizes;
+  std::map<std::string, SceneSettings> settings_of_scenes;
+  /// What {transport} stands for, by the name of what the light paths of a scene must carry ("spectral");
+  /// these names themselves where it is empty.
+  std::map<std::string, std::string> transports;
+  std::string native_scenes;  // ending of scenes written by hand for it, "xml"; "" when it has none
+};
+
+template <class Visitor, json::RecordOf<SceneFormat> Record>
+void fields(Visitor& visit, Record& format) {
+  visit("scene_format", format.name,
+        {.help = "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, or `native` for hand-written scenes only"});
+  visit("scene_settings", format.settings,
+        {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
+  // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
+  visit("scene_settings_of_sizes", format.settings_of_sizes,
+        {.help = "Numbers in place of those at a reduced size: `{\"1/4\": {\"photons\": 800000}}`",
+         .changes_image = false});
+  visit("scene_settings_of_scenes", format.settings_of_scenes,
+        {.help = "Numbers in place of both for single scenes: `{\"124\": {\"area_grid\": 16}}`",
+         .changes_image = false});
+  visit("transports", format.transports,
+        {.help = "What `{transport}` stands for in the command, by the transport that the scene calls for "
+                 "(`orbs effects` says it). A scene whose transport is not listed is unsupported",
+         .unset = "the name of the transport"});
+  visit("native_scenes", format.native_scenes,
+        {.help =
+             "Ending of scenes written by hand for it: `<case>/<renderer>/<scene>.<ending>` is used in place "
+             "of an exported scene",
+         .changes_image = false});  // the hash of the scene has the file
+}
+
+/// Requirements that a renderer cannot meet, and why; the reason stands in the report.
+struct KnownLimit {
+  std::vector<std::string> requirements;
+  std::string reason;
+};
+
+template <class Visitor, json::RecordOf<KnownLimit> Record>
+void fields(Visitor& visit, Record& limit) {
+  visit.required("requirements", limit.requirements, {.help = "Requirements such as M7"});
+  visit.required("reason", limit.reason, {.help = "Why it cannot meet them"});
+}
+
+/// What the renderer says that it can do.
+struct Support {
+  FeatureSet declares;
+  std::vector<KnownLimit> known_limits;
+};
+
+template <class Visitor, json::RecordOf<Support> Record>
+void fields(Visitor& visit, Record& support) {
+  visit.required(
+      "declares", support.declares,
+      {.help = "ORB.S feature numbers: `G5/M8-(7)/L3/A3` is all of G1 to G5, M1 to M8 without M7, L1 to "
+               "L3, A1 to A3. A scene that needs more is reduced to what is declared, or `unsupported` "
+               "where that is not possible"});
+  visit("known_limits", support.known_limits,
+        {.help = "`requirements` that it cannot meet, each with the `reason` for the report",
+         .changes_image = false});
+}
+
+/// How many samples and seeds a render gets, and what is known of its noise.
+struct Sampling {
+  double spp_scale = 1;  // samples of this renderer for one sample of the case
+  std::map<std::string, double> spp_scale_of_scenes;
+  int seeds = 1;
+  int seed_stride = 1;
+  std::string biased;          // why no quality of it is right to the last digit; "" where nothing is known
+  bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
+  bool has_box_filter = true;  // only then is an image of fewer pixels the average of the full one
+};
+
+template <class Visitor, json::RecordOf<Sampling> Record>
+void fields(Visitor& visit, Record& sampling) {
+  // The id of a render has its samples.
+  visit("spp_scale", sampling.spp_scale,
+        {.help = "Its samples for one sample of the case", .range = json::kPositive, .changes_image = false});
+  visit("spp_scale_of_scenes", sampling.spp_scale_of_scenes,
+        {.help =
+             "In place of `spp_scale`, by the name of the scene: where it finds the light harder than others",
+         .range = json::kPositive,
+         .changes_image = false});
+  visit("seeds", sampling.seeds,
+        {.help =
+             "So many renders with consecutive seeds in place of one, which share the samples: their scatter "
+             "gives the variance; needs `{seed}`",
+         .range = {1, kMostSeeds}});
+  visit(
+      "seed_stride", sampling.seed_stride,
+      {.help = "`{seed}` is the seed times this: for renderers whose neighbouring seeds draw the same random "
+               "numbers in neighbouring pixels, such as Mitsuba",
+       .range = {1, kLargestSeed}});
+  visit("biased", sampling.biased,
+        {.help = "Why it converges to another image than the right one, in a few words: `irradiance cache`, "
+                 "`denoised`; `orbs cost` labels its curves with it",
+         .changes_image = false});
+  // What was judged is judged anew, see judged_hash().
+  visit(
+      "noise_free", sampling.is_noise_free,
+      {.help =
+           "It draws no random samples, so whatever differs from a reference is an error of the image; must "
+           "not use `{seed}`",
+       .changes_image = false});
+  visit("box_filter", sampling.has_box_filter,
+        {.help = "`false`: a pixel is not the plain mean over its square, so an image of fewer pixels is no "
+                 "average of the full one, and its targets are `unsupported` at a reduced size",
+         .changes_image = false});
+}
+
+/// Where a renderer says how long it has rendered, start and files not counted: in its output or in a file.
+/// Nothing is looked for where both are "".
+struct RenderSeconds {
+  std::string pattern{};
+  std::string file{};
+  std::string key{};
+  double unit_seconds = 1;
+};
+
+template <class Visitor, json::RecordOf<RenderSeconds> Record>
+void fields(Visitor& visit, Record& seconds) {
+  visit(
+      "pattern", seconds.pattern,
+      {.help =
+           "POSIX extended regular expression for its output, the last match counts; groups: seconds, or "
+           "minutes and seconds, or hours, minutes and seconds; or a number and its unit (us, ms, s, m, min, "
+           "h, d)"});
+  visit("file", seconds.file, {.help = "JSON file that it writes into the folder of the render"});
+  visit("key", seconds.key,
+        {.help = "Number in the file: `seconds`, or `timing/render` for one in an object"});
+  visit("unit_seconds", seconds.unit_seconds, {.help = "0.001 for milliseconds", .range = json::kPositive});
+}
+
+/// One quality of a renderer whose accuracy does not follow from its samples alone.
+struct QualityRung {
+  std::string name;
+  int spp = 1;  // that the renderer gets
+  SceneSettings scene_settings;
+};
+
+template <class Visitor, json::RecordOf<QualityRung> Record>
+void fields(Visitor& visit, Record& rung) {
+  visit.required("name", rung.name);
+  visit("spp", rung.spp, {.help = "Samples per pixel that the renderer gets", .range = {1, 1 << 24}});
+  visit("scene_settings", rung.scene_settings, {.help = "In place of those of the entry"});
+}
+
+/// How its time is known, and what is rendered to see what accuracy costs.
+struct Timing {
+  RenderSeconds render_seconds;
+  std::vector<QualityRung> cost_ladder;  // from cheap to accurate; none: more and more samples
+};
+
+template <class Visitor, json::RecordOf<Timing> Record>
+void fields(Visitor& visit, Record& timing) {
+  visit("render_seconds", timing.render_seconds,
+        {.help =
+             "Where it says its own render time: a `pattern` for its output, or a `file` and `key` in JSON"});
+  visit("cost_ladder", timing.cost_ladder,
+        {.help =
+             "Qualities that `orbs cost` renders, from cheap to accurate, for a renderer whose accuracy does "
+             "not follow from its samples alone: each has a `name`, `spp` and `scene_settings`",
+         .unset = "more and more samples",
+         .changes_image = false});
+}
+
+struct Renderer {
+  std::string name;        // of a variant: "<entry>-<variant>"
+  std::string variant_of;  // name of the entry that lists it as a variant; "" for an entry without variants
+  std::string place;       // file:line of the entry, for messages; "" when it comes from no file
+  Command command;
+  SceneFormat format;
+  Support support;
+  Sampling sampling;
+  Timing timing;
+  ProcessLimits limits;  // those of the file, with the entry's own in their place
+};
+
+/// What an entry of the file and the renderer that it stands for have in common: what a variant adds, and the
+/// limits, come from elsewhere.
+template <class Visitor, json::RecordOf<Renderer> Record>
+void fields(Visitor& visit, Record& renderer) {
+  visit.required("name", renderer.name, {.help = "In lists, tables and folders", .changes_image = false});
+  fields(visit, renderer.command);
+  fields(visit, renderer.support);
+  fields(visit, renderer.format);
+  fields(visit, renderer.sampling);
+  fields(visit, renderer.timing);
+}
+
+/// A way to call the same program: a renderer of its own.
+struct Variant {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::optional<std::string> biased;  // in place of that of the entry
+};
+
+template <class Visitor, json::RecordOf<Variant> Record>
+void fields(Visitor& visit, Record& variant) {
+  visit.required("name", variant.name, {.help = "The renderer is called `<entry>-<name>`"});
+  visit.required("arguments", variant.arguments,
+                 {.help = "In the place of `{arguments}` in the command, or at its end"});
+  visit("biased", variant.biased, {.help = "In place of that of the entry"});
+}
+
+struct RendererEntry {
+  Renderer renderer;
+  LimitSettings limits;
+  std::vector<Variant> variants;
+};
+
+template <class Visitor, json::RecordOf<RendererEntry> Record>
+void fields(Visitor& visit, Record& entry) {
+  fields(visit, entry.renderer);
+  visit("limits", entry.limits,
+        {.help = "Of all processes of a render together, in place of those of the file"});
+  visit("variants", entry.variants,
+        {.help =
+             "Ways to call the same program, each a renderer of its own in every table: `name`, `arguments`, "
+             "and `biased` in place of the entry's"});
+}
+
+/// The renderers that an entry stands for: one for each of its variants, or the entry itself without any.
+/// `limits` are those of the file, and `in` is where the entry was read. InputError with file, line and key
+/// for what does not fit together: unknown placeholders, a command without {scene} or {output}, and the like.
+std::vector<Renderer> renderers_of(json::ObjectReader& in, RendererEntry entry, const ProcessLimits& limits);
+
+/// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
+std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
+
+/// "configuration.json:14: renderer 'pbrt'", as messages about the entry begin.
+std::string entry_name(const Renderer& renderer);
+
+}  // namespace orbs::registry
