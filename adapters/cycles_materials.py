@@ -267,7 +267,7 @@ def grid_lookup(shader, name, grid, vertical_rad, turns):
     v = shader.math("MULTIPLY_ADD", vertical_rad, slope, 0.5 / grid.rows - first * slope)
     vector = shader.node("ShaderNodeCombineXYZ", {"X": u, "Y": v}).outputs["Vector"]
     factor = image_lookup(shader, image, vector, "EXTEND")
-    # LM-63: no light outside the stored vertical range. Beyond 180 deg there is nothing, whatever the rounding.
+    # LM-63: no light outside the stored vertical range. Beyond 180 deg there is nothing, in spite of rounding.
     if last < math.radians(179.99):
         factor = shader.math("MULTIPLY", factor, shader.math("LESS_THAN", vertical_rad, last))
     if first > 0:

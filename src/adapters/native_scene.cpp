@@ -26,7 +26,7 @@ std::vector<fs::path> files_beside(const fs::path& native) {
     if (type == fs::file_type::directory) continue;
     if (type != fs::file_type::regular)
       throw InputError(
-          fmt::format("{}: is no file of its own, but hand-written scenes take their whole folder with "
+          fmt::format("{}: is a link or a special file, but hand-written scenes take their whole folder with "
                       "them; copy what it stands for",
                       entry.path().string()));
     files.push_back(entry.path().lexically_relative(folder));

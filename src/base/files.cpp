@@ -149,7 +149,7 @@ std::error_code remove_tree(const std::filesystem::path& path) {
 namespace {
 
 // All that was written to the disk of that folder. One call instead of one fsync for each of a dozen files:
-// each would wait for a commit of its own, ten times as long in all.
+// each would wait for a separate commit, ten times as long in all.
 void flush_disk_of(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const bool flushed = descriptor >= 0 && ::syncfs(descriptor) == 0;

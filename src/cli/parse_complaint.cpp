@@ -74,7 +74,7 @@ std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app) {
   std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const auto found = words_of(text.substr(text.find(": ") + 1));
-    // The words that follow an unknown option are no arguments of their own.
+    // The words that follow an unknown option belong to it and are not complained about.
     const auto option =
         std::find_if(found.begin(), found.end(), [](const auto& word) { return word.starts_with('-'); });
     if (!found.empty()) text = unexpected(option == found.end() ? found.front() : *option, *command, words);

@@ -64,7 +64,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
   auto settings = filtered_settings(configuration, options.filters);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
   settings.executable = options.executable;
-  settings.size_divisor = registry::FullSize;  // a probe has a size of its own
+  settings.size_divisor = registry::FullSize;  // a probe has its own size
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
   const auto records = studies::run_probe(plan, options.probe, context);
@@ -83,7 +83,7 @@ void add_probe_command(CLI::App& command, const Program& program, Action& action
   const auto options = std::make_shared<ProbeOptions>();
   add_options(command, *options);
   command.footer(
-      "Renders an id pass, in which every material of every instance and every light has a colour of its own,\n"
+      "Renders an id pass, in which every material of every instance and every light has a different colour,\n"
       "and a uv pass. Both are compared with primary visibility as orbs computes it from the scene.\n"
       "Exit status: 0 if all that could be checked is right, 1 if a renderer is not right or nothing could be\n"
       "checked.");

@@ -31,7 +31,9 @@ void add_choice_options(CLI::App& command, RunOptions& options) {
   command.add_option("--seed", options.seed, "Seed of all renders (default: 1)")
       ->check(zero_or_more())
       ->check(CLI::Range(0, registry::kLargestSeed));
-  command.add_option("--spp-scale", options.spp_scale, "Factor of all samples per pixel (default: 1)")
+  command
+      .add_option("--spp-scale", options.spp_scale,
+                  "Multiply every scene's samples per pixel by this (default: 1)")
       ->check(above_zero());
   add_size_option(command, options.size);
   command.add_flag("-l,--log,!--no-log", options.log,

@@ -32,7 +32,7 @@ struct StabilityOptions {
 
 void add_study_options(CLI::App& command, StabilityOptions& options) {
   constexpr int kMostThreads = 1024;
-  command.add_option("files", options.files, "Scene files to render in place of scenes of the suite");
+  command.add_option("files", options.files, "Scene files to render instead of scenes of the suite");
   add_filter_options(command, options.filters);
   command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
   command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
@@ -105,7 +105,7 @@ int measure(const registry::Configuration& configuration,
   auto settings = filtered_settings(configuration, options.filters);
   if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
   if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  settings.size_divisor = registry::FullSize;  // a study of stability has a size of its own
+  settings.size_divisor = registry::FullSize;  // a study of stability has its own size
   auto plan = run::make_plan(configuration, settings, program.folder);
   if (!options.files.empty()) plan.scenes = scenes_of(options.files);
   const auto context = study_context(program, stderr);

@@ -130,9 +130,16 @@ MetricResult compute_edge_blur(const ImagePair& pair) {
 
 std::string describe_edge_blur(const Measurement& measurement, const Limits& limits) {
   if (!measurement.value) return "the reference has no edges to be compared with";
-  return fmt::format("its edges are {} than the reference's by {:.3g} ({:.3g} to {:.3g}), {}",
-                     *measurement.value > 0 ? "softer" : "sharper", *measurement.value,
-                     measurement.low.value_or(0), measurement.high.value_or(0), limits_text(limits));
+  const double value = *measurement.value;
+  const double low = measurement.low.value_or(value);
+  const double high = measurement.high.value_or(value);
+  constexpr std::string_view kText = "edges are {} by {:.3g} ({:.3g} to {:.3g}) of a 3 x 3 px filter, {}";
+  if (value >= 0) return fmt::format(kText, "blurred", value, low, high, limits_text(limits));
+  // How much sharper they are is told without a sign, so ends and limits change sides.
+  Limits of_sharpness;
+  if (limits.max) of_sharpness.min = -*limits.max;
+  if (limits.min) of_sharpness.max = -*limits.min;
+  return fmt::format(kText, "sharpened", -value, -high, -low, limits_text(of_sharpness));
 }
 
 }  // namespace orbs::metrics

@@ -219,7 +219,7 @@ std::optional<PatternFinding> finding_of(const Row& row, const Total& total, dou
 
 std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, double false_alarms) {
   const double mean = mean_luminance(samples);
-  if (!(mean > 0)) return std::nullopt;  // black, or a difference of images without a level of its own
+  if (!(mean > 0)) return std::nullopt;  // black, or a difference of images, which has no mean level
   std::array<Total, kRows.size()> totals{};
   for (const Rectangle& block : blocks_of(samples)) {
     const AllSums sums = sums_of_block(samples, block, mean);

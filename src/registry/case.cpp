@@ -189,7 +189,7 @@ void load_scenes(ObjectReader& in, Case& one_case) {
     one_case.path_shares.push_back(load_path_share(std::move(entry), scenes));
 }
 
-// A target without reference and checks would pass whatever it shows. A difference has a reference if both of
+// A target without reference and checks would pass with any image. A difference has a reference if both of
 // its scenes have one.
 void refuse_unjudged(const ObjectReader& in, const Case& one_case) {
   for (const auto& difference : one_case.differences) {

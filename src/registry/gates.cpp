@@ -23,7 +23,7 @@ Gate load_gate(json::ObjectReader in, std::set<std::string>& metrics) {
   if (gate.min && gate.max && *gate.min > *gate.max)
     in.fail("max", fmt::format("must not be below 'min', which is {}", *gate.min));
   gate.reason = in.text("reason");
-  if (gate.reason.empty()) in.fail("reason", "must say why this case has a gate of its own");
+  if (gate.reason.empty()) in.fail("reason", "must say why this case has this gate");
   in.finish();
   return gate;
 }

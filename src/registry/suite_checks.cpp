@@ -69,8 +69,8 @@ void check_references(const std::vector<Case>& cases) {
     for (const auto& scene : one_case.scenes)
       if (scene.no_reference.empty() && !with_reference.contains(reference_name(scene)))
         throw InputError(fmt::format(
-            "{}: scene '{}' is to be judged by the reference of '{}', but no scene of the suite with a "
-            "reference of its own has that name{}",
+            "{}: scene '{}' is to be judged by the reference of '{}', but the suite has no scene of that name "
+            "with its own reference{}",
             one_case.file.string(), scene.name, scene.reference, closest(scene.reference, with_reference)));
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes)

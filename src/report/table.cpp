@@ -101,6 +101,31 @@ std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
   return text;
 }
 
+// Requirements that are judged by the same image have the same number in the table, which looks like a
+// mistake unless it is said.
+std::string shared_numbers_note(const RunRecord& run) {
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> codes_of;  // by renderer and image
+  for (const auto& requirement : run.requirements)
+    for (const auto& target : run.targets) {
+      const auto cell = requirement.cells.find(target.renderer);
+      if (target.requirement != requirement.code || cell == requirement.cells.end()) continue;
+      for (const auto& measure : target.measures)
+        if (measure.name == "psnr_srgb8" && cell->second.lowest_psnr_db == measure.value)
+          codes_of[{target.renderer, target.target}].insert(requirement.code);
+    }
+  std::map<std::string, std::set<std::string>> shared;  // codes by image, of all renderers
+  for (const auto& [image, codes] : codes_of)
+    if (codes.size() > 1) shared[image.second].insert(codes.begin(), codes.end());
+  std::vector<std::string> parts;
+  for (const auto& [image, codes] : shared) {
+    std::vector<std::string> in_order;
+    for (const auto& requirement : run.requirements)
+      if (codes.contains(requirement.code)) in_order.push_back(requirement.code);
+    parts.push_back(fmt::format("{} ({})", fmt::join(in_order, ", "), image));
+  }
+  return parts.empty() ? "" : fmt::format("Equal numbers are of one image: {}", fmt::join(parts, "; "));
+}
+
 std::string counts_text(const results::RendererRecord& renderer) {
   std::vector<std::string> parts;
   const auto add = [&](std::string_view state) {
@@ -188,7 +213,7 @@ std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   return text_table(rows, {}, {style.width, {}});
 }
 
-// A fault that is told apart has a line of its own, once for all cases that use the target. What is none of
+// A fault that is told apart gets one line, once for all cases that use the target. What is none of
 // the usual faults is listed by renderer.
 std::string diagnosis_lines(const RunRecord& run, const TableStyle& style) {
   std::set<std::pair<std::string, std::string>> told;
@@ -250,12 +275,13 @@ std::string interrupt_line(const RunRecord& run) {
 
 std::string summary_text(const RunRecord& run, const TableStyle& style) {
   std::string text = requirement_tables(run, style);
-  text += '\n';
-  text += renderer_lines(run, style);
   const auto add_lines = [&](const std::string& lines) {
     for (const auto& line : split(trim(lines), '\n'))
       text += fmt::format("{}\n", fmt::join(wrapped(line, static_cast<std::size_t>(style.width)), "\n"));
   };
+  if (const auto note = shared_numbers_note(run); !note.empty()) add_lines(note);
+  text += '\n';
+  text += renderer_lines(run, style);
   for (const auto& left : run.left_out)
     add_lines(fmt::format("{} was left out: {}", left.renderer, left.reason));
   for (const auto& lines : {verdict_lines(run, style), diagnosis_lines(run, style), remark_lines(run, style),

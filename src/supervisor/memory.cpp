@@ -164,7 +164,7 @@ bool exceeds_memory(MemoryWatch& watch,
   if (is_exact) watch.peak_bytes = std::max(watch.peak_bytes, bound.resident_bytes);
   if (is_exact || (bound.unbacked_bytes <= most && bound.resident_bytes <= watch.peak_bytes))
     return bound.unbacked_bytes > most;
-  // Between counts the job is taken to hold what it held, and whatever the bound has grown by.
+  // Between counts the job is taken to hold what it held at the last one, plus the growth of the bound.
   const double begin = now_seconds();
   const auto possible =
       watch.shares.unbacked_bytes + growth(watch.bound_at_count.unbacked_bytes, bound.unbacked_bytes);

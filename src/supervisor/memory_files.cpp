@@ -37,7 +37,7 @@ std::optional<FileStatus> status_of(int folder, const char* name) {
   constexpr unsigned kWanted = STATX_TYPE | STATX_INO | STATX_BLOCKS | STATX_CTIME;
   if (::statx(folder, name, AT_STATX_DONT_SYNC | AT_NO_AUTOMOUNT, kWanted, &status) != 0) return std::nullopt;
   if (!S_ISREG(status.stx_mode)) return std::nullopt;
-  constexpr std::size_t kBlock_bytes = 512;  // whatever the block size of the file system
+  constexpr std::size_t kBlock_bytes = 512;  // the unit of stx_blocks on every file system
   return FileStatus{{status.stx_dev_major, status.stx_dev_minor, static_cast<ino_t>(status.stx_ino)},
                     static_cast<std::size_t>(status.stx_blocks) * kBlock_bytes,
                     status.stx_ctime.tv_sec * kSecond_ns + status.stx_ctime.tv_nsec};
@@ -52,7 +52,7 @@ FileId any_memfd() {
   return status ? status->id : FileId{};
 }
 
-// A task may have mounts of its own, in which our mountinfo does not list its tmpfs.
+// A task may have its own mounts, in which our mountinfo does not list its tmpfs.
 bool is_mounted_tmpfs(unsigned major, unsigned minor, pid_t task) {
   const auto device = fmt::format(" {}:{} ", major, minor);
   for (const auto& mount : split(read_proc_file(fmt::format("/proc/{}/mountinfo", task)), '\n'))

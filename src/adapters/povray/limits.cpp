@@ -58,8 +58,7 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
                              scene::display_name("shape", scene.shapes[i].name, scene.spheres.size() + i)));
   for (const auto& sphere : scene.spheres)
     if (texture_of(material_at(scene, sphere.material).model))
-      note(
-          "a sphere by its formula has a texture: POV-Ray's own shapes have texture coordinates of their own");
+      note("a sphere by its formula has a texture: POV-Ray's shapes have different texture coordinates");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(povray::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   if (settings.photons == 0 && needs_caustics(scene, materials))

@@ -94,8 +94,8 @@ std::string shape_limit(const Scene& scene, const Shape& shape, const std::strin
   for_each_leaf(shape, shape.material, [&](const Shape& leaf, int index) {
     const Material& material = material_at(scene, index);
     if (texture_of(material.model))
-      problem = fmt::format("{} has a texture: POV-Ray's own shapes have texture coordinates of their own",
-                            display_name);
+      problem =
+          fmt::format("{} has a texture: POV-Ray's shapes have different texture coordinates", display_name);
     if (surface_of(material.model) == Surface::Glass) glasses.insert(index);
     if (const auto* form = std::get_if<ImplicitForm>(&leaf.form))
       if (const auto reason = isosurface_limit(*form); !reason.empty())

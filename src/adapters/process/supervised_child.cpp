@@ -65,7 +65,7 @@ int spawn(const ProcessRequest& request, const Pipes& pipes, pid_t& pid) {
   posix_spawn_file_actions_adddup2(&actions, pipes.output.write_end(), STDERR_FILENO);
   posix_spawn_file_actions_adddup2(&actions, pipes.report.write_end(), kReport);
   posix_spawn_file_actions_addclosefrom_np(&actions, kReport + 1);
-  // A session of its own: Ctrl-C in the terminal reaches only us.
+  // A new session: Ctrl-C in the terminal reaches only us.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   sigset_t signals;
   sigfillset(&signals);

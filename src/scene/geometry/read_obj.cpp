@@ -15,7 +15,7 @@ namespace orbs::scene {
 namespace {
 
 // Statements that change nothing here: names, smoothing (normals are given), and the material file (the scene
-// has materials of its own).
+// has its own materials).
 const std::set<std::string> kHarmless{"g", "mtllib", "o", "s"};
 
 class ObjReader {

@@ -181,7 +181,7 @@ MeshFile load_mesh(json::ObjectReader in,
   if (in.has("parts")) {
     std::vector<Vec3d> places;
     for (auto& part : in.objects("parts")) {
-      if (part.has("subdivision")) part.fail("subdivision", "cannot be a part: give it a mesh of its own");
+      if (part.has("subdivision")) part.fail("subdivision", "cannot be a part: make it a separate mesh");
       const Mat4 matrix = load_matrix(part, "matrix");
       append_moved(file.mesh, places, load_source(part, folders, materials, left), matrix);
       part.finish();

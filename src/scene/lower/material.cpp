@@ -22,7 +22,7 @@ Vec2f transformed(const Mat4& m, Vec2f uv) {
 }
 
 // Triangles of different materials may share vertices, whose coordinates then differ: each material gets a
-// vertex of its own.
+// separate vertex.
 void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
   constexpr int kAsIs = -1;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> places;

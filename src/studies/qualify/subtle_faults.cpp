@@ -33,7 +33,7 @@ Rgb rgb_at(const Image& image, const std::array<std::size_t, 3>& channels, int x
 
 double luminance_of(const Rgb& rgb) { return image::luminance(rgb[0], rgb[1], rgb[2]); }
 
-// The image with change(image before, x, y) in place of each pixel's colour.
+// The image with change(image before, x, y) as the colour of each pixel.
 template <typename PixelChange>
 Image with_each(const Image& image, PixelChange change) {
   Image out = image;

@@ -79,7 +79,7 @@ std::array<Vec3d, 3> translation_gradient(const LightGrid& grid) {
 }
 
 // The derivative of E = integral L (n . w) dw is the integral of L (n x w) dw. Over a stratum n x w = sin t
-// (-sin phi, cos phi) is integrated exactly, in place of at the sample: constant radiance then has no
+// (-sin phi, cos phi) is integrated exactly and not at the sample: constant radiance then has no
 // gradient to the last digits, and no tangent of a grazing angle spoils it.
 std::array<Vec3d, 3> rotation_gradient(const LightGrid& grid) {
   const auto& strata = grid.strata;

@@ -24,7 +24,7 @@ void create(const scene::PluginForm& form, const std::string& name, PluginShape&
   out.shape = {library.create(numbers.data(), numbers.size(), problem.data(), problem.size()),
                library.destroy};
   if (out.shape != nullptr) return;
-  problem.back() = '\0';  // whatever the plug-in has written
+  problem.back() = '\0';  // the plug-in may have filled the buffer
   const auto text = clean_line(problem.data());
   throw InputError(fmt::format("{}: the plug-in '{}' makes no shape of its numbers: {}", name, library.name,
                                text.empty() ? "it does not say why" : text));

@@ -164,8 +164,8 @@ Part examine(const RayFunction& f, double a, double middle, double b, bool& is_b
 
 Crossing crossing_into(bool is_inside) { return is_inside ? Crossing::Enter : Crossing::Exit; }
 
-// The first root between the ends of the span and beyond `after`. The halving starts from the span, whatever
-// `after` is, so that a root is the same number each time.
+// The first root between the ends of the span and beyond `after`. The halving starts from the span and
+// not from `after`, so that a root is the same number each time.
 std::optional<BoundaryHit> first_root(const RayFunction& f,
                                       const BoxSpan& span,
                                       double shortest,

@@ -13,6 +13,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -153,7 +154,7 @@ TEST(Judge, SoftEdgesFailWhereTheCaseAsksForSharpOnes) {
   sharp.gates.push_back({"edge_blur", -0.9, 0.9});
   const auto record = judged(sharp, soft, stripes);
   EXPECT_EQ(record.verdict, Verdict::Fail);
-  EXPECT_EQ(record.reason, "its edges are softer than the reference's by 1 (1 to 1), at most 0.9 is allowed");
+  EXPECT_EQ(record.reason, "edges are blurred by 1 (1 to 1) of a 3 x 3 px filter, at most 0.9 is allowed");
   EXPECT_EQ(record.checks.back().what, "edge_blur");
   sharp.gates.back() = {"edge_blur", -1.1, 1.1};
   EXPECT_EQ(judged(sharp, soft, stripes).verdict, Verdict::Pass);

@@ -133,3 +133,14 @@ TEST(EdgeBlur, OfAnImageWithoutEdgesThereIsNone) {
   grey.pixels.assign(grey.pixels.size(), 0.5F);
   EXPECT_FALSE(metrics::edge_blur(metrics::pair_samples(grey, grey)));
 }
+
+// A gate that allows -1.1 to 0.9 allows sharpening by 1.1.
+TEST(EdgeBlur, IsToldAsBlurOrAsSharpeningByANumberWithoutASign) {
+  const metrics::Limits limits{-1.1, 0.9};
+  EXPECT_EQ(metrics::describe_edge_blur({&metrics::kEdgeBlur, 1.63, {}, 1.5, 1.75}, limits),
+            "edges are blurred by 1.63 (1.5 to 1.75) of a 3 x 3 px filter, from -1.1 to 0.9 is allowed");
+  EXPECT_EQ(metrics::describe_edge_blur({&metrics::kEdgeBlur, -1.63, {}, -2.37, -1.21}, limits),
+            "edges are sharpened by 1.63 (1.21 to 2.37) of a 3 x 3 px filter, from -0.9 to 1.1 is allowed");
+  EXPECT_EQ(metrics::describe_edge_blur({&metrics::kEdgeBlur, -1.63, {}, -2.37, -1.21}, {-0.15, 0.15}),
+            "edges are sharpened by 1.63 (1.21 to 2.37) of a 3 x 3 px filter, at most 0.15 is allowed");
+}

@@ -55,6 +55,32 @@ TEST(Table, HasALinePerRequirementAndAColumnPerRenderer) {
             "unsupported  bb  M2  101, 102  bb does not declare M2\n");
 }
 
+// M1 and M2 of renderer a are judged by image 101, and M1 of bb by another one.
+TEST(Table, EqualNumbersOfOneImageAreExplained) {
+  auto run = small_run();
+  run.requirements[1].cells.at("a").lowest_psnr_db = 41.204;
+  const auto judged = [&](const char* requirement, const char* renderer, const char* image, double psnr_db) {
+    TargetRecord target;
+    target.requirement = requirement;
+    target.target = image;
+    target.renderer = renderer;
+    target.verdict = Verdict::Pass;
+    target.measures = {{"psnr_srgb8", psnr_db, "dB", ""}};
+    run.targets.push_back(target);
+  };
+  judged("M1", "a", "101", 41.204);
+  judged("M1", "bb", "102", 9.5);
+  judged("M2", "a", "103", 50);
+  EXPECT_EQ(summary_text(run, {}).find("Equal numbers"), std::string::npos);
+  judged("M2", "a", "101", 41.204);
+  EXPECT_NE(summary_text(run, {}).find("\nEqual numbers are of one image: M1, M2 (101)\n\na   declared"),
+            std::string::npos)
+      << summary_text(run, {});
+  EXPECT_NE(summary_text(run, {false, 30}).find("\nEqual numbers are of one\nimage: M1, M2 (101)\n"),
+            std::string::npos)
+      << summary_text(run, {false, 30});
+}
+
 TEST(Table, WithColourItHasTheSameTextBetweenTheEscapes) {
   auto coloured = summary_text(small_run(), {true});
   EXPECT_NE(coloured, summary_text(small_run(), {}));

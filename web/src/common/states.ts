@@ -6,7 +6,7 @@ export interface Look {
   tone: "good" | "quiet" | "unsure" | "bad" | "broken" | "active";
 }
 
-// States with a symbol of their own. The appearance of any other follows from `failure` alone.
+// States that have a symbol. The appearance of any other follows from `failure` alone.
 const known: Record<string, Look> = {
   pass: { symbol: "✓", tone: "good" },
   known: { symbol: "≈", tone: "good" },

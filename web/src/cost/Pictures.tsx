@@ -96,7 +96,7 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
         </a>
       ) : null}
       <p class="quiet">
-        Hold Shift to see the reference in place of the image.
+        Hold Shift to see the reference instead of the image.
         {point.below_reference_noise ? " This error is within the noise of the reference." : ""}
       </p>
       <PairList kind="numbers" pairs={numbersOf(study, point)} />

@@ -34,7 +34,7 @@ const kTitle_px = 18;
 const kLetter_px = 7;
 
 /**
- * A drawing of its own with a background: copies of the drawings at their places on the page, each
+ * A separate drawing with a background: copies of the drawings at their places on the page, each
  * with its title, below a line of `head`.
  */
 export function sheetOf(

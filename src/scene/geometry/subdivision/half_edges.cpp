@@ -111,8 +111,8 @@ void check_fans(const HalfEdges& mesh) {
       half = mesh.opposite[mesh.previous(half)];
     } while (half != kNoHalfEdge && half != first[i]);
     if (missed[i] != 0)
-      throw InputError(fmt::format(
-          "point {} joins faces that share no edge there: give each group a point of its own", i));
+      throw InputError(
+          fmt::format("point {} joins faces that share no edge there: give each group a separate point", i));
   }
 }
 
