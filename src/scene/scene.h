@@ -3,7 +3,9 @@
 #include "base/matrix.h"
 #include "base/vec.h"
 #include "scene/colour.h"
-#include "scene/geometry/subdivision/subdivision_surface.h"
+#include "scene/geometry/mesh.h"
+#include "scene/integrator.h"
+#include "scene/lights/light.h"
 #include "scene/material.h"
 #include "scene/shapes/shape.h"
 #include "scene/texture.h"
@@ -40,21 +42,6 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
-/// length.
-struct Mesh {
-  std::string name;
-  std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;
-  std::vector<Vec3f> tangents;  // zero where not available
-  std::vector<Vec2f> uvs;       // zero where not available
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<int> triangle_materials;  // one per triangle
-  /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
-  std::optional<SubdivisionSurface> subdivision = std::nullopt;
-  bool operator==(const Mesh&) const = default;
-};
-
 /// One placement of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the
 /// material `first` by `second`; the list is looked up once per triangle, so it does not chain (ORB.S
 /// REQ_G5).
@@ -76,92 +63,11 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
-/// Flat light shapes lie in the local XZ plane and emit towards local -Y only; the back is black, opaque and
-/// visible.
-struct RectShape {
-  double half_width_m = 1;   // along local X
-  double half_length_m = 1;  // along local Z
-  bool operator==(const RectShape&) const = default;
-};
-struct DiskShape {
-  double radius_m = 1;
-  bool operator==(const DiskShape&) const = default;
-};
-struct SphereShape {
-  double radius_m = 1;
-  bool operator==(const SphereShape&) const = default;
-};
-using LightShape = std::variant<RectShape, DiskShape, SphereShape>;
-
-/// Intensity distribution of a light, LM-63 type C: candela over (vertical, horizontal) angle with
-/// symmetry unfolded.
-struct IesProfile {
-  std::vector<double> vertical_deg;    // ascending within [0, 180]; 0 = nadir = local -Y of the light
-  std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
-  std::vector<double> candela;         // [horizontal][vertical]
-  double max_candela = 0;
-  bool operator==(const IesProfile&) const = default;
-};
-
-/// The light's radiance is multiplied by candela / max candela.
-struct IesUse {
-  std::filesystem::path file;  // absolute
-  std::shared_ptr<const IesProfile> profile;
-  Mat4 matrix;  // turns the profile within the light's local frame
-  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point
-  /// on the light.
-  bool point_area = false;
-  bool operator==(const IesUse& other) const {
-    return file == other.file && *profile == *other.profile && matrix == other.matrix &&
-           point_area == other.point_area;
-  }
-};
-
-/// A shape that emits the same radiance everywhere and in all directions, or by an IES profile.
-struct Light {
-  std::string name;
-  LightShape shape;
-  RgbColour radiance;
-  Mat4 matrix;  // moves, turns and scales the shape; radiance stays
-  std::optional<IesUse> ies;
-  std::optional<SpectrumUse> spectrum = {};
-  RgbColour reflectance = {};  // Lambertian, of the side that shines
-  bool operator==(const Light&) const = default;
-};
-
 /// Layers that the image holds beside the colour.
 struct Outputs {
   bool stokes = false;        // S0 to S3 in the camera's frame
   bool path_classes = false;  // one layer for each class of light path
   bool operator==(const Outputs&) const = default;
-};
-
-/// Which directions count how much.
-enum class OcclusionWeight { Cosine, Uniform };
-
-/// An integrator in place of light transport: the image is the share of the hemisphere about the visible
-/// point in which no surface lies nearer than the distance.
-struct AmbientOcclusion {
-  double distance_m = std::numeric_limits<double>::infinity();
-  OcclusionWeight weight = OcclusionWeight::Cosine;
-  bool operator==(const AmbientOcclusion&) const = default;
-};
-
-/// Which records of an irradiance cache may be used at a point, and how they weigh.
-enum class CacheMetric { Ward, TabellionLamorlette };
-
-/// An integrator in place of plain path tracing, biased: diffuse interreflection is computed at a few places
-/// and interpolated between them.
-struct IrradianceCache {
-  CacheMetric metric = CacheMetric::Ward;
-  double error = 0.2;             // a of Ward's metric: the relative error that interpolation may have
-  double kappa = 1;               // of the metric of Tabellion and Lamorlette: more is more accurate
-  int rays = 512;                 // of each record
-  double least_spacing_px = 1.5;  // bounds of the distance that a record reaches
-  double most_spacing_px = 20;
-  bool has_gradients = true;
-  bool clamps_to_neighbours = true;
-  bool operator==(const IrradianceCache&) const = default;
 };
 
 /// A trace depth that no path reaches: Russian roulette ends them all.
@@ -189,8 +95,7 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
-  std::optional<AmbientOcclusion> ambient_occlusion;  // at most one of these two; neither: path tracing
-  std::optional<IrradianceCache> irradiance_cache;
+  Integrator integrator;
   Outputs outputs;
   ReadNotes notes;
   bool operator==(const Scene&) const = default;

@@ -1,7 +1,7 @@
 #include "scene/effects/features.h"
 
 #include "scene/effects/effects.h"
-#include "scene/lower/light.h"
+#include "scene/lights/placement.h"
 
 #include <map>
 #include <utility>
@@ -122,11 +122,11 @@ std::vector<CalledFeature> features_of_lights(const Scene& scene) {
   std::vector<CalledFeature> features;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& light = scene.lights[i];
-    const auto note = [&](const char* requirement, const char* what) {
+    const auto note = [&](const char* requirement, const std::string& what) {
       features.push_back({requirement, fmt::format("{} {}", display_name("light", light.name, i), what)});
     };
-    const bool is_sphere = std::holds_alternative<SphereShape>(light.shape);
-    note(is_sphere ? "L2" : "L1", is_sphere ? "is a sphere" : "is an area light");
+    std::visit([&](const auto& shape) { note(shape.kRequirement, std::string("is ") + shape.kWhat); },
+               light.shape);
     if (!is_translation(light.matrix)) note("L3", "is turned or scaled");
     if (light.ies) note("L4", "has an IES profile");
   }
@@ -142,9 +142,12 @@ std::vector<CalledFeature> features_of_effects(const Scene& scene) {
 }
 
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
-  if (scene.ambient_occlusion) return {{"I1", "the image is ambient occlusion"}};
-  if (scene.irradiance_cache) return {{"I2", "diffuse interreflection comes from an irradiance cache"}};
-  return {};
+  return std::visit(
+      [](const auto& integrator) -> std::vector<CalledFeature> {
+        if constexpr (requires { integrator.kLevel; }) return {{integrator.kLevel, integrator.kWhat}};
+        return {};
+      },
+      scene.integrator);
 }
 
 std::vector<CalledFeature> features_called_for(const Scene& scene) {

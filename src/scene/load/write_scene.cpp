@@ -5,7 +5,6 @@
 #include "scene/geometry/ply.h"
 #include "scene/geometry/subdivision/write_subdivision.h"
 #include "scene/load/write_spectra.h"
-#include "scene/shapes/write_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -95,14 +94,6 @@ void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
   out.end_object();
 }
 
-void write_shape(Writer& out, const RectShape& s) {
-  out.member("type", "rect").member("half_width", s.half_width_m).member("half_length", s.half_length_m);
-}
-void write_shape(Writer& out, const DiskShape& s) { out.member("type", "disk").member("radius", s.radius_m); }
-void write_shape(Writer& out, const SphereShape& s) {
-  out.member("type", "sphere").member("radius", s.radius_m);
-}
-
 void write_shapes(Writer& out, const Scene& scene) {
   if (scene.spheres.empty() && scene.shapes.empty()) return;
   out.key("shapes").begin_array();
@@ -111,51 +102,17 @@ void write_shapes(Writer& out, const Scene& scene) {
     out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
     out.member("material", material_at(scene, sphere.material).name).end_object();
   }
-  for (const auto& shape : scene.shapes) write_shape(out, scene, shape);
+  for (const auto& shape : scene.shapes) write_shape(out, scene.materials, shape);
   out.end_array();
-}
-
-void write_light(Writer& out, const Scene& scene, const Light& light) {
-  out.begin_object().member("name", light.name);
-  std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
-  write_colour(out, scene.spectra, "radiance", light.radiance, light.spectrum);
-  if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
-  out.key("matrix").numbers(light.matrix.m);
-  if (light.ies) {
-    out.key("ies")
-        .begin_object()
-        .member("file", light.ies->file.string())
-        .member("point_area", light.ies->point_area);
-    out.key("matrix").numbers(light.ies->matrix.m).end_object();
-  }
-  out.end_object();
-}
-
-void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
-  out.member("type", "ambient_occlusion");
-  if (std::isfinite(occlusion.distance_m)) out.member("distance", occlusion.distance_m);
-  out.member("weight", occlusion.weight == OcclusionWeight::Uniform ? "uniform" : "cosine");
-  out.end_object();
-}
-
-void write_cache(Writer& out, const IrradianceCache& cache) {
-  out.member("type", "irradiance_cache");
-  if (cache.metric == CacheMetric::Ward)
-    out.member("metric", "ward").member("error", cache.error);
-  else
-    out.member("metric", "tabellion_lamorlette").member("kappa", cache.kappa);
-  out.member("rays", cache.rays);
-  out.key("spacing").numbers(std::array{cache.least_spacing_px, cache.most_spacing_px});
-  out.member("gradients", cache.has_gradients).member("neighbour_clamping", cache.clamps_to_neighbours);
 }
 
 void write_settings(Writer& out, const Scene& scene) {
   out.key("integrator").begin_object();
-  if (scene.ambient_occlusion) {
-    write_occlusion(out, *scene.ambient_occlusion);
+  write_integrator(out, scene.integrator);
+  if (std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
+    out.end_object();
     return;
   }
-  if (scene.irradiance_cache) write_cache(out, *scene.irradiance_cache);
   out.key("trace_depth");
   if (scene.trace_depth == kUnlimitedDepth)
     out.value("unlimited");
@@ -186,7 +143,7 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   out.end_array();
   write_shapes(out, scene);
   out.key("lights").begin_array();
-  for (const auto& light : scene.lights) write_light(out, scene, light);
+  for (const auto& light : scene.lights) write_light(out, scene.spectra, light);
   out.end_array();
   write_settings(out, scene);
   out.end_object();

@@ -1,6 +1,11 @@
 #include "scene/shapes/shape.h"
 
-#include "scene/shapes/parse_expression.h"
+#include "json/writer.h"
+#include "scene/load/entry.h"
+#include "scene/load/kind.h"
+#include "scene/material.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -8,26 +13,52 @@ namespace orbs::scene {
 
 namespace {
 
-struct Words {
-  const char* what;
-  const char* level;
-};
+constexpr int kDeepestSolid = 32;         // CSG within CSG
+constexpr std::size_t kMostLeaves = 256;  // of one solid; every ray that meets its bounds visits them
 
-struct WordsOf {
-  Words operator()(const SphereForm&) const { return {"an ellipsoid", "S1"}; }
-  Words operator()(const CylinderForm&) const { return {"a cylinder", "S1"}; }
-  Words operator()(const ConeForm&) const { return {"a cone", "S1"}; }
-  Words operator()(const DiskForm&) const { return {"a disk", "S1"}; }
-  Words operator()(const ParaboloidForm&) const { return {"a paraboloid", "S1"}; }
-  Words operator()(const HyperboloidForm&) const { return {"a hyperboloid", "S1"}; }
-  Words operator()(const BoxForm&) const { return {"a box", "S1"}; }
-  Words operator()(const HalfSpaceForm&) const { return {"a half-space", "S4"}; }
-  Words operator()(const TorusForm&) const { return {"a torus", "S2"}; }
-  Words operator()(const SuperellipsoidForm&) const { return {"a superellipsoid", "S2"}; }
-  Words operator()(const ImplicitForm&) const { return {"an implicit surface", "S3"}; }
-  Words operator()(const PluginForm&) const { return {"a plug-in's surface", "S7"}; }
-  Words operator()(const CsgForm&) const { return {"a solid by CSG", "S4"}; }
-};
+// What to write so that the form gets an inside, as the end of a message.
+std::string remedy(const ShapeForm& form) {
+  return std::visit(
+      [](const auto& f) -> std::string {
+        using Form = std::decay_t<decltype(f)>;
+        if constexpr (requires { Form::kClosedBy; }) return fmt::format("; set {}", Form::kClosedBy);
+        return "";
+      },
+      form);
+}
+
+// Reads one object up to finish().
+Shape load_form(ShapeEntry& entry, bool is_operand) {
+  auto& in = entry.in;
+  Shape shape;
+  shape.name = in.text_or("name", "");
+  shape.form = load_kind<ShapeForm>(in, entry);
+  if (std::holds_alternative<CsgForm>(shape.form)) {
+    if (!is_operand && !is_bounded(shape))
+      in.fail("operands", "the solid has no end: intersect its half-spaces with a shape that has one");
+  } else if (!is_operand && !bounds(shape.form)) {
+    in.fail("type",
+            fmt::format("a {} has no end; it can only be an operand of union, intersection or difference",
+                        type_name(shape.form)));
+  } else if (++entry.limits.leaves > kMostLeaves) {
+    in.fail("type", fmt::format("the solid has more than {} operands", kMostLeaves));
+  }
+  shape.matrix = load_matrix(in, "matrix");
+  if (!is_operand || in.has("material")) shape.material = entry.materials.find(in, "material");
+  in.finish();
+  return shape;
+}
+
+void add_corners(const Shape& shape, const Mat4& around, std::vector<Vec3d>& corners) {
+  const Mat4 matrix = around * shape.matrix;
+  if (const auto* csg = std::get_if<CsgForm>(&shape.form))
+    for (const Shape& operand : csg->operands) add_corners(operand, matrix, corners);
+  const auto box = bounds(shape.form);
+  if (!box) return;
+  for (const double x : {box->low.x, box->high.x})
+    for (const double y : {box->low.y, box->high.y})
+      for (const double z : {box->low.z, box->high.z}) corners.push_back(transform_point(matrix, {x, y, z}));
+}
 
 }  // namespace
 
@@ -35,72 +66,93 @@ bool CsgForm::operator==(const CsgForm& other) const {
   return operation == other.operation && operands == other.operands;
 }
 
-RevolvedQuadric revolved(const CylinderForm& form) {
-  return {form.radius_m * form.radius_m, 0, 0, 0, form.height_m, form.has_caps};
+void load(ShapeEntry& entry, CsgForm& loaded) {
+  const std::string word = entry.in.text("type");
+  const auto found = std::find(CsgForm::kTypes.begin(), CsgForm::kTypes.end(), word);
+  loaded.operation = static_cast<SetOperation>(found - CsgForm::kTypes.begin());
+  if (++entry.limits.depth > kDeepestSolid)
+    entry.in.fail("operands", fmt::format("are nested more than {} deep", kDeepestSolid));
+  auto readers = entry.in.objects("operands");
+  if (readers.size() < 2)
+    entry.in.fail("operands", fmt::format("must be at least two, there are {}", readers.size()));
+  for (auto& reader : readers) {
+    ShapeEntry operand{reader, entry.materials, entry.limits};
+    loaded.operands.push_back(load_operand(operand));
+    if (const auto& form = loaded.operands.back().form; !is_closed(form))
+      reader.fail("type",
+                  fmt::format("{} without an inside cannot be an operand{}", what_is(form), remedy(form)));
+  }
+  --entry.limits.depth;
 }
 
-RevolvedQuadric revolved(const ConeForm& form) {
-  // (r + s y)^2; a cone that ends in its apex has no second nappe between 0 and its height.
-  const double slope = (form.top_radius_m - form.radius_m) / form.height_m;
-  return {form.radius_m * form.radius_m,
-          2 * form.radius_m * slope,
-          slope * slope,
-          0,
-          form.height_m,
-          form.has_caps};
+void write(json::Writer& out, const MaterialList& materials, const CsgForm& form) {
+  out.key("operands").begin_array();
+  for (const Shape& operand : form.operands) write_shape(out, materials, operand);
+  out.end_array();
 }
 
-RevolvedQuadric revolved(const ParaboloidForm& form) {
-  return {0, form.radius_m * form.radius_m / form.height_m, 0, 0, form.height_m, form.has_caps};
+bool is_bounded(const Shape& shape) {
+  const auto* csg = std::get_if<CsgForm>(&shape.form);
+  if (csg == nullptr) return bounds(shape.form).has_value();
+  if (csg->operation == SetOperation::Difference) return is_bounded(csg->operands.front());
+  const bool needs_all = csg->operation == SetOperation::Union;
+  for (const Shape& operand : csg->operands)
+    if (is_bounded(operand) != needs_all) return !needs_all;
+  return needs_all;
 }
 
-RevolvedQuadric revolved(const HyperboloidForm& form) {
-  // waist^2 + (radius^2 - waist^2) (2 y / height - 1)^2
-  const double excess = form.radius_m * form.radius_m - form.waist_radius_m * form.waist_radius_m;
-  const double per_height = 2 / form.height_m;
-  return {form.radius_m * form.radius_m,
-          -2 * excess * per_height,
-          excess * per_height * per_height,
-          0,
-          form.height_m,
-          form.has_caps};
-}
-
-ImplicitForm implicit(const TorusForm& form) {
-  // Nearly the distance, so that enclosures are tight: the quartic's are several times as wide.
-  constexpr double kRoom = 1 + 1e-6;  // so that the surface does not touch the box
-  const double reach = kRoom * (form.major_radius_m + form.minor_radius_m);
-  const double height = kRoom * form.minor_radius_m;
-  return {parse_expression(
-              fmt::format("(sqrt(x^2 + z^2) - {})^2 + y^2 - {}^2", form.major_radius_m, form.minor_radius_m)),
-          {-reach, -height, -reach},
-          {reach, height, reach},
-          true};
-}
-
-ImplicitForm implicit(const SuperellipsoidForm& form) {
-  constexpr double kReach = 1 + 1e-6;
-  const double e = form.east_west;
-  const double n = form.north_south;
-  return {
-      parse_expression(fmt::format("(abs(x)^{} + abs(z)^{})^{} + abs(y)^{} - 1", 2 / e, 2 / e, e / n, 2 / n)),
-      {-kReach, -kReach, -kReach},
-      {kReach, kReach, kReach},
-      true};
-}
-
-const char* what_is(const ShapeForm& form) { return std::visit(WordsOf{}, form).what; }
-const char* level_of(const ShapeForm& form) { return std::visit(WordsOf{}, form).level; }
-
-bool is_closed(const ShapeForm& form) {
+const char* type_name(const ShapeForm& form) {
   return std::visit(
       [](const auto& f) {
-        if constexpr (requires { f.has_caps; }) return f.has_caps;
-        if constexpr (requires { f.is_closed; }) return f.is_closed;
-        using Form = std::decay_t<decltype(f)>;
-        return !std::is_same_v<Form, DiskForm> && !std::is_same_v<Form, PluginForm>;
+        if constexpr (requires { f.kType; })
+          return f.kType;
+        else
+          return type_word(f);
       },
       form);
+}
+
+const char* what_is(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return f.kWhat; }, form);
+}
+
+const char* level_of(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return f.kLevel; }, form);
+}
+
+bool is_closed(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return is_closed(f); }, form);
+}
+
+std::optional<LocalBox> bounds(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return bounds(f); }, form);
+}
+
+std::optional<Mesh> tessellated(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return tessellated(f); }, form);
+}
+
+Shape load_shape(json::ObjectReader& in, const Names& materials) {
+  SolidLimits limits;
+  ShapeEntry entry{in, materials, limits};
+  return load_form(entry, false);
+}
+
+Shape load_operand(ShapeEntry& entry) { return load_form(entry, true); }
+
+void write_shape(json::Writer& out, const MaterialList& materials, const Shape& shape) {
+  out.begin_object().member("type", type_name(shape.form));
+  std::visit([&](const auto& form) { write(out, materials, form); }, shape.form);
+  out.member("name", shape.name);
+  out.key("matrix").numbers(shape.matrix.m);
+  if (shape.material >= 0) out.member("material", materials[static_cast<std::size_t>(shape.material)].name);
+  out.end_object();
+}
+
+std::vector<Vec3d> bounding_corners(const Shape& shape) {
+  std::vector<Vec3d> corners;
+  add_corners(shape, Mat4{}, corners);
+  return corners;
 }
 
 }  // namespace orbs::scene
