@@ -2,7 +2,7 @@
 # configuration.json, so that a run needs no checkout; links in bin; manual page and completions, which the program
 # prints from its own description of the command line. cpack makes a Debian package of the same files.
 set(home lib/orbs)
-install(TARGETS orbs orbs-tracer orbs-supervisor RUNTIME DESTINATION ${home})
+install(TARGETS orbs orbs-tracer orbs-supervisor orbs_image_formats RUNTIME DESTINATION ${home} LIBRARY DESTINATION ${home})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL)  # built by orbs-page alone
 install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
 install(FILES configuration.json DESTINATION ${home})

@@ -23,6 +23,20 @@ function(orbs_precompile target)
   endif()
 endfunction()
 
+# orbs_shared_module(<name> USES <modules...> PACKAGES <third-party targets...>)
+# One shared library, liborbs-<name>.so beside the programs, which one of them loads when it is needed. Of the modules it
+# may include headers alone: it has what it calls from the packages.
+function(orbs_shared_module name)
+  cmake_parse_arguments(arg "" "" "USES;PACKAGES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_library(orbs_${name} MODULE ${sources})
+  target_include_directories(orbs_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(orbs_${name} PRIVATE orbs_options ${arg_PACKAGES})
+  string(REPLACE "_" "-" file ${name})
+  set_target_properties(orbs_${name} PROPERTIES OUTPUT_NAME orbs-${file} CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endfunction()
+
 # orbs_program(<name> <main file> USES <modules...> PACKAGES <third-party targets...>)
 # A program: one main file, named main.cpp or *_main.cpp, which may include what its own USES names.
 function(orbs_program name main)

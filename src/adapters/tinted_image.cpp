@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "image/image_io.h"
-#include "image/linear_rgb.h"
 
 #include <array>
 

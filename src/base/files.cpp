@@ -193,4 +193,12 @@ std::filesystem::path resolve_path(const std::filesystem::path& base_folder, con
   return std::filesystem::absolute(path.is_absolute() ? path : base_folder / path).lexically_normal();
 }
 
+std::filesystem::path beside_program(const std::string& name) {
+  std::error_code failed;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
+  for (const auto& place : {folder, folder.parent_path(), folder.parent_path().parent_path()})
+    if (std::filesystem::exists(place / name, failed)) return place / name;
+  return folder / name;
+}
+
 }  // namespace orbs

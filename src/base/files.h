@@ -47,4 +47,8 @@ std::string hash_text(std::uint64_t hash);
 /// Makes `relative` an absolute path, relative to `base_folder`. An absolute path stays as it is.
 std::filesystem::path resolve_path(const std::filesystem::path& base_folder, const std::string& relative);
 
+/// The file `name` of our own build or installation: beside the running program, or above the folders of test
+/// programs. Where it is expected, when there is none.
+std::filesystem::path beside_program(const std::string& name);
+
 }  // namespace orbs

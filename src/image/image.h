@@ -58,4 +58,10 @@ std::vector<Image> colours_of(const std::vector<Image>& images);
 /// Whether R, G and B are the same to the bit, and the sizes. InputError as select_rgb.
 bool has_same_colours(const Image& a, const Image& b);
 
+/// The image of a renderer with a box filter at 1/divisor of the width and height: each pixel is the mean of
+/// divisor x divisor pixels, in double. A channel "variance.*" becomes the variance of that mean, the sum of
+/// the variances over divisor^4, because the noise of neighbouring pixels is independent. Attributes are
+/// kept. InputError when width or height cannot be divided.
+Image reduced_image(const Image& image, int divisor);
+
 }  // namespace orbs::image

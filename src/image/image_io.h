@@ -17,7 +17,8 @@ enum class Precision { Half, Float };
 /// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an
 /// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
 /// the file is missing, torn, too large to be meant, cropped, or no image, or has colours that are 32-bit
-/// integers; nothing is printed.
+/// integers; nothing is printed. EXR and PNG are read by the program itself, all others by a shared module
+/// beside it, which is loaded when it is needed.
 Image read_image(const std::filesystem::path& file);
 
 struct Header {
@@ -44,6 +45,11 @@ void write_png(const Image& image, const std::filesystem::path& file);
 
 /// The bytes of the PNG that write_png writes. InputError for NaN.
 std::string png_bytes(const Image& image);
+
+/// An image that serves as a texture, as channels R, G, B in linear values: 8- and 16-bit files are sRGB and
+/// decoded per pixel, float files are linear already; an image of one channel, with or without
+/// alpha ("A"), is grey. InputError as read_image, and for two colours.
+Image read_linear_rgb(const std::filesystem::path& file);
 
 /// True for a file whose numbers are display-encoded (sRGB): 8- and 16-bit integer pixels. InputError as
 /// read_image.

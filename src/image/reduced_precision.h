@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include <immintrin.h>
@@ -22,6 +24,13 @@ inline float float_of_half(std::uint16_t bits) { return _cvtsh_ss(bits); }
 
 /// `value` rounded to `bits` significant bits (1 to 23), to nearest. Values that fit stay exact, and the
 /// result compresses well. Zero, NaN and infinities do not change.
-float rounded_to_bits(float value, unsigned bits);
+inline float rounded_to_bits(float value, unsigned bits) {
+  constexpr unsigned kSignificand = 24;  // one of them is not stored
+  if (!std::isfinite(value)) return value;
+  const unsigned dropped = kSignificand - bits;
+  // A carry out of the significand raises the exponent, which is right: 1.99 becomes 2.
+  const auto raised = std::bit_cast<std::uint32_t>(value) + (1U << (dropped - 1));
+  return std::bit_cast<float>(raised >> dropped << dropped);
+}
 
 }  // namespace orbs::image

@@ -1,6 +1,6 @@
 #include "judge/reduced_reference.h"
 
-#include "image/reduced_image.h"
+#include "image/image.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"
 

@@ -27,6 +27,10 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
   // Of two renders on a busy machine the one with the harness may be the quicker: its sign is no fact.
   EXPECT_NEAR(overhead.number("added_ms"), harness_ms.number("median") - bare_ms.number("median"), 1e-6);
   EXPECT_GT(overhead.number("watching_share"), 0);
+  auto start = bench.object("start");
+  for (const char* program : {"orbs_version_ms", "tracer_version_ms", "pixel_ms"})
+    EXPECT_GT(start.object(program).number("least"), 0) << program;
+  EXPECT_NE(answer.text.find("orbs-tracer, 1 x 1 px: CPU ms"), std::string::npos) << answer.text;
   auto renderers = bench.objects("renderers");
   ASSERT_EQ(renderers.size(), 1U);
   EXPECT_EQ(renderers[0].text("name"), "orbs");

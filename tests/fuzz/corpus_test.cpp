@@ -77,8 +77,8 @@ const std::vector<Refused> kRefused{
     {"exr", "backwards.exr", "the EXR header says -6 x 5 px"},
     {"exr", "tiles_of_nothing.exr", "20 x 18 px in blocks of 0 x 16"},
     {"exr", "tiles_too_large.exr", "which is more than 1876 bytes can hold"},
-    {"exr", "second_channel_list.exr", "channel 'B' has a pixel type that EXR does not have"},
-    {"exr", "half_the_rows.exr", "the EXR channel 'B' does not have all pixels"},
+    {"exr", "second_channel_list.exr", "the list of EXR channels does not hold together"},
+    {"exr", "half_the_rows.exr", "not a multiple of the y subsampling factor of the \"B\" channel"},
     {"exr", "unknown_compression.exr", "the EXR compression 99 is not known"},
     {"exr", "uint_zips.exr", "the EXR channel 'Y' holds integers, expected half or float"},
 };

@@ -11,12 +11,12 @@ fail() { echo "install_test: $*" >&2; exit 1; }
   { cat "$folder/cpack.log" >&2; fail "cpack failed"; }
 package=$(echo "$folder"/package/*.deb)
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libembree3 libopenimageio libfmt libc6; do
+for library in libembree3 libopenexr libpng libopenimageio libfmt libc6; do
   case $depends in *"$library"*) ;; *) fail "the package does not depend on $library: $depends" ;; esac
 done
 dpkg-deb -x "$package" "$folder/root"
 for file in bin/orbs share/man/man1/orbs.1 share/bash-completion/completions/orbs share/zsh/vendor-completions/_orbs \
-  share/fish/vendor_completions.d/orbs.fish lib/orbs/configuration.json; do
+  share/fish/vendor_completions.d/orbs.fish lib/orbs/configuration.json lib/orbs/liborbs-image-formats.so; do
   [ -s "$folder/root/usr/$file" ] || fail "$file is missing"
 done
 grep -q 'compare.*runs' "$folder/root/usr/share/man/man1/orbs.1" || fail "the manual lacks a command"

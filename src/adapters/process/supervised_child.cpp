@@ -22,18 +22,6 @@ namespace orbs::adapters {
 
 namespace {
 
-std::filesystem::path find_supervisor() {
-  namespace fs = std::filesystem;
-  std::error_code failed;
-  const auto beside = fs::read_symlink("/proc/self/exe", failed).parent_path() / "orbs-supervisor";
-  const auto test_folders_above = {beside.parent_path().parent_path(),
-                                   beside.parent_path().parent_path().parent_path()};
-  if (fs::exists(beside, failed)) return beside;
-  for (const auto& folder : test_folders_above)
-    if (fs::exists(folder / "orbs-supervisor", failed)) return folder / "orbs-supervisor";
-  return beside;  // starting it will fail and name it
-}
-
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> out;
   for (auto& text : texts) out.push_back(text.data());
@@ -84,7 +72,7 @@ int spawn(const ProcessRequest& request, const Pipes& pipes, pid_t& pid) {
 }  // namespace
 
 std::vector<std::string> supervisor_command(const ProcessRequest& request) {
-  static const auto supervisor = find_supervisor();
+  static const auto supervisor = beside_program("orbs-supervisor");
   const auto& limits = request.limits;
   std::vector<std::string> words{supervisor.string()};
   const auto add = [&](const char* option, const std::string& value) {

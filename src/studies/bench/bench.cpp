@@ -140,6 +140,7 @@ std::optional<BenchRecord> run_bench(const registry::Configuration& configuratio
   record.overhead = measure_overhead(scene, images.large.front().front(), kOverheadRounds,
                                      scratch.path() / "overhead", context.stop);
   if (!record.overhead) return std::nullopt;
+  record.start = measure_start(context.build, file, kOverheadRounds, scratch.path() / "start");
   record.metrics_cpu_ms =
       metrics_cpu_ms(images.large.front().front(), metrics::mean_of(images.large.front()), settings.threads);
   return record;

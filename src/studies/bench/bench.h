@@ -48,6 +48,7 @@ struct BenchRecord {
   std::vector<BenchRenderer> renderers;
   std::vector<results::LeftOut> left_out;
   std::optional<Overhead> overhead;
+  std::optional<Start> start;
   double metrics_cpu_ms = 0;  // one metrics::compare of two of the images, noise test and all maps included
 };
 

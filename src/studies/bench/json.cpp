@@ -64,6 +64,17 @@ void put_overhead(json::Writer& out, const BenchRecord& record) {
   out.end_object();
 }
 
+void put_start(json::Writer& out, const std::optional<Start>& start) {
+  const auto of = [&](Spread Start::*number) {
+    return start ? std::optional((*start).*number) : std::nullopt;
+  };
+  out.key("start").begin_object();
+  write_spread(out, "orbs_version_ms", of(&Start::orbs_version_ms));
+  write_spread(out, "tracer_version_ms", of(&Start::tracer_version_ms));
+  write_spread(out, "pixel_ms", of(&Start::pixel_ms));
+  out.end_object();
+}
+
 void put_definitions(json::Writer& out) {
   out.key("definitions")
       .begin_object()
@@ -88,6 +99,10 @@ void put_definitions(json::Writer& out) {
       .member("overhead.added_ms", "difference of the two medians: what each render costs besides itself")
       .member("overhead.watching_share",
               "CPU time of the supervisor over the wall clock of a large render, the most of all")
+      .member("start.orbs_version_ms", "user and system time of orbs --version")
+      .member("start.tracer_version_ms", "of orbs-tracer --version")
+      .member("start.pixel_ms",
+              "of orbs-tracer on the scene of the bench at 1 x 1 px, one sample, one thread")
       .member("metrics_cpu_ms", "CPU time of one comparison by all metrics with their maps, median of 5")
       .end_object();
 }
@@ -124,6 +139,7 @@ std::string bench_json(const BenchRecord& record) {
   }
   out.member("metrics_cpu_ms", record.metrics_cpu_ms);
   put_overhead(out, record);
+  put_start(out, record.start);
   put_definitions(out);
   return out.end_object().text();
 }

@@ -10,8 +10,12 @@
 #include <chrono>
 #include <cstring>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,20 +63,69 @@ double harness_ms(const run::Plan& plan,
   return ms_since(begin);
 }
 
-double bare_ms(std::vector<std::string> words) {
+struct Taken {
+  double wall_ms = 0;
+  double cpu_ms = 0;
+  int status = 0;
+};
+
+double ms_of(const timeval& time) {
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
+}
+
+Taken taken_by(std::vector<std::string> words) {
   std::vector<char*> argv;
   for (auto& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
+  posix_spawn_file_actions_t quiet;
+  ::posix_spawn_file_actions_init(&quiet);
+  ::posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   const auto begin = Clock::now();
   pid_t pid = 0;
-  if (const int error = ::posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ); error != 0)
-    throw InputError(fmt::format("{}: {}", words.front(), std::strerror(error)));
-  while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+  const int error = ::posix_spawn(&pid, argv[0], &quiet, nullptr, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&quiet);
+  if (error != 0) throw InputError(fmt::format("{}: {}", words.front(), std::strerror(error)));
+  Taken taken;
+  rusage usage{};
+  while (::wait4(pid, &taken.status, 0, &usage) < 0 && errno == EINTR) {
   }
-  return ms_since(begin);
+  taken.wall_ms = ms_since(begin);
+  taken.cpu_ms = ms_of(usage.ru_utime) + ms_of(usage.ru_stime);
+  return taken;
+}
+
+double cpu_ms(const std::vector<std::string>& words) {
+  const auto taken = taken_by(words);
+  if (taken.status != 0)
+    throw InputError(fmt::format("{} has failed, status {}", fmt::join(words, " "), taken.status));
+  return taken.cpu_ms;
 }
 
 }  // namespace
+
+Start measure_start(const std::filesystem::path& build,
+                    const std::filesystem::path& scene,
+                    int rounds,
+                    const std::filesystem::path& scratch) {
+  make_folder(scratch);
+  const auto orbs = (build / "orbs").string();
+  const auto tracer = (build / "orbs-tracer").string();
+  const std::vector<std::string> pixel{tracer,      scene.string(),
+                                       "-o",        (scratch / "pixel.exr").string(),
+                                       "--width",   "1",
+                                       "--height",  "1",
+                                       "--spp",     "1",
+                                       "--threads", "1"};
+  std::vector<double> orbs_version;
+  std::vector<double> tracer_version;
+  std::vector<double> pixel_render;
+  for (int round = 0; round < rounds; ++round) {
+    orbs_version.push_back(cpu_ms({orbs, "--version"}));
+    tracer_version.push_back(cpu_ms({tracer, "--version"}));
+    pixel_render.push_back(cpu_ms(pixel));
+  }
+  return {*spread_of(orbs_version), *spread_of(tracer_version), *spread_of(pixel_render)};
+}
 
 std::optional<Overhead> measure_overhead(const scene::Scene& scene,
                                          const image::Image& image,
@@ -89,7 +142,7 @@ std::optional<Overhead> measure_overhead(const scene::Scene& scene,
     std::vector<std::string> argv;
     harness.push_back(harness_ms(plan, folders, stop, argv));
     if (stop != nullptr && stop->load()) return std::nullopt;
-    bare.push_back(bare_ms(argv));
+    bare.push_back(taken_by(argv).wall_ms);
   }
   return Overhead{*spread_of(harness), *spread_of(bare)};
 }

@@ -77,6 +77,12 @@ void add_ratios(const BenchRecord& record, std::vector<TableRow>& rows) {
 void add_overhead(const BenchRecord& record, std::vector<TableRow>& rows) {
   rows.push_back({fmt::format("all metrics with maps, {0} x {0} px: CPU ms", record.settings.size_px),
                   fmt::format("{:.1f}", record.metrics_cpu_ms)});
+  if (record.start) {
+    const auto& start = *record.start;
+    rows.push_back({"start: orbs --version, CPU ms", spread_text(start.orbs_version_ms, 1, 1)});
+    rows.push_back({"    orbs-tracer --version, CPU ms", spread_text(start.tracer_version_ms, 1, 1)});
+    rows.push_back({"    orbs-tracer, 1 x 1 px: CPU ms", spread_text(start.pixel_ms, 1, 1)});
+  }
   const auto added_ms = overhead_ms(record);
   const auto watching = watching_share(record);
   if (!added_ms || !watching) return;

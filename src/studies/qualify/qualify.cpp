@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
 #include "image/image_io.h"
-#include "image/reduced_image.h"
+#include "image/image.h"
 #include "judge/provenance.h"
 #include "judge/qualified.h"
 #include "run/execute.h"

@@ -1,7 +1,7 @@
 #include "tracer/colour/texture.h"
 
 #include "base/error.h"
-#include "image/linear_rgb.h"
+#include "image/image_io.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "image/false_colour.h"
 
 #include "base/error.h"
-#include "image/bitmap_font.h"
 #include "image/colour.h"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-#include "image/linear_rgb.h"
 
 #include "base/error.h"
 #include "image/image_io.h"

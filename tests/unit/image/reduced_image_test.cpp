@@ -1,6 +1,5 @@
-#include "image/reduced_image.h"
-
 #include "base/error.h"
+#include "image/image.h"
 
 #include <gtest/gtest.h>
 

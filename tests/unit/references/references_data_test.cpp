@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "image/image_io.h"
-#include "image/reduced_image.h"
+#include "image/image.h"
 #include "judge/provenance.h"
 #include "references/references.h"
 #include "registry/cases.h"
