@@ -24,12 +24,10 @@ std::string shell_text(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
-std::string shell_command(const std::filesystem::path& folder,
-                          std::vector<std::string> environment,
-                          const std::vector<std::string>& argv) {
+std::string shell_command(std::vector<std::string> environment, const std::vector<std::string>& argv) {
   environment.insert(environment.begin(), {"env", "-i"});
   environment.insert(environment.end(), argv.begin(), argv.end());
-  return fmt::format("cd {} && {}", shell_text({folder.string()}), shell_text(environment));
+  return shell_text(environment);
 }
 
 }  // namespace orbs

@@ -22,6 +22,7 @@ struct EffectCostOptions {
   std::string suite;
   std::string output;
   bool as_markdown = false;
+  bool sandbox = false;
 };
 
 void add_options(CLI::App& command, EffectCostOptions& options) {
@@ -43,6 +44,7 @@ void add_options(CLI::App& command, EffectCostOptions& options) {
           "show the file that lies beside the references of the suite")
       ->check(not_empty("a file"));
   command.add_flag("--markdown", options.as_markdown, "Print the table as Markdown");
+  add_sandbox_option(command, options.sandbox);
 }
 
 int measure(const registry::Configuration& configuration,
@@ -52,8 +54,11 @@ int measure(const registry::Configuration& configuration,
   check_output_file(file);
   const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
-  const auto list = studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs,
-                                                  study_context(program, stderr));
+  auto context = study_context(program, stderr);
+  context.sandbox = options.sandbox || configuration.defaults.sandbox;
+  refuse_without_sandbox(context.sandbox);
+  const auto list =
+      studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs, context);
   if (!list) return kInterrupted;
   write_file(file, studies::effect_cost_json(*list));
   print_clean("{}\nall numbers: {}\n",

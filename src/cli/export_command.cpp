@@ -6,6 +6,7 @@
 #include "cli/run_options.h"
 #include "run/cluster/export_plan.h"
 #include "run/plan/make_plan.h"
+#include "run/plan/plan_file.h"
 #include "run/run_file.h"
 
 #include <map>
@@ -51,7 +52,8 @@ int export_scenes(const registry::Configuration& configuration,
   const auto plan = run::make_plan(configuration, settings, program.folder, run::RenderPlace::Elsewhere);
   check_format(plan, options.format);
   const auto folder = run::make_run_folder(options.run.output, "export");
-  const auto exported = run::export_plan(plan, configuration.file, folder);
+  const auto exported = run::export_plan(plan, folder);
+  run::write_plan(run::filed_plan(plan, program.version), folder);
   print_clean("{} renders written to {}\n", exported.renders, folder.string());
   for (const auto& left : exported.left_out) print_clean("left out: {}\n", left);
   print_clean("next: sh {}, where the renderer is; then here: orbs judge {}\n",

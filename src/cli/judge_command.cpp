@@ -6,9 +6,7 @@
 #include "cli/options.h"
 #include "report/files.h"
 #include "report/table.h"
-#include "run/cluster/export_plan.h"
-#include "run/cluster/shard.h"
-#include "run/plan/make_plan.h"
+#include "run/plan/plan_file.h"
 #include "run/run.h"
 
 #include <CLI/CLI.hpp>
@@ -24,15 +22,17 @@ struct Options {
 };
 
 int judge(const Options& options, const std::string& configuration, const Program& program) {
-  const auto file = run::read_export_file(options.folder);
-  const auto read =
-      read_configuration(configuration.empty() ? file.configuration.string() : configuration, program);
-  auto plan = run::make_plan(read, file.settings, program.folder, run::RenderPlace::Elsewhere);
+  auto filed = run::read_plan(std::filesystem::path(options.folder) / run::kPlanFile);
+  take_configuration(configuration, filed);
+  auto loaded = run::load_plan(filed, program.folder, program.version);
+  // Images may be judged by gates of today, but must be of the scenes of today.
+  run::refuse_changes(loaded, {run::PlanPart::Scene});
+  auto& plan = loaded.plan;
   plan.images = std::filesystem::absolute(options.folder);
   const auto folder = run::make_run_folder(options.output);
   run::RunContext context;
-  context.file = {read.file, plan.settings, local_time_now()};
-  context.whole_plan = run::job_list(plan);
+  context.file = {local_time_now(), {}};
+  context.whole_plan = filed;
   context.command_line = program.command_line;
   context.rendering.orbs_version = program.version;
   const auto record = run::run(plan, folder, context);

@@ -1,7 +1,9 @@
 #include "cli/options.h"
 
 #include "adapters/export.h"
+#include "adapters/process/isolation.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "cli/checks.h"
 #include "registry/image_size.h"
 
@@ -39,10 +41,31 @@ registry::Configuration read_configuration(const std::string& named, const Progr
                                std::filesystem::current_path().string()));
 }
 
+void take_configuration(const std::string& configuration, run::FiledPlan& plan) {
+  if (configuration.empty()) return;
+  if (const auto problem = no_file_problem(configuration); !problem.empty())
+    throw InputError(fmt::format("{}: {}", configuration, problem));
+  const auto file = std::filesystem::absolute(configuration).lexically_normal();
+  plan.root = file.parent_path().string();
+  plan.configuration = file.filename().string();
+}
+
 void add_filter_options(CLI::App& command, TargetFilters& filters) {
   command.add_option("--suite", filters.suite, "The suite (default: that of the configuration)");
   command.add_option("-c,--case", filters.cases, "Only these cases");
   command.add_option("-s,--scene", filters.scenes, "Only these scenes");
+  add_sandbox_option(command, filters.sandbox);
+}
+
+void add_sandbox_option(CLI::App& command, bool& sandbox) {
+  command.add_flag(
+      "--sandbox", sandbox,
+      "Run renderers under bubblewrap: no network, no references, only their own folder writable");
+}
+
+void refuse_without_sandbox(bool sandbox) {
+  if (!sandbox) return;
+  if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
 }
 
 void add_size_option(CLI::App& command, std::string& size) {
@@ -59,6 +82,8 @@ registry::RunSettings filtered_settings(const registry::Configuration& configura
   if (!filters.suite.empty()) settings.suite = filters.suite;
   if (!filters.cases.empty()) settings.cases = joined_list(filters.cases);
   if (!filters.scenes.empty()) settings.scenes = joined_list(filters.scenes);
+  settings.sandbox = settings.sandbox || filters.sandbox;
+  refuse_without_sandbox(settings.sandbox);
   return settings;
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/action.h"
 #include "registry/configuration.h"
+#include "run/plan/plan_file.h"
 
 #include <memory>
 #include <string>
@@ -21,16 +22,28 @@ std::shared_ptr<std::string> add_configuration_option(CLI::App& command);
 /// failing that, above the program. InputError if there is none.
 registry::Configuration read_configuration(const std::string& named, const Program& program);
 
+/// Gives a plan the root of another configuration than the one that it was made from; "" keeps its own.
+/// InputError where there is no such file.
+void take_configuration(const std::string& configuration, run::FiledPlan& plan);
+
 /// Which targets a study is of.
 struct TargetFilters {
   std::string suite;  // "" for that of the configuration
   std::vector<std::string> cases, scenes;
+  bool sandbox = false;
 };
 
-/// Adds --suite, -c/--case and -s/--scene. `filters` must live as long as the command.
+/// Adds --suite, -c/--case, -s/--scene and --sandbox. `filters` must live as long as the command.
 void add_filter_options(CLI::App& command, TargetFilters& filters);
 
-/// The configuration's defaults with these filters in place of its own.
+/// Adds --sandbox for a study. `sandbox` must live as long as the command.
+void add_sandbox_option(CLI::App& command, bool& sandbox);
+
+/// InputError when the settings ask for a sandbox that this machine cannot make.
+void refuse_without_sandbox(bool sandbox);
+
+/// The configuration's defaults with these filters in place of its own. InputError as of
+/// refuse_without_sandbox.
 registry::RunSettings filtered_settings(const registry::Configuration& configuration,
                                         const TargetFilters& filters);
 

@@ -1,5 +1,5 @@
-#include "adapters/process/isolation.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/local_time.h"
 #include "base/shell.h"
 #include "base/terminal.h"
@@ -13,10 +13,10 @@
 #include "cli/show_runs.h"
 #include "report/files.h"
 #include "report/table.h"
-#include "run/accept_failures.h"
 #include "run/cluster/shard.h"
-#include "run/execute.h"
+#include "run/expected.h"
 #include "run/plan/make_plan.h"
+#include "run/plan/plan_file.h"
 #include "run/plan/plan_text.h"
 #include "run/run.h"
 #include "run/run_file.h"
@@ -32,41 +32,19 @@ namespace orbs::cli {
 
 namespace {
 
-// The plan of the shard that is to be rendered, and the list of the whole.
-struct ShardPlan {
+// What is to be done: the plan of the shard that is rendered, and the file of the whole plan.
+struct Planned {
   run::Plan plan;
-  registry::Shard shard{};
-  results::JobList whole{};
+  run::FiledPlan whole{};
+  run::RunFile file{};
 };
 
-// The run file of the folder that is resumed, or of a new folder, which is made.
-run::RunFile run_file_of(const registry::Configuration& configuration,
-                         const run::Plan& plan,
-                         const registry::Shard& shard,
-                         const std::string& resumed,
-                         std::filesystem::path& folder) {
-  if (!resumed.empty()) {
-    folder = std::filesystem::absolute(resumed).lexically_normal();
-    auto file = run::read_run_file(folder);
-    file.settings = plan.settings;
-    return file;
-  }
-  folder = run::make_run_folder(plan.settings.output);
-  run::RunFile file{configuration.file, plan.settings, local_time_now(), shard};
-  if (file.settings.executable.find('/') != std::string::npos)
-    file.settings.executable = std::filesystem::absolute(file.settings.executable).lexically_normal();
-  return file;
-}
-
 // Before anything starts: a configuration that was found above may not be the one that was meant.
-void announce(const registry::Configuration& configuration,
-              const run::Plan& plan,
-              const RecordedTimes& times,
-              const std::filesystem::path& folder) {
+void announce(const run::Plan& plan, const RecordedTimes& times, const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& renderer : plan.renderers) names.push_back(renderer.entry.name);
-  const bool is_here = configuration.file.parent_path() == std::filesystem::current_path();
-  print_clean(stderr, "configuration: {}{}\n", configuration.file.string(),
+  const bool is_here = plan.configuration.parent_path() == std::filesystem::current_path();
+  print_clean(stderr, "configuration: {}{}\n", plan.configuration.string(),
               is_here ? "" : ", which is not in this folder");
   print_clean(stderr, "suite {} with {}: {}\n", plan.suite.name, fmt::join(names, ", "),
               amount_text(plan, times));
@@ -116,31 +94,95 @@ results::RunRecord render_with_progress(const run::Plan& plan,
   }
 }
 
-int run_plan(const registry::Configuration& configuration,
-             const ShardPlan& planned,
-             const Program& program,
-             const RunOptions& options) {
+int run_plan(const Planned& planned, const Program& program, const RunOptions& options) {
   const auto& plan = planned.plan;
-  std::filesystem::path folder;
+  const bool is_resumed = !options.resume.empty();
+  const auto folder = is_resumed ? std::filesystem::absolute(options.resume).lexically_normal()
+                                 : run::make_run_folder(plan.settings.output);
   run::RunContext context;
-  context.file = run_file_of(configuration, plan, planned.shard, options.resume, folder);
+  context.file = planned.file;
   context.whole_plan = planned.whole;
-  const auto times = recorded_times(plan, std::filesystem::current_path(),
-                                    options.resume.empty() ? std::filesystem::path() : folder);
-  announce(configuration, plan, times, folder);
+  const auto times =
+      recorded_times(plan, std::filesystem::current_path(), is_resumed ? folder : std::filesystem::path());
+  announce(plan, times, folder);
   context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;
   context.rendering.stop = &catch_interrupts();
   auto record = render_with_progress(plan, folder, times.seconds, context);
   const bool accepts = !options.accept_failures.empty() && !record.interrupted;
-  const auto accepted = accepts ? run::accept_failures(configuration, options.accept_failures, record) : 0;
+  const auto accepted =
+      accepts ? run::accept_failures(plan.configuration, options.accept_failures, record) : 0;
   if (accepted > 0) report::write_reports(record, folder);
   print_end(record, folder);
   if (accepts)
     print_clean("{} known failure{} written to {}\n", accepted, accepted == 1 ? "" : "s",
-                configuration.file.string());
+                plan.configuration.string());
   if (plan.settings.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
+}
+
+// The plan of a file as it stands. Only what changes no image may be chosen anew.
+Planned planned_by_file(const CLI::App& command,
+                        run::FiledPlan filed,
+                        const std::string& configuration,
+                        const RunOptions& options,
+                        const Program& program) {
+  if (!filed.rendered_here)
+    throw InputError(
+        "this is the plan of scenes that orbs export wrote for a renderer that is elsewhere; orbs judge judges "
+        "its images");
+  for (const char* choice : {"--exec", "--threads", "--seed", "--spp-scale"})
+    if (command.count(choice) > 0)
+      throw InputError(
+          fmt::format("{} is part of the plan, which is executed as it is; make another plan", choice));
+  take_configuration(configuration, filed);
+  auto loaded = run::load_plan(filed, program.folder, program.version);
+  using run::PlanPart;
+  run::refuse_changes(loaded, {PlanPart::Version, PlanPart::Program, PlanPart::Case, PlanPart::Scene});
+  auto settings = loaded.plan.settings;
+  settings.view = settings.dry_run = false;  // whoever made the plan wanted to see it, and not this part
+  loaded.plan.settings = run_settings(command, options, settings);
+  return {std::move(loaded.plan), std::move(filed)};
+}
+
+Planned planned_anew(const registry::Configuration& configuration,
+                     const registry::RunSettings& settings,
+                     const Program& program) {
+  auto plan = run::make_plan(configuration, settings, program.folder);
+  auto whole = settings.dry_run ? run::FiledPlan{} : run::filed_plan(plan, program.version);
+  return {std::move(plan), std::move(whole)};
+}
+
+// A whole run is planned again when it is resumed, so that it takes up what has changed; a shard stays with
+// the plan of the others.
+Planned planned_as(const CLI::App& command,
+                   const std::string& configuration,
+                   const RunOptions& options,
+                   const Program& program) {
+  Planned planned;
+  run::RunFile file{local_time_now(), {}};
+  if (!options.shard.empty()) file.shard = registry::parse_shard(options.shard);
+  if (!options.plan.empty()) {
+    planned = planned_by_file(command, run::read_plan(options.plan), configuration, options, program);
+  } else if (options.resume.empty()) {
+    const auto read = read_configuration(configuration, program);
+    planned = planned_anew(read, run_settings(command, options, read.defaults), program);
+  } else {
+    file = run::read_run_file(options.resume);
+    auto filed = run::read_plan(std::filesystem::path(options.resume) / run::kPlanFile);
+    if (file.shard.count > 1) {
+      planned = planned_by_file(command, std::move(filed), configuration, options, program);
+    } else {
+      const auto from = resolve_path(filed.root, filed.configuration);
+      const auto read = read_configuration(configuration.empty() ? from.string() : configuration, program);
+      if (filed.settings.executable.find('/') != std::string::npos)
+        filed.settings.executable = resolve_path(filed.root, filed.settings.executable).string();
+      planned = planned_anew(read, run_settings(command, options, filed.settings), program);
+    }
+  }
+  planned.file = file;
+  run::take_shard(file.shard, planned.plan);
+  return planned;
 }
 
 }  // namespace
@@ -156,24 +198,10 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
   const auto* chosen = &command;
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      auto from = *configuration;
-      std::optional<registry::RunSettings> resumed;
-      ShardPlan planned;
-      if (!options->shard.empty()) planned.shard = registry::parse_shard(options->shard);
-      if (!options->resume.empty()) {
-        const auto file = run::read_run_file(options->resume);
-        if (from.empty()) from = file.configuration.string();
-        resumed = file.settings;
-        planned.shard = file.shard;
-      }
-      const auto read = read_configuration(from, program);
-      const auto settings = run_settings(*chosen, *options, resumed.value_or(read.defaults));
-      planned.plan = run::make_plan(read, settings, program.folder);
-      planned.whole = run::job_list(planned.plan);
-      run::take_shard(planned.shard, planned.plan);
-      if (settings.sandbox)
-        if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
-      if (!settings.dry_run) return run_plan(read, planned, program, *options);
+      const auto planned = planned_as(*chosen, *configuration, *options, program);
+      const auto& settings = planned.plan.settings;
+      refuse_without_sandbox(settings.sandbox);
+      if (!settings.dry_run) return run_plan(planned, program, *options);
       print_clean("{}", run::plan_text(planned.plan));
       return 0;
     };

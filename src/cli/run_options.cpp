@@ -65,6 +65,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                   "Only this part of the renders, such as 3/16; 'orbs merge' puts all parts together")
       ->option_text("PART")
       ->check(not_empty("a part"));
+  auto* plan = command
+                   .add_option("--plan", options.plan,
+                               "Execute the plan in this file: plan.json of a run or of orbs submit")
+                   ->option_text("FILE")
+                   ->check(not_empty("a file"));
   command.add_flag("-v,--view,--visualize,!--no-view", options.view,
                    "At the end, serve the results as a page and open it in the browser");
   command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
@@ -75,9 +80,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->option_text("REASON")
       ->excludes("--dry-run")
       ->check(not_empty("a reason"));
-  for (const char* choice :
-       {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--size", "--shard"})
+  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--size"}) {
     resume->excludes(command.get_option(choice));
+    plan->excludes(command.get_option(choice));
+  }
+  for (const char* choice : {"--output", "--shard", "--plan"}) resume->excludes(command.get_option(choice));
 }
 
 namespace {

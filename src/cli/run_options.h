@@ -19,6 +19,7 @@ struct RunOptions {
   std::string output;
   std::string resume;
   std::string shard;
+  std::string plan;
   int jobs = 1;
   int threads = 0;
   int seed = 1;

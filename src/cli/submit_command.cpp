@@ -6,6 +6,7 @@
 #include "cli/run_options.h"
 #include "run/cluster/slurm.h"
 #include "run/plan/make_plan.h"
+#include "run/plan/plan_file.h"
 #include "run/run_file.h"
 
 #include <CLI/CLI.hpp>
@@ -47,7 +48,7 @@ int submit_plan(const registry::Configuration& configuration,
                 const Options& options) {
   const auto plan = run::make_plan(configuration, settings, program.folder);
   auto job = run::slurm_job(
-      configuration.slurm, plan, configuration.file,
+      configuration.slurm, plan,
       std::filesystem::absolute(options.run.output.empty() ? "FOLDER" : options.run.output), options.shards);
   if (options.dry_run) {
     print_clean("{}\n{}\n", shell_text(run::array_words(job, all_shards(job))),
@@ -55,6 +56,7 @@ int submit_plan(const registry::Configuration& configuration,
     return 0;
   }
   job.folder = run::make_run_folder(options.run.output, "cluster");
+  run::write_plan(run::filed_plan(plan, program.version), job.folder);
   run::write_slurm_job(job);
   return submit_missing(job, all_shards(job));
 }

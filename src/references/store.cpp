@@ -11,7 +11,7 @@
 #include "results/image_hashes.h"
 #include "run/execute.h"
 #include "run/host.h"
-#include "run/plan/scene_hash.h"
+#include "run/plan/load_scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

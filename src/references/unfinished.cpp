@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "judge/provenance.h"
-#include "run/plan/scene_hash.h"
+#include "run/plan/load_scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <fmt/format.h>

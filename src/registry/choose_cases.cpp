@@ -21,7 +21,8 @@ std::vector<std::string> names_of(const Items& items, NameOf&& name_of) {
   return names;
 }
 
-// The case with its chosen targets and the scenes that chosen differences are made from.
+}  // namespace
+
 Case with_targets(const Case& whole, const std::set<std::string>& chosen) {
   Case part = whole;
   auto needed = chosen;
@@ -34,8 +35,6 @@ Case with_targets(const Case& whole, const std::set<std::string>& chosen) {
   std::erase_if(part.path_shares, [&](const auto& share) { return gone(share.scene); });
   return part;
 }
-
-}  // namespace
 
 std::vector<Case> choose_cases(const std::vector<Case>& all, const RunSettings& settings) {
   const auto cases =

@@ -3,6 +3,8 @@
 #include "registry/cases.h"
 #include "registry/run_settings.h"
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace orbs::registry {
@@ -11,5 +13,8 @@ namespace orbs::registry {
 /// chosen difference is made stay in the case. InputError when a filter matches nothing, or all of them
 /// together leave no scene.
 std::vector<Case> choose_cases(const std::vector<Case>& all, const RunSettings& settings);
+
+/// The case with these targets alone, and the scenes that its chosen differences are made from.
+Case with_targets(const Case& whole, const std::set<std::string>& chosen);
 
 }  // namespace orbs::registry

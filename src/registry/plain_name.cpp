@@ -12,7 +12,7 @@ namespace orbs::registry {
 namespace {
 
 // What lies in the folder of a run beside the folders of its renderers.
-const std::set<std::string> kOwnNames{"jobs.json",    "junit.xml", "references", "results.csv",
+const std::set<std::string> kOwnNames{"plan.json",    "junit.xml", "references", "results.csv",
                                       "results.json", "run.json",  "run.lock"};
 
 std::string problem_of(const std::string& name) {

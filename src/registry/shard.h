@@ -16,4 +16,8 @@ Shard parse_shard(const std::string& text);
 /// "3/16".
 std::string shard_text(const Shard& shard);
 
+/// As fields() write and read it.
+inline std::string to_text(const Shard& shard) { return shard_text(shard); }
+inline void from_text(const std::string& text, Shard& shard) { shard = parse_shard(text); }
+
 }  // namespace orbs::registry

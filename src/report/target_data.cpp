@@ -36,7 +36,9 @@ std::string log_tail(const RunRecord& run, const std::string& name) {
 // The whole record of the render, and the end of its log.
 void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
   auto shown = job;
-  if (shown.program.shell.empty()) shown.program.shell = shell_text(job.program.argv);
+  auto& command = shown.program.shell;
+  command = command.empty() ? shell_text(job.program.argv)
+                            : fmt::format("cd {} && {}", shell_text({run.folder}), command);
   out.begin_object();
   results::write_fields(out, shown);
   out.member("log", log_tail(run, job.files.log)).end_object();

@@ -37,8 +37,8 @@ void fields(Visitor& visit, Record& identity) {
 /// What was started.
 struct JobProgram {
   std::string version;
-  std::vector<std::string> argv;
-  std::string shell;  // a command for a shell that repeats the render in the same place
+  std::vector<std::string> argv;  // paths in the folder of the render are relative to it
+  std::string shell;              // for a shell in the folder of the run, where it repeats the render
   int threads = 0;
 };
 

@@ -84,7 +84,7 @@ void fields(Visitor& visit, Record& left) {
 struct RunRecord {
   std::string suite;
   std::string size = "1";     // of the images: "1/4" for a quarter of the scenes' width and height
-  std::string plan;           // of its JobList; "" for a run of an orbs that knew no shards
+  std::string plan;           // id of its plan.json; "" for a run of an orbs that knew no shards
   std::string shard = "1/1";  // the part of the renders that this run does
   std::string folder;         // absolute; not stored, because the folder may be moved
   std::string name;           // of the folder, for people; not stored either

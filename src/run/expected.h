@@ -5,6 +5,8 @@
 #include "results/record.h"
 #include "run/plan/plan.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -41,5 +43,13 @@ void mark_expected(const std::vector<registry::ExpectedFailure>& expected, resul
 /// missing references are left out, since they say nothing of the renderer.
 std::vector<registry::ExpectedFailure> accepted_failures(const results::RunRecord& run,
                                                          const std::string& reason);
+
+/// Writes an entry under "expected" in the file `configuration` for each failure of the run that counts,
+/// with `reason`, and leaves every other byte as it is. The new text is read as any configuration before it
+/// takes the place of the old one. Then compares `run` with the new entries and writes its results.json anew.
+/// Returns the number of entries. InputError when the file cannot take them: it is untouched then.
+std::size_t accept_failures(const std::filesystem::path& configuration,
+                            const std::string& reason,
+                            results::RunRecord& run);
 
 }  // namespace orbs::run

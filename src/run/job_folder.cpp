@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,26 @@ void make_room(const fs::path& folder) {
     throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
                                  folder.string(), e.code().message()));
   }
+}
+
+std::string named_within(const std::filesystem::path& folder, std::string text) {
+  const auto prefix = folder.string();
+  if (prefix.empty()) return text;
+  for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
+    const auto end = at + prefix.size();
+    const char next = end < text.size() ? text[end] : ' ';
+    const bool is_other_folder = std::isalnum(static_cast<unsigned char>(next)) != 0 ||
+                                 std::string("._-").find(next) != std::string::npos;
+    if (next == '/') {
+      text.erase(at, prefix.size() + 1);
+    } else if (is_other_folder) {
+      at = end;
+    } else {
+      text.replace(at, prefix.size(), ".");
+      ++at;
+    }
+  }
+  return text;
 }
 
 }  // namespace orbs::run

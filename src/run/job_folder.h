@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace orbs::run {
 
@@ -11,5 +12,9 @@ void make_room(const std::filesystem::path& folder);
 
 /// Removes whatever is there under this name. InputError if something stays.
 void make_way(const std::filesystem::path& path);
+
+/// The text with paths into `folder` named relative to it, and "." for the folder itself: the folder of a
+/// render is moved when it is complete.
+std::string named_within(const std::filesystem::path& folder, std::string text);
 
 }  // namespace orbs::run

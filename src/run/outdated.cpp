@@ -1,11 +1,9 @@
 #include "run/outdated.h"
 
-#include "adapters/job.h"
 #include "adapters/native_scene.h"
 #include "base/files.h"
 #include "json/field_writer.h"
-#include "run/plan/job_limits.h"
-#include "run/plan/scene_hash.h"
+#include "run/job_folder.h"
 #include "run/prepare.h"
 
 #include <fmt/format.h>
@@ -14,30 +12,22 @@ namespace orbs::run {
 
 namespace {
 
-// The words of the command as the job gets them. Not those of the configuration: an exporter of another
-// version may fill the same words with other values. The folder is that of no job, so that a run may be
+// The words of the commands as the job gets them. Not those of the configuration: an exporter of another
+// version may fill the same words with other values. They are named within the folder, so that a run may be
 // moved.
 std::vector<std::string> command_words(const Plan& plan, const PlannedJob& job) {
-  const auto& chosen = plan.renderers[job.renderer];
-  adapters::JobSettings settings;
-  settings.spp = job.spp;
-  settings.seed = plan.settings.seed;
-  settings.threads = plan.threads;
-  settings.root = plan.root;
-  settings.build = plan.build;
-  settings.executable = chosen.executable;
-  settings.arguments = scene_arguments(plan, job);
-  return adapters::make_job(chosen.entry, *plan.scenes[job.scene].scene, settings, "/").argv;
+  std::vector<std::string> words;
+  for (const auto& replica : replicas_of(plan, job, "/"))
+    for (const auto& word : replica.argv) words.push_back(named_within(replica.folder, word));
+  return words;
 }
 
 }  // namespace
 
 std::string scene_hash(const Plan& plan, const PlannedJob& job) {
   const auto& scene = plan.scenes[job.scene];
-  auto hash = scene_content_hash(*scene.scene, scene.file);
-  if (!job.native_scene.empty())
-    hash = content_hash(hash_text(adapters::native_scene_hash(job.native_scene)), hash);
-  return hash_text(hash);
+  if (job.native_scene.empty()) return hash_text(scene.hash);
+  return hash_text(content_hash(hash_text(adapters::native_scene_hash(job.native_scene)), scene.hash));
 }
 
 std::string settings_hash(const Plan& plan, const PlannedJob& job) {
@@ -90,51 +80,6 @@ std::string files_hash(const Plan& plan,
   for (const auto& file : {scene_file, run_folder / record.files.image})
     if (no_file_problem(file).empty()) hash = content_hash(hash_text(content_hash(read_file(file))), hash);
   return hash_text(hash);
-}
-
-namespace {
-
-// Outcomes that may have had their cause in the machine, and not in the renderer.
-bool is_worth_another_try(results::JobOutcome outcome) {
-  using results::JobOutcome;
-  switch (outcome) {
-    case JobOutcome::Crash:
-    case JobOutcome::Timeout:
-    case JobOutcome::OutOfMemory:
-    case JobOutcome::NoOutput:
-    case JobOutcome::Unreadable:
-    case JobOutcome::Stale:
-    case JobOutcome::Skipped:
-      return true;
-    case JobOutcome::Image:
-    case JobOutcome::Unsupported:
-    case JobOutcome::InvalidPixels:
-    case JobOutcome::WrongChannels:
-    case JobOutcome::WrongSize:
-      return false;
-  }
-  return false;
-}
-
-}  // namespace
-
-std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now) {
-  if (found.identity.id != now.identity.id) return "its samples or its seed have changed";
-  if (found.hashes.scene != now.hashes.scene) return "its scene has changed";
-  if (found.program.version != now.program.version)
-    return fmt::format("it was rendered by '{}', now there is '{}'", found.program.version,
-                       now.program.version);
-  if (found.hashes.settings != now.hashes.settings) return "its command, environment or threads have changed";
-  if (found.hashes.program != now.hashes.program)
-    return "its program, or a file that its command names, has changed";
-  if (found.hashes.files != now.hashes.files)
-    return "its scene file or image in the folder of the run has changed";
-  // An image that was finished within the old limits is the same under new ones.
-  if (!has_image(found) && found.hashes.limits != now.hashes.limits) return "its limits have changed";
-  if (is_worth_another_try(found.end.outcome))
-    return fmt::format("it ended without an image ({}) and is tried again",
-                       job_outcome_name(found.end.outcome));
-  return std::nullopt;
 }
 
 }  // namespace orbs::run

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-/// Whether an existing render would come out the same today.
+/// What a render and its verdicts depend on, as hashes: they tell whether it would come out the same today.
 namespace orbs::run {
 
 /// Hash of the scene file with all files that it names, as provenance records of references have it; where
@@ -34,10 +34,5 @@ std::string files_hash(const Plan& plan,
                        const PlannedJob& job,
                        const results::JobRecord& record,
                        const std::filesystem::path& run_folder);
-
-/// Why an existing render must be rendered again ("its scene has changed"); nothing when it need not. `now`
-/// is its record with today's hashes and renderer version. A crash, a timeout or a missing image may have had
-/// its cause in the machine and is always tried again.
-std::optional<std::string> why_outdated(const results::JobRecord& found, const results::JobRecord& now);
 
 }  // namespace orbs::run

@@ -6,6 +6,8 @@
 #include "registry/renderer_variants.h"
 #include "registry/scene_settings.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace orbs::run {
@@ -20,25 +22,15 @@ registry::Renderer entry_for(const Plan& plan, const PlannedJob& job) {
   return registry::for_scene(plan.renderers[job.renderer].entry, plan.scenes[job.scene].name);
 }
 
-namespace {
-
-adapters::JobSettings job_settings(const Plan& plan, const PlannedJob& job, int replica) {
-  const auto& renderer = plan.renderers[job.renderer];
-  const int seeds = renderer.entry.sampling.seeds;
-  adapters::JobSettings settings;
-  settings.spp = (job.spp + seeds - 1) / seeds;
-  settings.seed = plan.settings.seed + replica;
-  settings.threads = plan.threads;
-  settings.root = plan.root;
-  settings.build = plan.build;
-  settings.executable = renderer.executable;
-  if (seeds > 1) settings.image_file = fmt::format("seed-{}.exr", settings.seed);
-  settings.arguments = scene_arguments(plan, job);
-  settings.scene_file = job.native_scene.filename().string();
-  return settings;
+ProcessLimits limits_of(const registry::Renderer& renderer, double case_seconds) {
+  auto limits = renderer.limits;
+  if (case_seconds > 0) limits.wall_seconds = std::min(limits.wall_seconds, case_seconds);
+  return limits;
 }
 
-}  // namespace
+ProcessLimits limits_of(const Plan& plan, const PlannedJob& job) {
+  return limits_of(plan.renderers[job.renderer].entry, plan.scenes[job.scene].wall_seconds);
+}
 
 std::variant<scene::Scene, std::string> scene_for(const Plan& plan, const PlannedJob& job) {
   const auto& planned = plan.scenes[job.scene];
@@ -87,15 +79,52 @@ void write_job_scene(const Plan& plan,
   }
 }
 
+std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
+                                       const scene::Scene& scene,
+                                       const adapters::JobSettings& settings,
+                                       const std::filesystem::path& folder) {
+  const int seeds = renderer.sampling.seeds;
+  if (seeds == 1) return {adapters::make_job(renderer, scene, settings, folder)};
+  std::vector<adapters::Job> replicas;
+  auto share = settings;
+  share.spp = (settings.spp + seeds - 1) / seeds;
+  for (int replica = 0; replica < seeds; ++replica) {
+    share.seed = settings.seed + replica;
+    share.image_file = fmt::format("seed-{}.exr", share.seed);
+    replicas.push_back(adapters::make_job(renderer, scene, share, folder));
+  }
+  return replicas;
+}
+
 std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const PlannedJob& job,
                                        const std::filesystem::path& run_folder) {
-  const auto& renderer = plan.renderers[job.renderer].entry;
-  std::vector<adapters::Job> replicas;
-  for (int replica = 0; replica < renderer.sampling.seeds; ++replica)
-    replicas.push_back(adapters::make_job(renderer, *plan.scenes[job.scene].scene,
-                                          job_settings(plan, job, replica), run_folder / job.folder));
-  return replicas;
+  const auto& renderer = plan.renderers[job.renderer];
+  adapters::JobSettings settings;
+  settings.spp = job.spp;
+  settings.seed = plan.settings.seed;
+  settings.threads = plan.threads;
+  settings.root = plan.root;
+  settings.build = plan.build;
+  settings.executable = renderer.executable;
+  settings.arguments = scene_arguments(plan, job);
+  settings.scene_file = job.native_scene.filename().string();
+  return replicas_of(renderer.entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder);
+}
+
+adapters::Isolation isolation_of(const Plan& plan,
+                                 const ChosenRenderer& renderer,
+                                 const std::filesystem::path& folder,
+                                 const std::filesystem::path& run_folder) {
+  adapters::Isolation isolation{folder,
+                                {plan.root, plan.build, renderer.executable.parent_path()},
+                                {plan.suite.references, run_folder}};
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::absolute(run_folder).parent_path(), ignored))
+    if (std::filesystem::exists(entry.path() / "results.json", ignored))
+      isolation.hidden.push_back(entry.path());
+  return isolation;
 }
 
 }  // namespace orbs::run

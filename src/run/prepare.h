@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adapters/job.h"
+#include "adapters/process/isolation.h"
 #include "run/plan/plan.h"
 #include "scene/scene.h"
 
@@ -14,6 +15,12 @@ namespace orbs::run {
 
 /// The entry of the job's renderer with the exporter's settings that it has for the job's scene.
 registry::Renderer entry_for(const Plan& plan, const PlannedJob& job);
+
+/// The limits of the job's renderer, with the shorter of its time limit and that of the scene's case.
+ProcessLimits limits_of(const Plan& plan, const PlannedJob& job);
+
+/// Likewise, for a case that allows `case_seconds`; 0 where it has no limit.
+ProcessLimits limits_of(const registry::Renderer& renderer, double case_seconds);
 
 /// The scene in the form that the job's renderer reads: lowered to its format, or unchanged where a
 /// hand-written scene exists for it. Else the reason why the renderer cannot render it.
@@ -30,10 +37,23 @@ void write_job_scene(const Plan& plan,
 /// The arguments that the case of the job's scene has for its renderer; none mostly.
 std::vector<std::string> scene_arguments(const Plan& plan, const PlannedJob& job);
 
-/// The job with all paths below `run_folder`, once for each seed that its renderer is given (seed replicas):
-/// the seeds count up from that of the plan, and the replicas share the samples. At least one.
+/// The job in `folder`, once for each seed that the renderer is given (seed replicas): the seeds count up
+/// from that of the settings, and the replicas share their samples. At least one.
+std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
+                                       const scene::Scene& scene,
+                                       const adapters::JobSettings& settings,
+                                       const std::filesystem::path& folder);
+
+/// The same for a job of the plan, with all paths below `run_folder`.
 std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const PlannedJob& job,
                                        const std::filesystem::path& run_folder);
+
+/// What a renderer of the plan sees in a sandbox: `folder` is its own; it sees no reference of the suite, and
+/// no run beside that in `run_folder`, since these hold copies of references.
+adapters::Isolation isolation_of(const Plan& plan,
+                                 const ChosenRenderer& renderer,
+                                 const std::filesystem::path& folder,
+                                 const std::filesystem::path& run_folder);
 
 }  // namespace orbs::run

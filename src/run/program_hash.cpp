@@ -71,4 +71,12 @@ std::string program_hash(const ChosenRenderer& renderer, const Plan& plan, FileH
   return hash_text(content_hash(text));
 }
 
+ProgramWatch::ProgramWatch(const Plan& plan) : plan_(plan) {
+  for (const auto& renderer : plan.renderers) at_start_.push_back(program_hash(renderer, plan, hashes_));
+}
+
+bool ProgramWatch::has_changed(std::size_t renderer) {
+  return program_hash(plan_.renderers[renderer], plan_, hashes_) != at_start_[renderer];
+}
+
 }  // namespace orbs::run

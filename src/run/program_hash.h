@@ -38,4 +38,18 @@ class FileHashes {
 /// Hash of all program_files of a renderer.
 std::string program_hash(const ChosenRenderer& renderer, const Plan& plan, FileHashes& hashes);
 
+/// The programs of a plan's renderers as they are when a run starts. All threads may ask.
+class ProgramWatch {
+ public:
+  explicit ProgramWatch(const Plan& plan);
+
+  const std::string& hash(std::size_t renderer) const { return at_start_[renderer]; }
+  bool has_changed(std::size_t renderer);
+
+ private:
+  const Plan& plan_;
+  FileHashes hashes_;
+  std::vector<std::string> at_start_;  // program_hash by renderer
+};
+
 }  // namespace orbs::run

@@ -3,20 +3,16 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/parallel.h"
-#include "image/image_io.h"
-#include "results/read_record.h"
 #include "results/record_json.h"
 #include "run/expected.h"
 #include "run/host.h"
 #include "run/judge_targets.h"
 #include "run/outdated.h"
-#include "run/plan/shipped_times.h"
-#include "run/program_hash.h"
+#include "run/resume.h"
 
 #include <algorithm>
 #include <mutex>
 #include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -25,22 +21,8 @@ namespace orbs::run {
 namespace {
 
 namespace fs = std::filesystem;
-using results::JobFile;
 using results::JobOutcome;
 using results::JobRecord;
-
-bool is_stopped(const RenderContext& context) { return context.stop != nullptr && context.stop->load(); }
-
-// What an earlier run left of this render; nothing when there is nothing, or nothing whole.
-std::optional<JobFile> found_job(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder / "job.json", ignored)) return std::nullopt;
-  try {
-    return results::read_job_file(folder / "job.json");
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
 
 std::string image_hash(const JobRecord& record, const fs::path& folder) {
   const auto file = folder / record.files.image;
@@ -77,169 +59,109 @@ Execution execute_or_say_why(const Plan& plan,
   }
 }
 
-// The render of an earlier run in an unfinished folder of its own, to be judged by what has changed. Nothing
-// when its image is gone or cannot be read any more.
-std::optional<Execution> take_over(const JobRecord& found,
-                                   const fs::path& folder,
-                                   const WorkFolders& folders) {
-  Execution execution{found, {}};
-  try {
-    if (has_image(found)) execution.image = image::read_image(folders.run / found.files.image);
-  } catch (const InputError&) {
-    return std::nullopt;
+// What the threads share: the record of each job before it is rendered, and the callers' functions, which are
+// called by one thread at a time.
+struct Session {
+  const Plan& plan;
+  const WorkFolders& folders;
+  const RenderContext& context;
+  ProgramWatch& programs;
+  std::vector<JobRecord> at_start{};  // by job
+  results::Host host = this_host();
+  std::mutex mutex{};
+  std::size_t done = 0;
+};
+
+// Everything that the render depends on is hashed before the first render starts. A file that is replaced
+// later then differs from its hash, and --resume notices.
+std::vector<JobRecord> records_at_start(const Session& session, const std::vector<std::string>& versions) {
+  std::vector<JobRecord> records;
+  const auto& plan = session.plan;
+  for (std::size_t index = 0; index < plan.jobs.size(); ++index) {
+    const auto& job = plan.jobs[index];
+    auto& record = records.emplace_back(skipped_record(plan, job));
+    record.program.version = versions[job.renderer];
+    record.hashes = {scene_hash(plan, job),
+                     session.programs.hash(job.renderer),
+                     "",
+                     settings_hash(plan, job),
+                     limits_hash(plan, job),
+                     judged_hash(plan, index, session.folders.references, session.context.orbs_version),
+                     ""};
   }
-  const auto unfinished = folders.unfinished / folder;
-  make_folder(unfinished);
-  for (const auto& entry : fs::directory_iterator(folders.run / folder))
-    if (entry.symlink_status().type() == fs::file_type::regular && entry.path().filename() != "job.json")
-      fs::copy_file(entry.path(), unfinished / entry.path().filename());
+  return records;
+}
+
+void say(Session& session, const JobRecord& job, const std::string& what) {
+  const std::lock_guard lock(session.mutex);
+  if (session.context.say)
+    session.context.say(fmt::format("{} {}: {}", job.identity.renderer, job.identity.scene, what));
+}
+
+Execution rendered(Session& session, std::size_t index) {
+  const auto& now = session.at_start[index];
+  const auto& job = session.plan.jobs[index];
+  if (const std::lock_guard lock(session.mutex); session.context.started)
+    session.context.started(now.identity);
+  auto execution =
+      execute_or_say_why(session.plan, job, now.program.version, session.folders, session.context);
+  if (session.plan.images.empty()) execution.record.cost.host = session.host;
+  execution.record.hashes.program = now.hashes.program;
+  if (session.programs.has_changed(job.renderer)) {
+    execution.record.hashes.program = "";
+    say(session, now,
+        "its program, or a file that its command names, has changed since the run started; --resume renders it "
+        "again");
+  }
   return execution;
 }
 
-// How many targets the plan judges from this job alone.
-std::size_t targets_of(const Plan& plan, std::size_t job) {
-  return static_cast<std::size_t>(
-      std::count_if(plan.targets.begin(), plan.targets.end(),
-                    [&](const auto& target) { return target.jobs == std::vector<std::size_t>{job}; }));
+// Leaves nothing on disk, so that a resumed run renders it.
+JudgedJob skipped(const Session& session, std::size_t index, const JobRecord& record) {
+  std::error_code ignored;
+  fs::remove_all(session.folders.unfinished / session.plan.jobs[index].folder, ignored);
+  return {record, judge_scene(session.plan, index, {record, {}}, session.folders)};
 }
 
-// Carries out jobs from several threads and collects their records.
-class JobRunner {
- public:
-  JobRunner(const Plan& plan,
-            const std::vector<std::string>& versions,
-            const WorkFolders& folders,
-            const RenderContext& context)
-      : plan_(plan),
-        versions_(versions),
-        folders_(folders),
-        context_(context),
-        judged_{std::vector<JobRecord>(plan.jobs.size()),
-                std::vector<std::vector<results::TargetRecord>>(plan.jobs.size())} {
-    for (const auto& renderer : plan.renderers)
-      programs_.push_back(program_hash(renderer, plan, file_hashes_));
-    for (std::size_t index = 0; index < plan.jobs.size(); ++index)
-      at_start_.push_back(record_at_start(index));
+// Judges the render and puts its folder in place.
+JudgedJob judged(Session& session, std::size_t index, Execution execution) {
+  const auto& folders = session.folders;
+  const auto& job = session.plan.jobs[index];
+  auto& record = execution.record;
+  if (record.end.outcome == JobOutcome::Skipped) return skipped(session, index, record);
+  if (!has_image(record) && record.end.outcome != JobOutcome::Unsupported) refuse_full_disk(folders.run);
+  const auto program = record.hashes.program;
+  record.hashes = session.at_start[index].hashes;
+  record.hashes.program = program;
+  record.hashes.files = files_hash(session.plan, job, record, folders.unfinished);
+  record.hashes.image = image_hash(record, folders.unfinished);
+  make_folder(folders.unfinished / job.folder);
+  auto targets = judge_scene(session.plan, index, execution, folders);
+  mark_expected(session.plan.expected, {{record.identity.renderer, record.program.version}}, targets);
+  write_file(folders.unfinished / job.folder / "job.json", results::job_json(record, targets));
+  put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
+  const std::lock_guard lock(session.mutex);
+  ++session.done;
+  if (session.context.progress)
+    session.context.progress(session.done, session.plan.jobs.size(), record, targets);
+  return {std::move(record), std::move(targets)};
+}
+
+JudgedJob run_or_keep(Session& session, std::size_t index) {
+  const auto& now = session.at_start[index];
+  auto earlier = resumption_of(session.plan, index, now, session.folders);
+  if (earlier.step == Step::Keep) {
+    const std::lock_guard lock(session.mutex);
+    ++session.done;
+    return {std::move(earlier.found->job), std::move(earlier.found->targets)};
   }
-
-  void run_or_keep(std::size_t index) {
-    const auto& job = plan_.jobs[index];
-    auto now = at_start_[index];
-    auto found = found_job(folders_.run / job.folder);
-    if (found) now.hashes.files = files_hash(plan_, job, found->job, folders_.run);
-    auto reason = found ? why_outdated(found->job, now) : std::nullopt;
-    if (found && !reason && found->job.hashes.judged == now.hashes.judged &&
-        found->targets.size() == targets_of(plan_, index)) {
-      keep(index, std::move(*found));
-      return;
-    }
-    if (is_stopped(context_)) {
-      skip(index, now);
-      return;
-    }
-    if (reason) say(fmt::format("{} {}: {}", now.identity.renderer, now.identity.scene, *reason));
-    auto execution = found && !reason ? take_over(found->job, job.folder, folders_) : std::nullopt;
-    finish(index, execution ? std::move(*execution) : render(job), now);
-  }
-
-  JudgedJobs take() { return std::move(judged_); }
-
- private:
-  // Everything that the render depends on is hashed before the first render starts. A file that is replaced
-  // later then differs from its hash, and --resume notices.
-  JobRecord record_at_start(std::size_t index) const {
-    const auto& job = plan_.jobs[index];
-    auto record = skipped_record(plan_, job);
-    record.program.version = versions_[job.renderer];
-    record.hashes = {scene_hash(plan_, job),
-                     programs_[job.renderer],
-                     "",
-                     settings_hash(plan_, job),
-                     limits_hash(plan_, job),
-                     judged_hash(plan_, index, folders_.references, context_.orbs_version),
-                     ""};
-    return record;
-  }
-
-  Execution render(const PlannedJob& job) {
-    if (const std::lock_guard lock(mutex_); context_.started)
-      context_.started(skipped_record(plan_, job).identity);
-    auto execution = execute_or_say_why(plan_, job, versions_[job.renderer], folders_, context_);
-    if (plan_.images.empty()) execution.record.cost.host = host_;
-    execution.record.hashes.program = programs_[job.renderer];
-    if (program_hash(plan_.renderers[job.renderer], plan_, file_hashes_) != programs_[job.renderer]) {
-      execution.record.hashes.program = "";
-      say(
-          fmt::format("{} {}: its program, or a file that its command names, has changed since the run "
-                      "started; --resume renders it again",
-                      execution.record.identity.renderer, execution.record.identity.scene));
-    }
-    return execution;
-  }
-
-  void keep(std::size_t index, JobFile found) {
-    judged_.jobs[index] = std::move(found.job);
-    judged_.targets[index] = std::move(found.targets);
-    const std::lock_guard lock(mutex_);
-    ++done_;
-  }
-
-  // Leaves nothing on disk, so that a resumed run renders it.
-  void skip(std::size_t index, const JobRecord& record) {
-    judged_.targets[index] = judge_scene(plan_, index, {record, {}}, folders_);
-    judged_.jobs[index] = record;
-  }
-
-  void finish(std::size_t index, Execution execution, const JobRecord& now) {
-    const auto& folder = plan_.jobs[index].folder;
-    if (execution.record.end.outcome == JobOutcome::Skipped) {
-      std::error_code ignored;
-      fs::remove_all(folders_.unfinished / folder, ignored);
-      skip(index, execution.record);
-      return;
-    }
-    if (!has_image(execution.record) && execution.record.end.outcome != JobOutcome::Unsupported)
-      refuse_full_disk(folders_.run);
-    const auto program = execution.record.hashes.program;
-    execution.record.hashes = now.hashes;
-    execution.record.hashes.program = program;
-    execution.record.hashes.files =
-        files_hash(plan_, plan_.jobs[index], execution.record, folders_.unfinished);
-    execution.record.hashes.image = image_hash(execution.record, folders_.unfinished);
-    make_folder(folders_.unfinished / folder);
-    judged_.targets[index] = judge_scene(plan_, index, execution, folders_);
-    mark_expected(plan_.expected, {{now.identity.renderer, now.program.version}}, judged_.targets[index]);
-    write_file(folders_.unfinished / folder / "job.json",
-               results::job_json(execution.record, judged_.targets[index]));
-    put_in_place(folders_.unfinished / folder, folders_.run / folder);
-    judged_.jobs[index] = std::move(execution.record);
-    report(index);
-  }
-
-  void report(std::size_t index) {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (context_.progress)
-      context_.progress(done_, plan_.jobs.size(), judged_.jobs[index], judged_.targets[index]);
-  }
-
-  void say(const std::string& line) {
-    const std::lock_guard lock(mutex_);
-    if (context_.say) context_.say(line);
-  }
-
-  const Plan& plan_;
-  const std::vector<std::string>& versions_;
-  const WorkFolders& folders_;
-  const RenderContext& context_;
-  const results::Host host_ = this_host();
-  FileHashes file_hashes_;
-  std::vector<std::string> programs_;  // by renderer: its program_hash
-  std::vector<JobRecord> at_start_;    // by job
-  JudgedJobs judged_;
-  std::mutex mutex_;
-  std::size_t done_ = 0;
-};
+  if (session.context.stop != nullptr && session.context.stop->load()) return skipped(session, index, now);
+  if (!earlier.reason.empty()) say(session, now, earlier.reason);
+  auto execution = earlier.step == Step::Judge
+                       ? take_over(earlier.found->job, session.plan.jobs[index].folder, session.folders)
+                       : std::nullopt;
+  return judged(session, index, execution ? std::move(*execution) : rendered(session, index));
+}
 
 // The order of the plan shows something of each requirement early. With several jobs at a time the longest
 // ones start first, or the last of them would run alone while the other cores wait.
@@ -247,22 +169,27 @@ std::vector<std::size_t> order_of_starts(const Plan& plan) {
   std::vector<std::size_t> order(plan.jobs.size());
   std::iota(order.begin(), order.end(), 0);
   if (plan.settings.jobs == 1) return order;
-  const auto seconds = estimated_cpu_seconds(plan);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return seconds[a] > seconds[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return plan.jobs[a].cpu_seconds > plan.jobs[b].cpu_seconds; });
   return order;
 }
 
 }  // namespace
 
-JudgedJobs render_jobs(const Plan& plan,
-                       const std::vector<std::string>& versions,
-                       const WorkFolders& folders,
-                       const RenderContext& context) {
-  JobRunner runner(plan, versions, folders, context);
+std::vector<JudgedJob> render_jobs(const Plan& plan,
+                                   const std::vector<std::string>& versions,
+                                   const WorkFolders& folders,
+                                   const RenderContext& context,
+                                   ProgramWatch& programs) {
+  Session session{plan, folders, context, programs};
+  session.at_start = records_at_start(session, versions);
   const auto order = order_of_starts(plan);
-  for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs,
-                 [&](int index) { runner.run_or_keep(order[static_cast<std::size_t>(index)]); });
-  return runner.take();
+  std::vector<JudgedJob> jobs(plan.jobs.size());
+  for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs, [&](int turn) {
+    const auto index = order[static_cast<std::size_t>(turn)];
+    jobs[index] = run_or_keep(session, index);
+  });
+  return jobs;
 }
 
 }  // namespace orbs::run

@@ -3,6 +3,7 @@
 #include "results/record.h"
 #include "run/execute.h"
 #include "run/plan/plan.h"
+#include "run/program_hash.h"
 
 #include <atomic>
 #include <functional>
@@ -27,18 +28,20 @@ struct RenderContext {
   std::function<void(const std::string&)> say = {};  // why something is rendered again
 };
 
-/// The records of all jobs of a plan and of the targets judged from each job alone, both by job.
-struct JudgedJobs {
-  std::vector<results::JobRecord> jobs;
-  std::vector<std::vector<results::TargetRecord>> targets;
+/// A job, and the targets that are judged from its render alone.
+struct JudgedJob {
+  results::JobRecord job;
+  std::vector<results::TargetRecord> targets;
 };
 
 /// Renders and judges each job that is not in the run's folder yet or is outdated there; a job that only has
 /// another reference or gate now is judged again. Each job's folder is renamed into place when it is
-/// complete. WriteError when the disk refuses: the jobs that are in place by then stay.
-JudgedJobs render_jobs(const Plan& plan,
-                       const std::vector<std::string>& versions,
-                       const WorkFolders& folders,
-                       const RenderContext& context);
+/// complete. One result for each job of the plan. WriteError when the disk refuses: the jobs that are in
+/// place by then stay.
+std::vector<JudgedJob> render_jobs(const Plan& plan,
+                                   const std::vector<std::string>& versions,
+                                   const WorkFolders& folders,
+                                   const RenderContext& context,
+                                   ProgramWatch& programs);
 
 }  // namespace orbs::run

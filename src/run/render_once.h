@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adapters/job.h"
+#include "adapters/process/isolation.h"
 #include "image/image.h"
 #include "run/plan/plan.h"
 
@@ -25,16 +26,17 @@ struct RenderCost {
 
 /// A renderer and the scene file that has been written for it.
 struct PreparedRender {
-  ChosenRenderer renderer;
+  ChosenRenderer renderer;  // with the limits of these renders
   scene::Scene scene;
   adapters::JobSettings settings;
   std::filesystem::path folder;
   bool is_built_in = false;  // it reports the time inside ray traversal
+  std::optional<adapters::Isolation> isolation{};
 };
 
 struct RenderSettings {
   int spp = 64;
-  int seed = 1;
+  int seed = 1;  // the first is 1
   int threads = 1;
   std::vector<std::string> more_arguments{};  // behind those of the entry's command
   bool may_be_negative = false;               // negative values are right, as of colours beyond Rec.709
@@ -45,14 +47,18 @@ struct RenderedImage {
   image::Image image;
 };
 
-/// Makes `folder` and writes the scene into it. InputError when the renderer cannot render the scene.
+/// Makes `folder` and writes the scene into it. In a sandbox if the plan's settings say so, and within
+/// `case_seconds` where the case of the scene has a limit. InputError when the renderer cannot render the
+/// scene.
 PreparedRender prepare_render(const ChosenRenderer& renderer,
                               const Plan& plan,
                               const scene::Scene& scene,
-                              const std::filesystem::path& folder);
+                              const std::filesystem::path& folder,
+                              double case_seconds = 0);
 
-/// One render in the prepared folder. Nothing when stopped. InputError, with the renderer's last words, when
-/// there is no usable image.
+/// One render in the prepared folder, as a run makes it: a renderer with seed replicas is started once for
+/// each, and no two renders share a seed. Nothing when stopped. InputError, with the renderer's last words,
+/// when there is no usable image.
 std::optional<RenderedImage> render_once(const PreparedRender& prepared,
                                          const RenderSettings& settings,
                                          const std::atomic<bool>* stop);

@@ -31,7 +31,10 @@ using results::JobRecord;
 using results::TargetRecord;
 
 // In the order of the plan, whatever order the renders ended in.
-std::vector<TargetRecord> all_targets(const Plan& plan, JudgedJobs& judged, const WorkFolders& folders) {
+std::vector<TargetRecord> all_targets(const Plan& plan,
+                                      std::vector<JudgedJob>& judged,
+                                      const std::vector<JobRecord>& jobs,
+                                      const WorkFolders& folders) {
   std::vector<TargetRecord> records;
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
   for (const auto& planned : plan.targets) {
@@ -39,9 +42,9 @@ std::vector<TargetRecord> all_targets(const Plan& plan, JudgedJobs& judged, cons
       records.push_back(unsupported_target(plan, planned, folders.run));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
-      records.push_back(judged.targets[job][taken[job]++]);
+      records.push_back(judged[job].targets[taken[job]++]);
     } else {
-      records.push_back(judge_difference(plan, planned, judged.jobs, folders));
+      records.push_back(judge_difference(plan, planned, jobs, folders));
     }
   }
   return records;
@@ -79,7 +82,7 @@ results::RunRecord record_at_start(const Plan& plan,
   results::RunRecord record;
   record.suite = plan.suite.name;
   record.size = registry::size_text(plan.settings.size_divisor);
-  record.plan = context.whole_plan.plan;
+  record.plan = plan.id;
   record.shard = registry::shard_text(context.file.shard);
   record.folder = folder.string();
   record.started = context.file.started;
@@ -117,8 +120,8 @@ results::RunRecord record_at_start(const Plan& plan,
 results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, const RunContext& context) {
   const auto begin = std::chrono::steady_clock::now();
   const results::RunLock lock(folder);
+  write_plan(context.whole_plan, folder);
   write_run_file(context.file, folder);
-  write_job_list(context.whole_plan, folder);
   const results::WorkFolder work_folder(folder);
   WorkFolders folders{folder, work_folder.path(), {}};
   folders.references =
@@ -135,9 +138,11 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   }
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
-  auto judged = render_jobs(plan, versions, folders, context.rendering);
-  record.targets = all_targets(plan, judged, folders);
-  record.jobs = std::move(judged.jobs);
+  ProgramWatch programs(plan);
+  auto judged = render_jobs(plan, versions, folders, context.rendering, programs);
+  record.jobs.clear();
+  for (auto& job : judged) record.jobs.push_back(std::move(job.job));
+  record.targets = all_targets(plan, judged, record.jobs, folders);
   mark_expected(plan.expected, record);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(), [](const JobRecord& job) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "results/job_list.h"
 #include "results/record.h"
 #include "run/plan/plan.h"
+#include "run/plan/plan_file.h"
 #include "run/render_jobs.h"
 #include "run/run_file.h"
 
@@ -14,8 +14,8 @@ namespace orbs::run {
 
 struct RunContext {
   std::vector<std::string> command_line;
-  RunFile file;                 // written into the folder once it is ours
-  results::JobList whole_plan;  // of which the plan may be a shard; written beside the results
+  RunFile file;          // written into the folder once it is ours
+  FiledPlan whole_plan;  // of which the plan may be a shard; likewise
   RenderContext rendering;
 };
 

@@ -6,7 +6,6 @@
 #include "json/document.h"
 #include "json/field_reader.h"
 #include "json/field_writer.h"
-#include "json/object_reader.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +14,7 @@ namespace orbs::run {
 namespace {
 
 constexpr const char* kRunFile = "run.json";
+constexpr const char* kFormat = "orbs-run/2";
 
 }  // namespace
 
@@ -50,18 +50,17 @@ RunFile read_run_file(const std::filesystem::path& folder) {
                     folder.string(), kRunFile));
   const auto document = json::parse_file(folder / kRunFile);
   json::ObjectReader in(document);
-  in.one_of("format", {"orbs-run/1"});
-  RunFile file{in.text("configuration"), json::read_settings<registry::RunSettings>(in.object("settings")),
-               in.text("started"), registry::parse_shard(in.text_or("shard", "1/1"))};
-  in.finish();
+  json::check_format(in, kFormat);
+  RunFile file;
+  json::FieldReader read(in);
+  fields(read, file);
   return file;
 }
 
 void write_run_file(const RunFile& file, const std::filesystem::path& folder) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-run/1").member("configuration", file.configuration.string());
-  out.member("started", file.started).member("shard", registry::shard_text(file.shard)).key("settings");
-  json::write_record(out, file.settings);
+  out.begin_object().member("format", kFormat);
+  json::write_fields(out, file);
   write_file(folder / kRunFile, out.end_object().text());
 }
 

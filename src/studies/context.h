@@ -13,6 +13,7 @@ struct StudyContext {
   std::string orbs_version;                     // for the record of the study
   const std::atomic<bool>* stop = nullptr;      // set when the user interrupts; may be null
   std::function<void(const std::string&)> say;  // takes one line of progress
+  bool sandbox = false;                         // of studies that make no plan of a suite
 };
 
 inline bool is_stopped(const StudyContext& context) {

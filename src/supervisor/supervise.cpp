@@ -1,6 +1,5 @@
 #include "supervisor/supervise.h"
 
-#include "supervisor/cpu_watch.h"
 #include "supervisor/descendants.h"
 #include "supervisor/folder_size.h"
 #include "supervisor/memory.h"
@@ -11,6 +10,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <poll.h>
 #include <sys/prctl.h>
@@ -34,6 +36,23 @@ constexpr double kLongestWait_seconds = 0.5;
 double to_seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
+
+// CPU time of each process of a job as it was last seen. The kernel adds the time of a process to that of
+// the one that waits for it, and nobody has to: where SIGCHLD is ignored, it is lost (wait(2)). So the sum
+// over all that were ever seen is a lower bound beside the kernel's own sum.
+struct CpuWatch {
+  std::map<std::pair<pid_t, long long>, double> own_seconds;  // by id and start
+
+  void note(const std::vector<Descendant>& processes) {
+    for (const auto& process : processes)
+      own_seconds[{process.pid, process.started_ticks}] = process.own_cpu_seconds;
+  }
+  double seconds() const {
+    double sum = 0;
+    for (const auto& [process, own] : own_seconds) sum += own;
+    return sum;
+  }
+};
 
 struct Supervision {
   const Command& command;

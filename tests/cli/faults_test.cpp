@@ -160,7 +160,7 @@ TEST(Faults, TheRecordedCommandRepeatsTheRender) {
   const Sandbox sandbox;
   sandbox.orbs(run_of("exit3"));
   const auto job = results::read_job_file(sandbox.folder() / "out/exit3/grey/job.json").job;
-  const auto answer = sandbox.shell(job.program.shell);
+  const auto answer = sandbox.shell("cd out && " + job.program.shell);
   EXPECT_EQ(answer.status, 3) << job.program.shell << "\n" << answer.text;
   EXPECT_EQ(answer.text, "fake: cannot find the sun\n");
   EXPECT_NE(sandbox.read("out/results.csv").find("--mode exit3"), std::string::npos);

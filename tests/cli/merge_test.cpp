@@ -146,10 +146,10 @@ TEST(Merge, TakesNoFilesFromOutsideOfTheShards) {
 TEST(Merge, SaysThatATargetOfUnknownRendersWasNotJudged) {
   const Sandbox sandbox;
   run_shards(sandbox, 1);
-  auto text = sandbox.read("part-1/jobs.json");
-  const auto targets = text.find("\"targets\": [");
+  auto text = sandbox.read("part-1/plan.json");
+  const auto targets = text.rfind("\"targets\": [");
   ASSERT_NE(targets, std::string::npos);
-  sandbox.write("part-1/jobs.json",
+  sandbox.write("part-1/plan.json",
                 text.insert(text.find('[', targets) + 1,
                             R"({"case": "m1_grey", "target": "lost", "renderer": "good", "jobs": ["0"]},)"));
   const auto answer = sandbox.orbs({"merge", "part-1", "-o", "merged"});

@@ -96,7 +96,7 @@ TEST(Visualize, IsTheLongNameOfView) {
   EXPECT_EQ(sandbox.orbs({"run", "--visualize", "--dry-run", "-r", "good"}).status, 0);
   sandbox.write("configuration.json", cli_tests::configuration_with(R"("view": true)"));
   EXPECT_EQ(sandbox.orbs({"run", "--no-view", "-r", "good", "-s", "grey", "-o", "out"}).status, 0);
-  EXPECT_TRUE(contains(sandbox.read("out/run.json"), "\"view\": false"));
+  EXPECT_TRUE(contains(sandbox.read("out/plan.json"), "\"view\": false"));
 }
 
 TEST(AsJson, ListDoctorAndCompareAreReadByPrograms) {

@@ -12,11 +12,11 @@
 #include "results/cost_study.h"
 #include "results/effect_costs.h"
 #include "results/image_hashes.h"
-#include "results/job_list.h"
 #include "results/qualification.h"
 #include "results/read_record.h"
 #include "results/record_json.h"
 #include "results/stability_study.h"
+#include "run/plan/plan_file.h"
 
 #include <array>
 #include <functional>
@@ -71,6 +71,16 @@ void feed_job(const std::filesystem::path& file) {
   require(results::job_json(again.job, again.targets) == text, "a render reads back as it was written");
 }
 
+void feed_plan(const std::filesystem::path& file) {
+  const auto plan = run::read_plan(file);
+  const auto folder = file.parent_path() / "again";
+  make_folder(folder);
+  run::write_plan(plan, folder);
+  const auto text = read_file(folder / run::kPlanFile);
+  run::write_plan(run::read_plan(folder / run::kPlanFile), folder);
+  require(read_file(folder / run::kPlanFile) == text, "a plan reads back as it was written");
+}
+
 struct Kind {
   const char* file;
   std::function<void(const std::filesystem::path& file)> feed;
@@ -80,7 +90,7 @@ const std::array<Kind, 8>& kinds() {
   static const std::array<Kind, 8> kKinds{
       {{"results.json", feed_results},
        {"job.json", feed_job},
-       {results::kJobListFile, [](const auto& file) { results::read_job_list(file.parent_path()); }},
+       {run::kPlanFile, feed_plan},
        {results::kCostFile, [](const auto& file) { results::read_cost_study(file.parent_path()); }},
        {results::kStabilityFile,
         [](const auto& file) { results::read_stability_folder(file.parent_path()); }},

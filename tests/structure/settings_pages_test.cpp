@@ -39,7 +39,7 @@ std::string without(const std::string& text, char letter) {
 const std::map<std::string, const char*> kDemands{
     {"format", R"({"const": "orbs-configuration/1"})"},
     {"name",
-     R"({"pattern": "^[A-Za-z0-9][A-Za-z0-9._-]{0,99}$", "not": {"enum": ["jobs.json", "junit.xml", "references", "results.csv", "results.json", "run.json", "run.lock"]}})"},
+     R"({"pattern": "^[A-Za-z0-9][A-Za-z0-9._-]{0,99}$", "not": {"enum": ["junit.xml", "plan.json", "references", "results.csv", "results.json", "run.json", "run.lock"]}})"},
     {"executable", R"({"minLength": 1})"},
     {"command", R"({"minItems": 1})"},
     {"version_command", R"({"minItems": 1})"},

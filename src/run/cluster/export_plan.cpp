@@ -1,12 +1,8 @@
 #include "run/cluster/export_plan.h"
 
-#include "base/error.h"
 #include "base/files.h"
 #include "base/shell.h"
-#include "json/document.h"
-#include "json/field_reader.h"
-#include "json/field_writer.h"
-#include "registry/image_size.h"
+#include "run/job_folder.h"
 #include "run/prepare.h"
 
 #include <fmt/format.h>
@@ -18,24 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kExportFile = "export.json";
-
-// The text with the folder of the job left out of every path in it.
-std::string inside(const std::string& text, const std::string& folder) {
-  std::string out;
-  std::size_t from = 0;
-  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, from)) {
-    out.append(text, from, at - from);
-    from = at + folder.size();
-    if (from < text.size() && text[from] == '/') {
-      ++from;
-    } else {
-      out.push_back('.');
-    }
-  }
-  return out.append(text, from, std::string::npos);
-}
-
 // The words of the command as they are in the folder of the job, where the program is whatever RENDERER says.
 std::string command_line(const adapters::Job& job, const ChosenRenderer& renderer) {
   std::vector<std::string> words;
@@ -45,7 +23,7 @@ std::string command_line(const adapters::Job& job, const ChosenRenderer& rendere
   if (!words.empty()) words.insert(words.begin(), "env");
   for (const auto& word : job.argv) {
     const bool is_program = word == renderer.executable.string();
-    words.push_back(is_program ? "\"$renderer\"" : shell_text({inside(word, job.folder.string())}));
+    words.push_back(is_program ? "\"$renderer\"" : shell_text({named_within(job.folder, word)}));
   }
   return fmt::format("{}", fmt::join(words, " "));
 }
@@ -66,23 +44,9 @@ std::string job_lines(const Plan& plan, const PlannedJob& job, const std::vector
       fmt::join(commands, " && "));
 }
 
-void write_export_file(const Plan& plan, const fs::path& configuration, const fs::path& folder) {
-  auto settings = plan.settings;
-  settings.output.clear();
-  // The threads are part of the commands, which orbs judge makes again.
-  settings.threads = plan.threads;
-  json::Writer out;
-  out.begin_object()
-      .member("format", "orbs-export/1")
-      .member("configuration", configuration.string())
-      .key("settings");
-  json::write_record(out, settings);
-  write_file(folder / kExportFile, out.end_object().text());
-}
-
 }  // namespace
 
-ExportedPlan export_plan(const Plan& plan, const fs::path& configuration, const fs::path& folder) {
+ExportedPlan export_plan(const Plan& plan, const fs::path& folder) {
   ExportedPlan exported;
   std::string script =
       "#!/bin/sh\n"
@@ -103,22 +67,7 @@ ExportedPlan export_plan(const Plan& plan, const fs::path& configuration, const 
     ++exported.renders;
   }
   write_file(folder / "render.sh", script);
-  write_export_file(plan, configuration, folder);
   return exported;
-}
-
-ExportFile read_export_file(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder / kExportFile, ignored))
-    throw InputError(
-        fmt::format("{}: holds no {}; name a folder that 'orbs export' made", folder.string(), kExportFile));
-  const auto document = json::parse_file(folder / kExportFile);
-  json::ObjectReader in(document);
-  in.one_of("format", {"orbs-export/1"});
-  ExportFile file{in.system_text("configuration"),
-                  json::read_settings<registry::RunSettings>(in.object("settings"))};
-  in.finish();
-  return file;
 }
 
 }  // namespace orbs::run

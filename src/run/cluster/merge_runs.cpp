@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/files_inside.h"
-#include "results/job_list.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
 #include "run/judge_targets.h"
+#include "run/plan/plan_file.h"
 #include "run/run_file.h"
 #include "run/summary.h"
 
@@ -25,9 +25,7 @@ namespace orbs::run {
 namespace {
 
 namespace fs = std::filesystem;
-using results::JobList;
 using results::JobRecord;
-using results::ListedTarget;
 using results::RunRecord;
 using results::TargetRecord;
 
@@ -42,7 +40,7 @@ using Jobs = std::map<std::string, Found<JobRecord>>;
 using TargetKey = std::tuple<std::string, std::string, std::string>;  // case, target, renderer
 using Targets = std::map<TargetKey, Found<TargetRecord>>;
 
-TargetKey key_of(const ListedTarget& target) { return {target.case_name, target.target, target.renderer}; }
+TargetKey key_of(const FiledTarget& target) { return {target.case_name, target.target, target.renderer}; }
 
 // At most so many lines of each kind of complaint; a node that is lost misses hundreds of jobs.
 std::string complaint(const std::string& head, const std::vector<std::string>& lines) {
@@ -101,15 +99,15 @@ Targets find_targets(const std::vector<RunRecord>& runs) {
 }
 
 // Renders that no shard has; and targets that no shard has judged, although none of their renders is missing.
-std::vector<std::string> missing_parts(const JobList& list, const Jobs& jobs, const Targets& targets) {
+std::vector<std::string> missing_parts(const FiledPlan& plan, const Jobs& jobs, const Targets& targets) {
   std::vector<std::string> missing;
   std::set<std::string> missing_jobs;
-  for (const auto& job : list.jobs)
+  for (const auto& job : plan.jobs)
     if (!jobs.contains(job.id)) {
       missing.push_back(fmt::format("{} {}: not rendered (job {})", job.renderer, job.scene, job.id));
       missing_jobs.insert(job.id);
     }
-  for (const auto& target : list.targets)
+  for (const auto& target : plan.targets)
     if (!targets.contains(key_of(target)) &&
         std::none_of(target.jobs.begin(), target.jobs.end(),
                      [&](const auto& id) { return missing_jobs.contains(id); }))
@@ -201,17 +199,6 @@ void compare_references(const std::vector<RunRecord>& runs, std::vector<std::str
     }
 }
 
-void replace_all(std::string& text, const std::string& old, const std::string& with) {
-  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
-    text.replace(at, old.size(), with);
-}
-
-JobRecord moved(JobRecord job, const std::string& from, const std::string& to) {
-  replace_all(job.program.shell, from + "/", to + "/");
-  for (auto& word : job.program.argv) replace_all(word, from + "/", to + "/");
-  return job;
-}
-
 template <typename Item, typename NameOf>
 void take_in_order(const std::vector<std::string>& names,
                    const std::vector<RunRecord>& runs,
@@ -229,7 +216,7 @@ void take_in_order(const std::vector<std::string>& names,
     }
 }
 
-RunRecord merged_record(const JobList& list,
+RunRecord merged_record(const FiledPlan& plan,
                         const std::vector<RunRecord>& runs,
                         const Jobs& jobs,
                         const Targets& targets,
@@ -245,18 +232,17 @@ RunRecord merged_record(const JobList& list,
     merged.wall_seconds = std::max(merged.wall_seconds, run.wall_seconds);
   }
   merged.jobs.clear();
-  for (const auto& listed : list.jobs) {
-    const auto& [shard, job] = jobs.at(listed.id);
-    merged.jobs.push_back(moved(*job, runs[shard].folder, merged.folder));
-  }
+  for (const auto& job : plan.jobs) merged.jobs.push_back(*jobs.at(job.id).record);
   merged.targets.clear();
+  for (const auto& listed : plan.targets) merged.targets.push_back(*targets.at(key_of(listed)).record);
   std::vector<std::string> cases;
-  for (const auto& listed : list.targets) {
-    merged.targets.push_back(*targets.at(key_of(listed)).record);
-    cases.push_back(listed.case_name);
+  std::vector<std::string> scenes;  // and differences of them, which no run has as scenes
+  for (const auto& one_case : plan.cases) {
+    cases.push_back(one_case.name);
+    scenes.insert(scenes.end(), one_case.targets.begin(), one_case.targets.end());
   }
   take_in_order(
-      list.scenes, runs, &RunRecord::scenes, [](const auto& one) { return one.name; }, merged);
+      scenes, runs, &RunRecord::scenes, [](const auto& one) { return one.name; }, merged);
   take_in_order(
       cases, runs, &RunRecord::cases, [](const auto& one) { return one.name; }, merged);
   summarise(merged);
@@ -277,13 +263,6 @@ void take_files(const RunRecord& merged,
     const auto& [shard, job] = found;
     const auto from = fs::path(runs[shard].folder) / job->files.folder;
     take_folder(from, folder / job->files.folder);
-    const auto file = folder / job->files.folder / "job.json";
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) continue;
-    // Of a link this writes a file of its own.
-    auto text = read_file(file);
-    replace_all(text, runs[shard].folder + "/", merged.folder + "/");
-    write_file(file, text);
   }
   for (const auto& [key, found] : targets) {
     const auto& [shard, target] = found;
@@ -306,11 +285,11 @@ RunRecord merge_runs(const std::vector<fs::path>& shards,
   }
   std::vector<std::string> contradictions;
   compare_programs(runs, contradictions);
-  const auto list = results::read_job_list(runs.front().folder);
+  const auto plan = read_plan(fs::path(runs.front().folder) / kPlanFile);
   const auto jobs = find_jobs(runs, contradictions);
   const auto targets = find_targets(runs);
   compare_references(runs, contradictions);
-  const auto missing = missing_parts(list, jobs, targets);
+  const auto missing = missing_parts(plan, jobs, targets);
   const auto damaged = damaged_files(runs, jobs, targets);
   if (!contradictions.empty() || !missing.empty() || !damaged.empty())
     throw InputError(
@@ -319,15 +298,11 @@ RunRecord merge_runs(const std::vector<fs::path>& shards,
         (missing.empty() && damaged.empty() ? "" : "orbs run --resume FOLDER completes a shard"));
   const auto folder = make_run_folder(merged.string());
   const results::RunLock lock(folder);
-  auto record = merged_record(list, runs, jobs, targets, folder);
+  auto record = merged_record(plan, runs, jobs, targets, folder);
   record.command_line = command_line;
   take_files(record, runs, jobs, targets);
-  auto file = read_run_file(runs.front().folder);
-  file.shard = {};
-  file.started = record.started;
-  file.settings.output = folder.string();
-  write_run_file(file, folder);
-  write_job_list(list, folder);
+  write_plan(plan, folder);
+  write_run_file({record.started, {}}, folder);
   write_file(folder / "results.json", results::run_json(record));
   return record;
 }

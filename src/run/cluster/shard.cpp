@@ -1,9 +1,6 @@
 #include "run/cluster/shard.h"
 
 #include "base/error.h"
-#include "base/files.h"
-#include "registry/image_size.h"
-#include "run/plan/shipped_times.h"
 
 #include <algorithm>
 #include <functional>
@@ -40,10 +37,9 @@ std::vector<std::size_t> groups_of(const Plan& plan) {
 }
 
 // By group, whose number is that of its first job; 0 for numbers that are no group's.
-std::vector<double> seconds_of_groups(const std::vector<std::size_t>& groups,
-                                      const std::vector<double>& seconds_of_jobs) {
+std::vector<double> seconds_of_groups(const std::vector<std::size_t>& groups, const Plan& plan) {
   std::vector<double> seconds(groups.size());
-  for (std::size_t job = 0; job < groups.size(); ++job) seconds[groups[job]] += seconds_of_jobs[job];
+  for (std::size_t job = 0; job < groups.size(); ++job) seconds[groups[job]] += plan.jobs[job].cpu_seconds;
   return seconds;
 }
 
@@ -109,37 +105,9 @@ void keep_cases(Plan& plan) {
 
 }  // namespace
 
-results::JobList job_list(const Plan& plan) {
-  results::JobList list;
-  auto hash =
-      content_hash(fmt::format("{} {}", plan.suite.name, registry::size_text(plan.settings.size_divisor)));
-  for (const auto& one_case : plan.cases) hash = content_hash(read_file(one_case.file), hash);
-  for (const auto& scene : plan.scenes) {
-    list.scenes.push_back(scene.name);
-    hash = content_hash(plan.reference_hashes.at(scene.name), hash);
-  }
-  for (const auto& job : plan.jobs) {
-    list.jobs.push_back({job.id, plan.renderers[job.renderer].entry.name, plan.scenes[job.scene].name});
-    hash = content_hash(job.id, hash);
-  }
-  // Shards are made by these times.
-  if (const auto times = shipped_times_file(plan); no_file_problem(times).empty())
-    hash = content_hash(read_file(times), hash);
-  for (const auto& target : plan.targets) {
-    auto& listed = list.targets.emplace_back();
-    listed.case_name = plan.cases[target.one_case].name;
-    listed.target = target.target;
-    listed.renderer = plan.renderers[target.renderer].entry.name;
-    for (const auto job : target.jobs) listed.jobs.push_back(plan.jobs[job].id);
-    hash = content_hash(fmt::format("{} {} {}", listed.case_name, listed.target, listed.renderer), hash);
-  }
-  list.plan = hash_text(hash);
-  return list;
-}
-
 std::vector<int> shards_of_jobs(const Plan& plan, int count) {
   const auto groups = groups_of(plan);
-  const auto order = longest_first(seconds_of_groups(groups, estimated_cpu_seconds(plan)));
+  const auto order = longest_first(seconds_of_groups(groups, plan));
   // The shard that has least to do gets the next group.
   using Load = std::pair<double, int>;
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;

@@ -1,15 +1,11 @@
 #pragma once
 
 #include "registry/shard.h"
-#include "results/job_list.h"
 #include "run/plan/plan.h"
 
 #include <vector>
 
 namespace orbs::run {
-
-/// The whole plan as it is written beside the results. To be asked before take_shard.
-results::JobList job_list(const Plan& plan);
 
 /// How many shards can have something to render.
 int shard_count(const Plan& plan);
@@ -17,7 +13,7 @@ int shard_count(const Plan& plan);
 /// The shard of each job, from 1 to `count`: jobs of one difference of scenes stay together, and such groups
 /// go to the shards longest first, each to the shard that has least to do so far: by that rule no schedule
 /// takes more than 4/3 of the least possible time (Graham 1969, Bounds on multiprocessing timing anomalies).
-/// How long a render takes is estimated_cpu_seconds. Shard 1 has most to do.
+/// How long a render takes, the plan says. Shard 1 has most to do.
 std::vector<int> shards_of_jobs(const Plan& plan, int count);
 
 /// Leaves in the plan the jobs of one shard and the targets that are judged from them, each in one shard.

@@ -11,9 +11,9 @@
 #include "json/field_writer.h"
 #include "json/object_reader.h"
 #include "json/writer.h"
-#include "registry/image_size.h"
 #include "results/run_folder.h"
 #include "run/cluster/shard.h"
+#include "run/plan/plan_file.h"
 
 #include <algorithm>
 #include <limits>
@@ -30,26 +30,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSlurmFile = "slurm.json";
 
-std::vector<std::string> run_options(const Plan& plan, const fs::path& configuration) {
-  const auto& s = plan.settings;
-  std::vector<std::string> names;
-  for (const auto& renderer : plan.renderers) names.push_back(renderer.entry.name);
-  std::vector<std::string> words{
-      "--configuration", configuration.string(), "--suite",     s.suite, "--case", s.cases, "--scene",
-      s.scenes,          "--requirement",        s.requirements};
-  // By name: a node that lacks one must complain, and not render a smaller plan.
-  words.insert(words.end(), {"--renderer", fmt::format("{}", fmt::join(names, ","))});
-  if (!s.executable.empty()) words.insert(words.end(), {"--exec", fs::absolute(s.executable).string()});
-  words.insert(words.end(),
-               {"--jobs", fmt::format("{}", s.jobs), "--threads", fmt::format("{}", plan.threads)});
-  words.insert(words.end(),
-               {"--seed", fmt::format("{}", s.seed), "--spp-scale", fmt::format("{}", s.spp_scale)});
-  words.insert(words.end(), {"--size", registry::size_text(s.size_divisor)});
-  words.emplace_back(s.log ? "--log" : "--no-log");
-  words.emplace_back(s.sandbox ? "--sandbox" : "--no-sandbox");
-  return words;
-}
-
 std::size_t megabytes_of_task(const Plan& plan) {
   std::size_t most = 0;
   for (const auto& renderer : plan.renderers)
@@ -61,21 +41,20 @@ std::string shard_folder(int shard) { return fmt::format("shard-{}", shard); }
 
 // A task that is started again goes on with what the lost one has left. Verdicts are no failures of a task.
 std::string array_script(const SlurmJob& job) {
-  std::vector<std::string> first{job.program, "run"};
-  first.insert(first.end(), job.run.begin(), job.run.end());
+  const auto program = shell_text({job.program});
   return fmt::format(
       "#!/bin/sh\n"
-      "cd {} || exit\n"
+      "cd {0} || exit\n"
       "part=$SLURM_ARRAY_TASK_ID\n"
       "if [ -e \"shard-$part/run.json\" ]; then\n"
-      "  {} run --resume \"shard-$part\"\n"
+      "  {1} run --resume \"shard-$part\"\n"
       "else\n"
       "  rm -rf \"shard-$part\"\n"
-      "  {} --shard \"$part/{}\" --output \"shard-$part\"\n"
+      "  {1} run --plan {2} --shard \"$part/{3}\" --output \"shard-$part\"\n"
       "fi\n"
       "status=$?\n"
       "[ \"$status\" -eq 1 ] || exit \"$status\"\n",
-      shell_text({job.folder.string()}), shell_text({job.program}), shell_text(first), job.shards);
+      shell_text({job.folder.string()}), program, kPlanFile, job.shards);
 }
 
 std::string merge_script(const SlurmJob& job) {
@@ -107,7 +86,6 @@ std::vector<std::string> common_words(const SlurmJob& job, const std::string& na
 
 SlurmJob slurm_job(const registry::SlurmSettings& settings,
                    const Plan& plan,
-                   const fs::path& configuration,
                    const fs::path& folder,
                    int shards) {
   const int most = shard_count(plan);
@@ -116,7 +94,6 @@ SlurmJob slurm_job(const registry::SlurmSettings& settings,
   SlurmJob job;
   job.folder = folder;
   job.program = (plan.build / "orbs").string();
-  job.run = run_options(plan, configuration);
   job.shards = shards > 0 ? shards : std::min(most, kMostShards);
   job.cores = plan.threads * plan.settings.jobs;
   job.memory_megabytes = megabytes_of_task(plan);
@@ -126,7 +103,7 @@ SlurmJob slurm_job(const registry::SlurmSettings& settings,
 
 void write_slurm_job(const SlurmJob& job) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-slurm/1").member("program", job.program).member("run", job.run);
+  out.begin_object().member("format", "orbs-slurm/2").member("program", job.program);
   out.member("shards", job.shards).member("cores", job.cores);
   out.member("memory_megabytes", static_cast<unsigned long long>(job.memory_megabytes)).key("slurm");
   json::write_record(out, job.settings);
@@ -143,11 +120,10 @@ SlurmJob read_slurm_job(const fs::path& folder) {
         fmt::format("{}: holds no {}; name a folder that 'orbs submit' made", folder.string(), kSlurmFile));
   const auto document = json::parse_file(folder / kSlurmFile);
   json::ObjectReader in(document);
-  in.one_of("format", {"orbs-slurm/1"});
+  json::check_format(in, "orbs-slurm/2");
   SlurmJob job;
   job.folder = fs::absolute(folder).lexically_normal();
   job.program = in.system_text("program");
-  job.run = in.system_texts("run");
   job.shards = in.integer("shards", 1, kMost);
   job.cores = in.integer("cores", 1, kMost);
   job.memory_megabytes = static_cast<std::size_t>(in.integer("memory_megabytes", 0, kMost));

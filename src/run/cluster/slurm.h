@@ -13,24 +13,22 @@
 /// tasks; a shard whose task was lost is submitted again.
 namespace orbs::run {
 
-/// What is submitted; stored in the folder as slurm.json (format "orbs-slurm/1").
+/// What is submitted; stored in the folder as slurm.json (format "orbs-slurm/2"), beside the plan.json that
+/// every task executes.
 struct SlurmJob {
   std::filesystem::path folder;  // absolute, on a disk that all nodes see
   std::string program;           // orbs
-  std::vector<std::string> run;  // options of orbs run but for shard and folder
   int shards = 1;
   int cores = 1;                     // of a task
   std::size_t memory_megabytes = 0;  // of a task; 0: left to Slurm
   registry::SlurmSettings settings{};
 };
 
-/// Job of a plan: every setting stands on the command line, so that each node makes the same plan. Resources
-/// are those of the renders of a task: threads and memory limits of as many renders as run at a time.
-/// `shards` 0: one for each render, but not more than kMostShards. InputError if there are more shards than
-/// renders.
+/// Job of a plan. Resources are those of the renders of a task: threads and memory limits of as many renders
+/// as run at a time. `shards` 0: one for each render, but not more than kMostShards. InputError if there are
+/// more shards than renders.
 SlurmJob slurm_job(const registry::SlurmSettings& settings,
                    const Plan& plan,
-                   const std::filesystem::path& configuration,
                    const std::filesystem::path& folder,
                    int shards);
 

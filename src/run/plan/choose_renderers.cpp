@@ -87,4 +87,15 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
         plan.settings.renderers));
 }
 
+void refuse_missing_programs(const Plan& plan) {
+  if (plan.place == RenderPlace::Elsewhere) return;
+  for (const auto& renderer : plan.renderers) {
+    const auto& program = renderer.entry.command.words.front();
+    if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
+      throw InputError(
+          fmt::format("renderer '{}': its command starts '{}', which is not there; begin with {{executable}}",
+                      renderer.entry.name, program));
+  }
+}
+
 }  // namespace orbs::run

@@ -12,9 +12,10 @@
 #include "registry/image_size.h"
 #include "run/expected.h"
 #include "run/plan/choose_renderers.h"
+#include "run/plan/load_scenes.h"
+#include "run/plan/plan_file.h"
 #include "run/plan/reduced_size.h"
-#include "run/plan/scene_hash.h"
-#include "scene/load/load_scene.h"
+#include "run/plan/shipped_times.h"
 
 #include <algorithm>
 #include <map>
@@ -27,52 +28,6 @@
 namespace orbs::run {
 
 namespace {
-
-using ScenesByFile =
-    std::map<std::pair<std::string, std::string>, std::shared_ptr<const scene::Scene>>;  // and camera
-
-std::shared_ptr<const scene::Scene> loaded(const registry::CaseScene& wanted,
-                                           const registry::Suite& suite,
-                                           ScenesByFile& by_file) {
-  auto& scene = by_file[{wanted.file.string(), wanted.camera}];
-  if (!scene)
-    scene = with_note(fmt::format("reading scene '{}'", wanted.name), [&] {
-      return std::make_shared<const scene::Scene>(scene::load_scene(wanted.file, suite.data, wanted.camera));
-    });
-  return scene;
-}
-
-// `all` holds the scenes of cases that are not chosen, too: a scene may be judged by the reference of one.
-std::string reference_hash(const registry::CaseScene& judged,
-                           const registry::Suite& suite,
-                           const std::vector<registry::Case>& all,
-                           ScenesByFile& by_file) {
-  for (const auto& one_case : all)
-    for (const auto& scene : one_case.scenes)
-      if (scene.name == registry::reference_name(judged))
-        return hash_text(scene_content_hash(*loaded(scene, suite, by_file), scene.file));
-  return "";  // it has none: load_cases has seen to it that there is one wherever one must be
-}
-
-void load_scenes(Plan& plan, const std::vector<registry::Case>& all) {
-  ScenesByFile by_file;
-  for (const auto& one_case : plan.cases)
-    for (const auto& wanted : one_case.scenes) {
-      const bool known = std::any_of(plan.scenes.begin(), plan.scenes.end(),
-                                     [&](const auto& scene) { return scene.name == wanted.name; });
-      if (known) continue;
-      auto scene = with_note(fmt::format("reading {}", one_case.file.string()),
-                             [&] { return loaded(wanted, plan.suite, by_file); });
-      plan.scenes.push_back({wanted.name, wanted.file, wanted.spp, std::move(scene), "", wanted.camera_paths,
-                             wanted.wall_seconds, wanted.arguments});
-      plan.reference_hashes[wanted.name] = reference_hash(wanted, plan.suite, all, by_file);
-      for (const auto& accepted : wanted.accepted) {
-        auto judged = wanted;
-        judged.reference = accepted.reference;
-        plan.reference_hashes[accepted.reference] = reference_hash(judged, plan.suite, all, by_file);
-      }
-    }
-}
 
 void check_regions(const Plan& plan, const registry::Case& one_case) {
   const auto scene_of = [&](const std::string& target) {
@@ -192,6 +147,7 @@ Plan make_plan(const registry::Configuration& configuration,
   Plan plan;
   plan.place = place;
   plan.settings = settings;
+  plan.configuration = configuration.file;
   plan.root = configuration.root;
   plan.build = program_folder;
   plan.suite = registry::find_suite(configuration, settings.suite);
@@ -201,7 +157,8 @@ Plan make_plan(const registry::Configuration& configuration,
   plan.cases = registry::choose_cases(all, settings);
   refuse_unknown_expected(configuration, plan.suite, all);
   plan.expected = configuration.expected;
-  load_scenes(plan, all);
+  load_scenes(plan);
+  hash_references(all, plan);
   for (const auto& one_case : plan.cases) {
     judge::refuse_unknown_metrics(one_case);
     check_regions(plan, one_case);
@@ -210,14 +167,10 @@ Plan make_plan(const registry::Configuration& configuration,
   plan_first_jobs(plan);
   plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
-  for (const auto& renderer : plan.renderers) {
-    if (place == RenderPlace::Elsewhere) break;
-    const auto& program = renderer.entry.command.words.front();
-    if (!registry::uses_placeholder(program, "executable") && !adapters::find_program(program))
-      throw InputError(
-          fmt::format("renderer '{}': its command starts '{}', which is not there; begin with {{executable}}",
-                      renderer.entry.name, program));
-  }
+  const auto seconds = estimated_cpu_seconds(plan);
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job) plan.jobs[job].cpu_seconds = seconds[job];
+  plan.id = plan_id(plan);
+  refuse_missing_programs(plan);
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include "results/record.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -28,6 +29,7 @@ struct PlannedScene {
   int camera_paths = 0;                       // of the whole image that its means need, see enough_spp
   double wall_seconds = 0;                    // of the case, for one render; 0: the renderer's limit alone
   std::map<std::string, std::vector<std::string>> arguments{};  // by the name of a renderer's entry
+  std::uint64_t hash = 0;                                       // scene_content_hash
 };
 
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.
@@ -39,6 +41,7 @@ struct PlannedJob {
   std::filesystem::path folder;          // relative to the run's
   std::filesystem::path native_scene{};  // hand-written for the renderer; "" when it is exported
   bool may_be_negative = false;          // some case that judges its image allows negative values
+  double cpu_seconds = 1;                // that the render is expected to take, see estimated_cpu_seconds
 };
 
 /// One target of a case to be judged, rendered by one renderer.
@@ -57,7 +60,9 @@ struct PlannedTarget {
 enum class RenderPlace { Here, Elsewhere };
 
 struct Plan {
+  std::string id{};  // hash of all that images and verdicts depend on but for programs and machines
   RenderPlace place = RenderPlace::Here;
+  std::filesystem::path configuration{};  // the file
   std::filesystem::path images{};  // folder of orbs export that holds all images; "": they are rendered
   registry::Suite suite;
   registry::RunSettings settings;     // after the command line

@@ -49,7 +49,8 @@ std::optional<CostRender> measured_render(const CostStudy& study,
   const auto& ladder = chosen.entry.timing.cost_ladder;
   if (is_fixed && ladder.empty()) wanted.spp = kFixedSpp;
   const auto& rung = is_fixed && !ladder.empty() ? ladder.front().name : wanted.rung;
-  const auto prepared = run::prepare_render(with_settings(chosen, rung), study.plan, scene, folder);
+  const auto prepared = run::prepare_render(with_settings(chosen, rung), study.plan, scene, folder,
+                                            subject.scene->wall_seconds);
   wanted.load = run::load_average();
   wanted.order = static_cast<int>(study.record.renders.size());
   const auto made = run::render_once(prepared,

@@ -128,6 +128,7 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
   plan.root = configuration.root;
   plan.build = context.build;
   plan.settings.renderers = "orbs";
+  plan.settings.sandbox = context.sandbox;
   run::choose_renderers(configuration, plan);
   EffectCosts list{settings,         context.orbs_version, suite, local_time_now(),
                    run::this_host(), run::load_average(),  {}};

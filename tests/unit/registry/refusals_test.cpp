@@ -56,7 +56,7 @@ TEST(PlainName, IsNoLongerThanAFileSystemTakesWithWhatOrbsAppends) {
 
 TEST(PlainName, IsNoneOfThoseThatOrbsUsesInAFolderOfARun) {
   for (const char* taken :
-       {"jobs.json", "junit.xml", "results.csv", "results.json", "run.json", "run.lock", "references"})
+       {"junit.xml", "plan.json", "results.csv", "results.json", "run.json", "run.lock", "references"})
     expect_part(name_refusal(taken),
                 std::string("/renderers/0/name: '") + taken + "' is what orbs itself calls");
 }

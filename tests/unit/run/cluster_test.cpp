@@ -17,6 +17,12 @@ using namespace orbs;
 
 namespace {
 
+// As make_plan does.
+void expect_times(run::Plan& plan) {
+  const auto seconds = run::estimated_cpu_seconds(plan);
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job) plan.jobs[job].cpu_seconds = seconds[job];
+}
+
 // Renders of the scenes with recorded times, over and over, up to `count`.
 run::Plan plan_of(int count) {
   run::Plan plan;
@@ -39,6 +45,7 @@ run::Plan plan_of(int count) {
     job.renderer = static_cast<std::size_t>(i) / plan.scenes.size() % plan.renderers.size();
     plan.jobs.push_back(job);
   }
+  expect_times(plan);
   return plan;
 }
 
@@ -104,6 +111,7 @@ TEST(Cluster, RendersOfOneDifferenceStayTogether) {
 TEST(Cluster, RendersWithoutRecordedTimesAreSharedOutEvenly) {
   auto plan = plan_of(96);
   plan.suite.name = "another";
+  expect_times(plan);
   std::vector<int> count(8);
   for (const int shard : run::shards_of_jobs(plan, 8)) ++count[static_cast<std::size_t>(shard - 1)];
   EXPECT_EQ(count, std::vector<int>(8, 12));

@@ -1,4 +1,4 @@
-#include "run/plan/job_limits.h"
+#include "run/prepare.h"
 
 #include <gtest/gtest.h>
 
