@@ -32,38 +32,25 @@ float power(float value, float exponent) {
   return std::copysign(std::pow(std::fabs(value), exponent), value);
 }
 
-float value_on(Curve::Kind curve, float value) {
-  constexpr float kGamma = 2.2F;
-  switch (curve) {
-    case Curve::Kind::SrgbEncoded:
-      return image::srgb_encode(value);
-    case Curve::Kind::SrgbDecoded:
-      return image::srgb_decode(value);
-    case Curve::Kind::Gamma22Encoded:
-      return power(value, 1 / kGamma);
-    case Curve::Kind::Gamma22Decoded:
-      return power(value, kGamma);
-    case Curve::Kind::SrgbEncodedAndClamped:
-      break;
-  }
-  return image::srgb_encode(std::clamp(value, 0.0F, 1.0F));
-}
+float encode_22(float value) { return power(value, 1 / 2.2F); }
+float decode_22(float value) { return power(value, 2.2F); }
+float clamp_and_encode(float value) { return image::srgb_encode(std::clamp(value, 0.0F, 1.0F)); }
 
-std::optional<Curve::Kind> inverse_of(Curve::Kind curve) {
-  switch (curve) {
-    case Curve::Kind::SrgbEncoded:
-      return Curve::Kind::SrgbDecoded;
-    case Curve::Kind::SrgbDecoded:
-      return Curve::Kind::SrgbEncoded;
-    case Curve::Kind::Gamma22Encoded:
-      return Curve::Kind::Gamma22Decoded;
-    case Curve::Kind::Gamma22Decoded:
-      return Curve::Kind::Gamma22Encoded;
-    case Curve::Kind::SrgbEncodedAndClamped:
-      break;
-  }
-  return std::nullopt;
-}
+struct KnownCurve {
+  const char* text;
+  float (*map)(float);
+  std::optional<Curve::Kind> inverse;
+};
+
+// In the order of Curve::Kind.
+constexpr std::array<KnownCurve, 5> kCurves{
+    {{"encoded for the screen (sRGB), not linear", image::srgb_encode, Curve::Kind::SrgbDecoded},
+     {"decoded from sRGB though it was linear", image::srgb_decode, Curve::Kind::SrgbEncoded},
+     {"encoded for the screen (gamma 2.2), not linear", encode_22, Curve::Kind::Gamma22Decoded},
+     {"decoded from gamma 2.2 though it was linear", decode_22, Curve::Kind::Gamma22Encoded},
+     {"encoded for the screen (sRGB) and clamped to 1, not linear", clamp_and_encode, std::nullopt}}};
+
+const KnownCurve& known(Curve::Kind kind) { return kCurves.at(static_cast<std::size_t>(kind)); }
 
 }  // namespace
 
@@ -117,31 +104,14 @@ Image Offset::undo(const Image& image) const { return Offset{-by}.apply(image); 
 
 std::string Offset::text() const { return fmt::format("off by {:+.3g} in every pixel", by); }
 
-Image Curve::apply(const Image& image) const {
-  return with_curve(image, [this](float value) { return value_on(kind, value); });
-}
+Image Curve::apply(const Image& image) const { return with_curve(image, known(kind).map); }
 
 std::optional<Image> Curve::undo(const Image& image) const {
-  const auto inverse = inverse_of(kind);
-  if (!inverse) return std::nullopt;
-  return Curve{*inverse}.apply(image);
+  const auto& inverse = known(kind).inverse;
+  return inverse ? std::optional(with_curve(image, known(*inverse).map)) : std::nullopt;
 }
 
-std::string Curve::text() const {
-  switch (kind) {
-    case Kind::SrgbEncoded:
-      return "encoded for the screen (sRGB), not linear";
-    case Kind::SrgbDecoded:
-      return "decoded from sRGB though it was linear";
-    case Kind::Gamma22Encoded:
-      return "encoded for the screen (gamma 2.2), not linear";
-    case Kind::Gamma22Decoded:
-      return "decoded from gamma 2.2 though it was linear";
-    case Kind::SrgbEncodedAndClamped:
-      break;
-  }
-  return "encoded for the screen (sRGB) and clamped to 1, not linear";
-}
+std::string Curve::text() const { return known(kind).text; }
 
 Image Clamp::apply(const Image& image) const {
   return with_each_value(image, [this](float& value, float& variance) {
