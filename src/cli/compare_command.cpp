@@ -8,8 +8,8 @@
 #include "json/writer.h"
 #include "judge/maps.h"
 #include "judge/noise.h"
-#include "metrics/bias_message.h"
 #include "metrics/compare.h"
+#include "metrics/describe.h"
 #include "metrics/image_pair.h"
 #include "metrics/table.h"
 

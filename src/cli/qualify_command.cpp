@@ -11,7 +11,7 @@
 #include "run/plan/make_plan.h"
 #include "studies/qualify/diagnosis_rates.h"
 #include "studies/qualify/qualify.h"
-#include "studies/qualify/report.h"
+#include "studies/qualify/reports.h"
 
 #include <algorithm>
 

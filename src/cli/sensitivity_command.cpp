@@ -5,7 +5,7 @@
 #include "cli/study_context.h"
 #include "registry/image_size.h"
 #include "run/plan/make_plan.h"
-#include "studies/qualify/sensitivity_report.h"
+#include "studies/qualify/reports.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

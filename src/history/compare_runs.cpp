@@ -4,7 +4,6 @@
 #include "history/number_changes.h"
 #include "history/pair_runs.h"
 #include "history/time_changes.h"
-#include "history/verdict_changes.h"
 #include "json/writer.h"
 
 #include <algorithm>
@@ -17,6 +16,54 @@
 namespace orbs::history {
 
 namespace {
+
+using results::TargetRecord;
+using results::Verdict;
+
+bool is_failure(const TargetRecord& target) {
+  return target.declared && counts_as_failure(target.verdict, target.expectation);
+}
+
+bool is_by_noise(const TargetRecord& before, const TargetRecord& after) {
+  const auto is_either = [](const TargetRecord& target) {
+    return target.verdict == Verdict::Pass || target.verdict == Verdict::Inconclusive;
+  };
+  return is_either(before) && is_either(after) && before.verdict != after.verdict;
+}
+
+Direction direction_of(const TargetRecord& before, const TargetRecord& after) {
+  if (is_by_noise(before, after)) return Direction::Neither;
+  if (is_failure(before) != is_failure(after))
+    return is_failure(after) ? Direction::Worse : Direction::Better;
+  if (!is_failure(after) && after.verdict != Verdict::Unsupported && before.verdict != Verdict::Unsupported)
+    return after.verdict == Verdict::Pass ? Direction::Better : Direction::Neither;
+  return results::is_worse(after.verdict, after.expectation, before.verdict, before.expectation)
+             ? Direction::Worse
+             : Direction::Better;
+}
+
+// Targets whose state differs. It is worse if it counts as a failure now and did not before, if it is a
+// worse failure, or if a pass became unsupported; a change between pass and inconclusive is neither, since
+// noise decides there. What was skipped in one of the runs is not compared.
+std::vector<Change> verdict_changes(const RunPair& pair) {
+  std::vector<Change> changes;
+  for (const auto& [before, after, ignored] : pair.targets) {
+    if (before->verdict == Verdict::Skipped || after->verdict == Verdict::Skipped) continue;
+    if (state_name(*before) == state_name(*after)) continue;
+    Change change;
+    change.quantity = Quantity::Verdict;
+    change.direction = direction_of(*before, *after);
+    change.renderer = after->renderer;
+    change.requirement = after->requirement;
+    change.target = after->target;
+    change.before = state_name(*before);
+    change.after = state_name(*after);
+    change.size = static_cast<double>(after->verdict);
+    change.reason = reason_text(*after);
+    changes.push_back(std::move(change));
+  }
+  return changes;
+}
 
 void sort_worst_first(std::vector<Change>& changes) {
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
@@ -152,6 +199,40 @@ std::string comparison_json(const RunComparison& comparison) {
         .end_object();
   out.end_array().member("notes", comparison.notes);
   return out.end_object().text();
+}
+
+std::vector<RunComparison> compare_variants(const results::RunRecord& run) {
+  std::vector<RunComparison> comparisons;
+  std::map<std::string, std::string> first;  // variant of each entry
+  for (const auto& renderer : run.renderers) {
+    if (renderer.variant_of.empty()) continue;
+    const auto [base, is_first] = first.try_emplace(renderer.variant_of, renderer.name);
+    if (is_first) continue;
+    const auto pair = pair_renderers(run, base->second, renderer.name);
+    comparisons.push_back(
+        compare_pairs(pair, verdict_changes(pair), {light_candidates(pair), error_candidates(pair)}));
+    comparisons.back().before = base->second;
+    comparisons.back().after = renderer.name;
+  }
+  return comparisons;
+}
+
+std::string variants_text(const std::vector<RunComparison>& comparisons) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (const auto& comparison : comparisons) {
+    const auto& changes = comparison.changes;
+    text += fmt::format("{} against {}: {} targets, {}\n", comparison.after, comparison.before,
+                        comparison.targets,
+                        changes.empty() ? "the same but for noise"
+                                        : fmt::format("{} differences beyond noise", changes.size()));
+    for (std::size_t i = 0; i < std::min(changes.size(), kMost); ++i)
+      text += fmt::format("  {} {}: {}, {} against {}\n", changes[i].requirement,
+                          changes[i].target.empty() ? "all together" : changes[i].target,
+                          quantity_name(changes[i].quantity), changes[i].after, changes[i].before);
+    if (changes.size() > kMost) text += fmt::format("  and {} more\n", changes.size() - kMost);
+  }
+  return text;
 }
 
 }  // namespace orbs::history

@@ -1,18 +1,12 @@
 #include "judge/candidate_faults.h"
 
-#include "image/colour.h"
-#include "judge/fault_images.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace orbs::judge {
 
@@ -29,14 +23,27 @@ struct Search {
   const std::function<void(CandidateFault&&)>& visit;
 
   Rectangle all() const { return {0, 0, reference.width, reference.height}; }
-  void add(FaultKind kind, std::string text, Image like) const {
-    visit({kind, std::move(text), std::move(like), all()});
+
+  // The fault put upon `reference`, of which the colours count.
+  template <typename Kind>
+  CandidateFault candidate(const Kind& fault, const Image& reference_with_layers) const {
+    return {fault, fault.text(), image::select_rgb(fault.apply(reference_with_layers), ""), all()};
   }
-  void add_undone(FaultKind kind, std::string text, Image like, Image undone) const {
-    visit({kind, std::move(text), std::move(like), all(), false, std::move(undone)});
+  template <typename Kind>
+  void add(const Kind& fault) const {
+    visit(candidate(fault, reference));
   }
-  void add_averaging(FaultKind kind, std::string text, Image like) const {
-    visit({kind, std::move(text), std::move(like), all(), true});
+  template <typename Kind>
+  void add_undone(const Kind& fault) const {
+    auto one = candidate(fault, reference);
+    one.undone = fault.undo(result);
+    visit(std::move(one));
+  }
+  template <typename Kind>
+  void add_averaging(const Kind& fault) const {
+    auto one = candidate(fault, reference);
+    one.averages_noise = true;
+    visit(std::move(one));
   }
 };
 
@@ -120,144 +127,45 @@ void add_shifts(const Search& search) {
       const double dy = whole_y + half_y;
       if (dx == 0 && dy == 0) continue;
       const bool is_whole = half_x == 0 && half_y == 0;
-      for (const auto between : {Between::Linear, Between::Cubic}) {
-        if (is_whole && between == Between::Cubic) continue;
-        search.visit({FaultKind::Shift, fmt::format("shifted by ({}, {}) px", dx, dy),
-                      moved_by(search.reference, dx, dy, between), known_after(search.reference, dx, dy),
-                      !is_whole});
+      for (const auto between : {faults::Between::Linear, faults::Between::Cubic}) {
+        if (is_whole && between == faults::Between::Cubic) continue;
+        auto one = search.candidate(faults::Shift{dx, dy, between}, search.reference);
+        one.known = known_after(search.reference, dx, dy);
+        one.averages_noise = !is_whole;
+        search.visit(std::move(one));
       }
     }
 }
 
-void add_orientations(const Search& search) {
-  const int right = search.reference.width - 1;
-  const int bottom = search.reference.height - 1;
-  struct Turn {
-    const char* text;
-    std::function<std::array<int, 2>(int, int)> from;
-    bool is_square_only;
-  };
-  const std::vector<Turn> turns{{"mirrored left to right",
-                                 [=](int x, int y) {
-                                   return std::array{right - x, y};
-                                 },
-                                 false},
-                                {"upside down",
-                                 [=](int x, int y) {
-                                   return std::array{x, bottom - y};
-                                 },
-                                 false},
-                                {"turned by 180 degrees",
-                                 [=](int x, int y) {
-                                   return std::array{right - x, bottom - y};
-                                 },
-                                 false},
-                                {"turned by 90 degrees to the right",
-                                 [=](int x, int y) {
-                                   return std::array{y, bottom - x};
-                                 },
-                                 true},
-                                {"turned by 90 degrees to the left",
-                                 [=](int x, int y) {
-                                   return std::array{right - y, x};
-                                 },
-                                 true},
-                                {"transposed (x and y exchanged)",
-                                 [=](int x, int y) {
-                                   return std::array{y, x};
-                                 },
-                                 true},
-                                {"transposed and turned by 180 degrees",
-                                 [=](int x, int y) {
-                                   return std::array{right - y, bottom - x};
-                                 },
-                                 true}};
-  for (const auto& [text, from, is_square_only] : turns)
-    if (!is_square_only || right == bottom)
-      search.add(FaultKind::Orientation, text, rearranged(search.reference, from));
+void add_turns(const Search& search) {
+  const std::vector<faults::Turn> turns{{.mirrors_x = true},
+                                        {.mirrors_y = true},
+                                        {.mirrors_x = true, .mirrors_y = true},
+                                        {.mirrors_y = true, .exchanges = true},
+                                        {.mirrors_x = true, .exchanges = true},
+                                        {.exchanges = true},
+                                        {.mirrors_x = true, .mirrors_y = true, .exchanges = true}};
+  for (const auto& turn : turns)
+    if (!turn.exchanges || search.reference.width == search.reference.height) search.add(turn);
 }
 
 void add_channels(const Search& search) {
-  struct Order {
-    const char* text;
-    std::array<std::size_t, 3> from;
-  };
-  constexpr std::array<Order, 5> kOrders{{{"with R and B swapped", {2, 1, 0}},
-                                          {"with R and G swapped", {1, 0, 2}},
-                                          {"with G and B swapped", {0, 2, 1}},
-                                          {"with R, G, B in the order G, B, R", {1, 2, 0}},
-                                          {"with R, G, B in the order B, R, G", {2, 0, 1}}}};
-  for (const auto& [text, from] : kOrders) {
-    Image like = search.reference;
-    for (std::size_t i = 0; i < like.pixels.size(); i += 3)
-      for (std::size_t c = 0; c < 3; ++c) like.pixels[i + c] = search.reference.pixels[i + from.at(c)];
-    search.add(FaultKind::Channels, text, std::move(like));
-  }
-}
-
-// Radiance and exitance differ by pi, and halves, quarters and powers of ten are what is forgotten most.
-std::string factor_text(double factor) {
-  constexpr double kPi = std::numbers::pi;
-  struct Named {
-    const char* name;
-    double value;
-  };
-  constexpr std::array<Named, 12> kNamed{{{"pi", kPi},
-                                          {"1/pi", 1 / kPi},
-                                          {"2 pi", 2 * kPi},
-                                          {"1/(2 pi)", 1 / (2 * kPi)},
-                                          {"4 pi", 4 * kPi},
-                                          {"1/(4 pi)", 1 / (4 * kPi)},
-                                          {"2", 2},
-                                          {"1/2", 0.5},
-                                          {"4", 4},
-                                          {"1/4", 0.25},
-                                          {"10", 10},
-                                          {"1/10", 0.1}}};
-  constexpr double kNear = 0.01;
-  for (const auto& [name, value] : kNamed)
-    if (std::fabs(factor / value - 1) < kNear) return fmt::format("multiplied by {}", name);
-  return fmt::format("multiplied by {:.4g}", factor);
+  for (const auto& from :
+       std::vector<std::array<std::size_t, 3>>{{2, 1, 0}, {1, 0, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}})
+    search.add(faults::ChannelOrder{from});
 }
 
 void add_factor_and_offset(const Search& search) {
   const auto sums = products_of(search);
-  if (sums.ff > 0 && sums.rf > 0) {
-    const double factor = sums.rf / sums.ff;
-    const auto k = static_cast<float>(factor);
-    search.add_undone(FaultKind::Factor, factor_text(factor),
-                      mapped(search.reference, [k](float value) { return k * value; }),
-                      mapped(search.result, [k](float value) { return value / k; }));
-  }
-  if (sums.one > 0) {
-    const double offset = (sums.r - sums.f) / sums.one;
-    const auto b = static_cast<float>(offset);
-    search.add_undone(FaultKind::Offset, fmt::format("off by {:+.3g} in every pixel", offset),
-                      mapped(search.reference, [b](float value) { return value + b; }),
-                      mapped(search.result, [b](float value) { return value - b; }));
-  }
+  if (sums.ff > 0 && sums.rf > 0) search.add_undone(faults::Factor{sums.rf / sums.ff});
+  if (sums.one > 0) search.add_undone(faults::Offset{(sums.r - sums.f) / sums.one});
 }
 
-float power(float value, float exponent) {
-  return std::copysign(std::pow(std::fabs(value), exponent), value);
-}
-
-void add_gammas(const Search& search) {
-  constexpr float kGamma = 2.2F;
-  const auto add = [&](const char* text, const std::function<float(float)>& fault,
-                       const std::function<float(float)>& inverse) {
-    search.add_undone(FaultKind::Gamma, text, mapped(search.reference, fault),
-                      mapped(search.result, inverse));
-  };
-  const auto raised = [](float value) { return power(value, kGamma); };
-  const auto rooted = [](float value) { return power(value, 1 / kGamma); };
-  add("encoded for the screen (sRGB), not linear", image::srgb_encode, image::srgb_decode);
-  add("decoded from sRGB though it was linear", image::srgb_decode, image::srgb_encode);
-  add("encoded for the screen (gamma 2.2), not linear", rooted, raised);
-  add("decoded from gamma 2.2 though it was linear", raised, rooted);
-  search.add(FaultKind::Gamma, "encoded for the screen (sRGB) and clamped to 1, not linear",
-             mapped(search.reference,
-                    [](float value) { return image::srgb_encode(std::clamp(value, 0.0F, 1.0F)); }));
+void add_curves(const Search& search) {
+  using Kind = faults::Curve::Kind;
+  for (const auto kind : {Kind::SrgbEncoded, Kind::SrgbDecoded, Kind::Gamma22Encoded, Kind::Gamma22Decoded,
+                          Kind::SrgbEncodedAndClamped})
+    search.add_undone(faults::Curve{kind});
 }
 
 // A clamp leaves several samples at exactly the largest value; noise does not.
@@ -270,35 +178,20 @@ void add_clamp(const Search& search) {
     at_most = search.result.pixels[i] == most ? at_most + 1 : 1;
     most = search.result.pixels[i];
   }
-  if (at_most < kFewest || most <= 0) return;
-  search.add(FaultKind::Clamp, fmt::format("clamped at {:.4g}", most),
-             mapped(search.reference, [most](float value) { return std::min(value, most); }));
+  if (at_most >= kFewest && most > 0) search.add(faults::Clamp{most});
 }
 
-void add_blurs(const Search& search) {
-  constexpr double kWidthOfHalf = 2.3548;  // full width at half maximum of a Gaussian of deviation 1
+void add_filters(const Search& search) {
   for (const double sigma_px : {0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0})
-    search.add_averaging(FaultKind::Blur,
-                         fmt::format("blurred by a filter of {:.2g} px", kWidthOfHalf * sigma_px),
-                         gaussian_blurred(search.reference, sigma_px));
-  for (const int side_px : {3, 5, 7})
-    search.add_averaging(FaultKind::Blur, fmt::format("blurred by a box filter of {} px", side_px),
-                         box_blurred(search.reference, side_px));
+    search.add_averaging(faults::Blur{sigma_px});
+  for (const double side_px : {3, 5, 7})
+    search.add_averaging(faults::Blur{side_px, faults::Blur::Filter::Box});
+  for (const int side_px : {2, 3, 4, 8}) search.add_averaging(faults::Resolution{side_px});
 }
 
-void add_resolutions(const Search& search) {
-  for (const int side_px : {2, 3, 4, 8})
-    search.add_averaging(FaultKind::Resolution, fmt::format("of 1/{} of the resolution", side_px),
-                         in_squares(search.reference, side_px));
-}
-
-void add_scales(const Search& search) {
-  for (int percent = -50; percent <= 100; percent += percent < 50 && percent > -50 ? 5 : 10) {
-    if (percent == 0) continue;
-    const double factor = 1 + percent / 100.0;
-    search.visit({FaultKind::Scale, fmt::format("magnified by {:.3g} about its centre", factor),
-                  magnified(search.reference, factor), search.all(), true});
-  }
+void add_magnifications(const Search& search) {
+  for (int percent = -50; percent <= 100; percent += percent < 50 && percent > -50 ? 5 : 10)
+    if (percent != 0) search.add_averaging(faults::Magnification{1 + percent / 100.0});
 }
 
 void add_crop(const Search& search) {
@@ -309,31 +202,20 @@ void add_crop(const Search& search) {
       if (result.at(x, y, 0) != 0 || result.at(x, y, 1) != 0 || result.at(x, y, 2) != 0)
         lit = {std::min(lit.x0, x), std::min(lit.y0, y), std::max(lit.x1, x + 1), std::max(lit.y1, y + 1)};
   if (lit.x1 <= lit.x0 || (lit.x1 - lit.x0 == result.width && lit.y1 - lit.y0 == result.height)) return;
-  Image like = search.reference;
-  for (int y = 0; y < like.height; ++y)
-    for (int x = 0; x < like.width; ++x)
-      if (x < lit.x0 || x >= lit.x1 || y < lit.y0 || y >= lit.y1)
-        for (std::size_t c = 0; c < 3; ++c) like.at(x, y, c) = 0;
-  search.add(FaultKind::Crop, fmt::format("cropped to the pixels {}, black beside them", rectangle_text(lit)),
-             std::move(like));
+  search.add(faults::Crop{lit});
 }
 
 void add_alpha(const Search& search) {
-  const int alpha = image::channel_index(search.subject.result, "A");
-  if (alpha < 0) return;
-  const auto alpha_of = [&](std::size_t pixel) {
-    return search.subject.result
-        .pixels[pixel * search.subject.result.channel_count() + static_cast<std::size_t>(alpha)];
-  };
-  Image multiplied = search.reference;
-  Image divided = search.reference;
-  for (std::size_t pixel = 0; pixel < multiplied.pixel_count(); ++pixel)
-    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-      multiplied.pixels[i] *= alpha_of(pixel);
-      if (alpha_of(pixel) > 0) divided.pixels[i] /= alpha_of(pixel);
-    }
-  search.add(FaultKind::Alpha, "multiplied by its alpha once too often", std::move(multiplied));
-  search.add(FaultKind::Alpha, "divided by its alpha once too often", std::move(divided));
+  const auto& result = search.subject.result;
+  const int channel = image::channel_index(result, "A");
+  if (channel < 0) return;
+  faults::Alpha fault;
+  for (std::size_t i = 0; i < result.pixels.size(); i += result.channel_count())
+    fault.alpha.push_back(result.pixels[i + static_cast<std::size_t>(channel)]);
+  for (const auto kind : {faults::Alpha::Kind::Multiplied, faults::Alpha::Kind::Divided}) {
+    fault.kind = kind;
+    search.add(fault);
+  }
 }
 
 // Classes are words of Heckbert's letters from the eye: "EDL" is light that one diffuse surface sends to it.
@@ -344,25 +226,19 @@ void add_light_paths(const Search& search) {
   for (const auto& channel : search.subject.reference.channels)
     if (channel.starts_with("path.") && channel.ends_with(".R"))
       classes.insert(channel.substr(5, channel.size() - 7));
-  Image direct = search.reference;
+  faults::LightPaths indirect{{}, true};
   for (const auto& one : classes) {
-    const auto layer = image::select_rgb(search.subject.reference, "path." + one + ".");
-    Image like = search.reference;
-    for (std::size_t i = 0; i < like.pixels.size(); ++i) {
-      like.pixels[i] -= layer.pixels[i];
-      if (!is_direct(one)) direct.pixels[i] -= layer.pixels[i];
-    }
-    search.add(FaultKind::LightPaths, fmt::format("without the light paths {}", one), std::move(like));
+    search.visit(search.candidate(faults::LightPaths{{one}}, search.subject.reference));
+    if (!is_direct(one)) indirect.missing.push_back(one);
   }
   if (std::any_of(classes.begin(), classes.end(), is_direct))
-    search.add(FaultKind::LightPaths, "direct light only", std::move(direct));
+    search.visit(search.candidate(indirect, search.subject.reference));
 }
 
 void add_other_targets(const Search& search) {
   for (const auto& [name, other] : search.subject.other_targets)
     if (other.width == search.result.width && other.height == search.result.height)
-      search.add(FaultKind::OtherTarget, fmt::format("the image of '{}'", name),
-                 image::select_rgb(other, ""));
+      search.add(faults::OtherImage{name, &other});
 }
 
 }  // namespace
@@ -372,14 +248,13 @@ void for_each_candidate(const FaultSubject& subject, const std::function<void(Ca
       subject, image::select_rgb(subject.result, ""), image::select_rgb(subject.reference, ""),
       metrics::included_pixels(subject.mask, subject.result.width, subject.result.height), visit};
   add_shifts(search);
-  add_orientations(search);
+  add_turns(search);
   add_channels(search);
   add_factor_and_offset(search);
-  add_gammas(search);
+  add_curves(search);
   add_clamp(search);
-  add_blurs(search);
-  add_resolutions(search);
-  add_scales(search);
+  add_filters(search);
+  add_magnifications(search);
   add_crop(search);
   add_alpha(search);
   add_light_paths(search);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "faults/fault.h"
 #include "image/image.h"
 #include "metrics/mask.h"
 
@@ -11,28 +12,10 @@
 /// The usual faults of renderers as images: what the reference looks like with each of them.
 namespace orbs::judge {
 
-/// Faults of one kind differ by a number alone, or look alike: they are told apart by their error only.
-/// Faults of two kinds are two explanations.
-enum class FaultKind {
-  Shift,        // by whole or half pixels
-  Orientation,  // mirrored or turned
-  Channels,     // swapped
-  Factor,       // all light times a number
-  Offset,       // a constant added to all pixels
-  Gamma,        // a display curve applied once too often, or removed from linear values
-  Clamp,        // highlights cut off
-  Blur,         // by a filter wider than a pixel
-  Resolution,   // rendered with fewer pixels, scaled up
-  Scale,        // magnified about the centre: another field of view
-  Crop,         // black outside a rectangle
-  Alpha,        // multiplied or divided by its alpha
-  LightPaths,   // classes of light paths missing, where the reference holds them as layers
-  OtherTarget,  // the image of another target of the case, as of another trace depth
-};
-
-/// The reference with one fault.
+/// The reference with one fault. Faults of one kind are told apart by their error only; those of two kinds
+/// are two explanations.
 struct CandidateFault {
-  FaultKind kind;
+  faults::Fault fault;
   std::string text;   // what the result then is: "shifted by (2, 1) px"
   image::Image like;  // R, G, B
   /// The pixels that the fault leaves known: a shifted image shows what the reference does not hold.

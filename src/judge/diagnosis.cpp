@@ -28,8 +28,9 @@ std::vector<Tried> best_of_kinds(const FitSamples& samples, const FaultSubject& 
   for_each_candidate(subject, [&](CandidateFault&& fault) {
     Tried tried{std::move(fault), {}};
     tried.fit = fit_of(samples, tried.fault.like, tried.fault.known);
-    const auto same = std::find_if(best.begin(), best.end(),
-                                   [&](const auto& one) { return one.fault.kind == tried.fault.kind; });
+    const auto same = std::find_if(best.begin(), best.end(), [&](const auto& one) {
+      return faults::is_same_kind(one.fault.fault, tried.fault.fault);
+    });
     if (same == best.end()) {
       best.push_back(std::move(tried));
     } else if (left(tried) < left(*same)) {
@@ -93,7 +94,7 @@ std::optional<Diagnosis> diagnosed(const FaultSubject& subject) {
   }
   const double psnr_db = fault.undone ? psnr_srgb8(*fault.undone, samples.reference, samples, fault.known)
                                       : psnr_srgb8(samples.result, fault.like, samples, fault.known);
-  return Diagnosis{fault.kind, fault.text, psnr_db, share};
+  return Diagnosis{fault.fault, fault.text, psnr_db, share};
 }
 
 std::string diagnosis_text(const std::optional<Diagnosis>& diagnosis) {

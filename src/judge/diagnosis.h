@@ -12,7 +12,7 @@
 namespace orbs::judge {
 
 struct Diagnosis {
-  FaultKind kind;
+  faults::Fault fault;
   std::string text;    // "shifted by (2, 1) px"
   double psnr_db = 0;  // psnr_srgb8 once the fault is undone, or against the reference with the same fault
   double share = 0;    // of the error, what the fault explains: at least 0.9

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "judge/noise.h"
-#include "metrics/bias_message.h"
 #include "metrics/describe.h"
 #include "metrics/residual.h"
 #include "metrics/table.h"

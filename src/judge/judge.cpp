@@ -5,7 +5,7 @@
 #include "judge/noise.h"
 #include "judge/pixel_checks.h"
 #include "judge/provenance.h"
-#include "metrics/bias_message.h"
+#include "metrics/describe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +118,12 @@ void take_worst(std::vector<GateResult> results, TargetRecord& record) {
   take(record, worst, fmt::format("{}", fmt::join(reasons, "; ")));
 }
 
+metrics::NegativePixels negatives_of(const Case& one_case, const std::string& target) {
+  return is_difference(one_case, target) || !one_case.negative_values.empty()
+             ? metrics::NegativePixels::Allowed
+             : metrics::NegativePixels::Refused;
+}
+
 // Whether a negative pixel makes the image invalid. Another case may allow what this one does not, so each
 // case is asked. Counts them where they are allowed.
 bool refuse_negative(const Case& one_case, const metrics::PixelFaults& faults, TargetRecord& record) {
@@ -189,15 +195,55 @@ std::vector<std::string> gate_metrics(const Case& one_case) {
 
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.
 void judge_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
-  const auto negatives = is_difference(one_case, record.target) || !one_case.negative_values.empty()
-                             ? metrics::NegativePixels::Allowed
-                             : metrics::NegativePixels::Refused;
-  if (refuse_negative(one_case, metrics::count_faults(result, negatives), record)) return;
+  if (refuse_negative(one_case, metrics::count_faults(result, negatives_of(one_case, record.target)), record))
+    return;
   take_worst(check_conditions(one_case, result, record), record);
   const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(),
                                        [](const Check& check) { return check.measured; });
   take(record, is_measured ? Verdict::Pass : Verdict::Inconclusive,
        is_measured ? "" : "none of the pixel checks, which alone judge it, can be measured at this size");
+}
+
+// The image without variances that cannot be true.
+image::Image with_possible_variances(const image::Image& result, TargetRecord& record) {
+  const auto problem = variance_problem(result);
+  if (problem.empty()) return result;
+  record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
+  return without_variances(result);
+}
+
+// Whether the two cannot be compared; the record then says why.
+bool refuse_pair(const Case& one_case,
+                 const image::Image& result,
+                 const image::Image& reference,
+                 TargetRecord& record) {
+  if (const auto problem = stokes_problem(result); metrics::has_stokes(reference) && !problem.empty()) {
+    take(record, Verdict::InvalidPixels, problem);
+    return true;
+  }
+  const auto alignment = metrics::check_alignment(result, reference, negatives_of(one_case, record.target));
+  if (refuse_negative(one_case, alignment.result, record)) return true;
+  if (alignment.alignment == metrics::Alignment::Comparable) return false;
+  // The result is usable by promise, so this is about the reference.
+  take(record, Verdict::MissingReference, fmt::format("the reference cannot be used: {}", alignment.reason));
+  return true;
+}
+
+// The two side by side. Where the image contradicts its own variances it loses them.
+metrics::ImagePair pair_of(const Case& one_case,
+                           image::Image& result,
+                           const image::Image& reference,
+                           const JudgeSettings& settings,
+                           TargetRecord& record) {
+  const auto mask = mask_of(one_case, record.target);
+  const metrics::PairSettings how{settings.threads, settings.result_noise};
+  auto pair = metrics::make_image_pair(result, reference, mask, how);
+  if (pair.noise.stated != metrics::StatedNoise::OverstatedByResult) return pair;
+  record.remarks.emplace_back(
+      "its variances are not used: the image is nearer to the reference than they allow; they must be those of "
+      "the mean of a pixel's samples, not of single samples");
+  result = without_variances(result);
+  return metrics::make_image_pair(result, reference, mask, how);
 }
 
 }  // namespace
@@ -225,47 +271,23 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
     return std::nullopt;
   }
   record.reference = reference.file.string();
-  const auto negatives = is_difference(one_case, record.target) || !one_case.negative_values.empty()
-                             ? metrics::NegativePixels::Allowed
-                             : metrics::NegativePixels::Refused;
   if (!reference.image) {
-    if (!refuse_negative(one_case, metrics::count_faults(result, negatives), record))
+    const auto faults = metrics::count_faults(result, negatives_of(one_case, record.target));
+    if (!refuse_negative(one_case, faults, record))
       take(record, Verdict::MissingReference, reference.problem);
     return std::nullopt;
   }
-  if (const auto problem = variance_problem(result); !problem.empty()) {
-    record.remarks.push_back(fmt::format("{}: its variances are not used", problem));
-    return judge_image(one_case, without_variances(result), reference, settings, record);
-  }
   record.reference_provenance = provenance_of(*reference.image);
-  if (const auto problem = stokes_problem(result);
-      metrics::has_stokes(*reference.image) && !problem.empty()) {
-    take(record, Verdict::InvalidPixels, problem);
-    return std::nullopt;
-  }
-  const auto alignment = metrics::check_alignment(result, *reference.image, negatives);
-  if (refuse_negative(one_case, alignment.result, record)) return std::nullopt;
-  if (alignment.alignment != metrics::Alignment::Comparable) {
-    // The result is usable by promise, so this is about the reference.
-    take(record, Verdict::MissingReference,
-         fmt::format("the reference cannot be used: {}", alignment.reason));
-    return std::nullopt;
-  }
-  const auto pair = metrics::make_image_pair(result, *reference.image, mask_of(one_case, record.target),
-                                             {settings.threads, settings.result_noise});
-  if (pair.noise.stated == metrics::StatedNoise::OverstatedByResult) {
-    record.remarks.emplace_back(
-        "its variances are not used: the image is nearer to the reference than they allow; they must be those of "
-        "the mean of a pixel's samples, not of single samples");
-    return judge_image(one_case, without_variances(result), reference, settings, record);
-  }
+  auto usable = with_possible_variances(result, record);
+  if (refuse_pair(one_case, usable, *reference.image, record)) return std::nullopt;
+  const auto pair = pair_of(one_case, usable, *reference.image, settings, record);
   auto comparison = metrics::compare(
       pair, {.no_others = settings.measured == Measured::ForTheVerdict, .also = gate_metrics(one_case)});
   add_measures(comparison, record);
   for (auto& remark : metrics::bias_remarks(pair.noise)) record.remarks.push_back(std::move(remark));
   record.hidden = metrics::hidden_by_noise(pair.noise);
   auto checked = check_gates(one_case, pair, comparison, record);
-  for (auto& condition : check_conditions(one_case, result, record)) checked.push_back(std::move(condition));
+  for (auto& condition : check_conditions(one_case, usable, record)) checked.push_back(std::move(condition));
   take_worst(std::move(checked), record);
   refuse_constant(pair, record);
   refuse_copy(pair, record);

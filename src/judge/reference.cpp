@@ -3,9 +3,10 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
+#include "image/reduced_image.h"
 #include "judge/difference.h"
+#include "judge/noise.h"
 #include "judge/provenance.h"
-#include "judge/reduced_reference.h"
 #include "results/image_hashes.h"
 
 #include <algorithm>
@@ -212,6 +213,19 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
       }
     }
   return copies;
+}
+
+image::Image reduced_reference(const image::Image& reference, int divisor) {
+  if (divisor == 1) return reference;
+  auto reduced = image::reduced_image(reference, divisor);
+  auto& attributes = reduced.attributes;
+  attributes["orbs.averaged_over"] = fmt::format("{0} x {0} px", divisor);
+  if (const auto hash = attributes.find("orbs.image_hash"); hash != attributes.end())
+    hash->second = image_hash(reduced);
+  if (const auto noise = attributes.find("orbs.noise_psnr_srgb8_db"); noise != attributes.end())
+    if (const auto mse = noise_mse_srgb8(reduced, reduced))
+      noise->second = fmt::format("{:.2f}", psnr_srgb8_of(*mse));
+  return reduced;
 }
 
 }  // namespace orbs::judge

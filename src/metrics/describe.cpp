@@ -1,8 +1,12 @@
 #include "metrics/describe.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::metrics {
 
@@ -37,6 +41,87 @@ std::string describe(const Measurement& measurement, const Limits& limits) {
   else if (limits.max && !(*measurement.value <= *limits.max))
     text += fmt::format(", at most {} is allowed", *limits.max);
   return text;
+}
+
+namespace {
+
+std::string percent(double value) { return fmt::format("{:+.3g} %", 100 * value); }
+
+std::string one_side(double deviation) {
+  return fmt::format("{:.3g} % {}", 100 * std::fabs(deviation), deviation < 0 ? "darker" : "brighter");
+}
+
+std::string ratios_text(const NoiseTest& test) {
+  constexpr std::array kChannels{"R", "G", "B"};
+  std::vector<std::string> parts;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (const auto& ratio = test.mean_ratio.at(c))
+      parts.push_back(fmt::format("{} {}", kChannels.at(c), lightness_text(*ratio)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string blocks_text(const BlockScores& blocks) {
+  const int side = kTestedBlocks_px.at(blocks.largest_at);
+  const auto size = std::isinf(blocks.largest_error) ? std::string("from black")
+                                                     : fmt::format("by {}", percent(blocks.largest_error));
+  return fmt::format("bias: {} of {} block means differ by more than noise, most over {} x {} px in {}, {}",
+                     blocks.off, blocks.tested, side, side, rectangle_text(blocks.where), size);
+}
+
+std::string residual_text(const SmoothResidual& residual) {
+  return fmt::format("bias: away from edges an error of {:.2g} % is left that noise does not explain",
+                     100 * std::sqrt(residual.bias_squared.value / residual.reference_squared));
+}
+
+std::string correlation_text(const Correlation& correlation) {
+  return fmt::format(
+      "the errors of pixels ({}, {}) apart are correlated by {:.2g}: a filter wider than a pixel, a denoiser, "
+      "or an error with structure",
+      correlation.dx, correlation.dy, correlation.value);
+}
+
+}  // namespace
+
+std::string lightness_text(const Interval& deviation) {
+  const auto& [value, low, high] = deviation;
+  if (low * high < 0) return fmt::format("{} ({} to {})", one_side(value), one_side(low), one_side(high));
+  return fmt::format("{} ({:.3g} to {:.3g} %)", one_side(value),
+                     100 * std::min(std::fabs(low), std::fabs(high)),
+                     100 * std::max(std::fabs(low), std::fabs(high)));
+}
+
+std::vector<std::string> bias_remarks(const NoiseTest& test) {
+  std::vector<std::string> remarks;
+  if (mean_error(test))
+    remarks.push_back(fmt::format("bias: the means differ by more than noise: {}", ratios_text(test)));
+  if (test.pattern) remarks.push_back(fmt::format("bias: the image is {}", describe(*test.pattern)));
+  if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
+  if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));
+  if (test.correlation) remarks.push_back(correlation_text(*test.correlation));
+  return remarks;
+}
+
+std::string bias_message(const NoiseTest& test) {
+  if (const auto remarks = bias_remarks(test); !remarks.empty()) return remarks.front();
+  if (is_square_biased(test))
+    return fmt::format(
+        "bias: noise explains {:.3g} of the mean squared error, {:.3g} is left ({:.3g} to {:.3g})",
+        test.noise_squared, test.bias_squared.value, test.bias_squared.low, test.bias_squared.high);
+  return "";
+}
+
+std::string hidden_by_noise(const NoiseTest& test) {
+  struct Wanted {
+    int side_px;
+    double error;
+  };
+  constexpr std::array<Wanted, 2> kWanted{{{64, 0.02}, {16, 0.05}}};
+  for (const auto& [side, error] : kWanted)
+    for (const auto& scale : test.blocks.scales)
+      if (scale.side_px == side && scale.smallest_error && *scale.smallest_error > error)
+        return fmt::format("noise hides errors below {:.2g} % over {} x {} px", 100 * *scale.smallest_error,
+                           side, side);
+  return "";
 }
 
 }  // namespace orbs::metrics

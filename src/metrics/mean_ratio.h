@@ -1,16 +1,28 @@
 #pragma once
 
+#include "metrics/describe.h"
 #include "metrics/metric.h"
 
+#include <cctype>
 #include <cstddef>
 #include <string>
+
+#include <fmt/format.h>
 
 namespace orbs::metrics {
 
 namespace mean_ratio {
 
 /// "R is 1.2 % brighter (0.9 to 1.5 %), at most 0.7 % is allowed".
-std::string describe(const Measurement& measurement, const Limits& limits);
+inline std::string describe(const Measurement& measurement, const Limits& limits) {
+  const char channel = static_cast<char>(std::toupper(measurement.metric->name.back()));
+  if (!measurement.value) return fmt::format("the mean of {} has nothing to be compared with", channel);
+  const double value = *measurement.value;
+  return fmt::format(
+      "{} is {}, {}", channel,
+      lightness_text({value, measurement.low.value_or(value), measurement.high.value_or(value)}),
+      limits_text(limits, 100, " %"));
+}
 
 /// No value where the noise test gives no ratio: the reference's channel is black, or not above its noise.
 template <std::size_t Channel>

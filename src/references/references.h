@@ -1,6 +1,6 @@
 #pragma once
 
-#include "references/settings.h"
+#include "references/render.h"
 #include "registry/configuration.h"
 
 namespace orbs::references {

@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
-#include "history/variants.h"
+#include "history/compare_runs.h"
 #include "report/probe_hint.h"
 #include "report/size_note.h"
 

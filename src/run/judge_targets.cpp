@@ -102,15 +102,12 @@ std::optional<Judged> passed_by_accepted(const Plan& plan,
                                   [&](const auto& s) { return s.name == planned.target; });
   if (scene == one_case.scenes.end()) return std::nullopt;
   for (const auto& accepted : scene->accepted) {
-    const auto accepting = registry::with_reference(one_case, planned.target, accepted.reference);
-    auto hashes = plan.reference_hashes;
-    hashes[planned.target] = hashes.at(accepted.reference);
-    Judged judged{
-        blank_target(plan, planned, folders.run),
-        judge::load_reference(accepting, planned.target, plan.suite.references, hashes, folders.references)};
+    Judged judged{blank_target(plan, planned, folders.run),
+                  judge::load_reference(one_case, accepted.reference, plan.suite.references,
+                                        plan.reference_hashes, folders.references)};
     if (!judged.reference.image) continue;
     auto& record = judged.record;
-    judge::judge_image(accepting, result, judged.reference, judge_settings(plan, planned), record);
+    judge::judge_image(one_case, result, judged.reference, judge_settings(plan, planned), record);
     if (record.verdict != Verdict::Pass) continue;
     record.remarks.push_back(fmt::format("judged by the reference of '{}', which is accepted, too: {}",
                                          accepted.reference, accepted.reason));

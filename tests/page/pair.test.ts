@@ -54,6 +54,25 @@ test("the maps that the browser computes have the means of the metrics", async (
   }
 });
 
+test("a region that is the whole image has the errors of the metrics", async () => {
+  const metrics = compared("two/values/result.exr", "references/values.exr");
+  const { page } = await open(
+    session.browser,
+    `${session.url}#/case/m1_values/values/two?run=small&img=result&region=0%2C0%2C64%2C48`,
+  );
+  await drawn(page, "result");
+  const expected: Record<string, number> = {
+    "mean |Δ|": metrics["l1"] ?? NaN,
+    "mean Δ²": metrics["mse"] ?? NaN,
+  };
+  for (const [label, value] of Object.entries(expected)) {
+    const row = page.locator(".region tr", { hasText: label }).first();
+    const found = Number(await row.locator("td").innerText());
+    assert.ok(Math.abs(found / value - 1) < 2e-3, `${label}: ${found}, expected ${value}`);
+  }
+  await page.close();
+});
+
 test("d walks through the maps of the run and the measures of the difference", async () => {
   const { page } = await open(
     session.browser,

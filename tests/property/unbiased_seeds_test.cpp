@@ -2,7 +2,7 @@
 // for each kind of noise: even illumination, a visible light whose edge has all the variance, a light seen
 // through glass, an IES profile.
 #include "judge/judge.h"
-#include "metrics/bias_message.h"
+#include "metrics/describe.h"
 #include "metrics/noise_test.h"
 #include "scene/load/load_scene.h"
 #include "tracer/choose_light_paths.h"

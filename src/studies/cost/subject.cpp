@@ -5,7 +5,7 @@
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "judge/noise.h"
-#include "metrics/relmse.h"
+#include "metrics/pixel_errors.h"
 
 #include <algorithm>
 

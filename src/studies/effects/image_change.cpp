@@ -1,7 +1,7 @@
 #include "studies/effects/image_change.h"
 
 #include "image/colour.h"
-#include "metrics/bias_message.h"
+#include "metrics/describe.h"
 #include "metrics/seeds.h"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/text_table.h"
+#include "faults/fault.h"
 #include "judge/diagnosis.h"
 #include "judge/judge.h"
-#include "studies/qualify/control_image.h"
-#include "studies/qualify/typical_faults.h"
+#include "studies/qualify/images.h"
 
 #include <algorithm>
 #include <array>
@@ -29,17 +29,31 @@ bool is_refused(const DiagnosisSubject& subject, const Image& image) {
   return record.verdict == results::Verdict::Fail;
 }
 
-FaultDiagnosis diagnosis_of(const DiagnosisSubject& subject,
-                            const Image& image,
-                            std::string fault,
-                            std::string expected) {
+FaultDiagnosis diagnosis_of(const DiagnosisSubject& subject, const Image& image, const faults::Row* fault) {
   const auto mask = judge::mask_of(subject.one_case, subject.target);
   const auto found = judge::diagnosed({image, subject.reference, subject.other_targets, mask});
-  FaultDiagnosis out{subject.target, std::move(fault), std::move(expected)};
+  FaultDiagnosis out{subject.target};
+  if (fault != nullptr) {
+    out.fault = fault->name;
+    out.expected = fault->diagnosis;
+  }
   if (!found) return out;
   out.diagnosis = judge::diagnosis_text(found);
-  out.said = !out.expected.empty() && found->text.starts_with(out.expected) ? Said::Right : Said::Wrong;
+  const bool is_right = !out.expected.empty() && faults::is_same_kind(found->fault, fault->fault) &&
+                        found->text.starts_with(out.expected);
+  out.said = is_right ? Said::Right : Said::Wrong;
   return out;
+}
+
+// The typical faults, and the images of the case's other targets.
+std::vector<faults::Row> faults_of(const DiagnosisSubject& subject) {
+  auto rows = faults::rows_of(faults::Use::Diagnosis, subject.reference);
+  for (const auto& [name, other] : subject.other_targets)
+    if (other.width == subject.reference.width && other.height == subject.reference.height) {
+      const faults::OtherImage fault{name, &other};
+      rows.push_back({"the image of another target", fault, {faults::Use::Diagnosis}, fault.text()});
+    }
+  return rows;
 }
 
 // References of the case's other targets, those that are there.
@@ -69,15 +83,15 @@ TableRow row_of(const std::string& fault, const std::string& expected, const std
 }  // namespace
 
 std::vector<FaultDiagnosis> diagnose_faults(const DiagnosisSubject& subject, int first, int step) {
-  std::vector<FaultDiagnosis> diagnoses{diagnosis_of(subject, subject.control, "", "")};
-  const auto faults = typical_faults(subject.reference, subject.other_targets);
-  for (std::size_t i = 0; i < faults.size(); ++i) {
+  std::vector<FaultDiagnosis> diagnoses{diagnosis_of(subject, subject.control, nullptr)};
+  const auto rows = faults_of(subject);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     if (static_cast<int>(i) % step != first % step) continue;
-    const auto& [fault, expected] = faults[i];
+    const auto& row = rows[i];
     // A change that leaves the reference as it is is no fault of this target.
-    if (image::has_same_colours(fault.apply(subject.reference), subject.reference)) continue;
-    const auto image = fault.apply(subject.control);
-    if (is_refused(subject, image)) diagnoses.push_back(diagnosis_of(subject, image, fault.name, expected));
+    if (image::has_same_colours(faults::applied(row, subject.reference), subject.reference)) continue;
+    const auto image = faults::applied(row, subject.control);
+    if (is_refused(subject, image)) diagnoses.push_back(diagnosis_of(subject, image, &row));
   }
   return diagnoses;
 }

@@ -18,8 +18,8 @@ enum class Said { Right, Nothing, Wrong };
 
 struct FaultDiagnosis {
   std::string target;
-  std::string fault;     // "" for the control image itself
-  std::string expected;  // how the right diagnosis begins; "" when nothing should be said
+  std::string fault = {};     // "" for the control image itself
+  std::string expected = {};  // how the right diagnosis begins; "" when nothing should be said
   std::string diagnosis = {};
   Said said = Said::Nothing;
 };

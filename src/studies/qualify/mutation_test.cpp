@@ -1,8 +1,9 @@
 #include "studies/qualify/mutation_test.h"
 
+#include "faults/fault.h"
 #include "judge/judge.h"
+#include "metrics/mask.h"
 #include "run/outcome.h"
-#include "studies/qualify/mutants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,17 +75,14 @@ MutantRecord tried_with_another(const MutationSubject& subject) {
   return tried(subject, fmt::format("the image of {}", name), *nearest);
 }
 
-void test_mutants(const MutationSubject& subject, const Rectangle& leak, double mean, GateRecord& gate) {
+void test_mutants(const MutationSubject& subject, const std::vector<faults::Row>& rows, GateRecord& gate) {
   gate.mutants.push_back(tried_with_another(subject));
-  auto faults = faults_of(*subject.reference.image);
-  faults.push_back({"a leak of the mean light into 16 x 16 px",
-                    [&](const Image& image) { return with_leak(image, leak, mean); }});
-  for (const auto& fault : faults) {
+  for (const auto& row : rows) {
     // An equivalent mutant: a change that leaves the reference unchanged is no fault of this target.
-    if (image::has_same_colours(fault.apply(*subject.reference.image), *subject.reference.image)) {
-      gate.mutants.push_back({fault.name, "it leaves the reference as it is, to the bit", false, ""});
+    if (image::has_same_colours(faults::applied(row, *subject.reference.image), *subject.reference.image)) {
+      gate.mutants.push_back({row.name, "it leaves the reference as it is, to the bit", false, ""});
     } else {
-      gate.mutants.push_back(tried(subject, fault.name, fault.apply(subject.control)));
+      gate.mutants.push_back(tried(subject, row.name, faults::applied(row, subject.control)));
     }
   }
   if (!subject.why_no_light_can_miss.empty())
@@ -129,14 +127,17 @@ GateRecord mutation_test(const MutationSubject& subject) {
   gate.accepts_control = control.verdict == Verdict::Pass;
   gate.control_reason = fmt::format("{}: {}{}{}", results::verdict_name(control.verdict), control.reason,
                                     control.remarks.empty() ? "" : "; ", fmt::join(control.remarks, "; "));
-  const auto where =
-      place_of_leak(*subject.reference.image, judge::mask_of(subject.one_case, subject.target));
-  const double mean = mean_radiance(*subject.reference.image);
-  test_mutants(subject, where, mean, gate);
-  gate.global = smallest_fault(subject, 1e-4, 0.5,
-                               [&](double share) { return with_more_light(subject.control, share); });
-  gate.local = smallest_fault(subject, 1e-2, 100,
-                              [&](double share) { return with_leak(subject.control, where, share * mean); });
+  const auto& reference = *subject.reference.image;
+  const auto mask = judge::mask_of(subject.one_case, subject.target);
+  const auto included = metrics::included_pixels(mask, reference.width, reference.height);
+  test_mutants(subject, faults::rows_of(faults::Use::Mutation, reference, included), gate);
+  gate.global = smallest_fault(
+      subject, 1e-4, 0.5, [&](double share) { return faults::Factor{1 + share}.apply(subject.control); });
+  const auto leak = faults::leak_of_mean_light(reference, included);
+  gate.local = smallest_fault(subject, 1e-2, 100, [&](double share) {
+    return faults::Leak{leak.where, share * leak.radiance}.apply(subject.control);
+  });
+  const auto& where = leak.where;
   gate.local_where = {where.x0, where.y0, where.x1, where.y1};
   return gate;
 }

@@ -4,7 +4,7 @@
 #include "judge/reference.h"
 #include "registry/cases.h"
 #include "results/qualification.h"
-#include "studies/qualify/missing_light.h"
+#include "studies/qualify/images.h"
 
 #include <map>
 #include <string>

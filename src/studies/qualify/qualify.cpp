@@ -11,7 +11,7 @@
 #include "judge/qualified.h"
 #include "run/execute.h"
 #include "run/host.h"
-#include "studies/qualify/control_image.h"
+#include "studies/qualify/images.h"
 #include "studies/qualify/mutation_test.h"
 
 #include <algorithm>

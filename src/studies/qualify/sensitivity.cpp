@@ -4,16 +4,15 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/scratch_folder.h"
+#include "faults/fault.h"
 #include "judge/judge.h"
 #include "judge/noise.h"
 #include "metrics/seeds.h"
 #include "run/render_once.h"
-#include "studies/qualify/subtle_faults.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -126,19 +125,21 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
                                        const StudyContext& context) {
   struct Task {
     std::size_t knowledge;
-    std::optional<Fault> fault;
+    const faults::Row* fault;  // nullptr: the control image
   };
   std::vector<Pair> pairs;
   std::vector<Task> tasks;
-  auto faults = with_mutants ? subtle_faults(*subject.reference.image) : std::vector<Fault>{};
+  const auto& reference = *subject.reference.image;
+  std::vector<faults::Row> rows;
+  if (with_mutants) rows = faults::rows_of(faults::Use::Sensitivity, reference);
   // A change that leaves the reference as it is is no fault of this scene.
-  std::erase_if(faults, [&](const Fault& fault) {
-    return image::has_same_colours(fault.apply(*subject.reference.image), *subject.reference.image);
+  std::erase_if(rows, [&](const faults::Row& row) {
+    return image::has_same_colours(faults::applied(row, reference), reference);
   });
   for (const auto knowledge : kAllKnowledge) {
     pairs.push_back(pair_for(subject, renders, knowledge));
-    tasks.push_back({pairs.size() - 1, {}});
-    for (const auto& fault : faults) tasks.push_back({pairs.size() - 1, fault});
+    tasks.push_back({pairs.size() - 1, nullptr});
+    for (const auto& row : rows) tasks.push_back({pairs.size() - 1, &row});
   }
   std::vector<JudgedImage> images(tasks.size());
   for_each_index(static_cast<int>(tasks.size()), plan.threads, [&](int index) {
@@ -146,9 +147,9 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
     const auto& [knowledge, fault] = tasks[static_cast<std::size_t>(index)];
     const Pair& pair = pairs[knowledge];
     auto& image = images[static_cast<std::size_t>(index)];
-    image = judged(subject, pair, fault ? fault->apply(pair.control) : pair.control);
+    image = judged(subject, pair, fault != nullptr ? faults::applied(*fault, pair.control) : pair.control);
     image.knowledge = kAllKnowledge.at(knowledge);
-    image.fault = fault ? fault->name : "";
+    image.fault = fault != nullptr ? fault->name : "";
     image.seed = renders.seed;
   });
   return images;

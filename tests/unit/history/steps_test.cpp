@@ -2,7 +2,6 @@
 #include "history/steps.h"
 
 #include "base/error.h"
-#include "history/best_split.h"
 #include "history/history_text.h"
 #include "report/history_page.h"
 #include "unit/history/made_up_run.h"

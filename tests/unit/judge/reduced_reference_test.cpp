@@ -1,4 +1,3 @@
-#include "judge/reduced_reference.h"
 
 #include "image/image_io.h"
 #include "judge/judge.h"

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "metrics/bias_message.h"
+#include "metrics/describe.h"
 #include "metrics/seeds.h"
 
 #include <cmath>

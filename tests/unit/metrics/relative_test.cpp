@@ -1,5 +1,5 @@
 #include "metrics/compare.h"
-#include "metrics/psnr_pu21.h"
+#include "metrics/psnr.h"
 #include "unit/metrics/images.h"
 
 #include <cmath>

@@ -1,11 +1,11 @@
 // Every case whose right image is known accepts it and refuses one that is slightly wrong.
+#include "faults/fault.h"
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
 #include "scene/load/load_scene.h"
 #include "structure/source_files.h"
-#include "studies/qualify/mutants.h"
 
 #include <string>
 #include <vector>
@@ -69,7 +69,7 @@ std::string fault_of_gates(const registry::Case& one_case,
   if (image::channel_index(*reference.image, "variance.R") >= 0) return "";
   const auto right = image::select_rgb(*reference.image, "");
   if (verdict_of(one_case, target, right, reference) != Verdict::Pass) return "the right image does not pass";
-  const auto wrong = studies::with_more_light(right, share);
+  const auto wrong = faults::Factor{1 + share}.apply(right);
   if (verdict_of(one_case, target, wrong, reference) != Verdict::Fail)
     return fmt::format("{} % more light does not fail", 100 * share);
   return "";

@@ -1,11 +1,10 @@
 // Gates that can fail and gates that cannot, on painted images with known noise.
 #include "studies/qualify/qualify.h"
 
-#include "studies/qualify/mutants.h"
+#include "faults/fault.h"
 #include "studies/qualify/mutation_test.h"
-#include "studies/qualify/report.h"
+#include "studies/qualify/reports.h"
 
-#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -75,7 +74,7 @@ const results::MutantRecord& mutant(const results::GateRecord& gate, const std::
 }  // namespace
 
 TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
-  const auto other = studies::with_more_light(painted(3), 0.2);
+  const auto other = faults::Factor{1.2}.apply(painted(3));
   const auto gate = tried(strict_case(), painted(1), painted(2), {{"a", painted(1)}, {"b", other}});
   for (const auto& one : gate.mutants)
     EXPECT_TRUE(one.rejected || !one.no_fault.empty()) << one.fault << one.reason;
@@ -134,34 +133,6 @@ TEST(Qualify, WhatLeavesTheImageAsItIsIsNoFault) {
   EXPECT_EQ(mutant(gate, "another image").no_fault, "no other reference has its size");
   EXPECT_EQ(mutant(gate, "a missing light").no_fault, "its only light");
   EXPECT_TRUE(mutant(gate, "shifted by 1 px").no_fault.empty());
-}
-
-TEST(Mutants, AreTheFaultThatTheyAreCalled) {
-  const auto image = painted(1);
-  EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 1), 1.02F * image.at(50, 50, 1));
-  EXPECT_FLOAT_EQ(studies::with_more_light(image, 0.02).at(50, 50, 4), 1.0404F * image.at(50, 50, 4));
-  const auto faults = studies::faults_of(image);
-  const auto apply = [&](const std::string& name) {
-    for (const auto& fault : faults)
-      if (fault.name == name) return fault.apply(image);
-    throw std::out_of_range(name);
-  };
-  EXPECT_EQ(apply("shifted by 1 px").at(50, 50, 0), image.at(49, 50, 0));
-  EXPECT_EQ(apply("R and B swapped").at(50, 50, 0), image.at(50, 50, 2));
-  EXPECT_EQ(apply("R and B swapped").at(50, 50, 3), image.at(50, 50, 5));
-  EXPECT_EQ(apply("clamped at 1").at(3, 3, 0), 1.0F);
-  EXPECT_EQ(apply("clamped at 1").at(3, 3, 3), 0.0F);
-  EXPECT_FLOAT_EQ(
-      apply("half resolution").at(51, 50, 0),
-      (image.at(50, 50, 0) + image.at(51, 50, 0) + image.at(50, 51, 0) + image.at(51, 51, 0)) / 4);
-  EXPECT_TRUE(std::isnan(apply("one NaN").at(48, 48, 1)));
-}
-
-TEST(Mutants, ALeakAvoidsTheMask) {
-  const auto where = studies::place_of_leak(painted(1), {{{0, 0, kSide_px, 60}}, {}});
-  EXPECT_GE(where.y0, 60);
-  EXPECT_EQ(where.x1 - where.x0, 16);
-  EXPECT_EQ(where.x0 % 16, 4);
 }
 
 TEST(Qualification, IsReadAsItWasWritten) {

@@ -3,12 +3,61 @@
 #include "metrics/metric.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
 
+/// Means of an error of each pixel and channel.
 namespace orbs::metrics {
+
+inline MetricResult compute_l1(const ImagePair& pair) {
+  return mean_error(pair, pair.result, pair.reference, [](double t, double r) { return std::fabs(t - r); });
+}
+
+inline constexpr MetricInfo kL1{
+    "l1",
+    "radiance",
+    Better::Lower,
+    "mean of |result - reference| over the channels R, G, B of all unmasked pixels; linear Rec.709, no "
+    "clamp, no exposure",
+    {"l1", "|result - reference| in each channel; linear Rec.709, no clamp", false, 0.2F},
+    compute_l1};
+
+inline MetricResult compute_mse(const ImagePair& pair) {
+  return mean_error(pair, pair.result, pair.reference, [](double t, double r) { return (t - r) * (t - r); });
+}
+
+inline constexpr MapInfo kSquaredMap{
+    "squared", "(result - reference)^2 in each channel; linear Rec.709, no clamp", false, 0.04F};
+
+inline constexpr MetricInfo kMse{"mse",
+                                 "radiance^2",
+                                 Better::Lower,
+                                 "mean of (result - reference)^2 over the channels R, G, B of all "
+                                 "unmasked pixels; linear Rec.709, no clamp, no exposure",
+                                 kSquaredMap,
+                                 compute_mse};
+
+inline MetricResult compute_smape(const ImagePair& pair) {
+  // In each magnitude half of JERI's 0.02: keeps black pixels defined.
+  constexpr double kEpsilon = 0.01;
+  return mean_error(pair, pair.result, pair.reference, [](double t, double r) {
+    return 2.0 * std::fabs(t - r) / (std::fabs(t) + std::fabs(r) + 2.0 * kEpsilon);
+  });
+}
+
+inline constexpr MetricInfo kSmape{
+    "smape",
+    "1",
+    Better::Lower,
+    "mean of 2 |result - reference| / (|result| + |reference| + 0.02) over the channels R, G, B of all "
+    "unmasked pixels, from 0 to 2; linear Rec.709, no clamp, no exposure",
+    {"smape",
+     "2 |result - reference| / (|result| + |reference| + 0.02) in each channel; linear Rec.709, no clamp",
+     false, 0.5F},
+    compute_smape};
 
 namespace relmse {
 

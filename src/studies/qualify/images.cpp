@@ -1,6 +1,8 @@
-#include "studies/qualify/missing_light.h"
+#include "studies/qualify/images.h"
 
+#include "base/error.h"
 #include "base/files.h"
+#include "image/image_io.h"
 #include "run/render_once.h"
 #include "scene/scene.h"
 
@@ -21,6 +23,19 @@ bool glows(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+image::Image control_image(const results::RunRecord& run,
+                           const std::string& renderer,
+                           const std::string& case_name,
+                           const std::string& target) {
+  for (const auto& one : run.targets) {
+    if (one.renderer != renderer || one.case_name != case_name || one.target != target) continue;
+    if (one.image.empty())
+      throw InputError(fmt::format("{} has no image in {}: {}", renderer, run.folder, one.reason));
+    return image::read_image(std::filesystem::path(run.folder) / one.image);
+  }
+  throw InputError(fmt::format("{} holds no image of it by {}", run.folder, renderer));
+}
 
 std::string why_no_light_can_miss(const scene::Scene& scene) {
   if (scene.lights.empty()) return "it has no light that could be missing";

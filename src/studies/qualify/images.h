@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "results/record.h"
 #include "run/plan/plan.h"
 
 #include <atomic>
@@ -9,7 +10,15 @@
 #include <string>
 #include <vector>
 
+/// The images that a qualification starts from.
 namespace orbs::studies {
+
+/// The image of a target that a renderer made in a run. InputError where the run has none that could be
+/// judged.
+image::Image control_image(const results::RunRecord& run,
+                           const std::string& renderer,
+                           const std::string& case_name,
+                           const std::string& target);
 
 /// A scene rendered with one of its lights left out.
 struct MissingLight {
