@@ -6,15 +6,13 @@
 #include "cli/options.h"
 #include "cli/study_context.h"
 #include "registry/image_size.h"
-#include "results/cost_study.h"
 #include "results/host_record.h"
+#include "results/study_kinds.h"
 #include "run/host.h"
 #include "run/plan/make_plan.h"
 #include "run/run_file.h"
-#include "studies/cost/json.h"
 #include "studies/cost/report.h"
 #include "studies/cost/study.h"
-#include "studies/cost/svg.h"
 
 #include <cmath>
 
@@ -28,7 +26,7 @@ namespace {
 struct CostOptions {
   TargetFilters filters;
   std::vector<std::string> requirements, renderers;
-  std::string size, output, resume, show, svg;
+  std::string size, output, resume, show;
   std::string time = "20m", target = "35dB";
   studies::CostRequest request;
   bool as_markdown = false;
@@ -66,11 +64,11 @@ void add_options(CLI::App& command, CostOptions& options) {
   command.add_option("--target", options.target, "PSNR that the curves are to cross")->capture_default_str();
   command
       .add_option(
-          "--rungs", options.request.rungs,
-          "Samples per pixel of the rungs: 16,64,256 (default: chosen by a pilot render of each curve)")
+          "--sweep", options.request.samples,
+          "Samples per pixel of each curve: 16,64,256 (default: chosen by a pilot render of each curve)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1 << 24));
-  command.add_option("--seeds", options.request.settings.seeds, "Renders of each rung")
+  command.add_option("--seeds", options.request.settings.seeds, "Renders of each setting")
       ->check(CLI::Range(2, kMost))
       ->capture_default_str();
   command.add_option("--order-seed", options.request.settings.order_seed, "Seed of the order of the renders")
@@ -92,20 +90,17 @@ void add_options(CLI::App& command, CostOptions& options) {
                    ->check(not_empty("a folder or a file"));
   resume->excludes(output);
   show->excludes(output)->excludes(resume);
-  command.add_option("--svg", options.svg, "Also draw all curves into this SVG file")
-      ->check(not_empty("a file"));
-  command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every goal");
+  command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every error target");
 }
 
 std::filesystem::path cost_file(const std::string& place) {
   const std::filesystem::path path(place);
   std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) ? path / results::kCostFile : path;
+  return std::filesystem::is_directory(path, ignored) ? path / results::kCost.file : path;
 }
 
 void report(const studies::CostRecord& record, const CostOptions& options) {
   print_clean("{}", options.as_markdown ? studies::cost_markdown(record) : studies::cost_table(record));
-  if (!options.svg.empty()) write_file(options.svg, studies::cost_svg(record));
 }
 
 // What an interrupted study had measured. Times of another machine are no part of the same study.
@@ -145,7 +140,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
   write_file(request.folder / "cost.csv", studies::cost_csv(record));
   report(record, options);
   print_clean("all numbers: {}\nnext: orbs serve {}   (shows the curves in the browser)\n",
-              (request.folder / results::kCostFile).string(), request.folder.string());
+              (request.folder / results::kCost.file).string(), request.folder.string());
   return record.is_finished ? 0 : kInterrupted;
 }
 

@@ -4,11 +4,8 @@
 #include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
-#include "report/cost_page_file.h"
 #include "report/page_file.h"
-#include "report/stability_page_file.h"
-#include "results/cost_study.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 
 #include <optional>
 
@@ -35,13 +32,11 @@ int write_report(const ReportOptions& options, const Program& program) {
   settings.exact = options.exact;
   const auto folder =
       options.run.empty() ? newest_runs_and_studies().front() : std::filesystem::path(options.run);
-  const bool is_stability = results::holds_stability_study(folder);
-  const bool is_study = is_stability || results::holds_cost_study(folder);
+  const bool is_study = results::study_kind_in(folder) != nullptr;
   settings.most_bytes = static_cast<std::size_t>(
       options.most_megabytes.value_or(is_study ? kStudyMegabytes : kRunMegabytes) * kMegabyte);
-  const auto page = is_stability ? report::stability_page_file(folder, settings)
-                    : is_study   ? report::cost_page_file(folder, settings)
-                                 : report::page_file(results::read_run_folder(folder), settings);
+  const auto page = is_study ? report::study_page_file(folder, settings)
+                             : report::page_file(results::read_run_folder(folder), settings);
   write_file(options.output, page.text);
   print_clean("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
               page.images);

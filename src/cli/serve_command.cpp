@@ -36,9 +36,8 @@ int serve(const ServeOptions& options, const Program& program) {
 void add_serve_command(CLI::App& command, const Program& program, Action& action) {
   const auto options = std::make_shared<ServeOptions>();
   command
-      .add_option(
-          "runs", options->runs,
-          "Folders of runs and cost studies (default: all outputs-* and cost-* in the working folder, the newest first)")
+      .add_option("runs", options->runs,
+                  "Folders of runs and studies (default: all of the working folder, the newest first)")
       ->check(not_empty("a folder"));
   command.add_option("--port", options->port, "Port to listen on; 0: any free port")
       ->check(CLI::Range(0, 65535));

@@ -3,8 +3,7 @@
 #include "base/error.h"
 #include "base/terminal.h"
 #include "cli/interrupt.h"
-#include "results/cost_study.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 #include "server/serve.h"
 
 #include <algorithm>
@@ -65,10 +64,10 @@ std::vector<fs::path> newest_runs() {
 std::vector<fs::path> newest_runs_and_studies() {
   return newest_folders([](const fs::path& folder) {
     const auto name = folder.filename().string();
-    return (name.starts_with("outputs-") && holds_run(folder)) ||
-           ((name.starts_with("outputs-") || name.starts_with("cost-")) &&
-            results::holds_cost_study(folder)) ||
-           (name.starts_with("stability-") && results::holds_stability_study(folder));
+    const bool is_named = name.starts_with("outputs-");
+    if (is_named && holds_run(folder)) return true;
+    const auto* const kind = results::study_kind_in(folder);
+    return kind != nullptr && (is_named || name.starts_with(fmt::format("{}-", kind->name)));
   });
 }
 

@@ -6,11 +6,10 @@
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 #include "run/plan/make_plan.h"
 #include "run/run_file.h"
 #include "scene/load/load_scene.h"
-#include "studies/stability/json.h"
 #include "studies/stability/report.h"
 #include "studies/stability/study.h"
 
@@ -74,7 +73,7 @@ void add_folder_options(CLI::App& command, StabilityOptions& options) {
 std::filesystem::path stability_file(const std::string& place) {
   const std::filesystem::path path(place);
   std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) ? path / results::kStabilityFile : path;
+  return std::filesystem::is_directory(path, ignored) ? path / results::kStability.file : path;
 }
 
 void print(const studies::StabilityRecord& record, bool as_markdown) {
@@ -119,7 +118,7 @@ int measure(const registry::Configuration& configuration,
   record = studies::measure_stability(plan, request, std::move(record), context);
   print(record, options.as_markdown);
   print_clean("all numbers: {}\nnext: orbs serve {}   (shows the breaks in the browser)\n",
-              (request.folder / results::kStabilityFile).string(), request.folder.string());
+              (request.folder / results::kStability.file).string(), request.folder.string());
   return record.is_finished ? status_of(record) : kInterrupted;
 }
 

@@ -184,10 +184,12 @@ Settings read_settings(ObjectReader in) {
 }
 
 /// Refuses a file of another format than `expected`, with its place.
-inline void check_format(ObjectReader& in, const std::string& expected) {
+inline void check_format(ObjectReader& in, std::string_view expected) {
   if (const auto format = in.text("format"); format != expected)
     in.fail("format",
-            fmt::format("'{}' is not '{}'; was it written by another version of orbs?", format, expected));
+            fmt::format(
+                "'{}' is not '{}': another version of orbs wrote it; open it with that one, or make it anew",
+                format, expected));
 }
 
 }  // namespace orbs::json

@@ -37,7 +37,9 @@ class FieldWriter {
 
   template <class T>
   void required(std::string_view key, const T& value, const Field& field = {}) {
-    (*this)(key, value, field);
+    if (keeps_ != nullptr && !keeps_(field)) return;
+    out_.key(key);
+    put(value);
   }
 
   template <class T>
@@ -57,6 +59,14 @@ class FieldWriter {
     if (value) maybe_infinite(key, *value);
   }
 
+  void nullable(std::string_view key, double value) { out_.member(key, value); }
+
+  template <class T>
+  void nullable(std::string_view key, const std::optional<T>& value) {
+    out_.key(key);
+    put(value);
+  }
+
   void rectangle(std::string_view key, const std::vector<double>& corners) {
     if (!corners.empty()) out_.key(key).numbers(corners);
   }
@@ -65,6 +75,9 @@ class FieldWriter {
   void put(std::size_t number) { out_.value(static_cast<unsigned long long>(number)); }
   void put(const std::vector<std::string>& texts) { out_.value(texts); }
   void put(const std::vector<double>& numbers) { out_.numbers(numbers); }
+  void put(const std::vector<std::size_t>& indices) {
+    out_.numbers(std::vector<double>(indices.begin(), indices.end()));
+  }
 
   template <class T>
   void put(const std::vector<T>& items) {

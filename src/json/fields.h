@@ -1,8 +1,12 @@
 #pragma once
 
+#include "base/error.h"
+#include "base/interval.h"
 #include "json/object_reader.h"
 
+#include <array>
 #include <concepts>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -24,12 +28,61 @@
 /// lies in: the reader refuses one that leads out of it.
 ///
 /// A type that is written as a text, such as an enum, has two functions beside it: to_text(value), and
-/// from_text(text, value), which throws InputError for a text that stands for no value.
+/// from_text(text, value), which throws InputError for a text that stands for no value. An enum may have a
+/// list of its values with their texts instead:
+///
+///   inline constexpr auto names(Purpose) {
+///     return std::array{json::Named{Purpose::Sweep, "sweep"}, json::Named{Purpose::FixedCost, "fixed"}};
+///   }
+///
+/// nullable(key, member) is for an optional, or a number that may be NaN, of data that are only written: null
+/// stands where the value is not known.
 namespace orbs::json {
 
 /// Record, or const Record for a visitor that only looks.
 template <class Candidate, class Record>
 concept RecordOf = std::same_as<std::remove_const_t<Candidate>, Record>;
+
+/// A value of an enum and the text that stands for it.
+template <class Enum>
+struct Named {
+  constexpr Named(Enum the_value, std::string_view the_name) : value(the_value), name(the_name) {}
+  Enum value;
+  std::string_view name;
+};
+
+template <class Enum>
+concept NamedEnum = std::is_enum_v<Enum> && requires(Enum value) {
+  names(value);
+};
+
+template <NamedEnum Enum>
+std::string_view to_text(Enum value) {
+  for (const auto& named : names(value))
+    if (named.value == value) return named.name;
+  return {};
+}
+
+template <NamedEnum Enum>
+void from_text(std::string_view text, Enum& value) {
+  std::string known;
+  for (const auto& named : names(value)) {
+    if (named.name == text) {
+      value = named.value;
+      return;
+    }
+    known += std::string(known.empty() ? "'" : ", '").append(named.name) + "'";
+  }
+  throw InputError("'" + std::string(text) + "' is none that this version of orbs knows; expected one of " +
+                   known);
+}
+
+template <class Visitor, RecordOf<Interval> Record>
+void fields(Visitor& visit, Record& interval) {
+  visit.nullable("value", interval.value);
+  visit.nullable("low", interval.low);
+  visit.nullable("high", interval.high);
+}
 
 /// What a line of fields() says about its member beyond its key.
 struct Field {

@@ -8,14 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
-#include <vector>
 
 namespace orbs::report {
 
 namespace {
 
-using json::Writer;
 using results::JobState;
 using results::RunRecord;
 using results::RunView;
@@ -25,26 +22,35 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // null in J
 
 // A list of names without repetitions, and the index of each.
 struct Names {
-  std::vector<std::string> list;
-  std::map<std::string, std::size_t> index;
+  std::vector<std::string>& list;
+  std::map<std::string, std::size_t> index = {};
 
-  double of(const std::string& name) {
+  std::size_t of(const std::string& name) {
     const auto [at, is_new] = index.try_emplace(name, list.size());
     if (is_new) list.push_back(name);
-    return static_cast<double>(at->second);
+    return at->second;
   }
 };
 
 // States of a cell whose render waits or runs. They follow the verdicts in the list of states.
-constexpr std::string_view kWaiting = "waiting";
-constexpr std::string_view kRunning = "running";
+constexpr std::size_t kWaiting = results::kVerdicts.size();
+constexpr std::size_t kRunning = kWaiting + 1;
+constexpr std::size_t kKnownFailure = kWaiting + 2;
+constexpr std::size_t kUnexpectedPass = kWaiting + 3;
 
-// Behind these two: known failures, then unexpected passes.
-constexpr auto kKnownState = static_cast<double>(results::kVerdicts.size() + 2);
+std::vector<State> all_states() {
+  std::vector<State> states;
+  for (const auto verdict : results::kVerdicts)
+    states.push_back({results::verdict_name(verdict), results::counts_as_failure(verdict)});
+  states.insert(
+      states.end(),
+      {{"waiting", false}, {"running", false}, {results::kKnown, false}, {results::kUnexpectedPass, true}});
+  return states;
+}
 
-double state_of(const TargetRecord& target,
-                const RunView& view,
-                const std::map<std::string, std::size_t>& jobs) {
+std::size_t state_of(const TargetRecord& target,
+                     const RunView& view,
+                     const std::map<std::string, std::size_t>& jobs) {
   bool is_waiting = false;
   bool is_running = false;
   for (const auto& id : target.jobs) {
@@ -55,29 +61,22 @@ double state_of(const TargetRecord& target,
   }
   // A difference of two renders is judged when the run ends.
   is_waiting = is_waiting || (view.is_live && target.jobs.size() > 1);
-  if (is_running) return static_cast<double>(results::kVerdicts.size() + 1);
-  if (is_waiting) return static_cast<double>(results::kVerdicts.size());
+  if (is_running) return kRunning;
+  if (is_waiting) return kWaiting;
   const auto state = state_name(target);
-  if (state == results::kKnown) return kKnownState;
-  if (state == results::kUnexpectedPass) return kKnownState + 1;
-  const auto at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), target.verdict);
-  return static_cast<double>(at - results::kVerdicts.begin());
+  if (state == results::kKnown) return kKnownFailure;
+  if (state == results::kUnexpectedPass) return kUnexpectedPass;
+  const auto* const at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), target.verdict);
+  return static_cast<std::size_t>(at - results::kVerdicts.begin());
 }
-
-struct Columns {
-  Names cases, targets, renderers, reasons, machines;
-  std::map<std::string, std::vector<double>> cells;
-  std::map<std::string, std::vector<double>> measures;
-  std::map<std::string, std::vector<double>> infinite;
-  std::vector<const results::Measure*> metrics;  // each name once
-};
 
 // The image of a difference costs the sum of two renders, and the larger of the two memories. It has a
 // machine if both were rendered on the same kind.
 void add_cost(const TargetRecord& target,
               const RunRecord& run,
               const std::map<std::string, std::size_t>& jobs,
-              Columns& columns) {
+              Names& names,
+              Cells& cells) {
   double wall = kNone;
   double cpu = kNone;
   double own = kNone;
@@ -98,136 +97,98 @@ void add_cost(const TargetRecord& target,
   }
   const bool one_machine =
       !machines.empty() && !machines.front().empty() && machines.front() == machines.back();
-  columns.cells["machine"].push_back(one_machine ? columns.machines.of(machines.front()) : kNone);
-  columns.cells["wall_seconds"].push_back(wall);
-  columns.cells["cpu_seconds"].push_back(cpu);
-  columns.cells["render_seconds"].push_back(own);
-  columns.cells["peak_rss_bytes"].push_back(memory);
-  columns.cells["spp"].push_back(spp);
+  cells.machine.push_back(one_machine ? static_cast<double>(names.of(machines.front())) : kNone);
+  cells.wall_seconds.push_back(wall);
+  cells.cpu_seconds.push_back(cpu);
+  cells.render_seconds.push_back(own);
+  cells.peak_rss_bytes.push_back(memory);
+  cells.spp.push_back(spp);
 }
 
-void add_measures(const TargetRecord& target, std::size_t index, Columns& columns) {
+void add_measures(const TargetRecord& target, std::size_t index, Overview& overview) {
   for (const auto& measure : target.measures) {
-    auto& column = columns.measures[measure.name];
-    if (column.empty()) columns.metrics.push_back(&measure);
+    auto& column = overview.measures[measure.name];
+    if (column.empty())
+      overview.metrics.push_back(
+          {measure.name, measure.unit, measure.definition, measure.lower_is_better, measure.is_signed});
     column.resize(index, kNone);
     column.push_back(measure.value);
-    if (std::isinf(measure.value)) columns.infinite[measure.name].push_back(static_cast<double>(index));
+    if (std::isinf(measure.value)) overview.infinite[measure.name].push_back(index);
   }
 }
 
-Columns columns_of(const RunView& view) {
+// Fills the cells, and the lists of names that they point into.
+void add_cells(const RunView& view, Overview& overview, Names& cases, Names& renderers) {
   const auto& run = view.run;
-  Columns columns;
+  auto& cells = overview.cells;
+  Names targets{overview.targets};
+  Names reasons{overview.reasons};
+  Names machines{overview.machines};
   std::map<std::string, std::size_t> jobs;
   for (std::size_t i = 0; i < run.jobs.size(); ++i) jobs[run.jobs[i].identity.id] = i;
-  for (const auto& one_case : run.cases) columns.cases.of(one_case.name);
-  for (const auto& renderer : run.renderers) columns.renderers.of(renderer.name);
+  for (const auto& one_case : run.cases) cases.of(one_case.name);
+  for (const auto& renderer : run.renderers) renderers.of(renderer.name);
   std::error_code ignored;
   for (std::size_t i = 0; i < run.targets.size(); ++i) {
     const auto& target = run.targets[i];
-    columns.cells["case"].push_back(columns.cases.of(target.case_name));
-    columns.cells["target"].push_back(columns.targets.of(target.target));
-    columns.cells["renderer"].push_back(columns.renderers.of(target.renderer));
-    columns.cells["state"].push_back(state_of(target, view, jobs));
-    columns.cells["declared"].push_back(target.declared ? 1 : 0);
-    columns.cells["reason"].push_back(columns.reasons.of(reason_text(target)));
-    const auto folder = std::filesystem::path(run.folder) / target.image;
-    columns.cells["thumbnail"].push_back(
-        !target.image.empty() && std::filesystem::exists(folder.parent_path() / "result.png", ignored) ? 1
-                                                                                                       : 0);
-    add_cost(target, run, jobs, columns);
-    add_measures(target, i, columns);
+    cells.cases.push_back(cases.of(target.case_name));
+    cells.targets.push_back(targets.of(target.target));
+    cells.renderers.push_back(renderers.of(target.renderer));
+    cells.states.push_back(state_of(target, view, jobs));
+    cells.declared.push_back(target.declared ? 1 : 0);
+    cells.reasons.push_back(reasons.of(reason_text(target)));
+    const auto image = std::filesystem::path(run.folder) / target.image;
+    const bool has_thumbnail =
+        !target.image.empty() && std::filesystem::exists(image.parent_path() / "result.png", ignored);
+    cells.thumbnails.push_back(has_thumbnail ? 1 : 0);
+    add_cost(target, run, jobs, machines, cells);
+    add_measures(target, i, overview);
   }
-  return columns;
+  for (auto& [name, column] : overview.measures) column.resize(run.targets.size(), kNone);
 }
 
-void write_columns(Writer& out,
-                   std::string_view key,
-                   const std::map<std::string, std::vector<double>>& columns) {
-  out.key(key).begin_object();
-  for (const auto& [name, values] : columns) out.key(name).numbers(values);
-  out.end_object();
-}
-
-void write_run(Writer& out, const RunView& view) {
+RunInfo info_of(const RunView& view) {
   const auto& run = view.run;
-  out.key("run").begin_object();
-  out.member("name", run.name).member("suite", run.suite);
-  out.member("size", run.size);
-  out.member("started", run.started).member("wall_seconds", run.wall_seconds);
-  out.member("orbs_version", run.orbs_version).member("command", shell_text(run.command_line));
-  out.member("interrupted", run.interrupted).member("finished", run.finished).member("live", view.is_live);
-  out.member("load", run.load).key("host");
-  results::write_record(out, run.host);
-  out.end_object();
+  return {run.name,
+          run.suite,
+          run.size,
+          run.started,
+          run.wall_seconds,
+          run.orbs_version,
+          shell_text(run.command_line),
+          run.interrupted,
+          run.finished,
+          view.is_live,
+          run.load,
+          run.host};
 }
 
-void write_states(Writer& out) {
-  out.key("states").begin_array();
-  for (const auto verdict : results::kVerdicts)
-    out.begin_object()
-        .member("name", results::verdict_name(verdict))
-        .member("failure", results::counts_as_failure(verdict))
-        .end_object();
-  for (const auto name : {kWaiting, kRunning})
-    out.begin_object().member("name", name).member("failure", false).end_object();
-  out.begin_object().member("name", results::kKnown).member("failure", false).end_object();
-  out.begin_object().member("name", results::kUnexpectedPass).member("failure", true).end_object();
-  out.end_array();
-}
-
-void write_cases(Writer& out, const RunRecord& run, const Names& names) {
-  out.key("cases").begin_array();
-  for (const auto& name : names.list) {
-    const auto found =
-        std::find_if(run.cases.begin(), run.cases.end(), [&](const auto& c) { return c.name == name; });
-    // Without "cases" in results.json, only the targets say something about a case.
-    const auto first = std::find_if(run.targets.begin(), run.targets.end(),
-                                    [&](const auto& p) { return p.case_name == name; });
-    const bool known = found != run.cases.end();
-    out.begin_object().member("name", name).member("suite", known ? found->suite : run.suite);
-    out.member("requirement", known ? found->requirement : first->requirement);
-    out.member("title", known ? found->title : name).member("tests", known ? found->tests : "");
-    out.member("typical_mistake", known ? found->typical_mistake : "");
-    if (known && !found->smallest_error_seen.empty())
-      out.member("smallest_error_seen", found->smallest_error_seen);
-    out.end_object();
-  }
-  out.end_array();
+// Without "cases" in results.json, only the targets say something about a case.
+results::CaseRecord case_of(const RunRecord& run, const std::string& name) {
+  for (const auto& one : run.cases)
+    if (one.name == name) return one;
+  const auto first = std::find_if(run.targets.begin(), run.targets.end(),
+                                  [&](const auto& target) { return target.case_name == name; });
+  return {run.suite, name, first->requirement, name, "", ""};
 }
 
 // Counts each render once, even if several cases and differences use it.
-void write_costs(Writer& out, const RunRecord& run, const std::string& renderer) {
-  double wall_seconds = 0;
-  double cpu_seconds = 0;
-  std::size_t peak_rss_bytes = 0;
+Renderer renderer_of(const RunRecord& run, const std::string& name) {
+  Renderer out;
+  out.name = name;
   for (const auto& job : run.jobs) {
-    if (job.identity.renderer != renderer) continue;
-    wall_seconds += job.cost.wall_seconds;
-    cpu_seconds += job.cost.cpu_seconds;
-    peak_rss_bytes = std::max(peak_rss_bytes, job.cost.peak_rss_bytes);
+    if (job.identity.renderer != name) continue;
+    out.wall_seconds += job.cost.wall_seconds;
+    out.cpu_seconds += job.cost.cpu_seconds;
+    out.peak_rss_bytes = std::max(out.peak_rss_bytes, job.cost.peak_rss_bytes);
   }
-  out.member("wall_seconds", wall_seconds).member("cpu_seconds", cpu_seconds);
-  out.member("peak_rss_bytes", static_cast<unsigned long long>(peak_rss_bytes));
-}
-
-void write_renderers(Writer& out, const RunRecord& run, const Names& names) {
-  out.key("renderers").begin_array();
-  for (const auto& name : names.list) {
-    const auto found = std::find_if(run.renderers.begin(), run.renderers.end(),
-                                    [&](const auto& renderer) { return renderer.name == name; });
-    out.begin_object().member("name", name);
-    write_costs(out, run, name);
-    if (found != run.renderers.end())
-      out.member("version", found->version)
-          .member("declared", found->declared)
-          .member("measured", found->measured);
-    out.end_object();
+  for (const auto& known : run.renderers) {
+    if (known.name != name) continue;
+    out.version = known.version;
+    out.declared = known.declared;
+    out.measured = known.measured;
   }
-  out.end_array().key("left_out").begin_array();
-  for (const auto& left : run.left_out) results::write_record(out, left);
-  out.end_array();
+  return out;
 }
 
 bool is_measured(const TargetRecord& target, const results::Check& check) {
@@ -251,35 +212,29 @@ std::string main_metric(const RunRecord& run) {
 
 }  // namespace
 
-std::string overview_json(const RunView& view) {
+Overview overview_of(const RunView& view) {
   const auto& run = view.run;
-  auto columns = columns_of(view);
-  Writer out;
-  out.begin_object().member("format", "orbs-page/2");
-  write_run(out, view);
-  write_states(out);
-  write_renderers(out, run, columns.renderers);
-  write_cases(out, run, columns.cases);
-  out.key("requirements").begin_array();
+  Overview overview;
+  std::vector<std::string> case_names;
+  std::vector<std::string> renderer_names;
+  Names cases{case_names};
+  Names renderers{renderer_names};
+  add_cells(view, overview, cases, renderers);
+  overview.run = info_of(view);
+  overview.states = all_states();
+  for (const auto& name : renderer_names) overview.renderers.push_back(renderer_of(run, name));
+  overview.left_out = run.left_out;
+  for (const auto& name : case_names) overview.cases.push_back(case_of(run, name));
   for (const auto& requirement : run.requirements)
-    out.begin_object().member("code", requirement.code).member("title", requirement.title).end_object();
-  out.end_array().key("metrics").begin_array();
-  for (const auto* metric : columns.metrics)
-    out.begin_object()
-        .member("name", metric->name)
-        .member("unit", metric->unit)
-        .member("definition", metric->definition)
-        .member("lower_is_better", metric->lower_is_better)
-        .member("signed", metric->is_signed)
-        .end_object();
-  out.end_array();
-  out.member("main_metric", main_metric(run));
-  out.member("targets", columns.targets.list).member("reasons", columns.reasons.list);
-  out.member("machines", columns.machines.list);
-  for (auto& [name, values] : columns.measures) values.resize(run.targets.size(), kNone);
-  write_columns(out, "cells", columns.cells);
-  write_columns(out, "measures", columns.measures);
-  write_columns(out, "infinite", columns.infinite);
+    overview.requirements.push_back({requirement.code, requirement.title});
+  overview.main_metric = main_metric(run);
+  return overview;
+}
+
+std::string overview_json(const RunView& view) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-page/2");
+  results::write_fields(out, overview_of(view));
   return out.end_object().text();
 }
 

@@ -1,12 +1,16 @@
 #include "report/page_file.h"
 
+#include "base/files.h"
+#include "image/colour.h"
 #include "image/image_io.h"
+#include "json/writer.h"
 #include "report/embedded_images.h"
 #include "report/gzip.h"
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_template.h"
 #include "report/target_data.h"
+#include "results/study_kinds.h"
 
 namespace orbs::report {
 
@@ -32,27 +36,49 @@ std::vector<std::string> wanted_images(const RunView& view) {
   return files;
 }
 
+// The file as PNG: an EXR as a display shows it, a PNG as it is.
+std::string png_of(const std::filesystem::path& folder, const std::string& name) {
+  auto bytes = file_of(folder, name);
+  if (!name.ends_with(".exr")) return bytes;
+  return image::png_bytes(image::display_image(image::read_exr(name, bytes)));
+}
+
+PageFile page_with(const PageFileSettings& settings, const std::string& data, EmbeddedImages images) {
+  const auto [before, after] = page_template(settings.bundle);
+  return {before + data + images.elements + after, images.count, std::move(images.left_out)};
+}
+
 }  // namespace
 
 PageFile page_file(const RunView& view, const PageFileSettings& settings) {
-  const auto [before, after] = page_template(settings.bundle);
-  PageFile page;
-  page.text = before;
-  page.text += data_element("orbs-overview", "application/json", script_text(overview_json(view)));
   std::string targets = "[";
   for (std::size_t i = 0; i < view.run.targets.size(); ++i)
     targets += (i == 0 ? "" : ",\n") + target_json(view, i);
-  page.text += data_element("orbs-targets", "application/json", script_text(targets + "]"));
   const auto rounding = settings.exact ? Rounding::Exact : Rounding::Rounded;
   const auto packed = [&](const std::string& file) {
     return packed_image(image::read_exr(file, file_of(view.run.folder, file)), "", rounding, Packing::Small);
   };
-  auto images = embed_images(wanted_images(view), "application/octet-stream", packed, settings.most_bytes);
-  page.text += images.elements;
-  page.images = images.count;
-  page.left_out = std::move(images.left_out);
-  page.text += after;
-  return page;
+  return page_with(
+      settings,
+      data_element("orbs-overview", "application/json", script_text(overview_json(view))) +
+          data_element("orbs-targets", "application/json", script_text(targets + "]")),
+      embed_images(wanted_images(view), "application/octet-stream", packed, settings.most_bytes));
+}
+
+PageFile study_page_file(const std::filesystem::path& folder, const PageFileSettings& settings) {
+  const auto study = results::read_study_folder(folder);
+  json::Writer about;
+  about.begin_object()
+      .member("name", std::filesystem::weakly_canonical(folder).filename().string())
+      .member("kind", study.kind.name)
+      .end_object();
+  return page_with(
+      settings,
+      data_element("orbs-about", "application/json", script_text(about.text())) +
+          data_element("orbs-study", "application/json", script_text(read_file(folder / study.kind.file))),
+      embed_images(
+          study.images, "image/png", [&](const std::string& file) { return png_of(folder, file); },
+          settings.most_bytes));
 }
 
 }  // namespace orbs::report

@@ -26,4 +26,9 @@ struct PageFile {
 /// run of an earlier version left. InputError when the page is not built.
 PageFile page_file(const results::RunView& view, const PageFileSettings& settings);
 
+/// The page of the study in `folder`: its file as it is, and its images as PNG while there is room, in the
+/// order of results::StudyKind::images. InputError when the page is not built or the folder holds no study.
+/// settings.exact has no meaning here.
+PageFile study_page_file(const std::filesystem::path& folder, const PageFileSettings& settings);
+
 }  // namespace orbs::report

@@ -1,6 +1,7 @@
 #include "report/progress.h"
 
 #include "json/writer.h"
+#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace orbs::report {
 
 namespace {
 
-using json::Writer;
 using results::JobState;
 using results::RunView;
 
@@ -39,16 +39,17 @@ double seconds_left(const RunView& view) {
 }  // namespace
 
 std::string progress_json(const RunView& view) {
-  int done = 0;
-  Writer out;
-  out.begin_object().member("live", view.is_live).key("running").begin_array();
+  Progress progress{
+      .is_live = view.is_live, .total = view.run.jobs.size(), .seconds_left = seconds_left(view)};
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
-    if (view.states[i] == JobState::Done) ++done;
+    if (view.states[i] == JobState::Done) ++progress.done;
     if (view.states[i] == JobState::Running)
-      out.value(fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
+      progress.running.push_back(
+          fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
   }
-  out.end_array().member("done", done).member("total", static_cast<int>(view.run.jobs.size()));
-  return out.member("seconds_left", seconds_left(view)).end_object().text();
+  json::Writer out;
+  results::write_record(out, progress);
+  return out.text();
 }
 
 }  // namespace orbs::report

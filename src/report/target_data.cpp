@@ -15,7 +15,6 @@ namespace orbs::report {
 
 namespace {
 
-using json::Writer;
 using results::JobRecord;
 using results::RunRecord;
 using results::RunView;
@@ -33,53 +32,13 @@ std::string log_tail(const RunRecord& run, const std::string& name) {
   return begin > 0 ? text.substr(std::min(text.find('\n') + 1, text.size())) : text;
 }
 
-// The whole record of the render, and the end of its log.
-void write_job(Writer& out, const JobRecord& job, const RunRecord& run) {
-  auto shown = job;
-  auto& command = shown.program.shell;
-  command = command.empty() ? shell_text(job.program.argv)
-                            : fmt::format("cd {} && {}", shell_text({run.folder}), command);
-  out.begin_object();
-  results::write_fields(out, shown);
-  out.member("log", log_tail(run, job.files.log)).end_object();
-}
-
-Writer& write_image(Writer& out, std::string_view name, std::string_view kind, const std::string& file) {
-  return out.begin_object().member("name", name).member("kind", kind).member("file", file);
-}
-
-void write_images(Writer& out, const TargetRecord& target) {
-  out.key("images").begin_array();
-  if (!target.image.empty()) write_image(out, "result", "result", target.image).end_object();
-  if (!target.reference_image.empty())
-    write_image(out, "reference", "reference", target.reference_image).end_object();
+std::vector<ImageFile> images_of(const TargetRecord& target) {
+  std::vector<ImageFile> images;
+  if (!target.image.empty()) images.push_back({"result", "result", target.image});
+  if (!target.reference_image.empty()) images.push_back({"reference", "reference", target.reference_image});
   for (const auto& map : target.maps)
-    write_image(out, map.name, "map", map.image)
-        .member("definition", map.definition)
-        .member("signed", map.is_signed)
-        .member("scale_maximum", map.scale_maximum)
-        .end_object();
-  out.end_array();
-}
-
-void write_measures(Writer& out, const TargetRecord& target) {
-  out.key("measures").begin_array();
-  for (const auto& measure : target.measures) results::write_record(out, measure);
-  out.end_array().key("checks").begin_array();
-  for (const auto& check : target.checks) results::write_record(out, check);
-  out.end_array();
-}
-
-// The scenes of the renders that the image is made from.
-void write_scenes(Writer& out, const RunRecord& run, const TargetRecord& target) {
-  out.key("scenes").begin_array();
-  for (const auto& scene : run.scenes)
-    if (std::any_of(run.jobs.begin(), run.jobs.end(), [&](const JobRecord& job) {
-          return job.identity.scene == scene.name &&
-                 std::find(target.jobs.begin(), target.jobs.end(), job.identity.id) != target.jobs.end();
-        }))
-      results::write_record(out, scene);
-  out.end_array();
+    images.push_back({map.name, "map", map.image, map.definition, map.is_signed, map.scale_maximum});
+  return images;
 }
 
 // The command that renders and judges this target again, and no other.
@@ -96,30 +55,46 @@ std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& t
 
 }  // namespace
 
-std::string target_json(const RunView& view, std::size_t index) {
-  const auto& target = view.run.targets.at(index);
+TargetDetail target_detail(const RunView& view, std::size_t index) {
+  const auto& run = view.run;
+  const auto& target = run.targets.at(index);
+  TargetDetail detail{.case_name = target.case_name,
+                      .target = target.target,
+                      .renderer = target.renderer,
+                      .requirement = target.requirement,
+                      .reason = reason_text(target),
+                      .reference = target.reference,
+                      .remarks = target.remarks,
+                      .diagnosis = target.diagnosis,
+                      .hidden = target.hidden,
+                      .measures = target.measures,
+                      .checks = target.checks,
+                      .images = images_of(target),
+                      .reference_provenance = target.reference_provenance,
+                      .jobs = {},
+                      .scenes = {},
+                      .command = {}};
   const JobRecord* first = nullptr;
-  Writer out;
-  out.begin_object().member("case", target.case_name).member("target", target.target);
-  out.member("renderer", target.renderer).member("requirement", target.requirement);
-  out.member("reason", reason_text(target)).member("reference", target.reference);
-  out.member("remarks", target.remarks);
-  out.member("diagnosis", target.diagnosis);
-  out.member("hidden", target.hidden);
-  write_measures(out, target);
-  write_images(out, target);
-  out.key("reference_provenance").begin_object();
-  for (const auto& [name, text] : target.reference_provenance) out.member(name, text);
-  out.end_object().key("jobs").begin_array();
-  for (const auto& job : view.run.jobs) {
+  for (const auto& job : run.jobs) {
     if (std::find(target.jobs.begin(), target.jobs.end(), job.identity.id) == target.jobs.end()) continue;
     if (first == nullptr) first = &job;
-    write_job(out, job, view.run);
+    auto& shown = detail.jobs.emplace_back(Job{job, log_tail(run, job.files.log)});
+    auto& command = shown.record.program.shell;
+    command = command.empty() ? shell_text(job.program.argv)
+                              : fmt::format("cd {} && {}", shell_text({run.folder}), command);
   }
-  out.end_array();
-  write_scenes(out, view.run, target);
-  out.member("command", shell_text(run_command(view.run, target, first)));
-  return out.end_object().text();
+  for (const auto& scene : run.scenes)
+    if (std::any_of(detail.jobs.begin(), detail.jobs.end(),
+                    [&](const Job& job) { return job.record.identity.scene == scene.name; }))
+      detail.scenes.push_back(scene);
+  detail.command = shell_text(run_command(run, target, first));
+  return detail;
+}
+
+std::string target_json(const RunView& view, std::size_t index) {
+  json::Writer out;
+  results::write_record(out, target_detail(view, index));
+  return out.text();
 }
 
 }  // namespace orbs::report

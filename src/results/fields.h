@@ -6,6 +6,7 @@
 /// member that is added there is stored, read and shown on the page.
 namespace orbs::results {
 
+using json::Named;
 using json::RecordOf;
 
 }  // namespace orbs::results

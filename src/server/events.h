@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/served_run.h"
+#include "server/served.h"
 
 #include <atomic>
 

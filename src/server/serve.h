@@ -10,7 +10,7 @@
 namespace orbs::server {
 
 struct ServeSettings {
-  std::vector<std::filesystem::path> runs;  // and cost studies, at least one; the page opens with the first
+  std::vector<std::filesystem::path> runs;  // and studies, at least one; the page opens with the first
   std::filesystem::path bundle;             // folder of the built page
   std::string address = "127.0.0.1";
   int port = 0;                                  // 0: any free port
@@ -21,7 +21,7 @@ struct ServeSettings {
 bool is_loopback_address(const std::string& address);
 
 /// Serves the runs read-only until `stop` is set; `ready` gets the address of the page as soon as it answers.
-/// InputError if a folder is neither run nor cost study, the page is not built, or the address cannot be
+/// InputError if a folder is neither run nor study, the page is not built, or the address cannot be
 /// bound.
 void serve(const ServeSettings& settings,
            const std::atomic<bool>& stop,

@@ -8,8 +8,7 @@
 #include "json/writer.h"
 #include "report/packed_image.h"
 #include "report/preview.h"
-#include "results/cost_study.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 #include "server/refuse.h"
 #include "server/request_gate.h"
 
@@ -65,7 +64,7 @@ std::string runs_json(Site& site) {
     const auto& served = site.runs[i];
     out.begin_object().member("name", site.names[i]);
     const auto* study = std::get_if<std::unique_ptr<ServedStudy>>(&served);
-    out.member("kind", study != nullptr ? (*study)->kind() : "run");
+    out.member("kind", study != nullptr ? (*study)->kind() : std::string_view("run"));
     out.member("started", std::visit([](const auto& one) { return std::string(one->started()); }, served));
     out.end_object();
   }
@@ -173,8 +172,7 @@ void send_data(Site& site,
 }  // namespace
 
 Served open_served(const fs::path& folder) {
-  if (results::holds_cost_study(folder) || results::holds_stability_study(folder))
-    return std::make_unique<ServedStudy>(folder);
+  if (results::study_kind_in(folder) != nullptr) return std::make_unique<ServedStudy>(folder);
   return std::make_unique<ServedRun>(folder);
 }
 

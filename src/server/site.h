@@ -3,8 +3,7 @@
 #include "server/events.h"
 #include "server/image_cache.h"
 #include "server/packed_text.h"
-#include "server/served_run.h"
-#include "server/served_study.h"
+#include "server/served.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,7 +15,7 @@
 
 /// The addresses of the server:
 ///   /, /page.js, /page.css ...              the bundle
-///   /data/runs.json                          the runs and cost studies that are served
+///   /data/runs.json                          the runs and studies that are served
 ///   /data/<run>/overview.json                report::overview_json
 ///   /data/<run>/target/<index>.json          report::target_json
 ///   /data/<run>/image/<path>.exr?layer=...   an image of the run's folder, packed (report::packed_image)
@@ -24,7 +23,7 @@
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
 /// <run> counts from 0, over runs and studies. A study has only image/, preview/ and file/; the page reads
-/// file/cost.json or file/stability.json.
+/// its file, such as file/cost.json.
 namespace orbs::server {
 
 struct BundleFile {
@@ -35,7 +34,7 @@ struct BundleFile {
 
 using Served = std::variant<std::unique_ptr<ServedRun>, std::unique_ptr<ServedStudy>>;
 
-/// A run or a cost study, whichever the folder holds. InputError if it holds neither.
+/// A run or a study, whichever the folder holds. InputError if it holds neither.
 Served open_served(const std::filesystem::path& folder);
 const std::filesystem::path& named(const Served& served);
 

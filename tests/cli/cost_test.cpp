@@ -1,6 +1,6 @@
 // orbs cost works from the command line to its files; what its numbers are is for the unit tests.
 #include "cli/sandbox.h"
-#include "studies/cost/json.h"
+#include "studies/cost/report.h"
 
 #include <gtest/gtest.h>
 
@@ -23,20 +23,22 @@ std::vector<std::string> cost(const std::vector<std::string>& more) {
 
 }  // namespace
 
-TEST(Cost, RendersEverySeedOfEveryRungAndTheFixedCost) {
+TEST(Cost, RendersEverySeedOfEverySettingAndTheFixedCost) {
   const Sandbox sandbox;
-  const auto answer = sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "-o", "c"}));
+  const auto answer = sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "-o", "c"}));
   ASSERT_EQ(answer.status, 0) << answer.text;
   const auto record = record_of(sandbox, "c");
   EXPECT_TRUE(record.is_finished);
-  ASSERT_EQ(record.ladders.size(), 1);
-  ASSERT_EQ(record.ladders[0].rungs.size(), 2);
-  std::map<std::string, int> counts;
-  for (const auto& render : record.renders) ++counts[render.purpose + " " + render.rung];
-  EXPECT_EQ(counts["fixed "], 3);
-  EXPECT_EQ(counts["rung 2 spp"], 3);
-  EXPECT_EQ(counts["rung 8 spp"], 3);
-  EXPECT_EQ(counts["again 8 spp"], 3);
+  ASSERT_EQ(record.sweeps.size(), 1);
+  ASSERT_EQ(record.sweeps[0].settings.size(), 2);
+  using studies::Purpose;
+  std::map<std::pair<Purpose, std::string>, int> counts;
+  for (const auto& render : record.renders) ++counts[{render.purpose, render.setting}];
+  const decltype(counts) expected{{{Purpose::FixedCost, ""}, 3},
+                                  {{Purpose::Sweep, "2 spp"}, 3},
+                                  {{Purpose::Sweep, "8 spp"}, 3},
+                                  {{Purpose::Again, "8 spp"}, 3}};
+  EXPECT_EQ(counts, expected);
   for (const char* file :
        {"c/cost.csv", "c/images/good/grey/1.png", "c/images/good/grey/1.exr", "c/images/reference/grey.exr"})
     EXPECT_TRUE(sandbox.has(file)) << file;
@@ -47,13 +49,13 @@ TEST(Cost, RendersEverySeedOfEveryRungAndTheFixedCost) {
 
 TEST(Cost, GoesOnWhereItWasInterrupted) {
   const Sandbox sandbox;
-  ASSERT_EQ(sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "-o", "c"})).status, 0);
+  ASSERT_EQ(sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "-o", "c"})).status, 0);
   auto record = record_of(sandbox, "c");
   const auto all = record.renders.size();
   const auto kept = record.renders.at(2);
   record.renders.resize(3);
   sandbox.write("c/cost.json", studies::cost_json(record));
-  const auto answer = sandbox.orbs(cost({"--rungs", "2,8", "--seeds", "3", "--resume", "c"}));
+  const auto answer = sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "--resume", "c"}));
   ASSERT_EQ(answer.status, 0) << answer.text;
   record = record_of(sandbox, "c");
   EXPECT_EQ(record.renders.size(), all);
@@ -62,35 +64,35 @@ TEST(Cost, GoesOnWhereItWasInterrupted) {
 
 TEST(Cost, RefusesToGoOnOnAnotherMachine) {
   const Sandbox sandbox;
-  ASSERT_EQ(sandbox.orbs(cost({"--rungs", "2", "--seeds", "2", "-o", "c"})).status, 0);
+  ASSERT_EQ(sandbox.orbs(cost({"--sweep", "2", "--seeds", "2", "-o", "c"})).status, 0);
   auto record = record_of(sandbox, "c");
   record.host.cpu = "another processor";
   sandbox.write("c/cost.json", studies::cost_json(record));
-  const auto answer = sandbox.orbs(cost({"--rungs", "2", "--seeds", "2", "--resume", "c"}));
+  const auto answer = sandbox.orbs(cost({"--sweep", "2", "--seeds", "2", "--resume", "c"}));
   EXPECT_EQ(answer.status, 2);
   EXPECT_TRUE(contains(answer.text, "was measured on another machine")) << answer.text;
 }
 
-TEST(Cost, ClimbsTheSettingsThatTheConfigurationLists) {
+TEST(Cost, SweepsTheSettingsThatTheConfigurationLists) {
   const Sandbox sandbox;
   sandbox.add_to_good(R"(, "cost_ladder": [{"name": "coarse", "spp": 3}, {"name": "fine", "spp": 9}])");
   const auto answer = sandbox.orbs(cost({"--seeds", "2", "-o", "c"}));
   ASSERT_EQ(answer.status, 0) << answer.text;
   const auto record = record_of(sandbox, "c");
-  EXPECT_EQ(record.renderers.at(0).ladder, "settings");
-  ASSERT_EQ(record.ladders.at(0).rungs.size(), 2);
-  EXPECT_EQ(record.ladders[0].rungs[1].name, "fine");
-  EXPECT_EQ(record.ladders[0].rungs[1].spp, 9);
+  EXPECT_EQ(record.renderers.at(0).sweep, studies::SweepOf::Settings);
+  ASSERT_EQ(record.sweeps.at(0).settings.size(), 2);
+  EXPECT_EQ(record.sweeps[0].settings[1].name, "fine");
+  EXPECT_EQ(record.sweeps[0].settings[1].spp, 9);
 }
 
 TEST(Cost, ARendererThatFailsEndsItsCurveWithTheReason) {
   const Sandbox sandbox;
   const auto answer =
-      sandbox.orbs({"cost", "-r", "good,exit3", "-s", "grey", "--rungs", "2", "--seeds", "2", "-o", "c"});
+      sandbox.orbs({"cost", "-r", "good,exit3", "-s", "grey", "--sweep", "2", "--seeds", "2", "-o", "c"});
   ASSERT_EQ(answer.status, 0) << answer.text;
   const auto record = record_of(sandbox, "c");
-  ASSERT_EQ(record.ladders.size(), 2);
-  EXPECT_TRUE(contains(record.ladders[1].note, "exit")) << record.ladders[1].note;
+  ASSERT_EQ(record.sweeps.size(), 2);
+  EXPECT_TRUE(contains(record.sweeps[1].note, "exit")) << record.sweeps[1].note;
 }
 
 // Scene 101 belongs to M1; G1, G2 and others look at it too.
@@ -98,7 +100,7 @@ TEST(Cost, ASceneIsKnownByTheCaseThatItBelongsTo) {
   const Sandbox sandbox;
   const auto answer =
       sandbox.orbs({"cost", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "-r", "orbs", "-s",
-                    "101", "--rungs", "1", "--seeds", "2", "--size", "1/8", "-o", "c"});
+                    "101", "--sweep", "1", "--seeds", "2", "--size", "1/8", "-o", "c"});
   ASSERT_EQ(answer.status, 0) << answer.text;
   ASSERT_EQ(record_of(sandbox, "c").targets.size(), 1);
   EXPECT_EQ(record_of(sandbox, "c").targets[0].requirement, "M1");

@@ -1,6 +1,6 @@
 // orbs stability works from the command line to its files; what its numbers are is for the unit tests.
 #include "cli/sandbox.h"
-#include "studies/stability/json.h"
+#include "studies/stability/report.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(Stability, ABreakEndsItsLadderAndIsShown) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   const auto record = record_of(sandbox, "s");
   ASSERT_EQ(record.steps.size(), 2) << "two breaks in a row end it";
-  EXPECT_EQ(record.steps[0].outcome, "breaks");
+  EXPECT_EQ(record.steps[0].outcome, studies::StepOutcome::Breaks);
   EXPECT_NEAR(record.steps[0].mean, 1.0 / 1024 - 1, 1e-6);
   for (const char* image : {"original.png", "changed.png", "difference.png"})
     EXPECT_TRUE(sandbox.has("s/" + record.steps[0].images + "/" + image)) << image;
@@ -54,7 +54,7 @@ TEST(Stability, PrecisionIsForEntriesThatNameItsArguments) {
   sandbox.orbs(stability({"--relation", "precision", "-o", "s"}));
   const auto record = record_of(sandbox, "s");
   ASSERT_EQ(record.steps.size(), 1);
-  EXPECT_EQ(record.steps[0].outcome, "not applicable");
+  EXPECT_EQ(record.steps[0].outcome, studies::StepOutcome::NotApplicable);
   EXPECT_TRUE(contains(record.steps[0].reason, "double_precision")) << record.steps[0].reason;
 }
 
@@ -65,7 +65,7 @@ TEST(Stability, ARendererWithoutImagesBreaks) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   const auto record = record_of(sandbox, "s");
   ASSERT_EQ(record.steps.size(), 1);
-  EXPECT_EQ(record.steps[0].outcome, "no image");
+  EXPECT_EQ(record.steps[0].outcome, studies::StepOutcome::NoImage);
   EXPECT_TRUE(contains(record.steps[0].reason, "exit")) << record.steps[0].reason;
 }
 

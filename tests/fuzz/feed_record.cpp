@@ -9,13 +9,12 @@
 #include "report/junit.h"
 #include "report/overview.h"
 #include "report/target_data.h"
-#include "results/cost_study.h"
 #include "results/effect_costs.h"
 #include "results/image_hashes.h"
 #include "results/qualification.h"
 #include "results/read_record.h"
 #include "results/record_json.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 #include "run/plan/plan_file.h"
 
 #include <array>
@@ -81,6 +80,13 @@ void feed_plan(const std::filesystem::path& file) {
   require(read_file(folder / run::kPlanFile) == text, "a plan reads back as it was written");
 }
 
+// The folder of a study holds the file of one kind.
+void feed_study(const std::filesystem::path& file) {
+  for (const auto& kind : results::kStudyKinds)
+    if (kind.file != file.filename()) std::filesystem::remove(file.parent_path() / kind.file);
+  results::read_study_folder(file.parent_path());
+}
+
 struct Kind {
   const char* file;
   std::function<void(const std::filesystem::path& file)> feed;
@@ -91,9 +97,8 @@ const std::array<Kind, 8>& kinds() {
       {{"results.json", feed_results},
        {"job.json", feed_job},
        {run::kPlanFile, feed_plan},
-       {results::kCostFile, [](const auto& file) { results::read_cost_study(file.parent_path()); }},
-       {results::kStabilityFile,
-        [](const auto& file) { results::read_stability_folder(file.parent_path()); }},
+       {results::kCost.file.data(), feed_study},
+       {results::kStability.file.data(), feed_study},
        {results::kImageHashesFile, [](const auto& file) { results::read_image_hashes(file.parent_path()); }},
        {results::kEffectCostsFile, [](const auto& file) { results::read_effect_costs(file); }},
        {"qualification.json", [](const auto& file) {

@@ -31,7 +31,7 @@ const views: Record<string, { address: string; ready: string; image?: string }> 
     ready: ".pair-errors",
     image: "result",
   },
-  rungs: {
+  sweep: {
     address: "#/images?run=cost&target=110&point=orbs%2F1&more=cycles+64+spp&b=cycles+64+spp",
     ready: ".pair-errors",
     image: "result",

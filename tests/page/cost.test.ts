@@ -16,7 +16,7 @@ interface SomeComparison {
   first: number;
   second: number;
   time_ratio: unknown;
-  verdict: string;
+  ranking: string;
 }
 
 /** The members of cost.json that tests change. */
@@ -29,7 +29,7 @@ interface SomeStudy {
     target: number;
     renderer: number;
     points: { below_reference_noise: boolean }[];
-    prices: { level: number; cpu_seconds: unknown; note: string }[];
+    times_to_error: { level: number; cpu_seconds: unknown }[];
   }[];
 }
 
@@ -65,14 +65,14 @@ const widthsOfImages = (page: Page): Promise<number[]> =>
     return images.map((image) => image.naturalWidth);
   });
 
-const rowsOf = (page: Page): Promise<string[]> => page.locator(".prices tbody tr").allInnerTexts();
+const rowsOf = (page: Page): Promise<string[]> => page.locator(".times tbody tr").allInnerTexts();
 
-test("a sentence and a bar per level say who is cheapest", async () => {
+test("a sentence and a bar per level say who is fastest", async () => {
   const { page, errors } = await openStudy();
   // Of six targets two are too noisy for 35 dB, and on 205 orbs and cycles are too alike.
   assert.equal(
     await page.locator(".answer").innerText(),
-    "At 35 dB orbs is cheapest on 3 of the 4 targets on which anybody reaches it; " +
+    "At 35 dB orbs is fastest on 3 of the 4 targets on which any renderer reaches it; " +
       "cycles takes 2 times as long, povray takes 5.7 times as long.",
   );
   const level = page.locator("tr[data-level='40']");
@@ -81,7 +81,7 @@ test("a sentence and a bar per level say who is cheapest", async () => {
     "1 no difference",
     "3 not reached",
   ]);
-  // 12.9 by the model; between two rungs near the floor the interpolation is 4 % above it, in its interval.
+  // 12.9 by the model; between two points near the floor the interpolation is 4 % above it, in its interval.
   assert.match(await level.locator(".ratios").innerText(), /povray × 13\.4 .*on 1 target/);
   await page.getByLabel("Time, × that of").selectOption("povray");
   await page.waitForFunction(() => location.hash.includes("base=povray"));
@@ -90,14 +90,15 @@ test("a sentence and a bar per level say who is cheapest", async () => {
   await page.close();
 });
 
-test("a price before the first rung counts as reached, and its bound may decide", async () => {
-  // On 101 orbs is said to be cheaper at 45 dB than its first rung: only the verdict says so.
+test("a time before the first point counts as reached, and its bound may decide", async () => {
+  // On 101 orbs is said to be faster at 45 dB than its first point: only the ranking says so.
   const { page } = await openStudy("", (study) => {
-    for (const price of study.curves[0]?.prices ?? [])
-      if (price.level === 45) Object.assign(price, { cpu_seconds: null, note: "at most 0.06 s" });
+    for (const time of study.curves[0]?.times_to_error ?? [])
+      if (time.level === 45)
+        Object.assign(time, { cpu_seconds: null, bound: "at most", bound_seconds: 0.06 });
     for (const one of study.comparisons)
       if (one.target === 0 && one.level === 45 && one.first === 0)
-        Object.assign(one, { time_ratio: null, verdict: "dearer" });
+        Object.assign(one, { time_ratio: null, ranking: "slower" });
   });
   const parts = await page.locator("tr[data-level='45'] .win").allInnerTexts();
   assert.deepEqual(parts.slice(0, 1), ["1 orbs"], String(parts));
@@ -115,11 +116,11 @@ test("a failed comparison of a renderer with itself hides the ranking", async ()
   const text = await page.locator(".who").innerText();
   assert.match(text, /Nobody is ranked.*time × 1\.2 \(1\.1 to 1\.3\)/s);
   assert.equal(await page.locator(".answer, .wins").count(), 0);
-  assert.ok(!(await page.locator(".prices tbody").innerText()).includes("★"));
+  assert.ok(!(await page.locator(".times tbody").innerText()).includes("★"));
   await page.close();
 });
 
-test("the chart has a point per rung, fits, a floor, levels and a frontier", async () => {
+test("the chart has a point per setting, fits, a floor, levels and a frontier", async () => {
   const { page, errors } = await openStudy("?target=101");
   const plot = page.locator(".cost-plot");
   assert.equal(await plot.locator(".point").count(), 3 * 6);
@@ -193,7 +194,7 @@ test("a click or Enter on a point opens its image beside the reference", async (
   await page.locator("[data-point='0/1']").focus();
   await page.keyboard.press("Enter");
   await page.locator("img[data-file='images/orbs/101/1.png']").waitFor();
-  await page.getByRole("button", { name: "Next rung" }).click();
+  await page.getByRole("button", { name: "Next setting" }).click();
   await page.locator("img[data-file='images/orbs/101/2.png']").waitFor();
   await page.keyboard.down("Shift");
   await page.waitForFunction(
@@ -214,10 +215,10 @@ test("a small chart opens its target, and text of the study is never markup", as
   await page.close();
 });
 
-test("the table of prices sorts by each column, without a price last", async () => {
+test("the table of times sorts by each column, without a time last", async () => {
   const { page } = await openStudy();
   assert.match((await rowsOf(page))[0] ?? "", /^101\s+orbs\s+★ 0\.150 s/);
-  const head = page.locator(".prices thead th", { hasText: "30 dB" });
+  const head = page.locator(".times thead th", { hasText: "30 dB" });
   await head.getByRole("button").click();
   assert.equal(await head.getAttribute("aria-sort"), "ascending");
   let rows = await rowsOf(page);
@@ -229,7 +230,7 @@ test("the table of prices sorts by each column, without a price last", async () 
   assert.match(rows[0] ?? "", /^248\s+povray\s+10\.7 s/);
   assert.match(rows.at(-1) ?? "", /not reached/);
   await page.locator("input[type=search]").fill("glass");
-  await page.waitForFunction(() => document.querySelectorAll(".prices tbody tr").length === 3);
+  await page.waitForFunction(() => document.querySelectorAll(".times tbody tr").length === 3);
   assert.equal(await page.locator(".multiples a svg").count(), 1);
   await page.close();
 });
@@ -259,8 +260,8 @@ test("charts are saved as SVG, PNG and CSV", async () => {
   const csv = (await saved(page, title, "CSV")).bytes.toString().trim().split("\r\n");
   assert.equal(csv.length, 1 + 3 * 6);
   assert.match(csv[1] ?? "", /^101,orbs,4 spp,4,4,0\.058,/);
-  const prices = (await saved(page, "Prices", "CSV")).bytes.toString().trim().split("\r\n");
-  assert.equal(prices.length, 1 + 6 * 3 * 7);
+  const times = (await saved(page, "Times to error", "CSV")).bytes.toString().trim().split("\r\n");
+  assert.equal(times.length, 1 + 6 * 3 * 7);
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -311,7 +312,7 @@ test("the one-file page of a study works from file:// and requests nothing", asy
   await page.locator("img[data-file='images/cycles/110/2.png']").waitFor();
   await page.locator("img[data-file='images/reference/110.exr']").waitFor();
   assert.deepEqual(await widthsOfImages(page), [64, 64]);
-  assert.match(await page.locator(".answer").innerText(), /At 35 dB orbs is cheapest/);
+  assert.match(await page.locator(".answer").innerText(), /At 35 dB orbs is fastest/);
   assert.equal((await saved(page, "M2 110: Glass", "PNG")).bytes.subarray(1, 4).toString(), "PNG");
   assert.deepEqual(errors, []);
   await page.close();

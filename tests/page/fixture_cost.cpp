@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "image/colour.h"
 #include "image/image_io.h"
-#include "results/cost_study.h"
-#include "studies/cost/json.h"
+#include "results/study_kinds.h"
+#include "studies/cost/report.h"
 
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr std::array kRenderers{"orbs", "cycles", "povray"};
 constexpr std::array kTargets{"101", "110", "205", "248", "301", "g4-lambert"};
 constexpr std::array kTitles{"Lambertian reflection", "Glass",          "Area light",
                              "Indirect light",        "Depth of field", "Furnace <b>test</b>"};
-constexpr int kRungs = 6;
+constexpr int kSettings = 6;
 constexpr std::size_t kSeeds = 4;
 constexpr double kReferenceNoise = 4e-5;  // relMSE
 constexpr int kWidth = 64, kHeight = 48;
@@ -42,9 +42,9 @@ Model model_of(std::size_t target, std::size_t renderer) {
   return {5e-4, 4e-3 * scale, 0.8, 0.1, 4e-3};
 }
 
-int spp_of(int rung) { return 4 << (2 * rung); }
-double seconds_of(const Model& model, int rung) {
-  return model.fixed_seconds + model.seconds_per_sample * spp_of(rung);
+int spp_of(int setting) { return 4 << (2 * setting); }
+double seconds_of(const Model& model, int setting) {
+  return model.fixed_seconds + model.seconds_per_sample * spp_of(setting);
 }
 double error_at(const Model& model, double seconds) {
   return model.bias_squared + model.variance / std::pow(seconds - model.fixed_seconds, model.exponent);
@@ -56,11 +56,13 @@ std::array<double, kSeeds> around(double value, double relative) {
   return {value * (1 - relative), value, value, value * (1 + relative)};
 }
 
-// The renders of one purpose on a rung: the times and errors of the model, with a scatter that is known.
-void add_renders(studies::CostRecord& record, studies::CostRender render, const Model& model, int rung) {
-  const double seconds = render.purpose == studies::kFixed ? model.fixed_seconds : seconds_of(model, rung);
+// The renders of one purpose on a setting: the times and errors of the model, with a scatter that is known.
+void add_renders(studies::CostRecord& record, studies::CostRender render, const Model& model, int setting) {
+  const double seconds =
+      render.purpose == studies::Purpose::FixedCost ? model.fixed_seconds : seconds_of(model, setting);
   const auto times = around(seconds, 0.05);
-  const auto errors = around(render.purpose == studies::kFixed ? 1.0 : error_at(model, seconds), 0.1);
+  const auto errors =
+      around(render.purpose == studies::Purpose::FixedCost ? 1.0 : error_at(model, seconds), 0.1);
   for (std::size_t seed = 0; seed < kSeeds; ++seed) {
     render.seed = static_cast<int>(seed);
     render.order = static_cast<int>(record.renders.size());
@@ -68,7 +70,7 @@ void add_renders(studies::CostRecord& record, studies::CostRender render, const 
     render.wall_seconds = 0.6 * times.at(seed);
     // POV-Ray reports no render time here.
     if (render.renderer != 2) render.render_seconds = 0.5 * times.at(seed);
-    if (render.purpose != studies::kFixed) {
+    if (render.purpose != studies::Purpose::FixedCost) {
       render.relmse = errors.at(seed) + kReferenceNoise;
       render.mse = 0.1 * (errors.at(seed) + kReferenceNoise);
       render.psnr_srgb8 = decibels_of(errors.at(seed));
@@ -80,21 +82,21 @@ void add_renders(studies::CostRecord& record, studies::CostRender render, const 
 
 void add_ladder(studies::CostRecord& record, std::size_t t, std::size_t r) {
   const auto model = model_of(t, r);
-  studies::CostLadder ladder{t, r, {}, "", model.bias_squared > 0 ? "block (8, 16) is too bright" : ""};
-  studies::CostRender render{.target = t, .renderer = r, .purpose = studies::kFixed};
+  studies::Sweep sweep{t, r, {}, "", model.bias_squared > 0 ? "block (8, 16) is too bright" : ""};
+  studies::CostRender render{.target = t, .renderer = r, .purpose = studies::Purpose::FixedCost};
   add_renders(record, render, model, 0);
-  render.purpose = studies::kOfRung;
-  for (int rung = 0; rung < kRungs; ++rung) {
-    render.spp = spp_of(rung);
-    render.rung = fmt::format("{} spp", render.spp);
-    ladder.rungs.push_back({render.rung, render.spp});
-    add_renders(record, render, model, rung);
+  render.purpose = studies::Purpose::Sweep;
+  for (int setting = 0; setting < kSettings; ++setting) {
+    render.spp = spp_of(setting);
+    render.setting = fmt::format("{} spp", render.spp);
+    sweep.settings.push_back({render.setting, render.spp});
+    add_renders(record, render, model, setting);
   }
   if (t == 0 && r == 0) {
-    render.purpose = studies::kAgain;
-    add_renders(record, render, model, kRungs - 1);
+    render.purpose = studies::Purpose::Again;
+    add_renders(record, render, model, kSettings - 1);
   }
-  record.ladders.push_back(std::move(ladder));
+  record.sweeps.push_back(std::move(sweep));
 }
 
 studies::CostRecord made_up_record() {
@@ -112,7 +114,7 @@ studies::CostRecord made_up_record() {
   record.load = 0.2;
   record.load_end = 0.4;
   for (const char* name : kRenderers)
-    record.renderers.push_back({name, fmt::format("{} 1.0", name), studies::kSampleLadder,
+    record.renderers.push_back({name, fmt::format("{} 1.0", name), studies::SweepOf::Samples,
                                 std::string(name) == "povray" ? "radiosity" : ""});
   for (std::size_t t = 0; t < kTargets.size(); ++t)
     record.targets.push_back({kTargets.at(t),
@@ -146,13 +148,14 @@ void write_images(const fs::path& folder) {
     image::write_exr(ramp_with_noise(0.0, 0),
                      folder / fmt::format("images/reference/{}.exr", kTargets.at(t)));
     for (std::size_t r = 0; r < kRenderers.size(); ++r)
-      for (int rung = 0; rung < kRungs; ++rung) {
+      for (int setting = 0; setting < kSettings; ++setting) {
         const auto model = model_of(t, r);
-        const auto image = ramp_with_noise(error_at(model, seconds_of(model, rung)), 1000 * t + 10 * r + 1);
+        const auto image =
+            ramp_with_noise(error_at(model, seconds_of(model, setting)), 1000 * t + 10 * r + 1);
         const auto stem = folder / fmt::format("images/{}/{}", kRenderers.at(r), kTargets.at(t));
         fs::create_directories(stem);
-        image::write_exr(image, stem / fmt::format("{}.exr", rung));
-        image::write_png(image::display_image(image), stem / fmt::format("{}.png", rung));
+        image::write_exr(image, stem / fmt::format("{}.exr", setting));
+        image::write_png(image::display_image(image), stem / fmt::format("{}.png", setting));
       }
   }
 }
@@ -161,7 +164,7 @@ void write_images(const fs::path& folder) {
 
 void write_cost_study(const fs::path& folder) {
   write_images(folder);
-  write_file(folder / results::kCostFile, studies::cost_json(made_up_record()));
+  write_file(folder / results::kCost.file, studies::cost_json(made_up_record()));
 }
 
 }  // namespace orbs::page_tests

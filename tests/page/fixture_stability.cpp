@@ -2,8 +2,7 @@
 
 #include "base/files.h"
 #include "image/image_io.h"
-#include "results/stability_study.h"
-#include "studies/stability/json.h"
+#include "results/study_kinds.h"
 #include "studies/stability/report.h"
 
 namespace orbs::page_tests {
@@ -26,7 +25,7 @@ StabilityStep step_of(std::size_t scene, std::size_t renderer, std::size_t relat
 
 StabilityStep broken_step(double magnitude) {
   auto step = step_of(kBlock, kCycles, kTranslate, magnitude);
-  step.outcome = studies::kBreaks;
+  step.outcome = studies::StepOutcome::Breaks;
   step.mean = -0.012;
   step.mean_error = 1e-4;
   step.block = -0.17;
@@ -43,7 +42,7 @@ void add_ladders(studies::StabilityRecord& record) {
   for (const double magnitude : {1e1, 1e2, 1e3, 1e4})
     record.steps.push_back(step_of(kBox, kCycles, kTranslate, magnitude));
   record.steps.push_back(step_of(kBox, kCycles, kTranslate, 1e5));
-  record.steps.back().outcome = studies::kNoImage;
+  record.steps.back().outcome = studies::StepOutcome::NoImage;
   record.steps.back().reason = "renderer 'cycles' crashed <b>here</b>";
   for (const double magnitude : {1e1, 1e2, 1e3})
     record.steps.push_back(step_of(kBlock, kCycles, kTranslate, magnitude));
@@ -73,10 +72,10 @@ void write_stability_study(const std::filesystem::path& folder) {
       record.steps.push_back(step_of(scene, renderer, kRotate, 1));
       record.steps.back().is_bit_equal = renderer == kOrbs;
       record.steps.push_back(step_of(scene, renderer, kGround, 1e3));
-      record.steps.back().outcome = studies::kNotApplicable;
+      record.steps.back().outcome = studies::StepOutcome::NotApplicable;
       record.steps.back().reason = "there is no ground";
     }
-  write_file(folder / results::kStabilityFile, studies::stability_json(record));
+  write_file(folder / results::kStability.file, studies::stability_json(record));
   const auto images = folder / "breaks/cycles/block/translate_matrix-10000";
   make_folder(images);
   for (const char* name : {results::kOriginalImage, results::kChangedImage, results::kDifferenceImage})

@@ -1,4 +1,4 @@
-// Any two images at one place: measures of their difference, layers, rungs of a cost study.
+// Any two images at one place: measures of their difference, layers, images of a cost study.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
@@ -135,7 +135,7 @@ test("a layer has its difference and its errors by channel beside it", async () 
   await page.close();
 });
 
-test("the rungs of a cost study stand at one place with their reference", async () => {
+test("the images of a cost study stand at one place with their reference", async () => {
   const { page, errors } = await open(
     session.browser,
     `${session.url}#/?run=cost&target=110&point=${encodeURIComponent("orbs/1")}`,
@@ -160,7 +160,7 @@ test("the rungs of a cost study stand at one place with their reference", async 
   await page.close();
 });
 
-test("a run offers the rungs of a study that is served beside it", async () => {
+test("a run offers the images of a study that is served beside it", async () => {
   const { page, errors } = await open(session.browser, "about:blank");
   await page.route("**/cost.json", async (route) => {
     const study = (await (await route.fetch()).json()) as { targets: { name: string }[] };
@@ -177,7 +177,7 @@ test("a run offers the rungs of a study that is served beside it", async () => {
   await page.goto(
     `${session.url}#/case/m1_values/values/two?run=small&more=${encodeURIComponent("orbs 3 spp@cost")}`,
   );
-  await page.getByText("orbs 3 spp@cost: the study has no such rung on this scene").waitFor();
+  await page.getByText("orbs 3 spp@cost: the study has no such image of this scene").waitFor();
   assert.deepEqual(errors, []);
   await page.close();
 });

@@ -1,7 +1,7 @@
 import { seconds } from "./common/format";
 import { runQuery, type Session } from "./common/session";
 import type { Source } from "./data/source";
-import type { Host } from "./data/types";
+import type { Host } from "./data/generated";
 import { go, routeText, type Route } from "./route";
 
 /** What the header says of a study of any kind. */
@@ -10,7 +10,7 @@ interface StudyFacts {
   suite: string;
   started: string;
   orbs_version: string;
-  host: Host;
+  host?: Host;
   size?: string;
 }
 
@@ -27,7 +27,7 @@ interface Props {
 
 export function Header({ source, run: index, session, study, route, onHelp }: Props) {
   const kind = source.kinds[index];
-  const isStudy = kind === "cost" || kind === "stability";
+  const isStudy = kind !== undefined && kind !== "run";
   const [view = ""] = isStudy ? [] : route.path;
   const query = runQuery(source, index);
   const link = (path: string[], label: string) => (
@@ -44,7 +44,7 @@ export function Header({ source, run: index, session, study, route, onHelp }: Pr
       <nav aria-label="Views">
         <span class="brand">orbs</span>
         {isStudy ? (
-          link([], kind === "cost" ? "Cost" : "Stability")
+          link([], `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`)
         ) : (
           <>
             {link([], "Overview")}
@@ -102,7 +102,7 @@ function studyText(study: StudyFacts): string {
     ...size,
     study.suite,
     study.started.replace("T", " "),
-    `${host.name} (${host.cores} cores)`,
+    ...(host ? [`${host.name} (${host.cores} cores)`] : []),
     `orbs ${study.orbs_version}`,
   ].join(" · ");
 }

@@ -15,8 +15,8 @@ namespace orbs::studies {
 struct CostSettings {
   double target_db = 35;         // of psnr_srgb8, that the curves are to cross
   double budget_seconds = 1200;  // wall clock of the whole study
-  int seeds = 4;                 // renders of each rung
-  int rungs = 5;                 // of each curve, each with twice the samples of the one before
+  int seeds = 4;                 // renders of each setting
+  int points = 5;                // of each curve, each with twice the samples of the one before
   int threads = 0;               // of each render; 0: all cores
   int order_seed = 1;            // of the order of the renders
 };
@@ -26,19 +26,26 @@ void fields(Visitor& visit, Record& settings) {
   visit("target_db", settings.target_db);
   visit("budget_seconds", settings.budget_seconds);
   visit.at_least("seeds", settings.seeds, 1);
-  visit.at_least("rungs", settings.rungs, 1);
+  visit.at_least("points", settings.points, 1);
   visit.at_least("threads", settings.threads, 0);
   visit("order_seed", settings.order_seed);
 }
 
-/// The two kinds of ladder: more and more samples, or the settings that the configuration lists.
-inline constexpr const char* kSampleLadder = "samples";
-inline constexpr const char* kSettingsLadder = "settings";
+/// What a sweep varies.
+enum class SweepOf {
+  Samples,   // samples per pixel
+  Settings,  // the settings that the configuration lists
+};
+
+inline constexpr auto names(SweepOf) {
+  return std::array{results::Named{SweepOf::Samples, "samples"},
+                    results::Named{SweepOf::Settings, "settings"}};
+}
 
 struct CostRenderer {
   std::string name;
   std::string version;
-  std::string ladder;  // kSampleLadder or kSettingsLadder
+  SweepOf sweep = SweepOf::Samples;
   std::string biased;  // why no time makes it right; "" where nothing is known
 };
 
@@ -46,7 +53,7 @@ template <class Visitor, results::RecordOf<CostRenderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name);
   visit("version", renderer.version);
-  visit("ladder", renderer.ladder);
+  visit("sweep", renderer.sweep);
   visit("biased", renderer.biased);
 }
 
@@ -85,51 +92,54 @@ void fields(Visitor& visit, Record& target) {
   visit("reference_noise", target.reference_noise);
 }
 
-struct CostRung {
-  std::string name;  // "64 spp", or that of the setting
+/// One setting of a sweep: a sample count, or one that the configuration lists.
+struct SweepSetting {
+  std::string name;  // "64 spp", or that of the configuration
   int spp = 1;
 };
 
-template <class Visitor, results::RecordOf<CostRung> Record>
-void fields(Visitor& visit, Record& rung) {
-  visit.required("rung", rung.name);
-  visit.at_least("spp", rung.spp, 1);
+template <class Visitor, results::RecordOf<SweepSetting> Record>
+void fields(Visitor& visit, Record& setting) {
+  visit.required("name", setting.name);
+  visit.at_least("spp", setting.spp, 1);
 }
 
-/// The rungs that one renderer climbs on one target.
-struct CostLadder {
+/// The settings by which one renderer renders one target, from the fastest to the most accurate.
+struct Sweep {
   std::size_t target = 0;
   std::size_t renderer = 0;
-  std::vector<CostRung> rungs;
-  std::string note;     // "the budget ends at 256 spp; 35 dB would need about 40 s"
-  std::string finding;  // what the gates of the case say of the last rung's first image, unless it is right
+  std::vector<SweepSetting> settings;
+  std::string note;  // "the budget ends at 256 spp; 35 dB would need about 40 s"
+  std::string
+      finding;  // what the gates of the case say of the last setting's first image, unless it is right
 };
 
-template <class Visitor, results::RecordOf<CostLadder> Record>
-void fields(Visitor& visit, Record& ladder) {
-  visit.required("target", ladder.target);
-  visit.required("renderer", ladder.renderer);
-  visit("rungs", ladder.rungs);
-  visit("note", ladder.note);
-  visit("finding", ladder.finding);
+template <class Visitor, results::RecordOf<Sweep> Record>
+void fields(Visitor& visit, Record& sweep) {
+  visit.required("target", sweep.target);
+  visit.required("renderer", sweep.renderer);
+  visit("settings", sweep.settings);
+  visit("note", sweep.note);
+  visit("finding", sweep.finding);
 }
 
-/// What a render was made for. Fixed: 4 x 4 px (Blender renders no fewer) with kFixedSpp samples, so what is
-/// left is the cost of starting, reading and building. Again: the rung once more, for the comparison of the
-/// renderer with itself.
-inline constexpr const char* kOfRung = "rung";
-inline constexpr const char* kFixed = "fixed";
-inline constexpr const char* kAgain = "again";
+/// What a render is made for.
+enum class Purpose {
+  Sweep,      // a point of a curve
+  FixedCost,  // 4 x 4 px (Blender renders no fewer) with few samples: the cost of starting, reading, building
+  Again,      // the setting once more, for the comparison of the renderer with itself
+};
 
-/// Some renderers refuse fewer samples than the independent blocks that they are told to make. The 128
-/// samples of 4 x 4 px take less than a millisecond.
-inline constexpr int kFixedSpp = 8;
+inline constexpr auto names(Purpose) {
+  return std::array{results::Named{Purpose::Sweep, "sweep"}, results::Named{Purpose::FixedCost, "fixed"},
+                    results::Named{Purpose::Again, "again"}};
+}
 
 struct CostRender {
   std::size_t target = 0;
   std::size_t renderer = 0;
-  std::string purpose = kOfRung;
-  std::string rung = {};  // its name; "" for the fixed cost
+  Purpose purpose = Purpose::Sweep;
+  std::string setting = {};  // its name; "" for the fixed cost
   int spp = 1;
   int seed = 1;
   int order = 0;  // counts the renders of the study as they were made
@@ -145,7 +155,7 @@ void fields(Visitor& visit, Record& render) {
   visit.required("target", render.target);
   visit.required("renderer", render.renderer);
   visit("purpose", render.purpose);
-  visit("rung", render.rung);
+  visit("setting", render.setting);
   visit("spp", render.spp);
   visit("seed", render.seed);
   visit("order", render.order);
@@ -171,7 +181,7 @@ struct CostRecord {
   double load_end = 0;  // when it ended
   std::vector<CostRenderer> renderers;
   std::vector<CostTarget> targets;
-  std::vector<CostLadder> ladders;
+  std::vector<Sweep> sweeps;
   std::vector<CostRender> renders;
 };
 
@@ -188,14 +198,8 @@ void fields(Visitor& visit, Record& record) {
   visit("load_end", record.load_end);
   visit("renderers", record.renderers);
   visit("targets", record.targets);
-  visit("ladders", record.ladders);
+  visit("sweeps", record.sweeps);
   visit("renders", record.renders);
 }
-
-/// The image of the first seed of a rung, relative to the study's folder; `ending`: "exr" or "png".
-std::string image_file(const CostRecord& record,
-                       const CostLadder& ladder,
-                       std::size_t rung,
-                       const char* ending);
 
 }  // namespace orbs::studies

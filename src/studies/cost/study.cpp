@@ -7,16 +7,16 @@
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "registry/image_size.h"
-#include "results/cost_study.h"
+#include "results/study_kinds.h"
 #include "run/host.h"
 #include "run/renderer_version.h"
-#include "studies/cost/json.h"
-#include "studies/cost/pilot.h"
-#include "studies/cost/render.h"
-#include "studies/cost/tasks.h"
+#include "studies/cost/measure.h"
+#include "studies/cost/report.h"
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <random>
 #include <set>
 
 #include <fmt/format.h>
@@ -25,40 +25,105 @@ namespace orbs::studies {
 
 namespace {
 
+// A render to be made.
+struct CostTask {
+  CostRender render;  // without what is measured
+  std::size_t sweep = 0;
+  std::size_t setting = 0;
+  bool is_first = false;  // its image is kept
+};
+
+// The sweep of the comparison of a renderer with itself: the first renderer's fastest, so that it is there
+// early. By the samples of its last setting, the time of which is what is compared.
+std::optional<std::size_t> self_sweep(const CostRecord& record) {
+  std::optional<std::size_t> fastest;
+  double least = 0;
+  for (std::size_t i = 0; i < record.sweeps.size(); ++i) {
+    const auto& sweep = record.sweeps[i];
+    if (sweep.renderer != 0 || sweep.settings.empty()) continue;
+    const auto& target = record.targets[sweep.target];
+    const double samples =
+        static_cast<double>(sweep.settings.back().spp) * target.width_px * target.height_px;
+    if (fastest && samples >= least) continue;
+    fastest = i;
+    least = samples;
+  }
+  return fastest;
+}
+
+// One seed of every setting of every sweep, of each fixed cost, and of the setting of the comparison of the
+// first renderer with itself; shuffled by the study's seed and the round, so that drift of the machine hits
+// all alike.
+std::vector<CostTask> tasks_of_round(const CostRecord& record, int round) {
+  std::vector<CostTask> tasks;
+  constexpr int kSeedsOfSetting =
+      1000;  // so that no two settings share a seed: nested samples are not independent
+  const auto self = self_sweep(record);
+  for (std::size_t i = 0; i < record.sweeps.size(); ++i) {
+    const auto& sweep = record.sweeps[i];
+    if (sweep.settings.empty()) continue;
+    CostRender wanted{
+        .target = sweep.target, .renderer = sweep.renderer, .purpose = Purpose::FixedCost, .seed = 1 + round};
+    tasks.push_back({wanted, i, 0, false});
+    wanted.purpose = Purpose::Sweep;
+    for (std::size_t setting = 0; setting < sweep.settings.size(); ++setting) {
+      wanted.setting = sweep.settings[setting].name;
+      wanted.spp = sweep.settings[setting].spp;
+      wanted.seed = 1 + round + kSeedsOfSetting * (1 + static_cast<int>(setting));
+      tasks.push_back({wanted, i, setting, round == 0});
+    }
+    if (self != i) continue;
+    wanted.purpose = Purpose::Again;
+    wanted.seed += kSeedsOfSetting;
+    tasks.push_back({wanted, i, sweep.settings.size() - 1, false});
+  }
+  std::mt19937 random(static_cast<unsigned>(record.settings.order_seed) * 1000U +
+                      static_cast<unsigned>(round));
+  for (std::size_t i = tasks.size(); i > 1; --i) std::swap(tasks[i - 1], tasks[random() % i]);
+  return tasks;
+}
+
+bool is_done(const CostRecord& record, const CostRender& wanted) {
+  return std::any_of(record.renders.begin(), record.renders.end(), [&](const CostRender& render) {
+    return render.target == wanted.target && render.renderer == wanted.renderer &&
+           render.purpose == wanted.purpose && render.setting == wanted.setting && render.seed == wanted.seed;
+  });
+}
+
 using Clock = std::chrono::steady_clock;
 
 struct Progress {
-  CostStudy& study;
+  CostMeasurement& study;
   Clock::time_point begin = Clock::now();
   Clock::time_point stored = Clock::now();
-  std::set<std::size_t> failed = {};  // ladders that have ended
+  std::set<std::size_t> failed = {};  // sweeps that have ended
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 };
 
-void store(const CostStudy& study) {
-  write_file(study.request.folder / results::kCostFile, cost_json(study.record));
+void store(const CostMeasurement& study) {
+  write_file(study.request.folder / results::kCost.file, cost_json(study.record));
 }
 
 // False when the user interrupts.
 bool do_task(Progress& progress, const CostTask& task) {
   auto& study = progress.study;
   auto& record = study.record;
-  auto& ladder = record.ladders[task.ladder];
-  if (progress.failed.contains(task.ladder) || is_done(record, task.render)) return true;
+  auto& sweep = record.sweeps[task.sweep];
+  if (progress.failed.contains(task.sweep) || is_done(record, task.render)) return true;
   try {
     const auto made =
-        measured_render(study, task.render, task.is_first ? std::optional(task.rung) : std::nullopt);
+        measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
     if (!made) return false;
     record.renders.push_back(*made);
-    study.context.say(fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s", progress.seconds(),
-                                  record.renderers[ladder.renderer].name, record.targets[ladder.target].name,
-                                  task.render.purpose == kFixed ? "fixed cost" : task.render.rung,
-                                  made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "",
-                                  made->cpu_seconds));
+    study.context.say(
+        fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s", progress.seconds(),
+                    record.renderers[sweep.renderer].name, record.targets[sweep.target].name,
+                    task.render.purpose == Purpose::FixedCost ? "fixed cost" : task.render.setting,
+                    made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds));
   } catch (const InputError& e) {
-    progress.failed.insert(task.ladder);
-    ladder.note = fmt::format("{}{}{}", ladder.note, ladder.note.empty() ? "" : "; ", e.what());
+    progress.failed.insert(task.sweep);
+    sweep.note = fmt::format("{}{}{}", sweep.note, sweep.note.empty() ? "" : "; ", e.what());
   }
   constexpr auto kStoreEvery = std::chrono::seconds(5);
   if (Clock::now() - progress.stored > kStoreEvery) {
@@ -89,12 +154,13 @@ bool render_rounds(Progress& progress) {
 }
 
 // What can be named of an error that more time may not cure.
-void judge_last_rungs(CostStudy& study) {
-  for (auto& ladder : study.record.ladders) {
-    if (ladder.rungs.empty()) continue;
-    const auto& subject = study.subjects[ladder.target];
-    const auto& entry = study.plan.renderers[ladder.renderer].entry;
-    const auto file = study.request.folder / image_file(study.record, ladder, ladder.rungs.size() - 1, "exr");
+void judge_last_settings(CostMeasurement& study) {
+  for (auto& sweep : study.record.sweeps) {
+    if (sweep.settings.empty()) continue;
+    const auto& subject = study.subjects[sweep.target];
+    const auto& entry = study.plan.renderers[sweep.renderer].entry;
+    const auto file =
+        study.request.folder / image_file(study.record, sweep, sweep.settings.size() - 1, "exr");
     if (!no_file_problem(file).empty()) continue;
     results::TargetRecord judged;
     judged.target = subject.target.name;
@@ -103,16 +169,16 @@ void judge_last_rungs(CostStudy& study) {
     if (entry.sampling.is_noise_free) settings.result_noise = metrics::ResultNoise::NoiseFree;
     judge::judge_image(*subject.one_case, image::read_image(file), {{}, subject.reference, ""}, settings,
                        judged);
-    ladder.finding = judged.verdict == results::Verdict::Pass ? "" : judged.reason;
-    for (const auto& remark : judged.remarks) ladder.finding += (ladder.finding.empty() ? "" : "; ") + remark;
+    sweep.finding = judged.verdict == results::Verdict::Pass ? "" : judged.reason;
+    for (const auto& remark : judged.remarks) sweep.finding += (sweep.finding.empty() ? "" : "; ") + remark;
   }
 }
 
-void describe_renderers(CostStudy& study) {
+void describe_renderers(CostMeasurement& study) {
   for (const auto& chosen : study.plan.renderers)
     study.record.renderers.push_back(
         {chosen.entry.name, run::renderer_version(chosen, study.plan, {.say = study.context.say}),
-         chosen.entry.timing.cost_ladder.empty() ? kSampleLadder : kSettingsLadder,
+         chosen.entry.timing.cost_ladder.empty() ? SweepOf::Samples : SweepOf::Settings,
          chosen.entry.sampling.biased});
 }
 
@@ -129,7 +195,7 @@ CostRecord measure_cost(const run::Plan& plan,
                         const CostRequest& request,
                         CostRecord record,
                         const StudyContext& context) {
-  CostStudy study{plan, request, context, std::move(record), {}};
+  CostMeasurement study{plan, request, context, std::move(record), {}};
   Progress progress{study};
   const auto earlier = std::move(study.record.targets);
   study.record.targets.clear();
@@ -139,7 +205,7 @@ CostRecord measure_cost(const run::Plan& plan,
   study.subjects = load_cost_subjects(plan, request.folder);
   for (const auto& subject : study.subjects) study.record.targets.push_back(subject.target);
   check_targets(study.record, earlier);
-  if (study.record.ladders.empty()) {
+  if (study.record.sweeps.empty()) {
     study.record.orbs_version = context.orbs_version;
     study.record.started = local_time_now();
     study.record.suite = plan.suite.name;
@@ -147,10 +213,10 @@ CostRecord measure_cost(const run::Plan& plan,
     study.record.host = run::this_host();
     study.record.load = run::load_average();
     describe_renderers(study);
-    if (!choose_rungs(study, request.settings.budget_seconds)) return study.record;
+    if (!find_sweeps(study, request.settings.budget_seconds)) return study.record;
   }
   study.record.is_finished = render_rounds(progress);
-  judge_last_rungs(study);
+  judge_last_settings(study);
   study.record.load_end = run::load_average();
   store(study);
   return study.record;

@@ -3,19 +3,25 @@
 #include "run/plan/plan.h"
 #include "studies/context.h"
 #include "studies/cost/record.h"
-#include "studies/cost/render.h"
 
 #include <filesystem>
 #include <vector>
 
-/// What accuracy costs in time: renderers climb ladders of quality on the scenes of a plan.
+/// What accuracy costs in time: each renderer renders each scene of a plan with more and more samples, or
+/// with one setting after the other.
 namespace orbs::studies {
 
-/// Renders in rounds, one seed of every rung in each, in an order that is shuffled by a recorded seed so that
-/// drift of the machine hits all alike. One render at a time; all with the same number of threads, and bound
-/// to as many cores. Writes the record, and what follows from it, into the folder as it goes on. `record`
-/// holds what an interrupted study of the same plan had measured: its ladders stay, and no render is made
-/// twice. is_finished is false when the user interrupts. A renderer that fails on a scene ends its ladder
+struct CostRequest {
+  CostSettings settings;
+  std::vector<int> samples;      // per pixel, of every sweep by samples; none: chosen by pilot renders
+  std::filesystem::path folder;  // of the study; it exists
+};
+
+/// Renders in rounds, one seed of every setting in each, in an order that is shuffled by a recorded seed so
+/// that drift of the machine hits all alike. One render at a time; all with the same number of threads, and
+/// bound to as many cores. Writes the record, and what follows from it, into the folder as it goes on.
+/// `record` holds what an interrupted study of the same plan had measured: its sweeps stay, and no render is
+/// made twice. is_finished is false when the user interrupts. A renderer that fails on a scene ends its sweep
 /// there, with the reason in its note. InputError when a target has no reference or nothing can be rendered.
 CostRecord measure_cost(const run::Plan& plan,
                         const CostRequest& request,

@@ -1,5 +1,6 @@
 #include "studies/stability/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orbs::studies {
@@ -9,7 +10,9 @@ namespace {
 // Distance of a magnitude from one, in decades: the same for a ladder upwards and one downwards.
 double decades_of(double magnitude) { return std::fabs(std::log10(magnitude)); }
 
-bool is_break(const StabilityStep& step) { return step.outcome == kBreaks || step.outcome == kNoImage; }
+bool is_break(const StabilityStep& step) {
+  return step.outcome == StepOutcome::Breaks || step.outcome == StepOutcome::NoImage;
+}
 
 // What the steps of one ladder say, which follow each other in the record from the easiest to the hardest.
 struct Ladder {
@@ -25,13 +28,13 @@ Ladder ladder_of(const StabilityRecord& record, std::size_t scene, const Stabili
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
     const auto& step = record.steps[i];
     if (step.scene != scene || step.renderer != cell.renderer || step.relation != cell.relation ||
-        step.outcome == kNotApplicable)
+        step.outcome == StepOutcome::NotApplicable)
       continue;
     ladder.is_measured = true;
     ladder.is_bit_equal = ladder.is_bit_equal && step.is_bit_equal;
-    if (step.outcome == kTooNoisy) ladder.is_inconclusive = true;
+    if (step.outcome == StepOutcome::Inconclusive) ladder.is_inconclusive = true;
     if (is_break(step) && !ladder.first_break) ladder.first_break = i;
-    if (step.outcome == kHolds && !ladder.first_break && !ladder.is_inconclusive)
+    if (step.outcome == StepOutcome::Holds && !ladder.first_break && !ladder.is_inconclusive)
       ladder.held_to = step.magnitude;
   }
   return ladder;
@@ -46,9 +49,10 @@ void add(const StabilityRecord& record, const Ladder& ladder, StabilityCell& cel
     cell.held_to = ladder.held_to;
   }
   if (!ladder.first_break) return;
-  const auto magnitude_at = [&](std::size_t step) { return decades_of(record.steps[step].magnitude); };
-  if (!cell.first_break || magnitude_at(*ladder.first_break) < magnitude_at(*cell.first_break))
-    cell.first_break = ladder.first_break;
+  const auto& step = record.steps[*ladder.first_break];
+  if (!cell.first_break || decades_of(step.magnitude) < decades_of(cell.first_break->magnitude))
+    cell.first_break = FirstBreak{step.magnitude, record.scenes[step.scene].name, step.outcome,
+                                  step.confidence, step.reason};
 }
 
 }  // namespace
@@ -60,6 +64,8 @@ std::vector<StabilityCell> stability_cells(const StabilityRecord& record) {
       StabilityCell cell;
       cell.relation = relation;
       cell.renderer = renderer;
+      cell.relation_name = record.relations[relation].name;
+      cell.renderer_name = record.renderers[renderer].name;
       cell.is_bit_equal = true;
       for (std::size_t scene = 0; scene < record.scenes.size(); ++scene) {
         const auto ladder = ladder_of(record, scene, cell);
@@ -68,9 +74,18 @@ std::vector<StabilityCell> stability_cells(const StabilityRecord& record) {
         cell.is_bit_equal = cell.is_bit_equal && ladder.is_bit_equal;
         add(record, ladder, cell);
       }
+      cell.is_bit_equal = cell.is_bit_equal && cell.scenes > 0;
       cells.push_back(cell);
     }
   return cells;
+}
+
+bool all_hold(const StabilityRecord& record) {
+  const auto is = [&](StepOutcome outcome) {
+    return std::any_of(record.steps.begin(), record.steps.end(),
+                       [&](const auto& step) { return step.outcome == outcome; });
+  };
+  return is(StepOutcome::Holds) && !is(StepOutcome::Breaks) && !is(StepOutcome::NoImage);
 }
 
 }  // namespace orbs::studies

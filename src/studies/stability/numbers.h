@@ -4,23 +4,59 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace orbs::studies {
 
+/// The easiest step of a cell that broke.
+struct FirstBreak {
+  double magnitude = 1;
+  std::string scene;
+  StepOutcome outcome = StepOutcome::Breaks;
+  double confidence = 0;
+  std::string reason;
+};
+
+template <class Visitor, results::RecordOf<FirstBreak> Record>
+void fields(Visitor& visit, Record& first) {
+  visit("magnitude", first.magnitude);
+  visit("scene", first.scene);
+  visit("outcome", first.outcome);
+  visit("confidence", first.confidence);
+  visit("reason", first.reason);
+}
+
 /// How far one renderer follows one relation, over all scenes.
 struct StabilityCell {
-  std::size_t relation = 0;
+  std::size_t relation = 0;  // index of the record's, with its name
   std::size_t renderer = 0;
-  int scenes = 0;                          // on which it was measured
-  std::optional<double> held_to;           // of a ladder: the magnitude up to which it held on all of them
-  std::optional<double> decades;           // of a ladder: |log10| of that; 0 if the first step broke
-  std::optional<std::size_t> first_break;  // index of the step; the easiest one that broke
-  bool is_bit_equal = false;               // of all steps
-  int inconclusive = 0;                    // scenes whose noise hides what happens
+  std::string relation_name;
+  std::string renderer_name;
+  int scenes = 0;                 // on which it was measured
+  std::optional<double> held_to;  // of a ladder: the magnitude up to which it held on all of them
+  std::optional<double> decades;  // of a ladder: |log10| of that; 0 if the first step broke
+  std::optional<FirstBreak> first_break;
+  bool is_bit_equal = false;  // all steps of all scenes are
+  int inconclusive = 0;       // scenes whose noise hides what happens
 };
+
+template <class Visitor, results::RecordOf<StabilityCell> Record>
+void fields(Visitor& visit, Record& cell) {
+  visit("relation", cell.relation_name);
+  visit("renderer", cell.renderer_name);
+  visit("scenes", cell.scenes);
+  visit("bit_equal", cell.is_bit_equal);
+  visit("inconclusive", cell.inconclusive);
+  visit("held_to", cell.held_to);
+  visit("decades", cell.decades);
+  visit("first_break", cell.first_break);
+}
 
 /// One cell for each relation and renderer, by relation and then by renderer.
 std::vector<StabilityCell> stability_cells(const StabilityRecord& record);
+
+/// True if no step broke and something was measured.
+bool all_hold(const StabilityRecord& record);
 
 }  // namespace orbs::studies

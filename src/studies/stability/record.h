@@ -53,7 +53,7 @@ void fields(Visitor& visit, Record& scene) {
   visit.required("name", scene.name);
 }
 
-/// A relation that the study measured, see stability_relation.h.
+/// A relation that the study measured, see relation.h.
 struct StabilityRelationRecord {
   std::string name;
   std::string change;
@@ -74,12 +74,15 @@ void fields(Visitor& visit, Record& relation) {
 /// The relation of single and double precision, see RenderChange::Precision.
 inline constexpr const char* kPrecisionRelation = "precision";
 
-/// Outcomes of a step.
-inline constexpr const char* kHolds = "holds";
-inline constexpr const char* kBreaks = "breaks";
-inline constexpr const char* kNoImage = "no image";
-inline constexpr const char* kTooNoisy = "inconclusive";
-inline constexpr const char* kNotApplicable = "not applicable";
+enum class StepOutcome { Holds, Breaks, NoImage, Inconclusive, NotApplicable };
+
+inline constexpr auto names(StepOutcome) {
+  return std::array{results::Named{StepOutcome::Holds, "holds"},
+                    results::Named{StepOutcome::Breaks, "breaks"},
+                    results::Named{StepOutcome::NoImage, "no image"},
+                    results::Named{StepOutcome::Inconclusive, "inconclusive"},
+                    results::Named{StepOutcome::NotApplicable, "not applicable"}};
+}
 
 /// One relation at one magnitude, on one scene, by one renderer.
 struct StabilityStep {
@@ -87,8 +90,8 @@ struct StabilityStep {
   std::size_t renderer = 0;
   std::size_t relation = 0;
   double magnitude = 1;
-  std::string outcome = kHolds;
-  std::string reason = {};    // of an outcome other than kHolds
+  StepOutcome outcome = StepOutcome::Holds;
+  std::string reason = {};    // of an outcome other than Holds
   bool is_bit_equal = false;  // all pairs of images are
   double mean = 0;            // relative to the mean of the original image
   double mean_error = 0;      // standard error

@@ -1,7 +1,6 @@
 #include "studies/stability/report.h"
 
 #include "base/text_table.h"
-#include "studies/stability/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,8 @@ std::string cell_text(const StabilityRecord& record, const StabilityCell& cell) 
   const auto text_of = [&](double magnitude) { return magnitude_text(magnitude, relation.unit); };
   std::string text;
   if (cell.first_break) {
-    const auto& step = record.steps[*cell.first_break];
-    const std::string what = step.outcome == kNoImage ? "no image" : "breaks";
+    const auto& step = *cell.first_break;
+    const std::string what = step.outcome == StepOutcome::NoImage ? "no image" : "breaks";
     if (!relation.is_ladder)
       text = what;
     else if (cell.held_to)
@@ -59,17 +58,18 @@ std::vector<TableRow> break_rows(const StabilityRecord& record) {
   std::vector<TableRow> rows{{"renderer", "relation", "at", "scene", "what happens"}};
   for (const auto& cell : stability_cells(record)) {
     if (!cell.first_break) continue;
-    const auto& step = record.steps[*cell.first_break];
-    const auto& relation = record.relations[step.relation];
-    rows.push_back({record.renderers[step.renderer].name, relation.name,
-                    relation.is_ladder ? magnitude_text(step.magnitude, relation.unit) : "",
-                    record.scenes[step.scene].name, step.reason});
+    const auto& first = *cell.first_break;
+    const auto& relation = record.relations[cell.relation];
+    rows.push_back({cell.renderer_name, relation.name,
+                    relation.is_ladder ? magnitude_text(first.magnitude, relation.unit) : "", first.scene,
+                    first.reason});
   }
   return rows;
 }
 
 bool shows_single_pixels(const StabilityRecord& record, const StabilityStep& step) {
-  return record.relations[step.relation].name == kPrecisionRelation && step.outcome != kNotApplicable;
+  return record.relations[step.relation].name == kPrecisionRelation &&
+         step.outcome != StepOutcome::NotApplicable;
 }
 
 // Scenes by double precision, the most sensitive first.
@@ -83,7 +83,7 @@ std::vector<TableRow> precision_rows(const StabilityRecord& record) {
   for (const auto* step : steps)
     rows.push_back({record.renderers[step->renderer].name, record.scenes[step->scene].name,
                     fmt::format("{:.2g} %", 100 * step->pixels), fmt::format("{:+.2g} %", 100 * step->mean),
-                    step->outcome});
+                    std::string(json::to_text(step->outcome))});
   return rows;
 }
 

@@ -8,13 +8,12 @@
 #include "image/colour.h"
 #include "image/false_colour.h"
 #include "image/image_io.h"
-#include "results/stability_study.h"
+#include "results/study_kinds.h"
 #include "run/host.h"
 #include "run/renderer_version.h"
 #include "studies/effects/paired_difference.h"
 #include "studies/probe/scene.h"
 #include "studies/stability/images.h"
-#include "studies/stability/json.h"
 #include "studies/stability/report.h"
 
 #include <algorithm>
@@ -26,21 +25,21 @@ namespace orbs::studies {
 
 namespace {
 
-struct StabilityStudy {
+struct StabilityMeasurement {
   const run::Plan& plan;
   const StabilityRequest& request;
   const StudyContext& context;
   StabilityRecord record;
 };
 
-void store(const StabilityStudy& study) {
-  write_file(study.request.folder / results::kStabilityFile, stability_json(study.record));
+void store(const StabilityMeasurement& study) {
+  write_file(study.request.folder / results::kStability.file, stability_json(study.record));
 }
 
 const StabilityStep* find_step(const StabilityRecord& record, const StabilityStep& wanted) {
   for (const auto& step : record.steps)
     if (step.scene == wanted.scene && step.renderer == wanted.renderer && step.relation == wanted.relation &&
-        (step.magnitude == wanted.magnitude || step.outcome == kNotApplicable))
+        (step.magnitude == wanted.magnitude || step.outcome == StepOutcome::NotApplicable))
       return &step;
   return nullptr;
 }
@@ -71,25 +70,25 @@ void judge(const StabilitySettings& settings,
   // Four standard errors of that size would hide an error of one percent.
   constexpr double kMostNoise = 0.0025;
   if (mean_is_off || block_is_off) {
-    step.outcome = kBreaks;
+    step.outcome = StepOutcome::Breaks;
     step.reason = break_text(step);
   } else if (relation.of_scenes.is_exact && !found.is_equal) {
-    step.outcome = kBreaks;
+    step.outcome = StepOutcome::Breaks;
     step.reason = "the images differ within noise, but they must be equal to the bit";
     step.confidence = 1;
   } else if (relation.render == RenderChange::Precision && found.pixels > settings.pixels_bound) {
-    step.outcome = kBreaks;
+    step.outcome = StepOutcome::Breaks;
     step.reason = fmt::format("single pixels differ by {:.2g} % in the mean: rounding decides what they show",
                               100 * found.pixels);
     step.confidence = 1;
   } else if (found.mean.standard_error > kMostNoise) {
-    step.outcome = kTooNoisy;
+    step.outcome = StepOutcome::Inconclusive;
     step.reason = fmt::format("the standard error of the mean is {:.2g} %: more samples are needed",
                               100 * found.mean.standard_error);
   }
 }
 
-void keep_images(const StabilityStudy& study,
+void keep_images(const StabilityMeasurement& study,
                  const std::vector<image::Image>& original,
                  const std::vector<image::Image>& changed,
                  StabilityStep& step) {
@@ -105,7 +104,7 @@ void keep_images(const StabilityStudy& study,
 }
 
 // Fills in the outcome of one step. False when the user interrupts. `is_first_break`: no easier step broke.
-bool measure_step(const StabilityStudy& study,
+bool measure_step(const StabilityMeasurement& study,
                   StabilityImages& images,
                   const scene::RelatedScenes& scenes,
                   bool is_first_break,
@@ -120,18 +119,18 @@ bool measure_step(const StabilityStudy& study,
     for (auto& image : *changed) image = original_of(image, scenes.image);
     judge(study.request.settings, relation, paired_difference(*original, *changed), step);
     const bool is_condition_map = relation.render == RenderChange::Precision && !step.is_bit_equal;
-    if (is_condition_map || (step.outcome == kBreaks && is_first_break))
+    if (is_condition_map || (step.outcome == StepOutcome::Breaks && is_first_break))
       keep_images(study, *original, *changed, step);
   } catch (const InputError& e) {
-    step.outcome = kNoImage;
+    step.outcome = StepOutcome::NoImage;
     step.reason = clean_line(split(e.what(), '\n').front());
   }
-  if (step.outcome == kHolds) remove_tree(folder);
+  if (step.outcome == StepOutcome::Holds) remove_tree(folder);
   return true;
 }
 
 // Why the renderer has no such change of rendering; "" where it has.
-std::string_view missing_change(const StabilityStudy& study, const StabilityStep& step) {
+std::string_view missing_change(const StabilityMeasurement& study, const StabilityStep& step) {
   const auto render = study.request.relations[step.relation].render;
   const auto& entry = study.plan.renderers[step.renderer].entry;
   const bool is_of_noise = render == RenderChange::Seed || render == RenderChange::TwoHalves;
@@ -141,15 +140,18 @@ std::string_view missing_change(const StabilityStudy& study, const StabilityStep
   return "";
 }
 
-void say_step(const StabilityStudy& study, const StabilityStep& step) {
+void say_step(const StabilityMeasurement& study, const StabilityStep& step) {
   study.context.say(
       fmt::format("{:<10} {:<16} {:<18} {:>8.4g}  {}{}{}", study.record.renderers[step.renderer].name,
                   study.record.scenes[step.scene].name, study.record.relations[step.relation].name,
-                  step.magnitude, step.outcome, step.reason.empty() ? "" : ": ", step.reason));
+                  step.magnitude, json::to_text(step.outcome), step.reason.empty() ? "" : ": ", step.reason));
 }
 
 // The steps of one relation on one scene by one renderer. False when the user interrupts.
-bool climb(StabilityStudy& study, StabilityImages& images, const scene::Scene& scene, StabilityStep step) {
+bool climb(StabilityMeasurement& study,
+           StabilityImages& images,
+           const scene::Scene& scene,
+           StabilityStep step) {
   const auto& relation = study.request.relations[step.relation].of_scenes;
   int broken = 0;
   for (const double magnitude : relation.magnitudes) {
@@ -164,7 +166,7 @@ bool climb(StabilityStudy& study, StabilityImages& images, const scene::Scene& s
       if (const auto* reason = std::get_if<std::string>(&related)) {
         // A ladder may end at what the scene format allows; that says nothing of the renderer.
         if (magnitude != relation.magnitudes.front()) return true;
-        made.outcome = kNotApplicable;
+        made.outcome = StepOutcome::NotApplicable;
         made.reason = *reason;
       } else if (!measure_step(study, images, std::get<scene::RelatedScenes>(related), broken == 0, made)) {
         return false;
@@ -173,14 +175,14 @@ bool climb(StabilityStudy& study, StabilityImages& images, const scene::Scene& s
       say_step(study, made);
       store(study);
     }
-    if (made.outcome == kNotApplicable) return true;
-    broken = made.outcome == kBreaks || made.outcome == kNoImage ? broken + 1 : 0;
+    if (made.outcome == StepOutcome::NotApplicable) return true;
+    broken = made.outcome == StepOutcome::Breaks || made.outcome == StepOutcome::NoImage ? broken + 1 : 0;
     if (broken == 2) return true;
   }
   return true;
 }
 
-void describe(StabilityStudy& study) {
+void describe(StabilityMeasurement& study) {
   auto& record = study.record;
   record.orbs_version = study.context.orbs_version;
   record.started = local_time_now();
@@ -199,8 +201,8 @@ void describe(StabilityStudy& study) {
 }
 
 // An interrupted study goes on with the same scenes, renderers, relations and settings.
-void check_earlier(const StabilityStudy& study) {
-  StabilityStudy now{study.plan, study.request, study.context, {}};
+void check_earlier(const StabilityMeasurement& study) {
+  StabilityMeasurement now{study.plan, study.request, study.context, {}};
   describe(now);
   const auto names = [](const auto& items) {
     std::vector<std::string> out;
@@ -224,7 +226,7 @@ std::string unsupported(const run::ChosenRenderer& renderer, const scene::Scene&
 }
 
 // False when the user interrupts.
-bool measure_pair(StabilityStudy& study, std::size_t scene_index, std::size_t renderer_index) {
+bool measure_pair(StabilityMeasurement& study, std::size_t scene_index, std::size_t renderer_index) {
   const auto& renderer = study.plan.renderers[renderer_index];
   auto scene = *study.plan.scenes[scene_index].scene;
   fit_camera(scene.camera, study.request.settings.size_px);
@@ -250,7 +252,7 @@ StabilityRecord measure_stability(const run::Plan& plan,
                                   const StabilityRequest& request,
                                   StabilityRecord record,
                                   const StudyContext& context) {
-  StabilityStudy study{plan, request, context, std::move(record)};
+  StabilityMeasurement study{plan, request, context, std::move(record)};
   if (study.record.renderers.empty())
     describe(study);
   else

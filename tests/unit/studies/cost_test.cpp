@@ -1,8 +1,7 @@
 #include "structure/source_files.h"
-#include "studies/cost/json.h"
-#include "studies/cost/ladder.h"
 #include "studies/cost/numbers.h"
 #include "studies/cost/report.h"
+#include "studies/cost/sweep.h"
 
 #include <cmath>
 #include <random>
@@ -25,12 +24,12 @@ constexpr int kSeeds = 4;
 
 void add_curve(CostRecord& record, std::size_t renderer, const MadeUp& truth, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  CostLadder ladder{0, renderer, {}, "", ""};
+  Sweep sweep{0, renderer, {}, "", ""};
   for (const int spp : {16, 32, 64, 128, 256, 512}) {
-    ladder.rungs.push_back({std::to_string(spp) + " spp", spp});
+    sweep.settings.push_back({std::to_string(spp) + " spp", spp});
     for (int seed = 0; seed < kSeeds; ++seed) {
       CostRender render{
-          .target = 0, .renderer = renderer, .rung = ladder.rungs.back().name, .spp = spp, .seed = seed};
+          .target = 0, .renderer = renderer, .setting = sweep.settings.back().name, .spp = spp, .seed = seed};
       const double seconds = truth.seconds_per_sample * spp;
       render.cpu_seconds = truth.fixed + seconds * (1 + 0.01 * normal(random));
       render.wall_seconds = render.cpu_seconds / 2;
@@ -42,15 +41,15 @@ void add_curve(CostRecord& record, std::size_t renderer, const MadeUp& truth, st
       render.psnr_srgb8 = 10 * std::log10(1 / error);
       record.renders.push_back(render);
       if (seed < kSeeds && spp == 512 && renderer == 0) {
-        render.purpose = kAgain;
+        render.purpose = Purpose::Again;
         record.renders.push_back(render);
       }
     }
   }
-  CostRender fixed{.target = 0, .renderer = renderer, .purpose = kFixed};
+  CostRender fixed{.target = 0, .renderer = renderer, .purpose = Purpose::FixedCost};
   fixed.cpu_seconds = truth.fixed;
   record.renders.push_back(fixed);
-  record.ladders.push_back(ladder);
+  record.sweeps.push_back(sweep);
 }
 
 CostRecord made_up(const std::vector<MadeUp>& renderers) {
@@ -59,30 +58,32 @@ CostRecord made_up(const std::vector<MadeUp>& renderers) {
   record.is_finished = true;
   record.targets.push_back({"t", "M1", "Lambert", 8, 8, "", {1e-6, 1e-6, 50.0}});
   for (std::size_t i = 0; i < renderers.size(); ++i)
-    record.renderers.push_back({"r" + std::to_string(i), "1", kSampleLadder, ""});
+    record.renderers.push_back({"r" + std::to_string(i), "1", SweepOf::Samples, ""});
   for (std::size_t i = 0; i < renderers.size(); ++i) add_curve(record, i, renderers[i], random);
   return record;
 }
 
-const CostPrice& price_of(const CostCurve& curve, std::size_t metric, double level) {
-  for (const auto& price : curve.prices)
-    if (price.goal.metric == metric && price.goal.level == level) return price;
-  throw std::runtime_error("no such goal");
+const TimeToError& time_of(const CostCurve& curve, std::size_t metric, double level) {
+  for (const auto& time : curve.times_to_error)
+    if (time.target.metric == metric && time.target.level == level) return time;
+  throw std::runtime_error("no such error");
 }
 
 }  // namespace
 
-TEST(Cost, PricesAreTheTimesAtWhichTheErrorIsReached) {
+TEST(Cost, TimesToErrorAreThoseAtWhichTheErrorIsReached) {
   const auto numbers = cost_numbers(made_up({MadeUp{}}));
   const auto& curve = numbers.curves.at(0);
   // 0.01 / t = 0.01 at t = 1 s above the fixed cost.
-  const auto& price = price_of(curve, kRelmse, 1e-2);
-  ASSERT_TRUE(price.cpu_seconds);
-  EXPECT_LE(price.cpu_seconds->low, 1.2);
-  EXPECT_GE(price.cpu_seconds->high, 1.2);
-  EXPECT_NEAR(price.cpu_seconds->value, 1.2, 0.06);
-  EXPECT_FALSE(price_of(curve, kRelmse, 1e-4).cpu_seconds);
-  EXPECT_NEAR(*price_of(curve, kRelmse, 1e-4).at_least, 5.32, 0.2);
+  const auto& time = time_of(curve, kRelmse, 1e-2);
+  ASSERT_TRUE(time.cpu_seconds);
+  EXPECT_LE(time.cpu_seconds->low, 1.2);
+  EXPECT_GE(time.cpu_seconds->high, 1.2);
+  EXPECT_NEAR(time.cpu_seconds->value, 1.2, 0.06);
+  EXPECT_EQ(time.bound, Bound::Exact);
+  EXPECT_EQ(time_of(curve, kRelmse, 1e-4).bound, Bound::AtLeast);
+  EXPECT_FALSE(time_of(curve, kRelmse, 1e-4).cpu_seconds);
+  EXPECT_NEAR(time_of(curve, kRelmse, 1e-4).bound_seconds, 5.32, 0.2);
   ASSERT_TRUE(curve.fit);
   EXPECT_FALSE(curve.fit->has_floor);
   EXPECT_NEAR(curve.fit->exponent.value, 1, 0.05);
@@ -94,10 +95,10 @@ TEST(Cost, ABiasIsAFloorAndItsNumberIsFound) {
   ASSERT_TRUE(numbers.curves.at(0).fit);
   EXPECT_TRUE(numbers.curves.at(0).fit->has_floor);
   EXPECT_NEAR(numbers.curves.at(0).fit->bias_squared.value, 2e-3, 4e-4);
-  EXPECT_FALSE(price_of(numbers.curves.at(0), kRelmse, 1e-3).cpu_seconds);
+  EXPECT_FALSE(time_of(numbers.curves.at(0), kRelmse, 1e-3).cpu_seconds);
 }
 
-// Errors that fall as 1 / samples, with times of the low rungs that other work on the machine made longer.
+// Errors that fall as 1 / samples, with times of the first points that other work on the machine made longer.
 TEST(Cost, NoisyTimesAreNoFloor) {
   auto record = made_up({MadeUp{}});
   for (auto& render : record.renders)
@@ -118,23 +119,24 @@ TEST(Cost, ABendIsNoFloor) {
   EXPECT_FALSE(numbers.curves.at(0).fit->has_floor);
 }
 
-TEST(Cost, TheFasterOfTwoIsCalledCheaperAndTheFrontierIsIts) {
+TEST(Cost, TheFasterOfTwoIsCalledFasterAndTheFrontierIsIts) {
   const auto numbers = cost_numbers(made_up({MadeUp{}, MadeUp{.variance = 0.02}}));
   ASSERT_TRUE(numbers.self_comparison && numbers.self_comparison->passed);
   for (const auto& one : numbers.comparisons) {
-    if (one.goal.metric != kRelmse || one.goal.level != 1e-2) continue;
-    EXPECT_EQ(one.verdict, "dearer");
+    if (one.error != ErrorTarget{kRelmse, 1e-2}) continue;
+    EXPECT_EQ(one.ranking, Ranking::Slower);
     ASSERT_TRUE(one.time_ratio);
     EXPECT_NEAR(one.time_ratio->value, 2.2 / 1.2, 0.15);
   }
-  for (const auto& point : numbers.curves.at(0).points) EXPECT_TRUE(point.is_on_frontier) << point.rung;
+  for (const auto& point : numbers.curves.at(0).points)
+    EXPECT_TRUE(point.is_on_frontier) << point.setting.name;
   EXPECT_FALSE(numbers.curves.at(1).points.back().is_on_frontier);
 }
 
 TEST(Cost, NothingIsRankedWhenARendererDiffersFromItself) {
   auto record = made_up({MadeUp{}, MadeUp{.variance = 0.02}});
   for (auto& render : record.renders)
-    if (render.purpose == kAgain) render.cpu_seconds *= 1.4;
+    if (render.purpose == Purpose::Again) render.cpu_seconds *= 1.4;
   const auto numbers = cost_numbers(record);
   ASSERT_TRUE(numbers.self_comparison);
   EXPECT_FALSE(numbers.self_comparison->passed);
@@ -151,11 +153,11 @@ TEST(Cost, TheSelfComparisonRarelyFindsADifferenceWhereThereIsNone) {
   for (int pair = 0; pair < kPairs; ++pair) {
     CostRecord record;
     record.targets.push_back({"t", "M1", "", 8, 8, "", {}});
-    record.renderers.push_back({"r", "1", kSampleLadder, ""});
-    record.ladders.push_back({0, 0, {{"64 spp", 64}}, "", ""});
+    record.renderers.push_back({"r", "1", SweepOf::Samples, ""});
+    record.sweeps.push_back({0, 0, {{"64 spp", 64}}, "", ""});
     for (int i = 0; i < 2 * kSeeds; ++i) {
-      CostRender render{.rung = "64 spp", .spp = 64};
-      if (i >= kSeeds) render.purpose = kAgain;
+      CostRender render{.setting = "64 spp", .spp = 64};
+      if (i >= kSeeds) render.purpose = Purpose::Again;
       render.cpu_seconds = 3 * std::exp(0.03 * normal(random));
       render.relmse = 1e-3 * std::exp(0.03 * normal(random));
       record.renders.push_back(render);
@@ -174,30 +176,30 @@ TEST(Cost, IsReadBackAsItWasWritten) {
   EXPECT_EQ(cost_json(read_cost_file(folder.path() / "cost.json")), text);
 }
 
-TEST(CostLadder, CrossesTheTargetWithMoreAndMoreSamples) {
+TEST(Sweep, CrossesTheTargetWithMoreAndMoreSamples) {
   // 8 samples give 25 dB, so 80 give 35, and half as many again 120.
   const CostPilot pilot{0, 0, 0.1, 8, 0.5, 25, 1, {}};
-  const auto ladders = choose_ladders({pilot}, CostSettings{}, 1e9);
-  ASSERT_EQ(ladders.at(0).rungs.size(), 5);
-  EXPECT_EQ(ladders[0].rungs.front().spp, 8);
-  EXPECT_EQ(ladders[0].rungs.back().spp, 128);
-  EXPECT_EQ(ladders[0].note, "");
+  const auto sweeps = choose_sweeps({pilot}, CostSettings{}, 1e9);
+  ASSERT_EQ(sweeps.at(0).settings.size(), 5);
+  EXPECT_EQ(sweeps[0].settings.front().spp, 8);
+  EXPECT_EQ(sweeps[0].settings.back().spp, 128);
+  EXPECT_EQ(sweeps[0].note, "");
 }
 
-TEST(CostLadder, EndsWhereTheBudgetEndsAndSaysSo) {
-  const CostPilot cheap{0, 0, 0.1, 8, 0.2, 30, 1, {}};
-  const CostPilot dear{1, 0, 0.1, 8, 40.1, 25, 1, {}};
-  const auto ladders = choose_ladders({cheap, dear}, CostSettings{}, 600);
-  EXPECT_EQ(ladders.at(0).note, "");
-  EXPECT_LT(ladders.at(1).rungs.back().spp, 120);
-  EXPECT_NE(ladders.at(1).note.find("35 dB may need 120 spp"), std::string::npos) << ladders[1].note;
+TEST(Sweep, EndsWhereTheBudgetEndsAndSaysSo) {
+  const CostPilot fast{0, 0, 0.1, 8, 0.2, 30, 1, {}};
+  const CostPilot slow{1, 0, 0.1, 8, 40.1, 25, 1, {}};
+  const auto sweeps = choose_sweeps({fast, slow}, CostSettings{}, 600);
+  EXPECT_EQ(sweeps.at(0).note, "");
+  EXPECT_LT(sweeps.at(1).settings.back().spp, 120);
+  EXPECT_NE(sweeps.at(1).note.find("35 dB may need 120 spp"), std::string::npos) << sweeps[1].note;
   double sum = 0;
-  for (const auto& [pilot, ladder] : {std::pair{cheap, ladders[0]}, {dear, ladders[1]}})
-    sum += expected_seconds(pilot, ladder, CostSettings{});
+  for (const auto& [pilot, sweep] : {std::pair{fast, sweeps[0]}, {slow, sweeps[1]}})
+    sum += expected_seconds(pilot, sweep, CostSettings{});
   EXPECT_LE(sum, 600);
 }
 
-TEST(CostLadder, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
+TEST(Sweep, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
   CostPilot pilot{
       .fixed_seconds = 0.5, .settings = {{"low", 1}, {"usual", 1}, {"fine", 1}}, .is_noise_free = true};
   const CostSettings settings{.seeds = 4};
@@ -208,8 +210,8 @@ TEST(CostLadder, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
   pilot.setting_seconds = {1, 5};
   EXPECT_FALSE(may_try_next_setting(pilot, settings, 61));  // 2 renders of 1 s, 5 s and 25 s
   EXPECT_TRUE(may_try_next_setting(pilot, settings, 63));
-  const auto ladder = choose_ladders({pilot}, settings, 60).at(0);
-  ASSERT_EQ(ladder.rungs.size(), 2);
-  EXPECT_EQ(ladder.note, "the budget ends at 'usual', 5 s a render; 'fine' would take longer");
-  EXPECT_DOUBLE_EQ(expected_seconds(pilot, ladder, settings), 2 * 6 + 4 * 0.5);
+  const auto sweep = choose_sweeps({pilot}, settings, 60).at(0);
+  ASSERT_EQ(sweep.settings.size(), 2);
+  EXPECT_EQ(sweep.note, "the budget ends at 'usual', 5 s a render; 'fine' would take longer");
+  EXPECT_DOUBLE_EQ(expected_seconds(pilot, sweep, settings), 2 * 6 + 4 * 0.5);
 }

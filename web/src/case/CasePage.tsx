@@ -2,7 +2,7 @@ import { useRequest } from "../common/request";
 import { useActions } from "../common/keys";
 import { findCell, namesOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
-import type { Case, TargetDetail } from "../data/types";
+import type { CaseRecord, TargetDetail } from "../data/generated";
 import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
 import { flushView } from "../viewer/use_view";
@@ -87,7 +87,7 @@ interface HeaderProps {
   session: Session;
   /** Index of the cell that is shown. */
   index: number;
-  one: Case;
+  one: CaseRecord;
   target: string;
   diagnosis: string;
   onMove: (cell: number | undefined) => void;
@@ -137,7 +137,7 @@ function CaseHeader({ session, index, one, target, diagnosis, onMove }: HeaderPr
 interface DetailProps {
   session: Session;
   route: Route;
-  one: Case;
+  one: CaseRecord;
   detail: TargetDetail;
 }
 

@@ -1,4 +1,4 @@
-import type { Check } from "../data/types";
+import type { Check } from "../data/generated";
 
 interface Look {
   symbol: string;

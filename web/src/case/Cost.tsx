@@ -1,7 +1,7 @@
 import { bytes, seconds } from "../common/format";
 import { Copyable } from "../common/Copyable";
 import { TableHead, type Column } from "../common/TableHead";
-import type { TargetDetail } from "../data/types";
+import type { TargetDetail } from "../data/generated";
 
 const kColumns: Column[] = [
   { label: "Render" },

@@ -1,5 +1,5 @@
 import { TableHead, type Column } from "../common/TableHead";
-import type { Effect, TargetDetail, Scene } from "../data/types";
+import type { EffectRecord, SceneRecord, TargetDetail } from "../data/generated";
 
 const kColumns: Column[] = [
   { label: "Transport" },
@@ -17,8 +17,8 @@ const kColumns: Column[] = [
 ];
 
 /** Groups the parts of a scene by effect; the first of a group stands for all. */
-function grouped(effects: Effect[]): { first: Effect; others: number }[] {
-  const groups = new Map<string, { first: Effect; others: number }>();
+function grouped(effects: EffectRecord[]): { first: EffectRecord; others: number }[] {
+  const groups = new Map<string, { first: EffectRecord; others: number }>();
   for (const one of effects) {
     const group = groups.get(one.effect);
     if (group) ++group.others;
@@ -27,7 +27,7 @@ function grouped(effects: Effect[]): { first: Effect; others: number }[] {
   return [...groups.values()];
 }
 
-function List({ effects }: { effects: Effect[] }) {
+function List({ effects }: { effects: EffectRecord[] }) {
   return (
     <ul>
       {grouped(effects).map(({ first, others }) => (
@@ -42,7 +42,7 @@ function List({ effects }: { effects: Effect[] }) {
 
 const times = (ratio: number) => (ratio > 0 ? `× ${ratio.toFixed(2)}` : "–");
 
-function EffectCosts({ scene }: { scene: Scene }) {
+function EffectCosts({ scene }: { scene: SceneRecord }) {
   return (
     <table>
       <caption>Effect cost, relative to {scene.transport} transport</caption>

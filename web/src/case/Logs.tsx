@@ -1,5 +1,5 @@
 import type { Session } from "../common/session";
-import type { TargetDetail } from "../data/types";
+import type { TargetDetail } from "../data/generated";
 
 /** The ends of the logs, always shown as plain text. */
 export function Logs({ session, detail }: { session: Session; detail: TargetDetail }) {

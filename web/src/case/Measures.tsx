@@ -1,6 +1,6 @@
 import { number, withUnit } from "../common/format";
 import { TableHead, type Column } from "../common/TableHead";
-import type { Check, Measure, TargetDetail } from "../data/types";
+import type { Check, Measure, TargetDetail } from "../data/generated";
 import { Checks, lookOfCheck } from "./Checks";
 
 const kColumns: Column[] = [

@@ -1,7 +1,7 @@
 import { bytes } from "../common/format";
 import { PairList } from "../common/PairList";
 import type { Session } from "../common/session";
-import type { Host, TargetDetail } from "../data/types";
+import type { Host, TargetDetail } from "../data/generated";
 
 function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   const known = pairs.filter(([, value]) => value !== "");

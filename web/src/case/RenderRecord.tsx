@@ -1,5 +1,5 @@
 import { TableHead, type Column } from "../common/TableHead";
-import type { Job, TargetDetail } from "../data/types";
+import type { Job, TargetDetail } from "../data/generated";
 import { recordedValues } from "./recorded";
 
 const kColumns: Column[] = [{ label: "Name" }, { label: "Value" }, { label: "Unit" }];

@@ -1,12 +1,12 @@
 // The images that can stand beside those of a target: of other renderers, other runs (other seeds among
-// them), and the rungs of cost studies on the same scene.
+// them), and the images of cost studies on the same scene.
 import { useRequest } from "../common/request";
 import { findCell, namesOf, type Session } from "../common/session";
-import type { CostStudy } from "../cost/types";
+import type { CostStudy } from "../data/generated";
 import type { Source } from "../data/source";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { Addable } from "../viewer/extra_images";
-import { rungImages } from "../viewer/rung_images";
+import { sweepImages } from "../viewer/sweep_images";
 
 interface Target {
   case: string;
@@ -26,7 +26,7 @@ function studiesOf(source: Source): Promise<Study[]> {
   const runs = source.kinds.flatMap((kind, run) => (kind === "cost" ? [run] : []));
   const read = async (run: number): Promise<Study[]> => {
     try {
-      return [{ run, study: await source.study(run) }];
+      return [{ run, study: await source.study("cost", run) }];
     } catch {
       return [];
     }
@@ -36,9 +36,9 @@ function studiesOf(source: Source): Promise<Study[]> {
   return all;
 }
 
-const rungsOf = async (source: Source, target: string): Promise<ImageEntry[]> =>
+const sweepImagesOf = async (source: Source, target: string): Promise<ImageEntry[]> =>
   (await studiesOf(source)).flatMap(({ run, study }) =>
-    rungImages(study, run, target).map((image) => ({
+    sweepImages(study, run, target).map((image) => ({
       ...image,
       name: `${image.name}@${source.runs[run]}`,
     })),
@@ -50,9 +50,9 @@ async function resultOf(session: Session, of: Target, name: string): Promise<Ima
   const run = at < 0 ? session.run : source.runs.indexOf(name.slice(at + 1));
   if (run < 0) throw new Error("there is no run of this name");
   if (source.kinds[run] === "cost") {
-    const rung = (await rungsOf(source, of.target)).find((image) => image.name === name);
-    if (!rung) throw new Error("the study has no such rung on this scene");
-    return rung;
+    const image = (await sweepImagesOf(source, of.target)).find((one) => one.name === name);
+    if (!image) throw new Error("the study has no such image of this scene");
+    return image;
   }
   const overview = run === session.run ? session.overview : await source.overview(run);
   const cell = findCell(overview, of.case, of.target, at < 0 ? name : name.slice(0, at));
@@ -67,7 +67,7 @@ async function resultOf(session: Session, of: Target, name: string): Promise<Ima
 export function useOtherImages(session: Session, of: Target): Addable {
   const { overview, source, run } = session;
   const key = [run, of.case, of.target, of.renderer].join("\n");
-  const { value: rungs = [] } = useRequest(key, "", () => rungsOf(source, of.target));
+  const { value: swept = [] } = useRequest(key, "", () => sweepImagesOf(source, of.target));
   const here = overview.cells.case.flatMap((_, cell) => {
     const names = namesOf(overview, cell);
     const isOther = names.case === of.case && names.target === of.target;
@@ -79,7 +79,7 @@ export function useOtherImages(session: Session, of: Target): Addable {
   return {
     key,
     own: of.renderer,
-    names: [...here, ...elsewhere, ...rungs.map(({ name }) => name)],
+    names: [...here, ...elsewhere, ...swept.map(({ name }) => name)],
     load: (name) => resultOf(session, of, name),
   };
 }

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { Choice } from "../common/Choice";
 import type { Session } from "../common/session";
-import type { Chart } from "../data/types";
+import type { Chart } from "./from_run";
 import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
 import { chartByTarget, chartOfTwo, quantitiesOf, type Quantity } from "./from_run";

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { number } from "../common/format";
-import type { Chart, ChartPoint } from "../data/types";
+import type { Chart, ChartPoint } from "./from_run";
 import { columnsOf, type Columns } from "./columns";
 
 interface Props {

@@ -1,5 +1,5 @@
 import type uPlot from "uplot";
-import type { Chart, ChartPoint } from "../data/types";
+import type { Chart, ChartPoint } from "./from_run";
 import { isDrawable } from "./drawable";
 import { seriesColour } from "./palette";
 

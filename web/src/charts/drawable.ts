@@ -1,4 +1,4 @@
-import type { Axis, Chart, ChartPoint } from "../data/types";
+import type { Axis, Chart, ChartPoint } from "./from_run";
 
 const hasPlace = (value: number, { log }: Axis): boolean =>
   Number.isFinite(value) && (!log || value > 0);

@@ -1,5 +1,35 @@
 import { namesOf } from "../common/session";
-import type { Chart, ChartPoint, Column, Overview } from "../data/types";
+import type { Overview } from "../data/generated";
+
+/** One value per cell of the run; null if it has none. */
+export type Column = (number | null)[];
+
+export interface ChartPoint {
+  x: number;
+  y: number;
+  /** Index of the cell that a click opens. */
+  cell?: number;
+  label?: string;
+}
+
+export interface ChartSeries {
+  name: string;
+  points: ChartPoint[];
+}
+
+export interface Axis {
+  label: string;
+  log: boolean;
+  /** Names of the positions 0, 1, 2, ... of a categorical axis. */
+  ticks?: string[];
+}
+
+export interface Chart {
+  title: string;
+  x: Axis;
+  y: Axis;
+  series: ChartSeries[];
+}
 
 /** A quantity of every target that a chart can show. */
 export interface Quantity {

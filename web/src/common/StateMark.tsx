@@ -1,4 +1,4 @@
-import type { State } from "../data/types";
+import type { State } from "../data/generated";
 import { lookOf } from "./states";
 
 /** A state as symbol, word and colour. */

@@ -1,5 +1,5 @@
 import type { Source } from "../data/source";
-import type { Overview, Progress } from "../data/types";
+import type { Overview, Progress } from "../data/generated";
 
 /** The run that is shown, and the source of the others. */
 export interface Session {

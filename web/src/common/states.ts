@@ -1,4 +1,4 @@
-import type { State } from "../data/types";
+import type { State } from "../data/generated";
 
 /** Appearance of a state. Word and symbol carry the meaning; the colour only repeats it. */
 export interface Look {

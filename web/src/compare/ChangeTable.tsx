@@ -1,7 +1,7 @@
 import { number } from "../common/format";
 import { StateMark } from "../common/StateMark";
 import { TableHead, type Column } from "../common/TableHead";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import { stateOf, valueOf, type Change, type Kind, type Side } from "./changes";
 import { timesOf, timeSummary } from "./times";
 

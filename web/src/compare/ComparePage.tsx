@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { NoSuchRun } from "../common/NoSuchRun";
 import { namesOf, type Session } from "../common/session";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import { cellLink } from "../overview/Grid";
 import { note, parseRoute, routeText, type Route } from "../route";
 import { ChangeTable, kKinds, TimeLine, type SideNames } from "./ChangeTable";

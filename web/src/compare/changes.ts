@@ -1,6 +1,6 @@
 import { isInfinite, namesOf, stateOf, type CellNames } from "../common/session";
 import { isOpen } from "../common/states";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 
 /** "open" means not rendered before or not rendered after, so that nothing can be compared. */
 export type Kind = "worse" | "better" | "open" | "new" | "gone" | "same";

@@ -1,5 +1,5 @@
 import { number } from "../common/format";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import type { Change } from "./changes";
 
 /** The ratio of the samples per pixel, B over A, of the targets that both have: the least and the most. */

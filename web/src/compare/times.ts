@@ -1,4 +1,4 @@
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import type { Change } from "./changes";
 
 const machineOf = (overview: Overview, cell: number): string =>

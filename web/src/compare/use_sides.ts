@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { useRequest, type Received } from "../common/request";
 import { runNamed, runQuery, type Session } from "../common/session";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import { note, type Route } from "../route";
 
 /** One side of the comparison, as the address names it. */

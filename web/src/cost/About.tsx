@@ -1,15 +1,19 @@
 import { number, seconds } from "../common/format";
 import { PairList } from "../common/PairList";
 import { metricName, ratioText } from "./quantities";
-import type { CostRenderer, CostStudy } from "./types";
+import type { CostRenderer, CostStudy } from "../data/generated";
 
 function selfText(study: CostStudy): string {
   const self = study.self_comparison;
   if (!self) return "not made";
   const what = `${study.renderers[self.renderer]?.name} on ${study.targets[self.target]?.name}`;
   const ratios = `time ${ratioText(self.time_ratio)}, error ${ratioText(self.error_ratio)}`;
-  const verdict = self.passed ? "no difference shown" : "a difference was found";
-  return `${verdict}: ${what}, ${self.pairs} pairs, ${ratios}; ${self.note}.`;
+  const found = self.passed
+    ? "no difference shown"
+    : self.known
+      ? "a difference was found"
+      : "too uncertain to show anything: more seeds are needed";
+  return `${found}: ${what}, ${self.pairs} pairs, ${ratios}.`;
 }
 
 // Many programs begin their version with their name.
@@ -21,11 +25,14 @@ function rows(study: CostStudy): [string, string][] {
   const load = [study.load, study.load_end].map((one) => number(one)).join(" at the start, ");
   return [
     ["Renderers", study.renderers.map(rendererText).join("; ")],
-    ["Seeds per rung", String(settings.seeds)],
+    ["Seeds per setting", String(settings.seeds)],
     ["Threads", String(settings.threads)],
     ["Order of the renders", `shuffled by the seed ${settings.order_seed}`],
-    ["Budget", settings.budget_seconds === null ? "none" : seconds(settings.budget_seconds)],
-    ["Machine", `${host.name}: ${host.cpu}, ${host.cores} cores; load ${load} at the end`],
+    ["Budget", seconds(settings.budget_seconds)],
+    [
+      "Machine",
+      `${host ? `${host.name}: ${host.cpu}, ${host.cores} cores; ` : ""}load ${load} at the end`,
+    ],
     ["A renderer compared with itself", selfText(study)],
     ...study.definitions.map(({ name, text }): [string, string] => [metricName(name), text]),
   ];

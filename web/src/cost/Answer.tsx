@@ -7,14 +7,14 @@ import {
   meanRatio,
   type LevelAnswer,
   type MeanRatio,
-} from "./cheapest";
+} from "./ranking";
 import { Marker } from "./Marker";
 import { RendererKey } from "./Multiples";
 import { fullestLevel } from "./ratio_bars";
 import { RatioBars } from "./RatioBars";
 import { levelText, metricName, ratioText } from "./quantities";
 import { useTheme } from "./theme";
-import type { CostStudy } from "./types";
+import type { CostStudy } from "../data/generated";
 
 const excludesOne = ({ low, high }: MeanRatio): boolean => low > 1 || high < 1;
 const short = (value: number): string => String(Number(value.toPrecision(2)));
@@ -36,7 +36,7 @@ export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
   const reached = targets - unreached;
   if (unreached === targets) return `${at}: no renderer reached it.`;
   if (leader === undefined)
-    return `${at} no renderer is shown to be cheapest more often than others.`;
+    return `${at} no renderer is shown to be fastest more often than others.`;
   const name = study.renderers[leader]?.name ?? "";
   const others = study.renderers.flatMap((other, i) =>
     i === leader || study.renderers.length > kMostInColumns
@@ -44,8 +44,8 @@ export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
       : [ratioSentence(other.name, meanRatio(study, leader, i, metric, level))],
   );
   const all = plural(reached, "target");
-  const of = unreached > 0 ? `the ${all} on which anybody reaches it` : all;
-  const wins = `${name} is cheapest on ${answer.cheapest[leader]} of ${of}`;
+  const of = unreached > 0 ? `the ${all} on which any renderer reaches it` : all;
+  const wins = `${name} is fastest on ${answer.fastest[leader]} of ${of}`;
   return `${at} ${wins}${others.length > 0 ? `; ${others.join(", ")}` : ""}.`;
 }
 
@@ -67,7 +67,7 @@ function partsOf(study: CostStudy, answer: LevelAnswer): Part[] {
       kind,
     }));
   return [
-    ...each(answer.cheapest, "cheapest", (name) => name),
+    ...each(answer.fastest, "fastest", (name) => name),
     ...each(answer.only, "only", (name) => `only ${name}`),
     {
       key: "open",
@@ -85,9 +85,9 @@ function partsOf(study: CostStudy, answer: LevelAnswer): Part[] {
 }
 
 const kMeanings: Record<string, string> = {
-  cheapest: "shown to be cheaper than all others that reach this quality",
+  fastest: "shown to be faster than all others that reach this quality",
   only: "no other renderer reached this quality",
-  open: "no renderer is shown to be cheaper than all others",
+  open: "no renderer is shown to be faster than all others",
   unreached: "no renderer reached this quality",
 };
 
@@ -104,7 +104,7 @@ function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
           style={{
             flexGrow: count,
             ...(renderer === undefined ? {} : { borderColor: theme.series(renderer) }),
-            ...(kind === "cheapest" && renderer !== undefined
+            ...(kind === "fastest" && renderer !== undefined
               ? { background: `${theme.series(renderer)}33` }
               : {}),
           }}
@@ -126,7 +126,7 @@ function BarKey() {
   return (
     <ul class="renderer-key">
       {[
-        { kind: "cheapest", text: "cheapest" },
+        { kind: "fastest", text: "fastest" },
         { kind: "only", text: "the only one that reaches it" },
         { kind: "open", text: "no difference shown" },
         { kind: "unreached", text: "not reached" },
@@ -179,8 +179,8 @@ function NotRanked({ study }: { study: CostStudy }) {
       <b>Nobody is ranked.</b> The same renderer was measured twice under two names, and was not
       shown to be like itself: time {ratioText(self.time_ratio)}, error{" "}
       {ratioText(self.error_ratio)}
-      {self.note ? `; ${self.note}` : ""}. Times of different renderers would not be believable
-      either. Measure again on a quiet machine or with more seeds.
+      {self.known ? "" : "; too uncertain to show anything"}. Times of different renderers would not
+      be believable either. Measure again on a quiet machine or with more seeds.
     </div>
   );
 }
@@ -235,7 +235,7 @@ interface ColumnsProps {
   base: number;
 }
 
-/** A few renderers at all levels: who is cheapest on how many targets, and the ratios. */
+/** A few renderers at all levels: who is fastest on how many targets, and the ratios. */
 function ColumnsAnswer({ study, metric, answers, wanted, base }: ColumnsProps) {
   const theme = useTheme();
   return (
@@ -247,7 +247,7 @@ function ColumnsAnswer({ study, metric, answers, wanted, base }: ColumnsProps) {
         <thead>
           <tr>
             <th scope="col">{metricName(metric)}</th>
-            <th scope="col">Cheapest in CPU seconds, number of targets</th>
+            <th scope="col">Fastest in CPU seconds, number of targets</th>
             <th scope="col">
               <Choice
                 label="Time, × that of"
@@ -281,13 +281,13 @@ function ColumnsAnswer({ study, metric, answers, wanted, base }: ColumnsProps) {
 interface Props {
   study: CostStudy;
   metric: string;
-  /** Name of the renderer whose time is 1; if it is none, the one that is cheapest most often. */
+  /** Name of the renderer whose time is 1; if it is none, the one that is fastest most often. */
   base: string | undefined;
   /** The level of a study with many renderers. */
   level: string | undefined;
 }
 
-/** Who is cheapest at which quality. */
+/** Who is fastest at which quality. */
 export function Answer({ study, metric, base: baseName, level }: Props) {
   if (study.renderers.length < 2)
     return <p class="quiet">One renderer alone has nobody to be compared with.</p>;
@@ -296,7 +296,7 @@ export function Answer({ study, metric, base: baseName, level }: Props) {
   const wanted =
     answers.find((one) => metric === "psnr_srgb8" && one.level === study.settings.target_db) ??
     answers[Math.floor(answers.length / 2)];
-  if (!wanted) return <p class="quiet">The study has no prices.</p>;
+  if (!wanted) return <p class="quiet">The study has no times to error.</p>;
   const named = study.renderers.findIndex(({ name }) => name === baseName);
   const base = named >= 0 ? named : (wanted.leader ?? 0);
   return (

@@ -17,14 +17,14 @@ import { kLegendRow_px, Legend, legendRows, lineItem, rendererItems } from "./Le
 import { Marker } from "./Marker";
 import { numbersOf, short } from "./quantities";
 import { useTheme, type Theme } from "./theme";
-import type { CostStudy } from "./types";
+import type { CostStudy } from "../data/generated";
 import { useWidth } from "./use_width";
 
 interface Props {
   study: CostStudy;
   chart: ChartOfTarget;
   ranges: Ranges;
-  chosen: { renderer: number; rung: number } | undefined;
+  chosen: { renderer: number; index: number } | undefined;
   onChoose: (point: Placed) => void;
 }
 
@@ -49,7 +49,7 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
       stroke: theme.text,
     }),
     ...has(true, "95 % band", { "stroke-width": 12, "stroke-opacity": 0.3 }),
-    ...has(true, "frontier: no point is cheaper and better", {
+    ...has(true, "frontier: no point is faster and better", {
       stroke: theme.text,
       "stroke-width": 1,
       "stroke-opacity": 0.55,
@@ -57,7 +57,7 @@ function lineItems(chart: ChartOfTarget, ranges: Ranges, theme: Theme) {
     ...has(isFitted && curves.some(({ curve }) => curve.fit?.has_floor), "floor of the bias", {
       "stroke-dasharray": "9 3 2 3",
     }),
-    ...has(chart.levels.length > 0, "levels with a price", { "stroke-dasharray": "5 4" }),
+    ...has(chart.levels.length > 0, "levels with a time to error", { "stroke-dasharray": "5 4" }),
     ...has(chart.referenceNoise !== null, noiseText(chart, ranges), { "stroke-dasharray": "1 3" }),
     ...(hollow
       ? [
@@ -96,7 +96,7 @@ function Tip({
   return (
     <div class="point-tip" role="status" style={{ top: `${Math.max(0, y - 60)}px`, ...side }}>
       <b>
-        {study.renderers[curve.renderer]?.name}, {point.rung}
+        {study.renderers[curve.renderer]?.name}, {point.setting}
       </b>
       <PairList pairs={numbersOf(study, point)} />
       {point.on_frontier ? <p>On the frontier.</p> : null}
@@ -117,15 +117,15 @@ function Points({ study, chart, chosen, scales, theme, onChoose, onHover }: Poin
     <>
       {chart.curves.flatMap(({ points }) =>
         points.map((placed) => {
-          const { curve, rung, point } = placed;
-          const is = chosen?.renderer === curve.renderer && chosen.rung === rung;
-          const name = `${study.renderers[curve.renderer]?.name}, ${point.rung}`;
+          const { curve, index, point } = placed;
+          const is = chosen?.renderer === curve.renderer && chosen.index === index;
+          const name = `${study.renderers[curve.renderer]?.name}, ${point.setting}`;
           const numbers = numbersOf(study, point).map(([label, text]) => `${label} ${text}`);
           return (
             <g
-              key={`${curve.renderer} ${rung}`}
+              key={`${curve.renderer} ${index}`}
               class="point"
-              data-point={`${curve.renderer}/${rung}`}
+              data-point={`${curve.renderer}/${index}`}
               role="button"
               tabindex={0}
               aria-pressed={is}

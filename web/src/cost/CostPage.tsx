@@ -6,19 +6,19 @@ import { note, type Route } from "../route";
 import { About } from "./About";
 import { Answer } from "./Answer";
 import { chartOf, rangesOf, type Axes } from "./chart_data";
-import { pricedMetrics } from "./cheapest";
+import { metricsWithTimes } from "./ranking";
 import { CostChart, titleOf } from "./CostChart";
 import { pointRows } from "./csv_rows";
 import { FitTable } from "./FitTable";
 import { Multiples } from "./Multiples";
 import { Pictures } from "./Pictures";
-import { PriceTable } from "./PriceTable";
+import { TimeTable } from "./TimeTable";
 import { errorOf, kTimes, metricName, metricOf } from "./quantities";
 import { SaveButtons } from "./SaveButtons";
-import { RungViewer } from "./RungViewer";
+import { PointViewer } from "./PointViewer";
 import { sheetOf } from "./save";
 import { currentTheme } from "./theme";
-import type { CostStudy, Curve } from "./types";
+import type { CostCurve, CostStudy } from "../data/generated";
 
 interface Props {
   source: Source;
@@ -28,12 +28,12 @@ interface Props {
 }
 
 interface Chosen {
-  curve: Curve;
-  rung: number;
+  curve: CostCurve;
+  index: number;
 }
 
-/** The rung whose PSNR is nearest to the quality that the study was made for. */
-function usualRung(study: CostStudy, curve: Curve): number {
+/** The point whose PSNR is nearest to the quality that the study was made for. */
+function usualPoint(study: CostStudy, curve: CostCurve): number {
   const wanted = study.settings.target_db ?? 35;
   const distances = curve.points.map((point) => {
     const value = errorOf(point, "psnr_srgb8")?.value;
@@ -42,7 +42,7 @@ function usualRung(study: CostStudy, curve: Curve): number {
   return Math.max(0, distances.indexOf(Math.min(...distances)));
 }
 
-/** The point that the address names as "renderer/rung", or a usual one. */
+/** The point that the address names as "renderer/index", or a usual one. */
 function chosenPoint(
   study: CostStudy,
   target: number,
@@ -52,10 +52,10 @@ function chosenPoint(
   const at = text?.lastIndexOf("/") ?? -1;
   const name = text?.slice(0, at);
   const named = own.find((curve) => study.renderers[curve.renderer]?.name === name);
-  const rung = Number(text?.slice(at + 1));
-  if (named && Number.isInteger(rung) && named.points[rung]) return { curve: named, rung };
+  const index = Number(text?.slice(at + 1));
+  if (named && Number.isInteger(index) && named.points[index]) return { curve: named, index };
   const [usual] = own;
-  return usual && { curve: usual, rung: usualRung(study, usual) };
+  return usual && { curve: usual, index: usualPoint(study, usual) };
 }
 
 /** The chart of one target, and the image of the point that is chosen in it. */
@@ -74,10 +74,10 @@ function TargetPanel({
   const chart = useMemo(() => chartOf(study, target, axes), [study, target, axes.x, axes.y]);
   const ranges = useMemo(() => rangesOf([chart]), [chart]);
   const chosen = chosenPoint(study, target, route.query["point"]);
-  const choose = (curve: Curve, rung: number): void =>
+  const choose = (curve: CostCurve, index: number): void =>
     note({
       target: study.targets[target]?.name ?? "",
-      point: `${study.renderers[curve.renderer]?.name}/${rung}`,
+      point: `${study.renderers[curve.renderer]?.name}/${index}`,
     });
   const title = titleOf(study, target);
   const last = useRef(target);
@@ -102,8 +102,8 @@ function TargetPanel({
               study={study}
               chart={chart}
               ranges={ranges}
-              chosen={chosen && { renderer: chosen.curve.renderer, rung: chosen.rung }}
-              onChoose={({ curve, rung }) => choose(curve, rung)}
+              chosen={chosen && { renderer: chosen.curve.renderer, index: chosen.index }}
+              onChoose={({ curve, index }) => choose(curve, index)}
             />
           ) : (
             <p class="quiet">The study has no values for these axes on this target.</p>
@@ -113,7 +113,7 @@ function TargetPanel({
         {chosen ? (
           <Pictures
             {...{ source, run, study, ...chosen }}
-            onRung={(rung) => choose(chosen.curve, rung)}
+            onPoint={(index) => choose(chosen.curve, index)}
           />
         ) : null}
       </div>
@@ -151,10 +151,10 @@ function Choices({
       <Choice label="x axis" param="x" chosen={axes.x} options={kTimes} />
       <Choice label="y axis" param="y" chosen={axes.y.name} options={metrics} />
       <Choice
-        label="Prices by"
+        label="Times by"
         param="by"
         chosen={metric}
-        options={pricedMetrics(study).map((name) => ({ name, label: metricName(name) }))}
+        options={metricsWithTimes(study).map((name) => ({ name, label: metricName(name) }))}
       />
       <input
         ref={filter}
@@ -168,13 +168,13 @@ function Choices({
   );
 }
 
-/** What accuracy costs: who is cheapest, the curves of each target, and the prices. */
+/** What accuracy costs: who is fastest, the curves of each target, and the times to error. */
 export function CostPage(props: Props) {
   const { study, route } = props;
   const { query } = route;
   const y = metricOf(study, query["y"]);
   const x = kTimes.find(({ name }) => name === query["x"]) ?? kTimes[0];
-  const metrics = pricedMetrics(study);
+  const metrics = metricsWithTimes(study);
   const metric = metrics.find((name) => name === query["by"]) ?? metrics[0] ?? "";
   const wanted = (query["q"] ?? "").toLowerCase();
   const targets = study.targets.flatMap((_, i) =>
@@ -186,17 +186,17 @@ export function CostPage(props: Props) {
   const axes = { x: x.name, y };
   const viewed =
     route.path[0] === "images" ? chosenPoint(study, target, query["point"]) : undefined;
-  if (viewed) return <RungViewer home={props} study={study} route={route} {...viewed} />;
+  if (viewed) return <PointViewer home={props} study={study} route={route} {...viewed} />;
   return (
     <>
-      <section class="cost-panel who" aria-label="Who is cheapest">
-        <h1>Who is cheapest?</h1>
+      <section class="cost-panel who" aria-label="Who is fastest">
+        <h1>Who is fastest?</h1>
         <Answer study={study} metric={metric} base={query["base"]} level={query["at"]} />
       </section>
       <Choices study={study} axes={axes} metric={metric} target={target} route={route} />
       <TargetPanel {...props} axes={axes} target={target} />
       <Multiples study={study} axes={axes} targets={targets} chosen={target} route={route} />
-      <PriceTable study={study} metric={metric} targets={targets} route={route} />
+      <TimeTable study={study} metric={metric} targets={targets} route={route} />
       <About study={study} />
     </>
   );

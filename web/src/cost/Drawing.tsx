@@ -118,7 +118,7 @@ export function AxesPart(props: PartProps) {
 
 const isWithin = (scale: Scale, value: number): boolean => value >= scale.min && value <= scale.max;
 
-/** Lines over the whole width: levels that have prices, and the noise of the reference. */
+/** Lines over the whole width: levels to which times are stated, and the noise of the reference. */
 export function LevelsPart({ chart, scales, box, theme, small }: PartProps) {
   const { referenceNoise: noise, levels, axes } = chart;
   const line = (value: number, dashes: string) => (
@@ -227,7 +227,7 @@ export function CurvesPart({ chart, scales, box, theme, small }: PartProps) {
   );
 }
 
-/** One marker per rung; hollow if its error is not well above the reference's noise. */
+/** One marker per point; hollow if its error is not well above the reference's noise. */
 export function PointMark({
   placed,
   scales,

@@ -1,7 +1,7 @@
 import { seconds } from "../common/format";
 import { TableHead, type Column } from "../common/TableHead";
 import { withEnds } from "./quantities";
-import type { CostStudy, Curve } from "./types";
+import type { CostCurve, CostStudy } from "../data/generated";
 
 const kColumns: Column[] = [
   { label: "Renderer" },
@@ -13,14 +13,14 @@ const kColumns: Column[] = [
   { label: "Floor" },
 ];
 
-function floorText({ fit }: Curve): string {
+function floorText({ fit }: CostCurve): string {
   if (!fit) return "not fitted";
   if (!fit.has_floor) return "none shown";
   return fit.floor_named ? `yes: ${fit.floor_named}` : "yes";
 }
 
 /** The fitted curves of one target in numbers. */
-export function FitTable({ study, curves }: { study: CostStudy; curves: Curve[] }) {
+export function FitTable({ study, curves }: { study: CostStudy; curves: CostCurve[] }) {
   return (
     <div class="scroll">
       <table class="fits">

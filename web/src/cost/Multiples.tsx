@@ -18,7 +18,7 @@ import { Marker, markerLetter } from "./Marker";
 import { SaveButtons } from "./SaveButtons";
 import { sheetOf } from "./save";
 import { useTheme, type Theme } from "./theme";
-import type { CostStudy } from "./types";
+import type { CostStudy } from "../data/generated";
 
 const kWidth = 232;
 const kHeight = 150;
@@ -47,7 +47,7 @@ function SmallChart({ chart, ranges, theme }: SmallProps) {
       {chart.curves.flatMap(({ points }) =>
         points.map((placed) => (
           <PointMark
-            key={`${placed.curve.renderer} ${placed.rung}`}
+            key={`${placed.curve.renderer} ${placed.index}`}
             placed={placed}
             scales={scales}
             theme={theme}

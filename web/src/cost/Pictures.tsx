@@ -6,7 +6,7 @@ import type { Source } from "../data/source";
 import { routeText } from "../route";
 import { useHeldKey } from "../viewer/held_key";
 import { numbersOf } from "./quantities";
-import type { CostStudy, Curve } from "./types";
+import type { CostCurve, CostStudy } from "../data/generated";
 
 interface PictureProps {
   source: Source;
@@ -49,21 +49,21 @@ interface Props {
   source: Source;
   run: number;
   study: CostStudy;
-  curve: Curve;
-  rung: number;
-  onRung: (rung: number) => void;
+  curve: CostCurve;
+  index: number;
+  onPoint: (index: number) => void;
 }
 
-/** The viewer on the image of a rung. A study in one file holds no floats for it. */
+/** The viewer on the image of a point. A study in one file holds no floats for it. */
 const viewerLink = (source: Source, run: number, target: string, point: string): string =>
   routeText({ path: ["images"], query: { ...runQuery(source, run), target, point } });
 
-/** The image of a rung beside the reference, and all its numbers. */
-export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
+/** The image of a point beside the reference, and all its numbers. */
+export function Pictures({ source, run, study, curve, index, onPoint }: Props) {
   const [held, setHeld] = useState(false);
   useHeldKey("shift", setHeld);
   const target = study.targets[curve.target];
-  const point = curve.points[rung];
+  const point = curve.points[index];
   if (!target || !point) return null;
   const name = study.renderers[curve.renderer]?.name ?? "";
   const common = { source, run, width: target.width, height: target.height };
@@ -71,8 +71,8 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
     <button
       aria-label={label}
       title={label}
-      disabled={!curve.points[rung + by]}
-      onClick={() => onRung(rung + by)}
+      disabled={!curve.points[index + by]}
+      onClick={() => onPoint(index + by)}
     >
       {sign}
     </button>
@@ -80,19 +80,19 @@ export function Pictures({ source, run, study, curve, rung, onRung }: Props) {
   return (
     <section class="pictures" aria-label="Image and reference">
       <h3>
-        {step(-1, "Rung before", "‹")} {name}, {point.rung} {step(1, "Next rung", "›")}
+        {step(-1, "Setting before", "‹")} {name}, {point.setting} {step(1, "Next setting", "›")}
       </h3>
       <div class="pair">
         <Picture
           {...common}
           file={held ? target.reference : point.image}
-          label={held ? "reference" : `${name}, ${point.rung}`}
+          label={held ? "reference" : `${name}, ${point.setting}`}
         />
         <Picture {...common} file={target.reference} label="reference" />
       </div>
       {source.isServed && point.exr ? (
-        <a href={viewerLink(source, run, target.name, `${name}/${rung}`)}>
-          A × B: this image, its reference and other rungs at one place
+        <a href={viewerLink(source, run, target.name, `${name}/${index}`)}>
+          A × B: this image, its reference and others at one place
         </a>
       ) : null}
       <p class="quiet">

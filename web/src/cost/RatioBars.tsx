@@ -2,7 +2,7 @@ import { Marker } from "./Marker";
 import { ratioRows, ratioScale, type RatioRow, type RatioScale } from "./ratio_bars";
 import { ratioText } from "./quantities";
 import type { Theme } from "./theme";
-import type { CostStudy } from "./types";
+import type { CostStudy } from "../data/generated";
 
 const percent = (share: number): string => `${(100 * share).toFixed(2)}%`;
 

@@ -1,17 +1,18 @@
 import { errorOf, type TimeName } from "./quantities";
 import { rangeOf } from "./scale";
-import type { CostMetric, CostPoint, CostStudy, Curve, MaybeInterval } from "./types";
+import type { CostCurve, CostMetric, CostPoint, CostStudy } from "../data/generated";
+import type { MaybeInterval } from "./quantities";
 
 export interface Axes {
   x: TimeName;
   y: CostMetric;
 }
 
-/** A rung with both values, and the ends of their intervals where they are known. */
+/** A point with both values, and the ends of their intervals where they are known. */
 export interface Placed {
-  curve: Curve;
+  curve: CostCurve;
   /** Index within the points of the curve. */
-  rung: number;
+  index: number;
   point: CostPoint;
   x: number;
   y: number;
@@ -22,10 +23,10 @@ export interface Placed {
 export interface ChartOfTarget {
   target: number;
   axes: Axes;
-  curves: { curve: Curve; points: Placed[] }[];
-  /** Points that no other is both cheaper and better than, in the order of x. */
+  curves: { curve: CostCurve; points: Placed[] }[];
+  /** Points that no other is both faster and better than, in the order of x. */
   frontier: Placed[];
-  /** Levels of the metric that have prices. */
+  /** Levels of the metric to which times are stated. */
   levels: number[];
   referenceNoise: number | null;
 }
@@ -35,15 +36,15 @@ const endsOf = (interval: MaybeInterval, value: number): [number, number] => [
   interval?.high ?? value,
 ];
 
-function placedPoints(curve: Curve, { x, y }: Axes): Placed[] {
-  return curve.points.flatMap((point, rung) => {
+function placedPoints(curve: CostCurve, { x, y }: Axes): Placed[] {
+  return curve.points.flatMap((point, index) => {
     const [time, error] = [point[x], errorOf(point, y.name)];
     if (time?.value == null || error?.value == null) return [];
     if (time.value <= 0 || (y.log && error.value <= 0)) return [];
     return [
       {
         curve,
-        rung,
+        index,
         point,
         x: time.value,
         y: error.value,
@@ -67,6 +68,11 @@ function frontierOf(points: Placed[], lowerIsBetter: boolean): Placed[] {
     });
 }
 
+function noiseOf(study: CostStudy, target: number, metric: string): number | null {
+  const byName: Record<string, number | undefined> = study.targets[target]?.reference_noise ?? {};
+  return byName[metric] ?? null;
+}
+
 export function chartOf(study: CostStudy, target: number, axes: Axes): ChartOfTarget {
   const curves = study.curves
     .filter((curve) => curve.target === target)
@@ -76,7 +82,7 @@ export function chartOf(study: CostStudy, target: number, axes: Axes): ChartOfTa
     }));
   const levels = new Set(
     curves.flatMap(({ curve }) =>
-      curve.prices.filter(({ metric }) => metric === axes.y.name).map(({ level }) => level),
+      curve.times_to_error.filter(({ metric }) => metric === axes.y.name).map(({ level }) => level),
     ),
   );
   return {
@@ -88,7 +94,7 @@ export function chartOf(study: CostStudy, target: number, axes: Axes): ChartOfTa
       axes.y.lower_is_better,
     ),
     levels: [...levels].sort((a, b) => a - b),
-    referenceNoise: study.targets[target]?.reference_noise[axes.y.name] ?? null,
+    referenceNoise: noiseOf(study, target, axes.y.name),
   };
 }
 
@@ -133,7 +139,7 @@ export function fittedCurve({ curve, points }: ChartOfTarget["curves"][number], 
 }
 
 /** The error that no time removes, if the study shows one and the axes can. */
-export function floorOf(curve: Curve, axes: Axes): number | null {
+export function floorOf(curve: CostCurve, axes: Axes): number | null {
   if (axes.y.name !== "relmse" || !curve.fit?.has_floor) return null;
   return curve.fit.bias_squared?.value ?? null;
 }

@@ -1,5 +1,6 @@
 import { errorOf, kTimes } from "./quantities";
-import type { CostStudy, MaybeInterval } from "./types";
+import type { CostStudy } from "../data/generated";
+import type { MaybeInterval } from "./quantities";
 
 type Row = (string | number | boolean | null)[];
 
@@ -13,7 +14,7 @@ const cells = (interval: MaybeInterval): (number | null)[] => [
 /** One row per point of these targets, with all its numbers. */
 export function pointRows(study: CostStudy, targets: number[]): Row[] {
   const head: Row = [
-    ...["target", "renderer", "rung", "spp", "renders"],
+    ...["target", "renderer", "setting", "spp", "renders"],
     ...kTimes.flatMap(({ name }) => heads(name)),
     ...study.metrics.flatMap(({ name }) => heads(name)),
     ...["below_reference_noise", "on_frontier"],
@@ -24,7 +25,7 @@ export function pointRows(study: CostStudy, targets: number[]): Row[] {
       curve.points.map((point): Row => [
         study.targets[curve.target]?.name ?? "",
         study.renderers[curve.renderer]?.name ?? "",
-        point.rung,
+        point.setting,
         point.spp,
         point.renders,
         ...kTimes.flatMap(({ name }) => cells(point[name])),
@@ -37,16 +38,25 @@ export function pointRows(study: CostStudy, targets: number[]): Row[] {
 }
 
 /** One row per target, renderer and level. */
-export function priceRows(study: CostStudy): Row[] {
-  const head: Row = ["target", "renderer", "metric", "level", ...heads("cpu_seconds"), "note"];
+export function timeToErrorRows(study: CostStudy): Row[] {
+  const head: Row = [
+    "target",
+    "renderer",
+    "metric",
+    "level",
+    ...heads("cpu_seconds"),
+    "bound",
+    "bound_seconds",
+  ];
   const rows = study.curves.flatMap((curve) =>
-    curve.prices.map((price): Row => [
+    curve.times_to_error.map((time): Row => [
       study.targets[curve.target]?.name ?? "",
       study.renderers[curve.renderer]?.name ?? "",
-      price.metric,
-      price.level,
-      ...cells(price.cpu_seconds),
-      price.note,
+      time.metric,
+      time.level,
+      ...cells(time.cpu_seconds),
+      time.bound,
+      time.bound_seconds,
     ]),
   );
   return [head, ...rows];

@@ -1,5 +1,8 @@
 import { number, seconds } from "../common/format";
-import type { CostMetric, CostPoint, CostStudy, MaybeInterval } from "./types";
+import type { CostMetric, CostPoint, CostStudy, Interval, TimeToError } from "../data/generated";
+
+/** Null where the study does not know the number. */
+export type MaybeInterval = Interval | null;
 
 export type TimeName = "cpu_seconds" | "wall_seconds" | "render_seconds";
 
@@ -29,8 +32,20 @@ export const metricOf = (study: CostStudy, name: string | undefined): CostMetric
   study.metrics.find((metric) => metric.name === "relmse") ??
   study.metrics[0];
 
-export const errorOf = (point: CostPoint, metric: string): MaybeInterval =>
-  point.errors[metric] ?? null;
+export function errorOf({ errors }: CostPoint, metric: string): MaybeInterval {
+  const byName: Record<string, MaybeInterval> = errors;
+  return byName[metric] ?? null;
+}
+
+/** What the study knows of a time to error that it does not know exactly. */
+export function boundText(
+  { bound, bound_seconds: bound_s }: TimeToError,
+  isMeasured: boolean,
+): string {
+  if (bound === "at least") return `not reached in ${seconds(bound_s)}`;
+  if (bound === "at most") return `the first point reaches it: at most ${seconds(bound_s)}`;
+  return isMeasured ? "too short to be told from the fixed cost" : "not measured";
+}
 
 /** Three significant digits: more than an interval of four seeds can carry. */
 export function short(value: number | null): string {

@@ -1,5 +1,5 @@
-import { meanRatio, type MeanRatio } from "./cheapest";
-import type { CostStudy } from "./types";
+import { meanRatio, type MeanRatio } from "./ranking";
+import type { CostStudy } from "../data/generated";
 
 /** A renderer and how many times as long as the base it takes to one quality. */
 export interface RatioRow {

@@ -2,7 +2,7 @@ import { decoded } from "./decoder";
 import { pngAddress } from "./display";
 import type { Raster } from "./raster";
 import type { Source } from "./source";
-import type { Overview, TargetDetail } from "./types";
+import type { Overview, TargetDetail } from "./generated";
 
 export function textOf(id: string): string {
   const element = document.getElementById(id);
@@ -45,7 +45,6 @@ export function embeddedSource(): Source {
     // The floats are at hand: a second, smaller form of each image would make the file larger.
     preview: async (_run, file) => pngAddress(await raster(file, "")),
     study: noStudy,
-    stability: noStudy,
     picture: noStudy,
     fileAddress: () => undefined,
     follow: () => () => undefined,

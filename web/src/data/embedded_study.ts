@@ -1,25 +1,24 @@
-import type { CostStudy } from "../cost/types";
-import type { StabilityStudy } from "../stability/types";
+import type { Studies } from "../studies";
 import { textOf } from "./embedded";
+import type { StudyKind } from "./generated";
 import type { Source } from "./source";
 
 const noRun = () => Promise.reject(new Error("this file holds a study, no run"));
 
-/** The page of a study of cost or stability written by `orbs report`. */
+/** The page of a study written by `orbs report`. */
 export function embeddedStudy(): Source {
-  const kind = document.getElementById("orbs-cost") ? "cost" : "stability";
-  const study: unknown = JSON.parse(textOf(`orbs-${kind}`));
+  const about = JSON.parse(textOf("orbs-about")) as { name: string; kind: StudyKind };
+  const study: unknown = JSON.parse(textOf("orbs-study"));
   const elements = JSON.parse(textOf("orbs-images")) as Record<string, string>;
   return {
-    runs: [JSON.parse(textOf(`orbs-${kind}-name`)) as string],
-    kinds: [kind],
+    runs: [about.name],
+    kinds: [about.kind],
     isServed: false,
     overview: noRun,
     target: noRun,
     raster: noRun,
     preview: noRun,
-    study: async () => study as CostStudy,
-    stability: async () => study as StabilityStudy,
+    study: async <K extends StudyKind>() => study as Studies[K],
     picture: async (_run, file) => {
       const element = elements[file];
       if (!element)

@@ -1,10 +1,15 @@
-import type { CostStudy } from "../cost/types";
-import type { StabilityStudy } from "../stability/types";
+import type { Studies } from "../studies";
 import { pngAddress } from "./display";
 import { decoded } from "./decoder";
 import type { Raster } from "./raster";
+import {
+  kStudyKinds,
+  type Overview,
+  type Progress,
+  type StudyKind,
+  type TargetDetail,
+} from "./generated";
 import type { Kind, Source } from "./source";
-import type { Overview, TargetDetail, Progress } from "./types";
 
 async function get(address: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(address, signal ? { signal } : {}).catch((error: unknown) => {
@@ -49,9 +54,10 @@ export async function servedSource(): Promise<Source> {
     target: async (run, index) =>
       (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
     raster,
-    study: async (run) => (await (await get(fileAddress(run, "cost.json"))).json()) as CostStudy,
-    stability: async (run) =>
-      (await (await get(fileAddress(run, "stability.json"))).json()) as StabilityStudy,
+    study: async <K extends StudyKind>(kind: K, run: number) => {
+      const file = kStudyKinds.find(({ name }) => name === kind)?.file ?? "";
+      return (await (await get(fileAddress(run, file))).json()) as Studies[K];
+    },
     picture: async (run, file) =>
       file.endsWith(".exr") ? pngAddress(await raster(run, file, "")) : fileAddress(run, file),
     preview: async (run, file) => `/data/${run}/preview/${encoded(file)}`,

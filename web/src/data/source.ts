@@ -1,16 +1,18 @@
-import type { CostStudy } from "../cost/types";
-import type { StabilityStudy } from "../stability/types";
+import type { Studies } from "../studies";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
+import type { ImageFile, Overview, Progress, StudyKind, TargetDetail } from "./generated";
 import type { Raster } from "./raster";
 import { servedSource } from "./served";
-import type { Overview, TargetDetail, Progress } from "./types";
 
 /** "disconnected" while the browser reconnects, "closed" if the server sends no more updates. */
 export type Update = Progress | "disconnected" | "closed";
 
 /** What a folder holds. */
-export type Kind = "run" | "cost" | "stability";
+export type Kind = "run" | StudyKind;
+
+/** An image of a target; `run`: the index of the run that holds it, if it is not the one that is shown. */
+export type ImageEntry = ImageFile & { run?: number };
 
 /** Where the page gets its data from: a server, or the page's own file. */
 export interface Source {
@@ -25,10 +27,8 @@ export interface Source {
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
   /** Address of a small picture of an image, as a display shows it. */
   preview(run: number, file: string): Promise<string>;
-  /** A cost study as it is now. */
-  study(run: number): Promise<CostStudy>;
-  /** A study of stability as it is now. */
-  stability(run: number): Promise<StabilityStudy>;
+  /** A study of that kind as it is now. */
+  study<K extends StudyKind>(kind: K, run: number): Promise<Studies[K]>;
   /** Address of an image of a study, ready to be shown; rejects with an Error that says why. */
   picture(run: number, file: string): Promise<string>;
   /** Address of a file of the run; undefined if the source has no files. */
@@ -38,7 +38,6 @@ export interface Source {
 }
 
 export async function openSource(): Promise<Source> {
-  if (document.getElementById("orbs-cost") || document.getElementById("orbs-stability"))
-    return embeddedStudy();
+  if (document.getElementById("orbs-study")) return embeddedStudy();
   return document.getElementById("orbs-overview") ? embeddedSource() : servedSource();
 }

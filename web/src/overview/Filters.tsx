@@ -1,6 +1,6 @@
 import type { RefObject } from "preact";
 import { lookOf } from "../common/states";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import { note } from "../route";
 import type { Filter } from "./rows";
 

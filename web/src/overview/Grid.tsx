@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { bytes, number, seconds } from "../common/format";
 import { isInfinite, namesOf, reasonOf, runQuery, stateOf, type Session } from "../common/session";
 import { lookOf } from "../common/states";
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 import { note, routeText } from "../route";
 import { Preview, type Hovered } from "./Preview";
 import { worstCell, type Filter, type Row } from "./rows";

@@ -1,7 +1,7 @@
 import { bytes, seconds } from "../common/format";
 import { lookOf } from "../common/states";
 import { TableHead, type Column } from "../common/TableHead";
-import type { Overview, Renderer } from "../data/types";
+import type { Overview, Renderer } from "../data/generated";
 
 const kColumns: Column[] = [
   { label: "Renderer" },

@@ -1,4 +1,4 @@
-import type { Overview } from "../data/types";
+import type { Overview } from "../data/generated";
 
 /** A row of the grid: a requirement with the worst of its targets, or one target. */
 export interface Row {

@@ -3,7 +3,7 @@ import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
 import { note, type Route } from "../route";
 import { cellText, magnitudeText, percentText, stepText } from "./texts";
-import type { StabilityStudy, Step } from "./types";
+import type { StabilityStep, StabilityStudy } from "../data/generated";
 
 interface Props {
   source: Source;
@@ -85,7 +85,7 @@ function Pictures({
 }: {
   source: Source;
   run: number;
-  step: Step;
+  step: StabilityStep;
   title: string;
 }) {
   return (
@@ -116,7 +116,7 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
       study.renderers[step.renderer]?.name === renderer,
   );
   if (!relation || steps.length === 0) return null;
-  const titleOf = (step: Step): string => {
+  const titleOf = (step: StabilityStep): string => {
     const at = relation.is_ladder ? ` at ${magnitudeText(step.magnitude, relation.unit)}` : "";
     return `${study.scenes[step.scene]?.name}${at}`;
   };

@@ -1,4 +1,4 @@
-import type { Cell, Relation, Step } from "./types";
+import type { StabilityCell, StabilityRelationRecord, StabilityStep } from "../data/generated";
 
 /** A magnitude with its unit; powers of two from 2^10 on as such. */
 export function magnitudeText(magnitude: number, unit: string): string {
@@ -10,7 +10,7 @@ export function magnitudeText(magnitude: number, unit: string): string {
 }
 
 /** What a cell of the matrix says, in a few words. */
-export function cellText(cell: Cell, relation: Relation): string {
+export function cellText(cell: StabilityCell, relation: StabilityRelationRecord): string {
   if (cell.scenes === 0) return "–";
   const text = (magnitude: number): string => magnitudeText(magnitude, relation.unit);
   const { first_break: broken, held_to: held } = cell;
@@ -33,5 +33,5 @@ export function percentText(value: number, error: number): string {
 }
 
 /** What a step says beside its numbers. */
-export const stepText = (step: Step): string =>
+export const stepText = (step: StabilityStep): string =>
   step.outcome === "holds" && step.is_bit_equal ? "equal to the bit" : step.outcome;

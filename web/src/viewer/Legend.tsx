@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { number } from "../common/format";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { scaleBytes } from "./colour_scales";
 import type { PaintSettings } from "./paint_settings";
 

@@ -2,7 +2,7 @@ import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
 import { rawFloat } from "../common/format";
 import { valueAt, type Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { seenChannels } from "./channels";
 import { isRaster, type Loaded } from "./use_rasters";
 

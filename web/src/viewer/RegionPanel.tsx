@@ -1,6 +1,6 @@
 import { number, rawFloat } from "../common/format";
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { StatisticsTable } from "./Histogram";
 import { meanErrors, type Errors } from "./region_metrics";
 import { isWithin, type Region } from "./statistics";

@@ -1,7 +1,7 @@
 import { useRef, useState } from "preact/hooks";
 import { useActions } from "../common/keys";
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { Route } from "../route";
 import { viewActions } from "./actions";
 import { differenceEntry } from "./difference";

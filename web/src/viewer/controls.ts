@@ -1,5 +1,5 @@
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { Size } from "./geometry";
 import type { PaintSettings } from "./paint_settings";
 import type { ViewState } from "./view_state";

@@ -1,7 +1,7 @@
 // Differences of two images, computed from their values: A − B in several measures.
 import { encoded } from "../data/display";
 import { floatsOf, type Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { flipMap } from "./flip";
 import { ssimMap } from "./ssim";
 import { forEachRow } from "./statistics";

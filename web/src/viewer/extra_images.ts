@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { messageOf } from "../common/message";
 import type { Source } from "../data/source";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 
 /** Where the files of images are: the index of a run or study of the source. */
 export interface ImageHome {

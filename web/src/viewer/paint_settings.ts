@@ -1,5 +1,5 @@
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { isLuminance, seenChannels } from "./channels";
 import type { Range } from "./statistics";
 import { kCurves, type ViewState } from "./view_state";

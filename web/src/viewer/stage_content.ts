@@ -1,5 +1,5 @@
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { panesOf, type Pane, type Size } from "./geometry";
 import type { Range } from "./statistics";
 import type { Loaded } from "./use_rasters";

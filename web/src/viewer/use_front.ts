@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { kDifference } from "./difference";
 import { useHeldKey } from "./held_key";
 import type { ViewState } from "./view_state";

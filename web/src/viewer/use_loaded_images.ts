@@ -1,6 +1,6 @@
 import { useRef } from "preact/hooks";
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import { seenChannels } from "./channels";
 import type { Size } from "./geometry";
 import { isMap } from "./paint_settings";

@@ -1,7 +1,7 @@
 // Small PNGs of a server, shown until the floats of the images are there.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { ImageHome } from "./extra_images";
 
 const linear = (code: number): number => {

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { messageOf } from "../common/message";
 import type { Raster } from "../data/raster";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { ImageHome } from "./extra_images";
 
 export type Loaded = Raster | { problem: string } | undefined;

@@ -1,15 +1,15 @@
-// Who is cheapest at which quality. Only comparisons whose verdict says so rank anybody.
+// Who is fastest at which quality. Only comparisons whose ranking says so rank any renderer.
 import { errorOf } from "./quantities";
-import type { Comparison, CostStudy, Interval } from "./types";
+import type { CostComparison, CostStudy, Interval } from "../data/generated";
 
 /** The standing of all renderers on one target at one level. */
 export type Standing =
-  | { kind: "cheapest"; renderer: number }
+  | { kind: "fastest"; renderer: number }
   | { kind: "only"; renderer: number }
   | { kind: "open" }
   | { kind: "unreached" };
 
-/** True if a measured rung is at least that good: its price may still lie before the first rung. */
+/** True if a measured point is at least that good: its time may still lie before that of the first point. */
 function reaches(
   study: CostStudy,
   target: number,
@@ -25,12 +25,9 @@ function reaches(
   });
 }
 
-/**
- * True if the comparison shows that `renderer` is the cheaper of its two: the verdict says what the
- * second is.
- */
-const showsCheaper = ({ first, second, verdict }: Comparison, renderer: number): boolean =>
-  (verdict === "dearer" && renderer === first) || (verdict === "cheaper" && renderer === second);
+/** True if the comparison shows that `renderer` is the faster of its two: the ranking is of the second. */
+const showsFaster = ({ first, second, ranking }: CostComparison, renderer: number): boolean =>
+  (ranking === "slower" && renderer === first) || (ranking === "faster" && renderer === second);
 
 export function standingAt(
   study: CostStudy,
@@ -47,15 +44,15 @@ export function standingAt(
   const own = study.comparisons.filter(
     (one) => one.target === target && one.metric === metric && one.level === level,
   );
-  const between = (a: number, b: number): Comparison | undefined =>
+  const between = (a: number, b: number): CostComparison | undefined =>
     own.find(({ first, second }) => (first === a && second === b) || (first === b && second === a));
   const winner = reached.find((renderer) =>
     reached.every((other) => {
       const comparison = between(renderer, other);
-      return other === renderer || (comparison && showsCheaper(comparison, renderer));
+      return other === renderer || (comparison && showsFaster(comparison, renderer));
     }),
   );
-  return winner === undefined ? { kind: "open" } : { kind: "cheapest", renderer: winner };
+  return winner === undefined ? { kind: "open" } : { kind: "fastest", renderer: winner };
 }
 
 export interface MeanRatio extends Interval {
@@ -100,50 +97,52 @@ export interface LevelAnswer {
   level: number;
   targets: number;
   /** Number of targets of each renderer. */
-  cheapest: number[];
+  fastest: number[];
   only: number[];
   open: number;
   unreached: number;
-  /** The renderer that is shown to be the cheapest on the most targets, if there is one. */
+  /** The renderer that is shown to be the fastest on the most targets, if there is one. */
   leader: number | undefined;
 }
 
 export function answerAt(study: CostStudy, metric: string, level: number): LevelAnswer {
   const count = (): number[] => study.renderers.map(() => 0);
-  const [cheapest, only] = [count(), count()];
+  const [fastest, only] = [count(), count()];
   let [open, unreached] = [0, 0];
   study.targets.forEach((_, target) => {
     const standing = standingAt(study, target, metric, level);
     if (standing.kind === "open") ++open;
     else if (standing.kind === "unreached") ++unreached;
     else {
-      const list = standing.kind === "cheapest" ? cheapest : only;
+      const list = standing.kind === "fastest" ? fastest : only;
       list[standing.renderer] = (list[standing.renderer] ?? 0) + 1;
     }
   });
-  const most = Math.max(...cheapest);
-  const leaders = cheapest.flatMap((wins, renderer) =>
+  const most = Math.max(...fastest);
+  const leaders = fastest.flatMap((wins, renderer) =>
     wins === most && most > 0 ? [renderer] : [],
   );
   const leader = leaders.length === 1 ? leaders[0] : undefined;
   const targets = study.targets.length;
-  return { metric, level, targets, cheapest, only, open, unreached, leader };
+  return { metric, level, targets, fastest, only, open, unreached, leader };
 }
 
-/** The levels of a metric that have prices, the lowest quality first. */
+/** The levels of a metric to which times are stated, the lowest quality first. */
 export function levelsOf(study: CostStudy, metric: string): number[] {
   const levels = new Set(
-    study.curves.flatMap(({ prices }) =>
-      prices.filter((price) => price.metric === metric).map(({ level }) => level),
+    study.curves.flatMap(({ times_to_error }) =>
+      times_to_error.filter((time) => time.metric === metric).map(({ level }) => level),
     ),
   );
   const lowerIsBetter = study.metrics.find(({ name }) => name === metric)?.lower_is_better;
   return [...levels].sort((a, b) => (lowerIsBetter ? b - a : a - b));
 }
 
-/** The metrics that have prices, PSNR first. */
-export function pricedMetrics(study: CostStudy): string[] {
-  const metrics = new Set(study.curves.flatMap(({ prices }) => prices.map(({ metric }) => metric)));
+/** The metrics to which times are stated, PSNR first. */
+export function metricsWithTimes(study: CostStudy): string[] {
+  const metrics = new Set(
+    study.curves.flatMap(({ times_to_error }) => times_to_error.map(({ metric }) => metric)),
+  );
   return [...metrics].sort((a, b) => Number(b === "psnr_srgb8") - Number(a === "psnr_srgb8"));
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/files_inside.h"
 #include "results/run_folder.h"
+#include "results/study_kinds.h"
 #include "server/packed_text.h"
 
 #include <chrono>
@@ -50,6 +51,24 @@ class ServedRun {
   std::uint64_t version_ = 1;
   std::chrono::steady_clock::time_point last_look_;
   std::shared_ptr<const PackedText> overview_;  // of the current version; null until requested
+};
+
+/// One study in the server's memory. The page reads its JSON as a file of the folder, as it is
+/// then. Its folder is kept open, so that what takes its name later leads nowhere.
+class ServedStudy {
+ public:
+  /// InputError if the folder holds no study.
+  explicit ServedStudy(const std::filesystem::path& folder);
+
+  const std::filesystem::path& named() const { return named_; }
+  std::filesystem::path folder() const { return opened_.path(); }
+  const std::string& started() const { return study_.started; }
+  std::string_view kind() const { return study_.kind.name; }
+
+ private:
+  std::filesystem::path named_;
+  results::StudyFolder study_;
+  OpenFolder opened_;
 };
 
 }  // namespace orbs::server

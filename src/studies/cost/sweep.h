@@ -8,7 +8,7 @@
 
 namespace orbs::studies {
 
-/// What a pilot render says of a curve before its rungs are chosen.
+/// What a pilot render says of a curve before its settings are chosen.
 struct CostPilot {
   std::size_t target = 0;
   std::size_t renderer = 0;
@@ -16,34 +16,34 @@ struct CostPilot {
   int spp = 1;                     // of the pilot
   double seconds = 0;              // its wall clock on an idle machine
   double psnr_srgb8 = 0;           // its error
-  int least_spp = 1;               // the fewest samples of a rung
-  std::vector<CostRung> settings;  // the rungs that the configuration lists; none: samples
+  int least_spp = 1;               // the fewest samples of a point
+  std::vector<SweepSetting> settings;  // the settings that the configuration lists; none: samples
   /// Wall clock of the settings that were tried, the first of the list; the study has no more of them.
   std::vector<double> setting_seconds = {};
   bool is_noise_free = false;
 };
 
-/// Renders of each rung: without random samples, every further image would be the same, and its time is
+/// Renders of each setting: without random samples, every further image would be the same, and its time is
 /// measured twice.
-int renders_per_rung(const CostPilot& pilot, const CostSettings& settings);
+int renders_per_setting(const CostPilot& pilot, const CostSettings& settings);
 
 /// Whether all renders of one more setting are expected to fit into this share of the budget, in seconds. The
 /// times of settings are not known before they are rendered: each is expected to take as much longer than the
 /// one before as that one did. The first is always tried.
 bool may_try_next_setting(const CostPilot& pilot, const CostSettings& settings, double share_seconds);
 
-/// The wall clock that all renders of the ladder are expected to take, those of the fixed cost included.
-double expected_seconds(const CostPilot& pilot, const CostLadder& ladder, const CostSettings& settings);
+/// The wall clock that all renders of the sweep are expected to take, those of the fixed cost included.
+double expected_seconds(const CostPilot& pilot, const Sweep& sweep, const CostSettings& settings);
 
-/// The ladders of all pilots. The last rung has enough samples to be past the target, for an error whose
+/// The sweeps of all pilots. The last sample count is enough to be past the target, for an error whose
 /// square falls as 1 / samples; each has half the samples of the next. Where all together would exceed the
-/// budget, in seconds of wall clock, all ladders first get fewer rungs, down to the four that a fit needs;
+/// budget, in seconds of wall clock, all sweeps first get fewer points, down to the four that a fit needs;
 /// then the one whose samples take the longest gets half of them, again and again, and says so in its note.
-std::vector<CostLadder> choose_ladders(const std::vector<CostPilot>& pilots,
+std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
                                        const CostSettings& settings,
                                        double budget_seconds);
 
-/// Ladders with these samples at every curve, whatever they cost.
-std::vector<CostLadder> given_ladders(const std::vector<CostPilot>& pilots, const std::vector<int>& samples);
+/// Sweeps of these sample counts at every curve, however long they take.
+std::vector<Sweep> given_sweeps(const std::vector<CostPilot>& pilots, const std::vector<int>& samples);
 
 }  // namespace orbs::studies

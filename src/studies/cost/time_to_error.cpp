@@ -1,17 +1,13 @@
-#include "studies/cost/prices.h"
-
-#include "studies/cost/points.h"
+#include "studies/cost/curve.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace orbs::studies {
 
 namespace {
 
-// A point in the terms of a goal: a squared error that gets less with time.
+// A point in the terms of an error target: a squared error that gets less with time.
 struct Step {
   double error = 0;
   double seconds = 0;  // of CPU, the fixed cost included
@@ -41,21 +37,22 @@ std::vector<Step> steps_of(const CostCurve& curve, std::size_t metric) {
   return steps;
 }
 
-void set_interval(CostPrice& price, double seconds, double log_variance, double degrees) {
-  price.log_error = std::sqrt(log_variance);
-  price.degrees = std::max(1.0, degrees);
-  const auto logs = student_interval(std::log(seconds), price.log_error, price.degrees, kOutside);
-  price.cpu_seconds = Interval{std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
+void set_interval(TimeToError& time, double seconds, double log_variance, double degrees) {
+  time.bound = Bound::Exact;
+  time.log_error = std::sqrt(log_variance);
+  time.degrees = std::max(1.0, degrees);
+  const auto logs = student_interval(std::log(seconds), time.log_error, time.degrees, kOutside);
+  time.cpu_seconds = Interval{std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
 }
 
-// Between two rungs that enclose the goal.
+// Between two sample counts whose errors enclose the target.
 void interpolate(
-    CostPrice& price, const Step& before, const Step& after, double goal, double fixed, double degrees) {
+    TimeToError& time, const Step& before, const Step& after, double target, double fixed, double degrees) {
   const double t0 = std::log(before.seconds - fixed);
   const double t1 = std::log(after.seconds - fixed);
   const double e0 = std::log(before.error);
   const double e1 = std::log(after.error);
-  const double share = (e0 - std::log(goal)) / (e0 - e1);
+  const double share = (e0 - std::log(target)) / (e0 - e1);
   const double variable = std::exp(t0 + share * (t1 - t0));
   // An error of the logarithm of the error moves the crossing along the slope.
   const double slope = (t1 - t0) / (e0 - e1);
@@ -65,42 +62,40 @@ void interpolate(
   const double timed = (1 - share) * before.time_log_variance + share * after.time_log_variance;
   // Only the part above the fixed cost moves with the error.
   const double weight = variable / (variable + fixed);
-  set_interval(price, variable + fixed, weight * weight * moved + timed, degrees);
+  set_interval(time, variable + fixed, weight * weight * moved + timed, degrees);
 }
 
 }  // namespace
 
-CostPrice cost_price(const CostCurve& curve, const CostGoal& goal, bool has_samples) {
-  CostPrice price{goal, {}, {}, {}};
-  const double level = goal.metric == kPsnr ? mse_of_psnr(goal.level) : goal.level;
-  const auto steps = steps_of(curve, goal.metric);
-  if (steps.empty()) {
-    price.note = "not measured";
-    return price;
-  }
+TimeToError time_to_error(const CostCurve& curve, const ErrorTarget& target, bool has_samples) {
+  TimeToError time;
+  time.target = target;
+  const double level = target.metric == kPsnr ? mse_of_psnr(target.level) : target.level;
+  const auto steps = steps_of(curve, target.metric);
+  if (steps.empty()) return time;
   const auto reached =
       std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.error <= level; });
   if (reached == steps.end()) {
-    price.at_least = steps.back().seconds;
-    price.note = fmt::format("not reached: more than {:.3g} s", *price.at_least);
-    return price;
+    time.bound = Bound::AtLeast;
+    time.bound_seconds = steps.back().seconds;
+    return time;
   }
-  const double fixed = curve.fixed_cpu_seconds.value;
+  const double fixed = fixed_seconds(curve);
   if (!has_samples || reached->error <= 0) {
-    set_interval(price, reached->seconds, reached->time_log_variance, curve.degrees);
+    set_interval(time, reached->seconds, reached->time_log_variance, curve.degrees);
   } else if (reached == steps.begin()) {
-    price.note = fmt::format("the first rung reaches it: at most {:.3g} s", reached->seconds);
-  } else if (!(std::prev(reached)->seconds > fixed) || !(std::prev(reached)->error > reached->error)) {
-    price.note = "too short to be told from the fixed cost";
-  } else {
-    interpolate(price, *std::prev(reached), *reached, level, fixed, curve.degrees);
+    time.bound = Bound::AtMost;
+    time.bound_seconds = reached->seconds;
+  } else if (std::prev(reached)->seconds > fixed && std::prev(reached)->error > reached->error) {
+    interpolate(time, *std::prev(reached), *reached, level, fixed, curve.degrees);
   }
-  return price;
+  return time;
 }
 
-void set_prices(CostCurve& curve, bool has_samples) {
-  curve.prices.clear();
-  for (const auto& goal : cost_goals()) curve.prices.push_back(cost_price(curve, goal, has_samples));
+void set_times_to_error(CostCurve& curve, bool has_samples) {
+  curve.times_to_error.clear();
+  for (const auto& target : error_targets())
+    curve.times_to_error.push_back(time_to_error(curve, target, has_samples));
   const CostPoint* best = nullptr;  // the last that the reference can still judge
   const CostPoint* before = nullptr;
   for (const auto& point : curve.points) {

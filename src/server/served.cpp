@@ -1,4 +1,4 @@
-#include "server/served_run.h"
+#include "server/served.h"
 
 #include "base/error.h"
 #include "base/file_state.h"
@@ -79,5 +79,10 @@ bool ServedRun::is_live() {
   look();
   return view_.is_live;
 }
+
+ServedStudy::ServedStudy(const std::filesystem::path& folder)
+    : named_(std::filesystem::weakly_canonical(folder)),
+      study_(results::read_study_folder(named_)),
+      opened_(named_) {}
 
 }  // namespace orbs::server

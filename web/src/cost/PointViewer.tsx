@@ -1,21 +1,21 @@
 import { useMemo } from "preact/hooks";
 import { routeText, type Route } from "../route";
-import type { ImageEntry } from "../data/types";
+import type { ImageEntry } from "../data/source";
 import type { Addable, ImageHome } from "../viewer/extra_images";
-import { rungImages } from "../viewer/rung_images";
+import { sweepImages } from "../viewer/sweep_images";
 import { Viewer } from "../viewer/Viewer";
 import { titleOf } from "./CostChart";
-import type { CostStudy, Curve } from "./types";
+import type { CostCurve, CostStudy } from "../data/generated";
 
 interface Props {
   home: ImageHome;
   study: CostStudy;
   route: Route;
-  curve: Curve;
-  rung: number;
+  curve: CostCurve;
+  index: number;
 }
 
-/** What can stand beside the image of a rung: the other rungs of all renderers on the same target. */
+/** What can stand beside the image of a point: the images of the other settings and renderers on the same target. */
 function addableOf(images: ImageEntry[], own: string, key: string): Addable {
   return {
     key,
@@ -23,20 +23,20 @@ function addableOf(images: ImageEntry[], own: string, key: string): Addable {
     names: images.map(({ name }) => name).filter((name) => name !== own),
     load: async (name) => {
       const image = images.find((one) => one.name === name);
-      if (!image) throw new Error("the study has no such rung on this target");
+      if (!image) throw new Error("the study has no such image of this target");
       return image;
     },
   };
 }
 
-/** The image of a rung, its reference, and any other rungs, at one place of the images. */
-export function RungViewer({ home, study, route, curve, rung }: Props) {
+/** The image of a point, its reference, and those of any other points, at one place. */
+export function PointViewer({ home, study, route, curve, index }: Props) {
   const target = study.targets[curve.target];
-  const point = curve.points[rung];
-  const name = `${study.renderers[curve.renderer]?.name} ${point?.rung}`;
+  const point = curve.points[index];
+  const name = `${study.renderers[curve.renderer]?.name} ${point?.setting}`;
   const key = `${home.run} ${target?.name} ${name}`;
   const images = useMemo(
-    () => rungImages(study, home.run, target?.name ?? ""),
+    () => sweepImages(study, home.run, target?.name ?? ""),
     [study, home.run, target?.name],
   );
   if (!target || !point) return null;

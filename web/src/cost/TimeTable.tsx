@@ -1,12 +1,12 @@
 import { useMemo } from "preact/hooks";
 import { seconds } from "../common/format";
 import { note, routeText, type Route } from "../route";
-import { levelsOf } from "./cheapest";
-import { priceRows } from "./csv_rows";
-import { priceTable, sortedRows, type PriceRow, type Sorting } from "./prices";
-import { levelText, short, withEnds } from "./quantities";
+import { levelsOf } from "./ranking";
+import { timeToErrorRows } from "./csv_rows";
+import { timeTable, sortedRows, type TimeRow, type Sorting } from "./time_rows";
+import { boundText, levelText, short, withEnds } from "./quantities";
 import { SaveButtons } from "./SaveButtons";
-import type { CostStudy, Price } from "./types";
+import type { CostStudy, TimeToError } from "../data/generated";
 
 interface HeadProps {
   by: string;
@@ -33,26 +33,33 @@ function SortHead({ by, label, title, sorting, isNumber }: HeadProps) {
   );
 }
 
-function PriceCell({ price, isCheapest }: { price: Price | undefined; isCheapest: boolean }) {
-  const time = price?.cpu_seconds;
-  if (time?.value == null) return <td class="quiet note">{price?.note || "–"}</td>;
+interface CellProps {
+  time: TimeToError | undefined;
+  isFastest: boolean;
+  isMeasured: boolean;
+}
+
+function TimeCell({ time, isFastest, isMeasured }: CellProps) {
+  const interval = time?.cpu_seconds;
+  if (interval?.value == null)
+    return <td class="quiet note">{time ? boundText(time, isMeasured) : "–"}</td>;
   return (
-    <td class="number" title={`${withEnds(time, seconds)}${price?.note ? `; ${price.note}` : ""}`}>
-      {isCheapest ? (
-        <b title="shown to be the cheapest">★ {seconds(time.value)}</b>
+    <td class="number" title={withEnds(interval, seconds)}>
+      {isFastest ? (
+        <b title="shown to be the fastest">★ {seconds(interval.value)}</b>
       ) : (
-        seconds(time.value)
+        seconds(interval.value)
       )}
-      {time.low !== null && time.high !== null ? (
+      {interval.low !== null && interval.high !== null ? (
         <span class="ends">
-          {seconds(time.low)} to {seconds(time.high)}
+          {seconds(interval.low)} to {seconds(interval.high)}
         </span>
       ) : null}
     </td>
   );
 }
 
-function Row({ row, route }: { row: PriceRow; route: Route }) {
+function Row({ row, route }: { row: TimeRow; route: Route }) {
   const { curve, floor } = row;
   const link = { path: route.path, query: { ...route.query, target: row.target, point: "" } };
   const perDb = curve.seconds_per_db?.value;
@@ -62,8 +69,13 @@ function Row({ row, route }: { row: PriceRow; route: Route }) {
         <a href={routeText(link)}>{row.target}</a>
       </th>
       <td>{row.renderer}</td>
-      {row.prices.map((price, i) => (
-        <PriceCell key={i} price={price} isCheapest={row.isCheapest[i] ?? false} />
+      {row.times.map((time, i) => (
+        <TimeCell
+          key={i}
+          time={time}
+          isFastest={row.isFastest[i] ?? false}
+          isMeasured={curve.points.length > 0}
+        />
       ))}
       <td class="number" title={withEnds(curve.efficiency)}>
         {short(curve.efficiency?.value ?? null)}
@@ -85,12 +97,12 @@ interface Props {
 }
 
 /** CPU seconds to each level, by target and renderer; every column sorts. */
-export function PriceTable({ study, metric, targets, route }: Props) {
+export function TimeTable({ study, metric, targets, route }: Props) {
   const sorting = {
     by: route.query["sort"] || "target",
     descending: route.query["order"] === "down",
   };
-  const all = useMemo(() => priceTable(study, metric), [study, metric]);
+  const all = useMemo(() => timeTable(study, metric), [study, metric]);
   const rows = sortedRows(
     all.filter(({ curve }) => targets.includes(curve.target)),
     sorting,
@@ -99,13 +111,13 @@ export function PriceTable({ study, metric, targets, route }: Props) {
     <SortHead key={by} {...{ by, label, title, sorting, isNumber }} />
   );
   return (
-    <section class="cost-panel prices" aria-label="Prices">
+    <section class="cost-panel times" aria-label="Times to error">
       <div class="panel-head">
-        <h2>Prices: CPU seconds to a quality</h2>
-        <span class="quiet">★ shown to be the cheapest of the renderers that reach it</span>
-        <SaveButtons name={`${study.suite} prices`} rows={() => priceRows(study)} />
+        <h2>Time to error: CPU seconds to a quality</h2>
+        <span class="quiet">★ shown to be the fastest of the renderers that reach it</span>
+        <SaveButtons name={`${study.suite} times to error`} rows={() => timeToErrorRows(study)} />
       </div>
-      <div class="scroll" tabIndex={0} role="region" aria-label="Table of prices">
+      <div class="scroll" tabIndex={0} role="region" aria-label="Table of times">
         <table>
           <thead>
             <tr>

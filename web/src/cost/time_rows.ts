@@ -1,33 +1,34 @@
-import { levelsOf, mayRank, standingAt } from "./cheapest";
-import type { CostStudy, Curve, Interval, MaybeInterval, Price } from "./types";
+import { levelsOf, mayRank, standingAt } from "./ranking";
+import type { CostCurve, CostStudy, Interval, TimeToError } from "../data/generated";
+import type { MaybeInterval } from "./quantities";
 
-/** A row of the table of prices: one renderer on one target. */
-export interface PriceRow {
-  curve: Curve;
+/** A row of the table of times: one renderer on one target. */
+export interface TimeRow {
+  curve: CostCurve;
   target: string;
   renderer: string;
-  prices: (Price | undefined)[];
-  /** For each level, whether this renderer is shown to be the cheapest. */
-  isCheapest: boolean[];
+  times: (TimeToError | undefined)[];
+  /** For each level, whether this renderer is shown to be the fastest. */
+  isFastest: boolean[];
   floor: MaybeInterval;
 }
 
-export function priceTable(study: CostStudy, metric: string): PriceRow[] {
+export function timeTable(study: CostStudy, metric: string): TimeRow[] {
   const levels = levelsOf(study, metric);
   const winners = study.targets.map((_, target) =>
     levels.map((level) => {
       const standing = mayRank(study) ? standingAt(study, target, metric, level) : undefined;
-      return standing?.kind === "cheapest" ? standing.renderer : -1;
+      return standing?.kind === "fastest" ? standing.renderer : -1;
     }),
   );
   return study.curves.map((curve) => ({
     curve,
     target: study.targets[curve.target]?.name ?? "",
     renderer: study.renderers[curve.renderer]?.name ?? "",
-    prices: levels.map((level) =>
-      curve.prices.find((price) => price.metric === metric && price.level === level),
+    times: levels.map((level) =>
+      curve.times_to_error.find((time) => time.metric === metric && time.level === level),
     ),
-    isCheapest: levels.map((_, i) => winners[curve.target]?.[i] === curve.renderer),
+    isFastest: levels.map((_, i) => winners[curve.target]?.[i] === curve.renderer),
     floor: curve.fit?.has_floor ? curve.fit.bias_squared : null,
   }));
 }
@@ -40,17 +41,17 @@ export interface Sorting {
 
 const valueOf = (interval: Interval | null | undefined): number | null => interval?.value ?? null;
 
-function keyOf(row: PriceRow, by: string): string | number | null {
+function keyOf(row: TimeRow, by: string): string | number | null {
   if (by === "target") return row.curve.target;
   if (by === "renderer") return row.renderer;
   if (by === "efficiency") return valueOf(row.curve.efficiency);
   if (by === "db") return valueOf(row.curve.seconds_per_db);
   if (by === "floor") return valueOf(row.floor);
-  return valueOf(row.prices[Number(by)]?.cpu_seconds);
+  return valueOf(row.times[Number(by)]?.cpu_seconds);
 }
 
 /** The rows in that order; rows without a value come last in both directions. */
-export function sortedRows(rows: PriceRow[], { by, descending }: Sorting): PriceRow[] {
+export function sortedRows(rows: TimeRow[], { by, descending }: Sorting): TimeRow[] {
   const sign = descending ? -1 : 1;
   return [...rows].sort((a, b) => {
     const [x, y] = [keyOf(a, by), keyOf(b, by)];
