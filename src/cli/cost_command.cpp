@@ -3,8 +3,8 @@
 #include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
-#include "registry/image_size.h"
 #include "results/cost_study.h"
 #include "results/host_record.h"
 #include "run/host.h"
@@ -24,9 +24,8 @@ namespace orbs::cli {
 namespace {
 
 struct CostOptions {
-  TargetFilters filters;
-  std::vector<std::string> requirements, renderers;
-  std::string size, output, resume, show, svg;
+  RunOptions run;
+  std::string output, resume, show, svg;
   std::string time = "20m", target = "35dB";
   studies::CostRequest request;
   bool as_markdown = false;
@@ -55,10 +54,7 @@ double number_with_unit(const char* option,
 
 void add_options(const command_line::Command& command, CostOptions& options) {
   constexpr int kMost = 1024;
-  add_filter_options(command, options.filters);
-  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
-  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
-  add_size_option(command, options.size);
+  add_settings(command, options.run, {"suite", "case", "scene", "requirement", "renderer", "size"});
   command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h").shows_default();
   command.add_option("--target", options.target, "PSNR that the curves are to cross").shows_default();
   command
@@ -118,11 +114,11 @@ studies::CostRecord earlier_record(const std::string& folder) {
   return record;
 }
 
-int measure(const registry::Configuration& configuration, CostOptions options, const Program& program) {
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  if (!options.size.empty()) settings.size_divisor = registry::size_divisor(options.size);
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
+            CostOptions options,
+            const Program& program) {
+  auto settings = run_settings(command, options.run, configuration.defaults);
   settings.threads = options.request.settings.threads;
   settings.jobs = 1;
   auto& request = options.request;
@@ -161,7 +157,7 @@ void add_cost_command(const command_line::Command& command, const Program& progr
         report(studies::read_cost_file(cost_file(options->show)), *options);
         return 0;
       }
-      return measure(read_configuration(*configuration, program), *options, program);
+      return measure(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

@@ -3,6 +3,7 @@
 #include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "results/effect_costs.h"
 #include "studies/effects/effect_cost.h"
@@ -17,14 +18,14 @@ namespace {
 struct EffectCostOptions {
   studies::EffectCostSettings effect_costs;
   std::vector<std::string> scenes;
-  std::string suite;
+  RunOptions run;
   std::string output;
   bool as_markdown = false;
 };
 
 void add_options(const command_line::Command& command, EffectCostOptions& options) {
   command.add_option("scenes", options.scenes, "Scenes of the suite, by name or pattern (default: all)");
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  add_settings(command, options.run, {"suite"});
   command.add_option("--rounds", options.effect_costs.rounds, "Rounds; each has its own seed")
       .range(2, 1000)
       .shows_default();
@@ -43,12 +44,13 @@ void add_options(const command_line::Command& command, EffectCostOptions& option
   command.add_flag("--markdown", options.as_markdown, "Print the table as Markdown");
 }
 
-int measure(const registry::Configuration& configuration,
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const EffectCostOptions& options,
             const Program& program) {
   const auto file = options.output.empty() ? results::kEffectCostsFile : options.output;
   check_output_file(file);
-  const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
+  const auto suite = run_settings(command, options.run, configuration.defaults).suite;
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
   const auto list = studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs,
                                                   study_context(program, stderr));
@@ -71,7 +73,7 @@ void add_effect_cost_command(const command_line::Command& command, const Program
       "Exit status: 0 if every transport that carries enough gives the same image, 1 if one does not.");
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      return measure(read_configuration(*configuration, program), *options, program);
+      return measure(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

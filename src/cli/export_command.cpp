@@ -41,11 +41,12 @@ void check_format(const run::Plan& plan, const std::string& format) {
                                    renderer.entry.format.name, kFormats.at(format)));
 }
 
-int export_scenes(const registry::Configuration& configuration,
+int export_scenes(const command_line::Command& command,
+                  const registry::Configuration& configuration,
                   registry::RunSettings settings,
                   const Options& options,
                   const Program& program) {
-  if (options.run.renderers.empty()) settings.renderers = renderer_of(configuration, options.format);
+  if (!command.is_given("--renderer")) settings.renderers = renderer_of(configuration, options.format);
   const auto plan = run::make_plan(configuration, settings, program.folder, run::RenderPlace::Elsewhere);
   check_format(plan, options.format);
   const auto folder = run::make_run_folder(options.run.output, "export");
@@ -68,15 +69,16 @@ void add_export_command(const command_line::Command& command, const Program& pro
       .value_name("FORMAT")
       .required()
       .one_of(formats);
-  add_choice_options(command, options->run);
-  for (const char* none : {"--exec", "--jobs", "--log", "--sandbox"}) command.remove_option(none);
+  add_settings(command, options->run,
+               settings_but({"exec", "output", "jobs", "log", "sandbox", "dry_run", "view"}));
   command.add_option("-o,--output", options->run.output, "New folder (default: export-YYMMDD-HHMMSS)")
       .value_name("FOLDER")
       .not_empty("a folder");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      return export_scenes(read, run_settings(command, options->run, read.defaults), *options, program);
+      return export_scenes(command, read, run_settings(command, options->run, read.defaults), *options,
+                           program);
     };
   });
 }

@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "run/plan/make_plan.h"
 #include "studies/probe/probe.h"
@@ -16,20 +17,14 @@ namespace orbs::cli {
 namespace {
 
 struct ProbeOptions {
-  TargetFilters filters;
-  std::vector<std::string> renderers;
-  std::string executable;
+  RunOptions run;
   std::string output;
   studies::ProbeSettings probe;
 };
 
 void add_options(const command_line::Command& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
-  add_filter_options(command, options.filters);
-  command.add_option("-r,--renderer", options.renderers,
-                     "Only these renderers (default: all that are installed)");
-  command.add_option("-e,--exec", options.executable,
-                     "Program to start instead of the chosen renderer's own");
+  add_settings(command, options.run, {"suite", "case", "scene", "renderer", "exec"});
   command.add_option("--size", options.probe.most_px, "Longer side of the images in pixels")
       .range(16, 1024)
       .shows_default();
@@ -55,11 +50,12 @@ std::string summary(const std::vector<studies::ProbeRecord>& records) {
                      unchecked == 0 ? "" : fmt::format(", {} not checked", unchecked));
 }
 
-int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
+int probe(const command_line::Command& command,
+          const registry::Configuration& configuration,
+          const ProbeOptions& options,
+          const Program& program) {
   if (!options.output.empty()) check_output_file(options.output);
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  settings.executable = options.executable;
+  auto settings = run_settings(command, options.run, configuration.defaults);
   settings.size_divisor = registry::FullSize;  // a probe has its own size
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
@@ -84,7 +80,9 @@ void add_probe_command(const command_line::Command& command, const Program& prog
       "Exit status: 0 if all that could be checked is right, 1 if a renderer is not right or nothing could be\n"
       "checked.");
   command.callback([=, &program, &action] {
-    action = [=, &program] { return probe(read_configuration(*configuration, program), *options, program); };
+    action = [=, &program] {
+      return probe(command, read_configuration(*configuration, program), *options, program);
+    };
   });
 }
 

@@ -67,6 +67,16 @@ std::string wrapped_help(const std::string& help, std::size_t width) {
   return text;
 }
 
+}  // namespace
+
+void add_commands(const command_line::Command& all, const Program& program, Action& action) {
+  all.needs_command();
+  for (const auto& command : commands())
+    command.add(all.add_command(command.name, command.summary, command.group), program, action);
+}
+
+namespace {
+
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   const command_line::Program parser{
@@ -75,10 +85,8 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
       "and says which requirements each renderer meets.",
       "orbs " + version};
   const auto all = parser.command();
-  all.needs_command();
   Action action;
-  for (const auto& command : commands())
-    command.add(all.add_command(command.name, command.summary, command.group), program, action);
+  add_commands(all, program, action);
   // Last, since commands inherit the footer that the program has when they are added.
   all.footer(
       "First steps:\n"

@@ -3,6 +3,7 @@
 #include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/show_runs.h"
 #include "cli/study_context.h"
 #include "registry/image_size.h"
@@ -21,8 +22,8 @@ namespace orbs::cli {
 namespace {
 
 struct QualifyOptions {
-  std::string run;
-  TargetFilters filters;
+  std::string folder;
+  RunOptions run;
   int threads = 0;
   std::string output;
   bool diagnoses = false;
@@ -32,10 +33,10 @@ struct QualifyOptions {
 void add_options(const command_line::Command& command, QualifyOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option(
-      "run", options.run,
+      "run", options.folder,
       "Folder of a run with the control images, whose seed differs from the references' (default: "
       "the newest outputs-*)");
-  add_filter_options(command, options.filters);
+  add_settings(command, options.run, kTargetSettings);
   command
       .add_option(
           "-r,--renderer", options.qualify.renderer,
@@ -43,7 +44,7 @@ void add_options(const command_line::Command& command, QualifyOptions& options) 
       .shows_default();
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
-                  "Factor of the samples of the renders without a light")
+                  "Multiply the samples of the renders without a light")
       .above_zero()
       .shows_default();
   command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
@@ -58,15 +59,16 @@ void add_options(const command_line::Command& command, QualifyOptions& options) 
       "Tests no gates: counts how often the diagnosis of a typical fault is right, and writes no file");
 }
 
-int qualify(const registry::Configuration& configuration,
+int qualify(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const QualifyOptions& options,
             const Program& program) {
-  auto settings = filtered_settings(configuration, options.filters);
+  auto settings = run_settings(command, options.run, configuration.defaults);
   settings.renderers = options.qualify.renderer;
   settings.threads = options.threads;
   settings.jobs = 1;
   if (!options.output.empty()) check_output_file(options.output);
-  const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
+  const auto folder = options.folder.empty() ? newest_runs().front() : std::filesystem::path(options.folder);
   const auto run = results::read_run_folder(folder).run;
   // The control images have the size of their run, and so must all that they are compared with.
   settings.size_divisor = registry::size_divisor(run.size);
@@ -99,7 +101,7 @@ void add_qualify_command(const command_line::Command& command, const Program& pr
       "Exit status: 0 if every gate accepts the control image and rejects every mutant, 1 if one does not.");
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      return qualify(read_configuration(*configuration, program), *options, program);
+      return qualify(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

@@ -4,6 +4,7 @@
 #include "base/text_table.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "results/stability_study.h"
 #include "run/plan/make_plan.h"
@@ -21,8 +22,8 @@ namespace orbs::cli {
 namespace {
 
 struct StabilityOptions {
-  TargetFilters filters;
-  std::vector<std::string> files, requirements, renderers, relations;
+  RunOptions run;
+  std::vector<std::string> files, relations;
   std::string output, resume, show;
   studies::StabilitySettings settings;
   bool as_markdown = false;
@@ -31,9 +32,7 @@ struct StabilityOptions {
 void add_study_options(const command_line::Command& command, StabilityOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option("files", options.files, "Scene files to render instead of scenes of the suite");
-  add_filter_options(command, options.filters);
-  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
-  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
+  add_settings(command, options.run, kFilterSettings);
   command.add_option("--relation", options.relations, "Relations, by name or pattern (default: all)")
       .separated_by(',');
   command.add_option("--size", options.settings.size_px, "Longer side of the images in pixels")
@@ -94,13 +93,12 @@ std::vector<run::PlannedScene> scenes_of(const std::vector<std::string>& files) 
   return scenes;
 }
 
-int measure(const registry::Configuration& configuration,
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const StabilityOptions& options,
             const Program& program) {
   studies::StabilityRequest request{options.settings, studies::stability_relations(options.relations), {}};
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
+  auto settings = run_settings(command, options.run, configuration.defaults);
   settings.size_divisor = registry::FullSize;  // a study of stability has its own size
   auto plan = run::make_plan(configuration, settings, program.folder);
   if (!options.files.empty()) plan.scenes = scenes_of(options.files);
@@ -141,7 +139,7 @@ void add_stability_command(const command_line::Command& command, const Program& 
   command.callback([=, &program, &action] {
     action = [=, &program] {
       if (options->show.empty())
-        return measure(read_configuration(*configuration, program), *options, program);
+        return measure(command, read_configuration(*configuration, program), *options, program);
       const auto record = studies::read_stability_file(stability_file(options->show));
       print(record, options->as_markdown);
       return status_of(record);
