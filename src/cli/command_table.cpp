@@ -5,9 +5,9 @@
 namespace orbs::cli {
 
 // Each is defined in the file of its name: add_bench_command in bench_command.cpp.
-using AddCommand = void(CLI::App& command, const Program& program, Action& action);
+using AddCommand = void(const command_line::Command& command, const Program& program, Action& action);
 AddCommand add_run_command, add_serve_command, add_report_command, add_compare_command;
-AddCommand add_doctor_command, add_list_command, add_plan_command;
+AddCommand add_doctor_command, add_list_command, add_effects_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
 AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
@@ -39,7 +39,8 @@ constexpr std::array kCommands{
     Command{"doctor", kLookUp, "List the renderers: what is installed, its version, what it declares",
             add_doctor_command},
     Command{"list", kLookUp, "List suites, renderers, requirements, cases and scenes", add_list_command},
-    Command{"plan", kLookUp, "Show which effects of light each scene calls for, and why", add_plan_command},
+    Command{"effects", kLookUp, "Show which effects of light each scene calls for, and why",
+            add_effects_command},
     Command{"renderer", kSetUp, "Add a renderer to configuration.json", add_renderer_command},
     Command{"reference", kSetUp, "Render references with the built-in tracer", add_reference_command},
     Command{"completion", kSetUp, "Print the completion of commands and options for a shell",

@@ -1,11 +1,10 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
-#include "registry/image_size.h"
 #include "results/host_record.h"
 #include "results/study_kinds.h"
 #include "run/host.h"
@@ -16,7 +15,6 @@
 
 #include <cmath>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -24,9 +22,8 @@ namespace orbs::cli {
 namespace {
 
 struct CostOptions {
-  TargetFilters filters;
-  std::vector<std::string> requirements, renderers;
-  std::string size, output, resume, show;
+  RunOptions run;
+  std::string output, resume, show;
   std::string time = "20m", target = "35dB";
   studies::CostRequest request;
   bool as_markdown = false;
@@ -53,43 +50,40 @@ double number_with_unit(const char* option,
       fmt::format("{}: '{}' is no number above 0 with one of the units {}", option, text, known));
 }
 
-void add_options(CLI::App& command, CostOptions& options) {
+void add_options(const command_line::Command& command, CostOptions& options) {
   constexpr int kMost = 1024;
-  add_filter_options(command, options.filters);
-  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
-  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
-  add_size_option(command, options.size);
-  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h")
-      ->capture_default_str();
-  command.add_option("--target", options.target, "PSNR that the curves are to cross")->capture_default_str();
+  add_settings(command, options.run, {"suite", "case", "scene", "requirement", "renderer", "size", "sandbox"});
+  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h").shows_default();
+  command.add_option("--target", options.target, "PSNR that the curves are to cross").shows_default();
   command
       .add_option(
           "--sweep", options.request.samples,
           "Samples per pixel of each curve: 16,64,256 (default: chosen by a pilot render of each curve)")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1 << 24));
+      .separated_by(',')
+      .range(1, 1 << 24);
   command.add_option("--seeds", options.request.settings.seeds, "Renders of each setting")
-      ->check(CLI::Range(2, kMost))
-      ->capture_default_str();
+      .range(2, kMost)
+      .shows_default();
   command.add_option("--order-seed", options.request.settings.order_seed, "Seed of the order of the renders")
-      ->check(CLI::Range(0, 1 << 20))
-      ->capture_default_str();
+      .range(0, 1 << 20)
+      .shows_default();
   command.add_option("--threads", options.request.settings.threads, "Threads of each render; 0: all cores")
-      ->check(CLI::Range(0, kMost));
-  auto* output =
+      .range(0, kMost);
+  const auto output =
       command
           .add_option("-o,--output", options.output, "New folder of the study (default: cost-YYMMDD-HHMMSS)")
-          ->check(not_empty("a folder"));
-  auto* resume =
+          .not_empty("a folder");
+  const auto resume =
       command
           .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
-          ->check(not_empty("a folder"));
-  auto* show = command
-                   .add_option("--show", options.show,
-                               "Print the tables of a study (its folder or cost.json) and measure nothing")
-                   ->check(not_empty("a folder or a file"));
-  resume->excludes(output);
-  show->excludes(output)->excludes(resume);
+          .not_empty("a folder");
+  const auto show =
+      command
+          .add_option("--show", options.show,
+                      "Print the tables of a study (its folder or cost.json) and measure nothing")
+          .not_empty("a folder or a file");
+  resume.excludes(output);
+  show.excludes(output).excludes(resume);
   command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every error target");
 }
 
@@ -116,11 +110,11 @@ studies::CostRecord earlier_record(const std::string& folder) {
   return record;
 }
 
-int measure(const registry::Configuration& configuration, CostOptions options, const Program& program) {
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  if (!options.size.empty()) settings.size_divisor = registry::size_divisor(options.size);
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
+            CostOptions options,
+            const Program& program) {
+  auto settings = study_settings(command, options.run, configuration.defaults);
   settings.threads = options.request.settings.threads;
   settings.jobs = 1;
   auto& request = options.request;
@@ -146,7 +140,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
 
 }  // namespace
 
-void add_cost_command(CLI::App& command, const Program& program, Action& action) {
+void add_cost_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<CostOptions>();
   add_options(command, *options);
@@ -159,7 +153,7 @@ void add_cost_command(CLI::App& command, const Program& program, Action& action)
         report(studies::read_cost_file(cost_file(options->show)), *options);
         return 0;
       }
-      return measure(read_configuration(*configuration, program), *options, program);
+      return measure(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

@@ -1,15 +1,14 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "results/effect_costs.h"
 #include "studies/effects/effect_cost.h"
 #include "studies/effects/report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -19,46 +18,44 @@ namespace {
 struct EffectCostOptions {
   studies::EffectCostSettings effect_costs;
   std::vector<std::string> scenes;
-  std::string suite;
+  RunOptions run;
   std::string output;
   bool as_markdown = false;
-  bool sandbox = false;
 };
 
-void add_options(CLI::App& command, EffectCostOptions& options) {
+void add_options(const command_line::Command& command, EffectCostOptions& options) {
   command.add_option("scenes", options.scenes, "Scenes of the suite, by name or pattern (default: all)");
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
+  add_settings(command, options.run, {"suite", "sandbox"});
   command.add_option("--rounds", options.effect_costs.rounds, "Rounds; each has its own seed")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
+      .range(2, 1000)
+      .shows_default();
   command.add_option("--spp", options.effect_costs.spp, "Samples per pixel of each render")
-      ->check(CLI::Range(8, 1 << 20))
-      ->capture_default_str();
+      .range(8, 1 << 20)
+      .shows_default();
   command.add_option("--size", options.effect_costs.size_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
+      .range(16, 8192)
+      .shows_default();
   command
       .add_option(
           "-o,--output", options.output,
           "File for all numbers (default: effect-costs.json in the working folder). Runs and their pages "
           "show the file that lies beside the references of the suite")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   command.add_flag("--markdown", options.as_markdown, "Print the table as Markdown");
-  add_sandbox_option(command, options.sandbox);
 }
 
-int measure(const registry::Configuration& configuration,
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const EffectCostOptions& options,
             const Program& program) {
   const auto file = options.output.empty() ? results::kEffectCostsFile : options.output;
   check_output_file(file);
-  const auto suite = options.suite.empty() ? configuration.defaults.suite : options.suite;
+  const auto settings = study_settings(command, options.run, configuration.defaults);
   const auto scenes = options.scenes.empty() ? "*" : joined_list(options.scenes);
   auto context = study_context(program, stderr);
-  context.sandbox = options.sandbox || configuration.defaults.sandbox;
-  refuse_without_sandbox(context.sandbox);
+  context.sandbox = settings.sandbox;
   const auto list =
-      studies::measure_effect_costs(configuration, suite, scenes, options.effect_costs, context);
+      studies::measure_effect_costs(configuration, settings.suite, scenes, options.effect_costs, context);
   if (!list) return kInterrupted;
   write_file(file, studies::effect_cost_json(*list));
   print_clean("{}\nall numbers: {}\n",
@@ -69,7 +66,7 @@ int measure(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_effect_cost_command(CLI::App& command, const Program& program, Action& action) {
+void add_effect_cost_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<EffectCostOptions>();
   add_options(command, *options);
@@ -78,7 +75,7 @@ void add_effect_cost_command(CLI::App& command, const Program& program, Action& 
       "Exit status: 0 if every transport that carries enough gives the same image, 1 if one does not.");
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      return measure(read_configuration(*configuration, program), *options, program);
+      return measure(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

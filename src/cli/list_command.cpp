@@ -3,6 +3,7 @@
 #include "base/text_table.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "json/writer.h"
 #include "registry/cases.h"
 
@@ -10,7 +11,6 @@
 #include <map>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -133,19 +133,19 @@ void print_json(const std::vector<Table>& tables) {
 
 }  // namespace
 
-void add_list_command(CLI::App& command, const Program& program, Action& action) {
+void add_list_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto what = std::make_shared<std::string>("all");
-  const auto suite = std::make_shared<std::string>();
+  const auto run = std::make_shared<RunOptions>();
   command.add_option("what", *what, "Which list to print")
-      ->check(CLI::IsMember({"all", "suites", "renderers", "requirements", "cases", "scenes"}));
-  command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
+      .one_of({"all", "suites", "renderers", "requirements", "cases", "scenes"});
+  add_settings(command, *run, {"suite"});
   const auto as_json = std::make_shared<bool>(false);
   command.add_flag("--json", *as_json, "Print everything as JSON, for programs");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      const auto tables = wanted_tables(read, suite->empty() ? read.defaults.suite : *suite, *what);
+      const auto tables = wanted_tables(read, run_settings(command, *run, read.defaults).suite, *what);
       if (*as_json) {
         print_json(tables);
       } else {

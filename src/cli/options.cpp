@@ -4,10 +4,7 @@
 #include "adapters/process/isolation.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/checks.h"
-#include "registry/image_size.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,12 +21,12 @@ registry::Configuration checked_configuration(const std::filesystem::path& file)
 
 }  // namespace
 
-std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
+std::shared_ptr<std::string> add_configuration_option(const command_line::Command& command) {
   auto file = std::make_shared<std::string>();
   command
       .add_option("--configuration", *file,
                   "File with suites, renderers and defaults (default: the nearest configuration.json)")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   return file;
 }
 
@@ -50,41 +47,9 @@ void take_configuration(const std::string& configuration, run::FiledPlan& plan) 
   plan.configuration = file.filename().string();
 }
 
-void add_filter_options(CLI::App& command, TargetFilters& filters) {
-  command.add_option("--suite", filters.suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", filters.cases, "Only these cases");
-  command.add_option("-s,--scene", filters.scenes, "Only these scenes");
-  add_sandbox_option(command, filters.sandbox);
-}
-
-void add_sandbox_option(CLI::App& command, bool& sandbox) {
-  command.add_flag(
-      "--sandbox", sandbox,
-      "Run renderers under bubblewrap: no network, no references, only their own folder writable");
-}
-
 void refuse_without_sandbox(bool sandbox) {
   if (!sandbox) return;
   if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);
-}
-
-void add_size_option(CLI::App& command, std::string& size) {
-  std::vector<std::string> sizes;
-  for (const int divisor : registry::kSizeDivisors) sizes.push_back(registry::size_text(divisor));
-  command
-      .add_option("--size", size, "Width and height of all images, as a share of the scenes' (default: 1)")
-      ->check(CLI::IsMember(sizes));
-}
-
-registry::RunSettings filtered_settings(const registry::Configuration& configuration,
-                                        const TargetFilters& filters) {
-  auto settings = configuration.defaults;
-  if (!filters.suite.empty()) settings.suite = filters.suite;
-  if (!filters.cases.empty()) settings.cases = joined_list(filters.cases);
-  if (!filters.scenes.empty()) settings.scenes = joined_list(filters.scenes);
-  settings.sandbox = settings.sandbox || filters.sandbox;
-  refuse_without_sandbox(settings.sandbox);
-  return settings;
 }
 
 std::string joined_list(const std::vector<std::string>& values) {

@@ -1,8 +1,8 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "run/plan/make_plan.h"
 #include "studies/probe/probe.h"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -18,30 +17,22 @@ namespace orbs::cli {
 namespace {
 
 struct ProbeOptions {
-  TargetFilters filters;
-  std::vector<std::string> renderers;
-  std::string executable;
+  RunOptions run;
   std::string output;
   studies::ProbeSettings probe;
 };
 
-void add_options(CLI::App& command, ProbeOptions& options) {
+void add_options(const command_line::Command& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
-  add_filter_options(command, options.filters);
-  command.add_option("-r,--renderer", options.renderers,
-                     "Only these renderers (default: all that are installed)");
-  command.add_option("-e,--exec", options.executable,
-                     "Program to start instead of the chosen renderer's own");
+  add_settings(command, options.run, {"suite", "case", "scene", "renderer", "exec", "sandbox"});
   command.add_option("--size", options.probe.most_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(16, 1024))
-      ->capture_default_str();
-  command.add_option("--spp", options.probe.spp, "Samples per pixel")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+      .range(16, 1024)
+      .shows_default();
+  command.add_option("--spp", options.probe.spp, "Samples per pixel").range(1, 4096).shows_default();
   command.add_option("--threads", options.probe.threads, "Threads of each render")
-      ->check(CLI::Range(1, kMostThreads))
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "JSON file for all findings")->check(not_empty("a file"));
+      .range(1, kMostThreads)
+      .shows_default();
+  command.add_option("-o,--output", options.output, "JSON file for all findings").not_empty("a file");
 }
 
 std::ptrdiff_t count(const std::vector<studies::ProbeRecord>& records, studies::ProbeVerdict verdict) {
@@ -59,11 +50,12 @@ std::string summary(const std::vector<studies::ProbeRecord>& records) {
                      unchecked == 0 ? "" : fmt::format(", {} not checked", unchecked));
 }
 
-int probe(const registry::Configuration& configuration, const ProbeOptions& options, const Program& program) {
+int probe(const command_line::Command& command,
+          const registry::Configuration& configuration,
+          const ProbeOptions& options,
+          const Program& program) {
   if (!options.output.empty()) check_output_file(options.output);
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
-  settings.executable = options.executable;
+  auto settings = study_settings(command, options.run, configuration.defaults);
   settings.size_divisor = registry::FullSize;  // a probe has its own size
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
@@ -78,7 +70,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
 
 }  // namespace
 
-void add_probe_command(CLI::App& command, const Program& program, Action& action) {
+void add_probe_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<ProbeOptions>();
   add_options(command, *options);
@@ -88,7 +80,9 @@ void add_probe_command(CLI::App& command, const Program& program, Action& action
       "Exit status: 0 if all that could be checked is right, 1 if a renderer is not right or nothing could be\n"
       "checked.");
   command.callback([=, &program, &action] {
-    action = [=, &program] { return probe(read_configuration(*configuration, program), *options, program); };
+    action = [=, &program] {
+      return probe(command, read_configuration(*configuration, program), *options, program);
+    };
   });
 }
 

@@ -1,9 +1,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/show_runs.h"
 #include "cli/study_context.h"
 #include "registry/image_size.h"
@@ -15,7 +15,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -23,53 +22,53 @@ namespace orbs::cli {
 namespace {
 
 struct QualifyOptions {
-  std::string run;
-  TargetFilters filters;
+  std::string folder;
+  RunOptions run;
   int threads = 0;
   std::string output;
   bool diagnoses = false;
   studies::QualifySettings qualify;
 };
 
-void add_options(CLI::App& command, QualifyOptions& options) {
+void add_options(const command_line::Command& command, QualifyOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option(
-      "run", options.run,
+      "run", options.folder,
       "Folder of a run with the control images, whose seed differs from the references' (default: "
       "the newest outputs-*)");
-  add_filter_options(command, options.filters);
+  add_settings(command, options.run, {"suite", "case", "scene", "sandbox"});
   command
       .add_option(
           "-r,--renderer", options.qualify.renderer,
           "Renderer whose images in the run are the control images; it also renders the scenes without a light")
-      ->capture_default_str();
+      .shows_default();
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
-                  "Factor of the samples of the renders without a light")
-      ->check(above_zero())
-      ->capture_default_str();
-  command.add_option("--threads", options.threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, kMostThreads));
+                  "Multiply the samples of the renders without a light")
+      .above_zero()
+      .shows_default();
+  command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
   command
       .add_option(
           "-o,--output", options.output,
           "File for the results (default: beside the references, qualification.json or, for a run at 1/4, "
           "qualification-1-4.json)")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   command.add_flag(
       "--diagnoses", options.diagnoses,
       "Tests no gates: counts how often the diagnosis of a typical fault is right, and writes no file");
 }
 
-int qualify(const registry::Configuration& configuration,
+int qualify(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const QualifyOptions& options,
             const Program& program) {
-  auto settings = filtered_settings(configuration, options.filters);
+  auto settings = study_settings(command, options.run, configuration.defaults);
   settings.renderers = options.qualify.renderer;
   settings.threads = options.threads;
   settings.jobs = 1;
   if (!options.output.empty()) check_output_file(options.output);
-  const auto folder = options.run.empty() ? newest_runs().front() : std::filesystem::path(options.run);
+  const auto folder = options.folder.empty() ? newest_runs().front() : std::filesystem::path(options.folder);
   const auto run = results::read_run_folder(folder).run;
   // The control images have the size of their run, and so must all that they are compared with.
   settings.size_divisor = registry::size_divisor(run.size);
@@ -92,7 +91,7 @@ int qualify(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_qualify_command(CLI::App& command, const Program& program, Action& action) {
+void add_qualify_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<QualifyOptions>();
   add_options(command, *options);
@@ -102,7 +101,7 @@ void add_qualify_command(CLI::App& command, const Program& program, Action& acti
       "Exit status: 0 if every gate accepts the control image and rejects every mutant, 1 if one does not.");
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      return qualify(read_configuration(*configuration, program), *options, program);
+      return qualify(command, read_configuration(*configuration, program), *options, program);
     };
   });
 }

@@ -1,36 +1,31 @@
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "references/references.h"
 #include "references/store.h"
 #include "results/image_hashes.h"
 
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
 
-void add_reference_command(CLI::App& command, const Program& program, Action& action) {
+void add_reference_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto settings = std::make_shared<references::ReferenceSettings>();
-  const auto cases = std::make_shared<std::vector<std::string>>();
-  const auto scenes = std::make_shared<std::vector<std::string>>();
-  const auto suite = std::make_shared<std::string>();
-  command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
-  command.add_option("-c,--case", *cases, "Only the scenes of these cases");
-  command.add_option("-s,--scene", *scenes, "Only these scenes");
+  const auto run = std::make_shared<RunOptions>();
+  add_settings(command, *run, kTargetSettings);
   command
       .add_option("--spp", settings->spp,
                   "Samples per pixel (default: until the noise is 10 dB below the gate)")
-      ->check(CLI::Range(1, references::kMostReferenceSpp));
+      .range(1, references::kMostReferenceSpp);
   command.add_option("--seed", settings->seed, "Seed; it must differ from the seeds of runs")
-      ->check(zero_or_more())
-      ->capture_default_str();
-  command.add_option("--threads", settings->threads, "Threads; 0: all cores")->check(CLI::Range(0, 1024));
+      .zero_or_more()
+      .shows_default();
+  command.add_option("--threads", settings->threads, "Threads; 0: all cores").range(0, 1024);
   command.add_option(
       "--accept", settings->reason,
       "Reason for replacing references that exist. It is kept in the provenance record and, together with "
@@ -41,16 +36,15 @@ void add_reference_command(CLI::App& command, const Program& program, Action& ac
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      auto selection = registry::RunSettings{};
-      selection.suite = suite->empty() ? read.defaults.suite : *suite;
+      registry::RunSettings selection;
+      selection.suite = read.defaults.suite;
+      selection = run_settings(command, *run, selection);
       if (*note_hashes) {
         const auto folder = registry::find_suite(read, selection.suite).references;
         print_clean("{}: {} hashes noted\n", (folder / results::kImageHashesFile).string(),
                     references::note_image_hashes(folder));
         return 0;
       }
-      if (!cases->empty()) selection.cases = joined_list(*cases);
-      if (!scenes->empty()) selection.scenes = joined_list(*scenes);
       const auto& stop = catch_interrupts();
       // A file or a pipe would else get its first line after minutes.
       const auto say = [](const std::string& line) {

@@ -3,7 +3,6 @@
 #include "base/local_time.h"
 #include "base/shell.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -122,7 +120,7 @@ int run_plan(const Planned& planned, const Program& program, const RunOptions& o
 }
 
 // The plan of a file as it stands. Only what changes no image may be chosen anew.
-Planned planned_by_file(const CLI::App& command,
+Planned planned_by_file(const command_line::Command& command,
                         run::FiledPlan filed,
                         const std::string& configuration,
                         const RunOptions& options,
@@ -132,7 +130,7 @@ Planned planned_by_file(const CLI::App& command,
         "this is the plan of scenes that orbs export wrote for a renderer that is elsewhere; orbs judge judges "
         "its images");
   for (const char* choice : {"--exec", "--threads", "--seed", "--spp-scale"})
-    if (command.count(choice) > 0)
+    if (command.is_given(choice))
       throw InputError(
           fmt::format("{} is part of the plan, which is executed as it is; make another plan", choice));
   take_configuration(configuration, filed);
@@ -155,7 +153,7 @@ Planned planned_anew(const registry::Configuration& configuration,
 
 // A whole run is planned again when it is resumed, so that it takes up what has changed; a shard stays with
 // the plan of the others.
-Planned planned_as(const CLI::App& command,
+Planned planned_as(const command_line::Command& command,
                    const std::string& configuration,
                    const RunOptions& options,
                    const Program& program) {
@@ -187,7 +185,7 @@ Planned planned_as(const CLI::App& command,
 
 }  // namespace
 
-void add_run_command(CLI::App& command, const Program& program, Action& action) {
+void add_run_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<RunOptions>();
   add_run_options(command, *options);
@@ -195,10 +193,9 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
       "configuration.json can set the default of every option under \"defaults\".\n"
       "Exit status: 0 if every target that a renderer declares passes or is a known failure, 1 if one fails, 2 if the run could not "
       "start\nor every target is unsupported, 130 if it was interrupted (--resume continues it).");
-  const auto* chosen = &command;
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      const auto planned = planned_as(*chosen, *configuration, *options, program);
+      const auto planned = planned_as(command, *configuration, *options, program);
       const auto& settings = planned.plan.settings;
       refuse_without_sandbox(settings.sandbox);
       if (!settings.dry_run) return run_plan(planned, program, *options);

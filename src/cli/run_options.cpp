@@ -1,131 +1,207 @@
 #include "cli/run_options.h"
 
-#include "base/error.h"
-#include "cli/checks.h"
 #include "cli/options.h"
-#include "registry/image_size.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <variant>
+
+#include <fmt/format.h>
 
 namespace orbs::cli {
 
-void add_choice_options(CLI::App& command, RunOptions& options) {
-  constexpr int kMost = 1024;
-  command.add_option("--suite", options.suite, "The suite (default: that of the configuration)")
-      ->option_text("NAME");
-  command.add_option("-c,--case", options.cases,
-                     "Only these cases: names or patterns like 'm*', separated by commas");
-  command.add_option("-s,--scene", options.scenes, "Only these scenes");
-  command.add_option("--requirement", options.requirements, "Only these requirements, for example 'M*,L3'");
-  command.add_option("-r,--renderer", options.renderers,
-                     "Only these renderers (default: all that are installed)");
-  command
-      .add_option("-e,--exec", options.executable, "Program to start instead of the chosen renderer's own")
-      ->option_text("PROGRAM");
-  command.add_option("-j,--jobs", options.jobs, "Number of renders at the same time (default: 1)")
-      ->check(CLI::Range(1, kMost));
-  command
-      .add_option("--threads", options.threads,
-                  "Threads of one render (default: 0, the cores divided by --jobs)")
-      ->check(CLI::Range(0, kMost));
-  command.add_option("--seed", options.seed, "Seed of all renders (default: 1)")
-      ->check(zero_or_more())
-      ->check(CLI::Range(0, registry::kLargestSeed));
-  command
-      .add_option("--spp-scale", options.spp_scale,
-                  "Multiply every scene's samples per pixel by this (default: 1)")
-      ->check(above_zero());
-  add_size_option(command, options.size);
-  command.add_flag("-l,--log,!--no-log", options.log,
-                   "Keep log.txt of every render; --no-log keeps only those of failures");
-  command.add_flag(
-      "--sandbox,!--no-sandbox", options.sandbox,
-      "Run renderers under bubblewrap: no network, no references, only their own folder writable");
-  for (const char* names : {"--case", "--scene", "--requirement", "--renderer"})
-    command.get_option(names)->option_text("NAMES");
-  for (const char* number : {"--jobs", "--threads", "--seed", "--spp-scale"})
-    command.get_option(number)->option_text("NUMBER");
-  command.get_option("--size")->option_text("SHARE");
-}
-
-void add_run_options(CLI::App& command, RunOptions& options) {
-  add_choice_options(command, options);
-  command
-      .add_option("-o,--output", options.output,
-                  "New folder for the results (default: outputs-YYMMDD-HHMMSS)")
-      ->option_text("FOLDER")
-      ->check(not_empty("a folder"));
-  auto* resume = command
-                     .add_option("--resume", options.resume,
-                                 "Continue the run in this folder, with its own suite, cases and renderers")
-                     ->option_text("FOLDER")
-                     ->check(not_empty("a folder"));
-  command
-      .add_option("--shard", options.shard,
-                  "Only this part of the renders, such as 3/16; 'orbs merge' puts all parts together")
-      ->option_text("PART")
-      ->check(not_empty("a part"));
-  auto* plan = command
-                   .add_option("--plan", options.plan,
-                               "Execute the plan in this file: plan.json of a run or of orbs submit")
-                   ->option_text("FILE")
-                   ->check(not_empty("a file"));
-  command.add_flag("-v,--view,--visualize,!--no-view", options.view,
-                   "At the end, serve the results as a page and open it in the browser");
-  command.add_flag("--dry-run,!--no-dry-run", options.dry_run,
-                   "Print the renders and their commands, and start nothing");
-  command
-      .add_option("--accept-failures", options.accept_failures,
-                  "Write what fails in this run into the configuration as known failures, with this reason")
-      ->option_text("REASON")
-      ->excludes("--dry-run")
-      ->check(not_empty("a reason"));
-  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--size"}) {
-    resume->excludes(command.get_option(choice));
-    plan->excludes(command.get_option(choice));
-  }
-  for (const char* choice : {"--output", "--shard", "--plan"}) resume->excludes(command.get_option(choice));
-}
-
 namespace {
 
-template <typename T>
-void take(const CLI::App& command, const char* option, const T& given, T& setting) {
-  const auto* found = command.get_option_no_throw(option);
-  if (found != nullptr && found->count() > 0) setting = given;
+using registry::RunSettings;
+using registry::SizeDivisor;
+
+struct Setting {
+  std::string key;
+  json::Field field;
+  std::variant<std::string*, int*, double*, bool*, SizeDivisor*> member;
+};
+
+// The visitor of fields() that makes a table of them.
+struct Table {
+  std::vector<Setting> settings;
+
+  template <class T>
+  void operator()(const std::string& key, T& value, const json::Field& field) {
+    settings.push_back({key, field, &value});
+  }
+};
+
+std::vector<Setting> table_of(RunSettings& settings) {
+  Table table;
+  fields(table, settings);
+  return table.settings;
 }
 
-void take_list(const CLI::App& command,
-               const char* option,
-               const std::vector<std::string>& given,
-               std::string& setting) {
-  take(command, option, joined_list(given), setting);
+// "-j,--jobs" and "NUMBER" of "-j,--jobs NUMBER".
+std::string names_of(const json::Field& field) {
+  return std::string(field.option.substr(0, field.option.find(' ')));
 }
+
+std::string value_name_of(const json::Field& field) {
+  const auto space = field.option.find(' ');
+  return space == std::string_view::npos ? "" : std::string(field.option.substr(space + 1));
+}
+
+// "--jobs"
+std::string long_name_of(const json::Field& field) {
+  const auto names = names_of(field);
+  const auto begin = names.find("--");
+  return names.substr(begin, names.find(',', begin) - begin);
+}
+
+// "a folder" for FOLDER.
+std::string what_it_needs(const json::Field& field) {
+  auto word = value_name_of(field);
+  for (char& letter : word) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return "a " + word;
+}
+
+std::string default_of(const Setting& setting) {
+  struct {
+    std::string operator()(const std::string* text) const { return *text == "*" ? "" : *text; }
+    std::string operator()(const int* number) const { return fmt::format("{}", *number); }
+    std::string operator()(const double* number) const { return fmt::format("{}", *number); }
+    std::string operator()(const bool* flag) const { return *flag ? "yes" : ""; }
+    std::string operator()(const SizeDivisor* size) const { return to_text(*size); }
+  } initial;
+  return setting.field.unset.empty() ? std::visit(initial, setting.member) : std::string(setting.field.unset);
+}
+
+std::string help_of(const Setting& setting) {
+  std::string text(setting.field.help);
+  text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
+  const auto unset = default_of(setting);
+  return unset.empty() ? text : fmt::format("{} (default: {})", text, unset);
+}
+
+// Adds one option, which fills the setting or what it is made of.
+struct AddOption {
+  const command_line::Command& command;
+  RunOptions& options;
+  const Setting& setting;
+
+  void operator()(std::string* text) const {
+    const auto names = names_of(setting.field);
+    const auto word = value_name_of(setting.field);
+    if (setting.field.is_list)
+      command.add_option(names, options.lists[setting.key], help_of(setting)).value_name(word);
+    else
+      command.add_option(names, *text, help_of(setting))
+          .value_name(word)
+          .not_empty(what_it_needs(setting.field));
+  }
+
+  void operator()(int* number) const {
+    const auto& range = setting.field.range;
+    const auto option = command.add_option(names_of(setting.field), *number, help_of(setting));
+    if (range.min == 0) option.zero_or_more();
+    option.range(static_cast<int>(range.min), static_cast<int>(range.max))
+        .value_name(value_name_of(setting.field));
+  }
+
+  void operator()(double* number) const {
+    command.add_option(names_of(setting.field), *number, help_of(setting))
+        .above_zero()
+        .value_name(value_name_of(setting.field));
+  }
+
+  void operator()(bool* flag) const {
+    const auto no = "!--no-" + long_name_of(setting.field).substr(2);
+    command.add_flag(names_of(setting.field) + "," + no, *flag, help_of(setting));
+  }
+
+  void operator()(SizeDivisor* /*size*/) const {
+    std::vector<std::string> sizes;
+    for (const auto divisor : registry::kSizeDivisors) sizes.push_back(to_text(divisor));
+    command.add_option(names_of(setting.field), options.size, help_of(setting))
+        .one_of(sizes)
+        .value_name(value_name_of(setting.field));
+  }
+};
 
 }  // namespace
 
-registry::RunSettings run_settings(const CLI::App& command,
-                                   const RunOptions& options,
-                                   registry::RunSettings settings) {
-  take(command, "--suite", options.suite, settings.suite);
-  take_list(command, "--case", options.cases, settings.cases);
-  take_list(command, "--scene", options.scenes, settings.scenes);
-  take_list(command, "--requirement", options.requirements, settings.requirements);
-  take_list(command, "--renderer", options.renderers, settings.renderers);
-  take(command, "--exec", options.executable, settings.executable);
-  take(command, "--output", options.output, settings.output);
-  take(command, "--jobs", options.jobs, settings.jobs);
-  take(command, "--threads", options.threads, settings.threads);
-  take(command, "--seed", options.seed, settings.seed);
-  take(command, "--spp-scale", options.spp_scale, settings.spp_scale);
-  if (command.count("--size") > 0) settings.size_divisor = registry::size_divisor(options.size);
-  take(command, "--log", options.log, settings.log);
-  take(command, "--sandbox", options.sandbox, settings.sandbox);
-  take(command, "--dry-run", options.dry_run, settings.dry_run);
-  take(command, "--view", options.view, settings.view);
-  const auto* executable = command.get_option_no_throw("--exec");
-  if (executable != nullptr && executable->count() > 0 && settings.executable.empty())
-    throw InputError("-e/--exec needs a program");
+std::set<std::string> settings_but(const std::set<std::string>& left_out) {
+  RunSettings settings;
+  std::set<std::string> keys;
+  for (const auto& setting : table_of(settings))
+    if (!left_out.contains(setting.key)) keys.insert(setting.key);
+  return keys;
+}
+
+void add_settings(const command_line::Command& command,
+                  RunOptions& options,
+                  const std::set<std::string>& keys) {
+  for (const auto& setting : table_of(options.given))
+    if (keys.contains(setting.key)) std::visit(AddOption{command, options, setting}, setting.member);
+  options.keys.insert(keys.begin(), keys.end());
+}
+
+void add_choice_options(const command_line::Command& command, RunOptions& options) {
+  add_settings(command, options, settings_but({"output", "dry_run", "view"}));
+}
+
+void add_run_options(const command_line::Command& command, RunOptions& options) {
+  add_settings(command, options, settings_but({}));
+  const auto resume =
+      command
+          .add_option(
+              "--resume", options.resume,
+              "Continue the run in this folder, with its own suite, cases and renderers: render what is "
+              "missing or outdated")
+          .value_name("FOLDER")
+          .not_empty("a folder");
+  command
+      .add_option("--shard", options.shard,
+                  "Only this part of the renders, such as 3/16; 'orbs merge' puts all parts together")
+      .value_name("PART")
+      .not_empty("a part");
+  const auto plan =
+      command.add_option("--plan", options.plan, "Execute the plan in this file: plan.json of a run or of orbs submit")
+          .value_name("FILE")
+          .not_empty("a file");
+  command
+      .add_option("--accept-failures", options.accept_failures,
+                  "Write what fails in this run into the configuration as known failures, with this reason")
+      .value_name("REASON")
+      .excludes(command.option("--dry-run"))
+      .not_empty("a reason");
+  for (const char* choice : {"--suite", "--case", "--scene", "--requirement", "--renderer", "--size"}) {
+    resume.excludes(command.option(choice));
+    plan.excludes(command.option(choice));
+  }
+  for (const char* choice : {"--output", "--shard", "--plan"}) resume.excludes(command.option(choice));
+}
+
+RunSettings run_settings(const command_line::Command& command,
+                         const RunOptions& options,
+                         RunSettings settings) {
+  auto given = options.given;
+  const auto from = table_of(given);
+  const auto to = table_of(settings);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    // Another option of the same name may mean something else: the images of a probe have a size of their
+    // own.
+    if (!options.keys.contains(from[i].key) || !command.is_given(long_name_of(from[i].field))) continue;
+    if (const auto list = options.lists.find(from[i].key); list != options.lists.end())
+      **std::get_if<std::string*>(&from[i].member) = joined_list(list->second);
+    if (const auto* size = std::get_if<SizeDivisor*>(&from[i].member))
+      **size = registry::size_divisor(options.size);
+    std::visit([&](auto* value) { **std::get_if<decltype(value)>(&to[i].member) = *value; }, from[i].member);
+  }
+  return settings;
+}
+
+RunSettings study_settings(const command_line::Command& command,
+                           const RunOptions& options,
+                           const RunSettings& defaults) {
+  auto settings = run_settings(command, options, defaults);
+  refuse_without_sandbox(settings.sandbox);
   return settings;
 }
 

@@ -2,9 +2,9 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "base/text_table.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/study_context.h"
 #include "results/study_kinds.h"
 #include "run/plan/make_plan.h"
@@ -13,7 +13,6 @@
 #include "studies/stability/report.h"
 #include "studies/stability/study.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,51 +21,47 @@ namespace orbs::cli {
 namespace {
 
 struct StabilityOptions {
-  TargetFilters filters;
-  std::vector<std::string> files, requirements, renderers, relations;
+  RunOptions run;
+  std::vector<std::string> files, relations;
   std::string output, resume, show;
   studies::StabilitySettings settings;
   bool as_markdown = false;
 };
 
-void add_study_options(CLI::App& command, StabilityOptions& options) {
+void add_study_options(const command_line::Command& command, StabilityOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option("files", options.files, "Scene files to render instead of scenes of the suite");
-  add_filter_options(command, options.filters);
-  command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
-  command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
+  add_settings(command, options.run, {"suite", "case", "scene", "requirement", "renderer", "sandbox"});
   command.add_option("--relation", options.relations, "Relations, by name or pattern (default: all)")
-      ->delimiter(',');
+      .separated_by(',');
   command.add_option("--size", options.settings.size_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(8, 1024))
-      ->capture_default_str();
-  command.add_option("--spp", options.settings.spp, "Samples per pixel")
-      ->check(CLI::Range(2, 1 << 16))
-      ->capture_default_str();
+      .range(8, 1024)
+      .shows_default();
+  command.add_option("--spp", options.settings.spp, "Samples per pixel").range(2, 1 << 16).shows_default();
   command.add_option("--seeds", options.settings.seeds, "Pairs of images of each step")
-      ->check(CLI::Range(2, 1024))
-      ->capture_default_str();
+      .range(2, 1024)
+      .shows_default();
   command.add_option("--threads", options.settings.threads, "Threads of each render")
-      ->check(CLI::Range(1, kMostThreads))
-      ->capture_default_str();
+      .range(1, kMostThreads)
+      .shows_default();
 }
 
-void add_folder_options(CLI::App& command, StabilityOptions& options) {
-  auto* output = command
-                     .add_option("-o,--output", options.output,
-                                 "New folder of the study (default: stability-YYMMDD-HHMMSS)")
-                     ->check(not_empty("a folder"));
-  auto* resume =
+void add_folder_options(const command_line::Command& command, StabilityOptions& options) {
+  const auto output = command
+                          .add_option("-o,--output", options.output,
+                                      "New folder of the study (default: stability-YYMMDD-HHMMSS)")
+                          .not_empty("a folder");
+  const auto resume =
       command
           .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
-          ->check(not_empty("a folder"));
-  auto* show =
+          .not_empty("a folder");
+  const auto show =
       command
           .add_option("--show", options.show,
                       "Print the tables of a study (its folder or stability.json) and render nothing")
-          ->check(not_empty("a folder or a file"));
-  resume->excludes(output);
-  show->excludes(output)->excludes(resume);
+          .not_empty("a folder or a file");
+  resume.excludes(output);
+  show.excludes(output).excludes(resume);
   command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown");
 }
 
@@ -97,13 +92,12 @@ std::vector<run::PlannedScene> scenes_of(const std::vector<std::string>& files) 
   return scenes;
 }
 
-int measure(const registry::Configuration& configuration,
+int measure(const command_line::Command& command,
+            const registry::Configuration& configuration,
             const StabilityOptions& options,
             const Program& program) {
   studies::StabilityRequest request{options.settings, studies::stability_relations(options.relations), {}};
-  auto settings = filtered_settings(configuration, options.filters);
-  if (!options.requirements.empty()) settings.requirements = joined_list(options.requirements);
-  if (!options.renderers.empty()) settings.renderers = joined_list(options.renderers);
+  auto settings = study_settings(command, options.run, configuration.defaults);
   settings.size_divisor = registry::FullSize;  // a study of stability has its own size
   auto plan = run::make_plan(configuration, settings, program.folder);
   if (!options.files.empty()) plan.scenes = scenes_of(options.files);
@@ -135,7 +129,7 @@ std::string footer() {
 
 }  // namespace
 
-void add_stability_command(CLI::App& command, const Program& program, Action& action) {
+void add_stability_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<StabilityOptions>();
   add_study_options(command, *options);
@@ -144,7 +138,7 @@ void add_stability_command(CLI::App& command, const Program& program, Action& ac
   command.callback([=, &program, &action] {
     action = [=, &program] {
       if (options->show.empty())
-        return measure(read_configuration(*configuration, program), *options, program);
+        return measure(command, read_configuration(*configuration, program), *options, program);
       const auto record = studies::read_stability_file(stability_file(options->show));
       print(record, options->as_markdown);
       return status_of(record);

@@ -6,7 +6,7 @@ namespace orbs::results {
 
 std::string scenes_json(const std::vector<SceneRecord>& scenes) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-plan/2");
+  out.begin_object().member("format", "orbs-effects/1");
   FieldWriter{out}("scenes", scenes);
   return out.end_object().text();
 }

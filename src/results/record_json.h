@@ -11,7 +11,7 @@ namespace orbs::results {
 /// targets whose image it makes alone.
 std::string job_json(const JobRecord& job, const std::vector<TargetRecord>& targets);
 
-/// The text that `orbs plan --json` prints (format "orbs-plan/2").
+/// The text that `orbs effects --json` prints (format "orbs-effects/1").
 std::string scenes_json(const std::vector<SceneRecord>& scenes);
 
 /// The text of results.json (format "orbs-results/2"): the whole record. The host of a render is left out if

@@ -3,6 +3,7 @@
 #include "structure/documentation.h"
 
 #include "base/text.h"
+#include "cli/program.h"
 #include "cli/sandbox.h"
 
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace fs = std::filesystem;
@@ -97,9 +99,44 @@ std::vector<ShownCommand> shown_commands() {
   return out;
 }
 
+// As Markdown shows them: not as the letters of a table, of HTML or of emphasis.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char letter : text) {
+    if (letter == '|' || letter == '<' || letter == '*') out += '\\';
+    out += letter == '\n' ? ' ' : letter;
+  }
+  return out;
+}
+
+std::string option_table(const command_line::Command& command) {
+  std::string rows;
+  for (const auto& option : command.options()) {
+    std::vector<std::string> names;
+    for (const auto& name : option.short_names) names.push_back("`-" + name + "`");
+    for (const auto& name : option.long_names) names.push_back("`--" + name + "`");
+    if (names.empty()) names.push_back("`" + option.name + "`");
+    if (names.back() != "`--help`")  // every command has it; the page says so once
+      rows += fmt::format("| {} | {} |\n", fmt::join(names, ", "), escaped(option.description));
+  }
+  return rows.empty() ? "" : "| option | |\n|---|---|\n" + rows;
+}
+
+// Each command, or the commands below it, as "orbs renderer add".
+std::vector<std::pair<std::string, command_line::Command>> all_commands(const command_line::Command& all) {
+  std::vector<std::pair<std::string, command_line::Command>> out;
+  for (const auto& command : all.commands()) {
+    const auto below = command.commands();
+    if (below.empty()) out.emplace_back("orbs " + command.name(), command);
+    for (const auto& second : below)
+      out.emplace_back(fmt::format("orbs {} {}", command.name(), second.name()), second);
+  }
+  return out;
+}
+
 bool is_cheap(const std::string& line) {
   return line.find(" --help") != std::string::npos || line.starts_with("orbs list") ||
-         line.starts_with("orbs doctor") || line.starts_with("orbs plan");
+         line.starts_with("orbs doctor") || line.starts_with("orbs effects");
 }
 
 }  // namespace
@@ -131,6 +168,22 @@ TEST(CommandsPage, NamesEveryCommandAndOptionAndNoOther) {
   }
   for (const auto& line : page.lines)
     EXPECT_TRUE(!line.starts_with("## orbs ") || help.contains(line.substr(3))) << line;
+}
+
+TEST(CommandsPage, SaysOfEachOptionWhatTheHelpSays) {
+  const cli::Program program{"", ORBS_BINARY_DIR, {}};
+  const command_line::Program parser("orbs", "", "");
+  cli::Action action;
+  const auto all = parser.command();
+  cli::add_commands(all, program, action);
+  const auto page = kRoot / "docs/reference/commands.md";
+  std::string list = "| command | |\n|---|---|\n";
+  for (const auto& [name, command] : all_commands(all)) {
+    list += fmt::format("| [`{}`](#{}) | {} |\n", name, structure::anchor_of(name),
+                        escaped(command.description()));
+    EXPECT_EQ(structure::check_generated_part(page, "options of " + name, option_table(command)), "");
+  }
+  EXPECT_EQ(structure::check_generated_part(page, "commands", list), "");
 }
 
 TEST(ShownCommands, HaveOptionsThatTheProgramHas) {

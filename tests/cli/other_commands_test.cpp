@@ -34,16 +34,16 @@ TEST(List, ShowsWhatCanBeChosen) {
 
 TEST(Plan, SaysWhatEachSceneCallsForAndWhy) {
   const Sandbox sandbox;
-  const auto suite = sandbox.orbs({"plan"});
+  const auto suite = sandbox.orbs({"effects"});
   EXPECT_EQ(suite.status, 0) << suite.text;
   EXPECT_TRUE(contains(suite.text, "mirror")) << suite.text;
   EXPECT_TRUE(contains(suite.text, "rgb")) << suite.text;
   const std::string prism = ORBS_SOURCE_DIR "/data/cases/appearance/e6_dispersion/prism_SF10.json";
-  const auto one = sandbox.orbs({"plan", prism});
+  const auto one = sandbox.orbs({"effects", prism});
   EXPECT_TRUE(contains(one.text, "material 'glass' has an index that varies by")) << one.text;
   EXPECT_FALSE(contains(one.text, "mirror")) << one.text;
-  EXPECT_TRUE(contains(sandbox.orbs({"plan", prism, "--json"}).text, R"("effect": "dispersion")"));
-  EXPECT_EQ(sandbox.orbs({"plan", "no-such-scene"}).status, 2);
+  EXPECT_TRUE(contains(sandbox.orbs({"effects", prism, "--json"}).text, R"("effect": "dispersion")"));
+  EXPECT_EQ(sandbox.orbs({"effects", "no-such-scene"}).status, 2);
 }
 
 TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {

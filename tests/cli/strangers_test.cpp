@@ -27,7 +27,7 @@ TEST(Strangers, NoTextOfAFileReachesTheTerminalAsControl) {
                                                                      {"doctor"},
                                                                      {"run", "-r", "good", "-s", "grey"},
                                                                      {"run", "--dry-run", "-r", "good"},
-                                                                     {"plan"}}) {
+                                                                     {"effects"}}) {
     const auto answer = sandbox.orbs(arguments);
     EXPECT_NE(answer.status, 2) << answer.text;
     for (const char* control : {"\x1b", "\x07", "\r", "\u202e"})

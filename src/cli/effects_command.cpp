@@ -2,6 +2,7 @@
 #include "base/terminal.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "registry/cases.h"
 #include "report/effects_table.h"
 #include "results/record_json.h"
@@ -10,7 +11,6 @@
 
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -31,12 +31,14 @@ SceneRecord record_of(const std::string& name,
 
 struct Options {
   std::vector<std::string> scenes;
-  std::string suite;
+  RunOptions run;
   bool as_json = false;
 };
 
 // A word that ends in .json is a file, others are names in the suite.
-std::vector<SceneRecord> records(const Options& options, const registry::Configuration& configuration) {
+std::vector<SceneRecord> records(const Options& options,
+                                 const registry::Configuration& configuration,
+                                 const std::string& suite_name) {
   std::vector<SceneRecord> found;
   std::vector<std::string> names;
   for (const auto& word : options.scenes)
@@ -46,8 +48,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
       names.push_back(word);
   if (options.scenes.empty()) names.emplace_back("*");
   if (names.empty()) return found;
-  const auto& suite = registry::find_suite(
-      configuration, options.suite.empty() ? configuration.defaults.suite : options.suite);
+  const auto& suite = registry::find_suite(configuration, suite_name);
   for (const auto& scene : registry::scenes_of(suite, joined_list(names)))
     found.push_back(record_of(scene.name, scene.file, suite.data, scene.camera));
   return found;
@@ -55,17 +56,18 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
 
 }  // namespace
 
-void add_plan_command(CLI::App& command, const Program& program, Action& action) {
+void add_effects_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
   command.add_option(
       "scenes", options->scenes,
       "Scenes of the suite, by name or pattern, or scene files (default: all scenes of the suite)");
-  command.add_option("--suite", options->suite, "The suite (default: that of the configuration)");
+  add_settings(command, options->run, {"suite"});
   command.add_flag("--json", options->as_json, "Print everything as JSON, for programs");
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      const auto found = records(*options, read_configuration(*configuration, program));
+      const auto read = read_configuration(*configuration, program);
+      const auto found = records(*options, read, run_settings(command, options->run, read.defaults).suite);
       if (options->as_json) {
         print_raw(stdout, results::scenes_json(found));
       } else {
