@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -9,7 +8,6 @@
 #include "studies/bench/json.h"
 #include "studies/bench/report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -22,26 +20,26 @@ struct BenchOptions {
   std::string output = "bench.json";
 };
 
-void add_options(CLI::App& command, BenchOptions& options) {
+void add_options(const command_line::Command& command, BenchOptions& options) {
   command.add_option("--rounds", options.bench.rounds, "Rounds; each has its own seed")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .range(1, 1000)
+      .shows_default();
   command
       .add_option("--spp", options.bench.spp,
                   "Samples per pixel of the large render; the small one takes 1/8 of them")
-      ->check(CLI::Range(2, 1 << 20))
-      ->capture_default_str();
+      .range(2, 1 << 20)
+      .shows_default();
   command.add_option("--size", options.bench.size_px, "Width and height in pixels")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
+      .range(16, 8192)
+      .shows_default();
   command.add_option("--threads", options.bench.threads, "Threads of each renderer")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      .range(1, 1024)
+      .shows_default();
   command.add_option("--only", options.only,
                      "Renderers to measure (default: orbs, and cycles if it is installed)");
   command.add_option("-o,--output", options.output, "File for all numbers")
-      ->capture_default_str()
-      ->check(not_empty("a file"));
+      .shows_default()
+      .not_empty("a file");
 }
 
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {
@@ -56,7 +54,7 @@ int bench(const registry::Configuration& configuration, BenchOptions options, co
 
 }  // namespace
 
-void add_bench_command(CLI::App& command, const Program& program, Action& action) {
+void add_bench_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<BenchOptions>();
   add_options(command, *options);

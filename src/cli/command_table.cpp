@@ -5,7 +5,7 @@
 namespace orbs::cli {
 
 // Each is defined in the file of its name: add_bench_command in bench_command.cpp.
-using AddCommand = void(CLI::App& command, const Program& program, Action& action);
+using AddCommand = void(const command_line::Command& command, const Program& program, Action& action);
 AddCommand add_run_command, add_serve_command, add_report_command, add_compare_command;
 AddCommand add_doctor_command, add_list_command, add_plan_command;
 AddCommand add_renderer_command, add_reference_command, add_completion_command;

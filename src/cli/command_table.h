@@ -1,12 +1,9 @@
 #pragma once
 
 #include "cli/action.h"
+#include "command_line/command.h"
 
 #include <span>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
-class App;
-}
 
 namespace orbs::cli {
 
@@ -15,7 +12,7 @@ struct Command {
   const char* name;
   const char* group;  // the heading in orbs --help
   const char* summary;
-  void (*add)(CLI::App& command, const Program& program, Action& action);
+  void (*add)(const command_line::Command& command, const Program& program, Action& action);
 };
 
 /// All commands in the order of orbs --help, those of one group in a row.

@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "image/colour.h"
 #include "image/image_io.h"
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -138,15 +136,15 @@ int compare_files(CompareOptions options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& command, const Program& /*program*/, Action& action) {
+void add_compare_command(const command_line::Command& command, const Program& /*program*/, Action& action) {
   const auto options = std::make_shared<CompareOptions>();
-  command.add_option("image", options->first, "The result")->required();
-  command.add_option("reference", options->second, "The image that it should equal")->required();
+  command.add_option("image", options->first, "The result").required();
+  command.add_option("reference", options->second, "The image that it should equal").required();
   command.add_option("--metric", options->metric, "Metric that --min and --max limit (default: psnr_srgb8)");
-  command.add_option("--min", options->min, "Smallest value within the tolerance")->check(any_number());
-  command.add_option("--max", options->max, "Largest value within the tolerance")->check(any_number());
+  command.add_option("--min", options->min, "Smallest value within the tolerance").any_number();
+  command.add_option("--max", options->max, "Largest value within the tolerance").any_number();
   command.add_option("--maps", options->maps, "Folder for the error maps, as EXR and PNG")
-      ->check(not_empty("a folder"));
+      .not_empty("a folder");
   command.add_flag("--all", options->all, "Compute the slow metrics too: FLIP, PU21, JERI's SSIM");
   command.add_flag("--definitions", options->definitions, "Print the definition of each number");
   command.add_flag("--json", options->as_json,

@@ -1,12 +1,10 @@
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "history/compare_runs.h"
 #include "results/run_folder.h"
 
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 namespace orbs::cli {
@@ -35,16 +33,15 @@ int compare(const Options& options) {
 
 }  // namespace
 
-void add_compare_runs_command(CLI::App& command, const Program& /*program*/, Action& action) {
+void add_compare_runs_command(const command_line::Command& command,
+                              const Program& /*program*/,
+                              Action& action) {
   const auto options = std::make_shared<Options>();
-  command.add_option("before", options->before, "Folder of the earlier run")
-      ->required()
-      ->check(not_empty("a folder"));
-  command.add_option("after", options->after, "Folder of the later run")
-      ->required()
-      ->check(not_empty("a folder"));
-  auto* markdown = command.add_flag("--markdown", options->as_markdown, "Print Markdown for a pull request");
-  command.add_flag("--json", options->as_json, "Print everything as JSON, for programs")->excludes(markdown);
+  command.add_option("before", options->before, "Folder of the earlier run").required().not_empty("a folder");
+  command.add_option("after", options->after, "Folder of the later run").required().not_empty("a folder");
+  const auto markdown =
+      command.add_flag("--markdown", options->as_markdown, "Print Markdown for a pull request");
+  command.add_flag("--json", options->as_json, "Print everything as JSON, for programs").excludes(markdown);
   command.footer(
       "Exit status: 0 if nothing is worse, 1 if a verdict, an error or a time is worse, 2 if the runs cannot be "
       "compared.");

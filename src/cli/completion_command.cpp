@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,20 +16,20 @@ namespace {
 struct Completed {
   std::string name;
   std::string summary;
-  std::vector<const CLI::Option*> options;
+  std::vector<command_line::OptionText> options;
   std::vector<std::string> words;  // of its own commands, or that its argument may be
 };
 
-Completed completed(const CLI::App& command) {
-  Completed found{command.get_name(), command.get_description(), {}, {}};
-  const auto add_options = [&](const CLI::App& of) {
-    for (const auto* option : of.get_options())
-      if (!option->get_lnames().empty()) found.options.push_back(option);
+Completed completed(const command_line::Command& command) {
+  Completed found{command.name(), command.description(), {}, {}};
+  const auto add_options = [&](const command_line::Command& of) {
+    for (const auto& option : of.options())
+      if (!option.long_names.empty()) found.options.push_back(option);
   };
   add_options(command);
-  for (const auto* below : command.get_subcommands({})) {
-    found.words.push_back(below->get_name());
-    add_options(*below);
+  for (const auto& below : command.commands()) {
+    found.words.push_back(below.name());
+    add_options(below);
   }
   if (found.name == "list") found.words = {"all", "suites", "renderers", "requirements", "cases", "scenes"};
   if (found.name == "completion") found.words = {"bash", "zsh", "fish"};
@@ -39,8 +38,8 @@ Completed completed(const CLI::App& command) {
 
 std::vector<std::string> option_words(const Completed& command) {
   std::vector<std::string> words;
-  for (const auto* option : command.options)
-    for (const auto& name : option->get_lnames()) words.push_back("--" + name);
+  for (const auto& option : command.options)
+    for (const auto& name : option.long_names) words.push_back("--" + name);
   return words;
 }
 
@@ -83,11 +82,11 @@ std::string fish_script(const std::vector<Completed>& commands) {
                         quoted(command.summary));
     const auto here = fmt::format("complete -c orbs -n '__fish_seen_subcommand_from {}'", command.name);
     if (!command.words.empty()) text += fmt::format("{} -a '{}'\n", here, fmt::join(command.words, " "));
-    for (const auto* option : command.options) {
+    for (const auto& option : command.options) {
       std::string names;
-      for (const auto& name : option->get_snames()) names += " -s " + name;
-      for (const auto& name : option->get_lnames()) names += " -l " + name;
-      text += fmt::format("{}{} -d {}\n", here, names, quoted(clean_line(option->get_description())));
+      for (const auto& name : option.short_names) names += " -s " + name;
+      for (const auto& name : option.long_names) names += " -l " + name;
+      text += fmt::format("{}{} -d {}\n", here, names, quoted(clean_line(option.description)));
     }
   }
   return text;
@@ -95,16 +94,15 @@ std::string fish_script(const std::vector<Completed>& commands) {
 
 }  // namespace
 
-void add_completion_command(CLI::App& command, const Program& /*program*/, Action& action) {
+void add_completion_command(const command_line::Command& command,
+                            const Program& /*program*/,
+                            Action& action) {
   const auto shell = std::make_shared<std::string>();
-  command.add_option("shell", *shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  const auto* own = &command;
+  command.add_option("shell", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
   command.callback([=, &action] {
     action = [=] {
       std::vector<Completed> commands;
-      for (const auto* one : own->get_parent()->get_subcommands({})) commands.push_back(completed(*one));
+      for (const auto& one : command.parent().commands()) commands.push_back(completed(one));
       if (*shell == "fish") {
         print_raw(stdout, fish_script(commands));
       } else {

@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -18,7 +17,6 @@
 
 #include <cmath>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -55,45 +53,44 @@ double number_with_unit(const char* option,
       fmt::format("{}: '{}' is no number above 0 with one of the units {}", option, text, known));
 }
 
-void add_options(CLI::App& command, CostOptions& options) {
+void add_options(const command_line::Command& command, CostOptions& options) {
   constexpr int kMost = 1024;
   add_filter_options(command, options.filters);
   command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
   command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
   add_size_option(command, options.size);
-  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h")
-      ->capture_default_str();
-  command.add_option("--target", options.target, "PSNR that the curves are to cross")->capture_default_str();
+  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h").shows_default();
+  command.add_option("--target", options.target, "PSNR that the curves are to cross").shows_default();
   command
       .add_option(
           "--rungs", options.request.rungs,
           "Samples per pixel of the rungs: 16,64,256 (default: chosen by a pilot render of each curve)")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1 << 24));
+      .separated_by(',')
+      .range(1, 1 << 24);
   command.add_option("--seeds", options.request.settings.seeds, "Renders of each rung")
-      ->check(CLI::Range(2, kMost))
-      ->capture_default_str();
+      .range(2, kMost)
+      .shows_default();
   command.add_option("--order-seed", options.request.settings.order_seed, "Seed of the order of the renders")
-      ->check(CLI::Range(0, 1 << 20))
-      ->capture_default_str();
+      .range(0, 1 << 20)
+      .shows_default();
   command.add_option("--threads", options.request.settings.threads, "Threads of each render; 0: all cores")
-      ->check(CLI::Range(0, kMost));
-  auto* output =
+      .range(0, kMost);
+  const auto output =
       command
           .add_option("-o,--output", options.output, "New folder of the study (default: cost-YYMMDD-HHMMSS)")
-          ->check(not_empty("a folder"));
-  auto* resume =
+          .not_empty("a folder");
+  const auto resume =
       command
           .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
-          ->check(not_empty("a folder"));
-  auto* show = command
-                   .add_option("--show", options.show,
-                               "Print the tables of a study (its folder or cost.json) and measure nothing")
-                   ->check(not_empty("a folder or a file"));
-  resume->excludes(output);
-  show->excludes(output)->excludes(resume);
-  command.add_option("--svg", options.svg, "Also draw all curves into this SVG file")
-      ->check(not_empty("a file"));
+          .not_empty("a folder");
+  const auto show =
+      command
+          .add_option("--show", options.show,
+                      "Print the tables of a study (its folder or cost.json) and measure nothing")
+          .not_empty("a folder or a file");
+  resume.excludes(output);
+  show.excludes(output).excludes(resume);
+  command.add_option("--svg", options.svg, "Also draw all curves into this SVG file").not_empty("a file");
   command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown, for every goal");
 }
 
@@ -151,7 +148,7 @@ int measure(const registry::Configuration& configuration, CostOptions options, c
 
 }  // namespace
 
-void add_cost_command(CLI::App& command, const Program& program, Action& action) {
+void add_cost_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<CostOptions>();
   add_options(command, *options);

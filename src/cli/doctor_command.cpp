@@ -13,7 +13,6 @@
 #include <optional>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -112,7 +111,7 @@ void print_json(const std::filesystem::path& configuration, const std::vector<Ex
 
 }  // namespace
 
-void add_doctor_command(CLI::App& command, const Program& program, Action& action) {
+void add_doctor_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto as_json = std::make_shared<bool>(false);
   command.add_flag("--json", *as_json, "Print everything as JSON, for programs");

@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -9,7 +8,6 @@
 #include "studies/effects/effect_cost.h"
 #include "studies/effects/report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -24,24 +22,24 @@ struct EffectCostOptions {
   bool as_markdown = false;
 };
 
-void add_options(CLI::App& command, EffectCostOptions& options) {
+void add_options(const command_line::Command& command, EffectCostOptions& options) {
   command.add_option("scenes", options.scenes, "Scenes of the suite, by name or pattern (default: all)");
   command.add_option("--suite", options.suite, "The suite (default: that of the configuration)");
   command.add_option("--rounds", options.effect_costs.rounds, "Rounds; each has its own seed")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
+      .range(2, 1000)
+      .shows_default();
   command.add_option("--spp", options.effect_costs.spp, "Samples per pixel of each render")
-      ->check(CLI::Range(8, 1 << 20))
-      ->capture_default_str();
+      .range(8, 1 << 20)
+      .shows_default();
   command.add_option("--size", options.effect_costs.size_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
+      .range(16, 8192)
+      .shows_default();
   command
       .add_option(
           "-o,--output", options.output,
           "File for all numbers (default: effect-costs.json in the working folder). Runs and their pages "
           "show the file that lies beside the references of the suite")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   command.add_flag("--markdown", options.as_markdown, "Print the table as Markdown");
 }
 
@@ -64,7 +62,7 @@ int measure(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_effect_cost_command(CLI::App& command, const Program& program, Action& action) {
+void add_effect_cost_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<EffectCostOptions>();
   add_options(command, *options);

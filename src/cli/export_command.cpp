@@ -1,6 +1,5 @@
 #include "base/error.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
@@ -11,7 +10,6 @@
 #include <map>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -61,26 +59,24 @@ int export_scenes(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_export_command(CLI::App& command, const Program& program, Action& action) {
+void add_export_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
-  std::set<std::string> formats;
-  for (const auto& [name, word] : kFormats) formats.insert(name);
+  std::vector<std::string> formats;
+  for (const auto& [name, word] : kFormats) formats.push_back(name);
   command.add_option("--format", options->format, "Scene format to write")
-      ->option_text("FORMAT")
-      ->required()
-      ->check(CLI::IsMember(formats));
+      .value_name("FORMAT")
+      .required()
+      .one_of(formats);
   add_choice_options(command, options->run);
-  for (const char* none : {"--exec", "--jobs", "--log", "--sandbox"})
-    command.remove_option(command.get_option(none));
+  for (const char* none : {"--exec", "--jobs", "--log", "--sandbox"}) command.remove_option(none);
   command.add_option("-o,--output", options->run.output, "New folder (default: export-YYMMDD-HHMMSS)")
-      ->option_text("FOLDER")
-      ->check(not_empty("a folder"));
-  const auto* chosen = &command;
+      .value_name("FOLDER")
+      .not_empty("a folder");
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      return export_scenes(read, run_settings(*chosen, options->run, read.defaults), *options, program);
+      return export_scenes(read, run_settings(command, options->run, read.defaults), *options, program);
     };
   });
 }

@@ -1,6 +1,5 @@
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
 #include "history/history_text.h"
@@ -12,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 namespace orbs::cli {
@@ -45,13 +43,13 @@ int show_history(const Options& options) {
 
 }  // namespace
 
-void add_history_command(CLI::App& command, const Program& /*program*/, Action& action) {
+void add_history_command(const command_line::Command& command, const Program& /*program*/, Action& action) {
   const auto options = std::make_shared<Options>();
   command.add_option("runs", options->runs, "Folders of runs (default: all outputs-* in the working folder)")
-      ->check(not_empty("a folder"));
+      .not_empty("a folder");
   command.add_option("-o,--output", options->page, "Also write the history as a page, one HTML file")
-      ->option_text("FILE")
-      ->check(not_empty("a file"));
+      .value_name("FILE")
+      .not_empty("a file");
   command.add_flag("--markdown", options->as_markdown, "Print the tables as Markdown");
   command.footer("Exit status: 0 if no step is worse, 1 if one is, 2 if there is no run.");
   command.callback([=, &action] { action = [=] { return show_history(*options); }; });

@@ -1,7 +1,6 @@
 #include "base/local_time.h"
 #include "base/shell.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "report/files.h"
@@ -11,7 +10,6 @@
 #include "run/plan/make_plan.h"
 #include "run/run.h"
 
-#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 namespace orbs::cli {
@@ -46,19 +44,19 @@ int judge(const Options& options, const std::string& configuration, const Progra
 
 }  // namespace
 
-void add_judge_command(CLI::App& command, const Program& program, Action& action) {
+void add_judge_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
   command
       .add_option("folder", options->folder,
                   "Folder that orbs export made, with the images that were rendered")
-      ->required()
-      ->check(not_empty("a folder"));
+      .required()
+      .not_empty("a folder");
   command
       .add_option("-o,--output", options->output,
                   "New folder for the results (default: outputs-YYMMDD-HHMMSS)")
-      ->option_text("FOLDER")
-      ->check(not_empty("a folder"));
+      .value_name("FOLDER")
+      .not_empty("a folder");
   command.footer("Exit status: as orbs run.");
   command.callback([=, &program, &action] {
     action = [=, &program] { return judge(*options, *configuration, program); };

@@ -10,7 +10,6 @@
 #include <map>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -132,12 +131,12 @@ void print_json(const std::vector<Table>& tables) {
 
 }  // namespace
 
-void add_list_command(CLI::App& command, const Program& program, Action& action) {
+void add_list_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto what = std::make_shared<std::string>("all");
   const auto suite = std::make_shared<std::string>();
   command.add_option("what", *what, "Which list to print")
-      ->check(CLI::IsMember({"all", "suites", "renderers", "requirements", "cases", "scenes"}));
+      .one_of({"all", "suites", "renderers", "requirements", "cases", "scenes"});
   command.add_option("--suite", *suite, "The suite (default: that of the configuration)");
   const auto as_json = std::make_shared<bool>(false);
   command.add_flag("--json", *as_json, "Print everything as JSON, for programs");

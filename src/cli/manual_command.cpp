@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -28,43 +27,41 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-std::string option_lines(const CLI::App& command) {
+std::string option_lines(const command_line::Command& command) {
   std::string text;
-  for (const auto* option : command.get_options()) {
+  for (const auto& option : command.options()) {
     std::string names;
-    for (const auto& name : option->get_snames()) names += (names.empty() ? "-" : ", -") + name;
-    for (const auto& name : option->get_lnames()) names += (names.empty() ? "--" : ", --") + name;
-    if (names.empty()) names = option->get_name(true);
-    text += fmt::format(".TP\n.B {}\n{}\n", roff(names), roff(option->get_description()));
+    for (const auto& name : option.short_names) names += (names.empty() ? "-" : ", -") + name;
+    for (const auto& name : option.long_names) names += (names.empty() ? "--" : ", --") + name;
+    if (names.empty()) names = option.name;
+    text += fmt::format(".TP\n.B {}\n{}\n", roff(names), roff(option.description));
   }
   return text;
 }
 
-std::string command_section(const CLI::App& command, const std::string& name) {
-  auto text = fmt::format(".SS {}\n{}\n", roff(name), roff(command.get_description()));
+std::string command_section(const command_line::Command& command, const std::string& name) {
+  auto text = fmt::format(".SS {}\n{}\n", roff(name), roff(command.description()));
   text += option_lines(command);
-  if (!command.get_footer().empty()) text += fmt::format(".PP\n{}\n", roff(command.get_footer()));
-  for (const auto* below : command.get_subcommands({}))
-    text += command_section(*below, name + " " + below->get_name());
+  if (!command.footer().empty()) text += fmt::format(".PP\n{}\n", roff(command.footer()));
+  for (const auto& below : command.commands()) text += command_section(below, name + " " + below.name());
   return text;
 }
 
-std::string manual(const CLI::App& app, const std::string& version) {
+std::string manual(const command_line::Command& app, const std::string& version) {
   auto text = fmt::format(
       ".TH ORBS 1 \"\" \"orbs {}\"\n.SH NAME\norbs \\- benchmark of renderers\n.SH SYNOPSIS\n.B orbs\n"
       "COMMAND [OPTIONS]\n.SH DESCRIPTION\n{}\n.SH COMMANDS\n",
-      roff(version), roff(app.get_description()));
-  for (const auto* command : app.get_subcommands({})) text += command_section(*command, command->get_name());
+      roff(version), roff(app.description()));
+  for (const auto& command : app.commands()) text += command_section(command, command.name());
   return text;
 }
 
 }  // namespace
 
-void add_manual_command(CLI::App& command, const Program& program, Action& action) {
-  const auto* own = &command;
+void add_manual_command(const command_line::Command& command, const Program& program, Action& action) {
   command.callback([=, &program, &action] {
     action = [=, &program] {
-      print_raw(stdout, manual(*own->get_parent(), program.version));
+      print_raw(stdout, manual(command.parent(), program.version));
       return 0;
     };
   });

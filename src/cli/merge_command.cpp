@@ -1,5 +1,4 @@
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "report/files.h"
 #include "report/table.h"
@@ -8,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 namespace orbs::cli {
@@ -32,16 +30,16 @@ int merge(const Options& options, const Program& program) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& command, const Program& program, Action& action) {
+void add_merge_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto options = std::make_shared<Options>();
   command.add_option("runs", options->shards, "Folders of all shards of one run")
-      ->required()
-      ->check(not_empty("a folder"));
+      .required()
+      .not_empty("a folder");
   command
       .add_option("-o,--output", options->output,
                   "New folder for the whole run (default: outputs-YYMMDD-HHMMSS)")
-      ->option_text("FOLDER")
-      ->check(not_empty("a folder"));
+      .value_name("FOLDER")
+      .not_empty("a folder");
   command.footer(
       "Exit status: as orbs run; 2 if a render is missing or the shards contradict each other, which is listed.");
   command.callback([=, &program, &action] { action = [=, &program] { return merge(*options, program); }; });

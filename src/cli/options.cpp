@@ -2,10 +2,8 @@
 
 #include "adapters/export.h"
 #include "base/error.h"
-#include "cli/checks.h"
 #include "registry/image_size.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,12 +20,12 @@ registry::Configuration checked_configuration(const std::filesystem::path& file)
 
 }  // namespace
 
-std::shared_ptr<std::string> add_configuration_option(CLI::App& command) {
+std::shared_ptr<std::string> add_configuration_option(const command_line::Command& command) {
   auto file = std::make_shared<std::string>();
   command
       .add_option("--configuration", *file,
                   "File with suites, renderers and defaults (default: the nearest configuration.json)")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   return file;
 }
 
@@ -39,18 +37,17 @@ registry::Configuration read_configuration(const std::string& named, const Progr
                                std::filesystem::current_path().string()));
 }
 
-void add_filter_options(CLI::App& command, TargetFilters& filters) {
+void add_filter_options(const command_line::Command& command, TargetFilters& filters) {
   command.add_option("--suite", filters.suite, "The suite (default: that of the configuration)");
   command.add_option("-c,--case", filters.cases, "Only these cases");
   command.add_option("-s,--scene", filters.scenes, "Only these scenes");
 }
 
-void add_size_option(CLI::App& command, std::string& size) {
+void add_size_option(const command_line::Command& command, std::string& size) {
   std::vector<std::string> sizes;
   for (const int divisor : registry::kSizeDivisors) sizes.push_back(registry::size_text(divisor));
-  command
-      .add_option("--size", size, "Width and height of all images, as a share of the scenes' (default: 1)")
-      ->check(CLI::IsMember(sizes));
+  command.add_option("--size", size, "Width and height of all images, as a share of the scenes' (default: 1)")
+      .one_of(sizes);
 }
 
 registry::RunSettings filtered_settings(const registry::Configuration& configuration,

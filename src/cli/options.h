@@ -1,21 +1,18 @@
 #pragma once
 
 #include "cli/action.h"
+#include "command_line/command.h"
 #include "registry/configuration.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
-class App;
-}
-
 /// Options that several commands have.
 namespace orbs::cli {
 
 /// Adds --configuration FILE; returns the text that it fills.
-std::shared_ptr<std::string> add_configuration_option(CLI::App& command);
+std::shared_ptr<std::string> add_configuration_option(const command_line::Command& command);
 
 /// Reads the named file or, if `named` is empty, the nearest configuration.json above the working folder or,
 /// failing that, above the program. InputError if there is none.
@@ -28,7 +25,7 @@ struct TargetFilters {
 };
 
 /// Adds --suite, -c/--case and -s/--scene. `filters` must live as long as the command.
-void add_filter_options(CLI::App& command, TargetFilters& filters);
+void add_filter_options(const command_line::Command& command, TargetFilters& filters);
 
 /// The configuration's defaults with these filters in place of its own.
 registry::RunSettings filtered_settings(const registry::Configuration& configuration,
@@ -36,7 +33,7 @@ registry::RunSettings filtered_settings(const registry::Configuration& configura
 
 /// Adds --size, the share of the width and height of all images: a text that registry::size_divisor knows.
 /// `size` must live as long as the command.
-void add_size_option(CLI::App& command, std::string& size);
+void add_size_option(const command_line::Command& command, std::string& size);
 
 /// The values of a repeatable option as one comma-separated list.
 std::string joined_list(const std::vector<std::string>& values);

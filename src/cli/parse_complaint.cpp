@@ -6,7 +6,6 @@
 #include <set>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,20 +14,21 @@ namespace orbs::cli {
 namespace {
 
 // The innermost command that was given, and its words: "renderer add".
-std::pair<const CLI::App*, std::string> chosen_command(const CLI::App& app) {
-  const CLI::App* command = &app;
+std::pair<command_line::Command, std::string> chosen_command(command_line::Command command) {
   std::string words;
-  for (auto inner = command->get_subcommands(); !inner.empty(); inner = command->get_subcommands()) {
-    command = inner.front();
-    words += command->get_name() + " ";
+  for (auto inner = command.chosen(); inner; inner = command.chosen()) {
+    command = *inner;
+    words += command.name() + " ";
   }
   return {command, words};
 }
 
-std::string unexpected(std::string_view word, const CLI::App& command, const std::string& words) {
+std::string unexpected(std::string_view word,
+                       const command_line::Command& command,
+                       const std::string& words) {
   std::set<std::string> known;
-  for (const auto* option : command.get_options())
-    for (const auto& name : option->get_lnames()) known.insert("--" + name);
+  for (const auto& option : command.options())
+    for (const auto& name : option.long_names) known.insert("--" + name);
   const std::string name(word.substr(0, word.find('=')));
   if (!name.starts_with('-'))
     return fmt::format("'orbs {}' takes no further argument '{}'", trim(words), name);
@@ -69,18 +69,18 @@ std::string expected_value(const std::string& text) {
 
 }  // namespace
 
-std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app) {
-  const auto [command, words] = chosen_command(app);
-  std::string text = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+std::string parse_complaint(const command_line::Parsed& parsed, const command_line::Command& program) {
+  const auto [command, words] = chosen_command(program);
+  auto text = parsed.problem;
+  if (parsed.has_extras) {
     const auto found = words_of(text.substr(text.find(": ") + 1));
     // The words that follow an unknown option are no arguments of their own.
     const auto option =
         std::find_if(found.begin(), found.end(), [](const auto& word) { return word.starts_with('-'); });
-    if (!found.empty()) text = unexpected(option == found.end() ? found.front() : *option, *command, words);
+    if (!found.empty()) text = unexpected(option == found.end() ? found.front() : *option, command, words);
   } else if (text == "A subcommand is required") {
     std::vector<std::string> names;
-    for (const auto* inner : command->get_subcommands({})) names.push_back(inner->get_name());
+    for (const auto& inner : command.commands()) names.push_back(inner.name());
     text = fmt::format("'orbs{}{}' needs a command; there {} {}", words.empty() ? "" : " ", trim(words),
                        names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
   } else {

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <string>
+#include "command_line/command.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
-class App;
-class ParseError;
-}  // namespace CLI
+#include <string>
 
 namespace orbs::cli {
 
 /// What is wrong with the command line, in the words of our own messages: what was expected and found, the
 /// nearest option, and where help is.
-std::string parse_complaint(const CLI::ParseError& error, const CLI::App& app);
+std::string parse_complaint(const command_line::Parsed& parsed, const command_line::Command& program);
 
 }  // namespace orbs::cli

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -55,7 +54,7 @@ std::vector<SceneRecord> records(const Options& options, const registry::Configu
 
 }  // namespace
 
-void add_plan_command(CLI::App& command, const Program& program, Action& action) {
+void add_plan_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
   command.add_option(

@@ -1,6 +1,5 @@
 #include "base/error.h"
 #include "base/files.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -25,7 +23,7 @@ struct ProbeOptions {
   studies::ProbeSettings probe;
 };
 
-void add_options(CLI::App& command, ProbeOptions& options) {
+void add_options(const command_line::Command& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
   add_filter_options(command, options.filters);
   command.add_option("-r,--renderer", options.renderers,
@@ -33,15 +31,13 @@ void add_options(CLI::App& command, ProbeOptions& options) {
   command.add_option("-e,--exec", options.executable,
                      "Program to start instead of the chosen renderer's own");
   command.add_option("--size", options.probe.most_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(16, 1024))
-      ->capture_default_str();
-  command.add_option("--spp", options.probe.spp, "Samples per pixel")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+      .range(16, 1024)
+      .shows_default();
+  command.add_option("--spp", options.probe.spp, "Samples per pixel").range(1, 4096).shows_default();
   command.add_option("--threads", options.probe.threads, "Threads of each render")
-      ->check(CLI::Range(1, kMostThreads))
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "JSON file for all findings")->check(not_empty("a file"));
+      .range(1, kMostThreads)
+      .shows_default();
+  command.add_option("-o,--output", options.output, "JSON file for all findings").not_empty("a file");
 }
 
 std::ptrdiff_t count(const std::vector<studies::ProbeRecord>& records, studies::ProbeVerdict verdict) {
@@ -78,7 +74,7 @@ int probe(const registry::Configuration& configuration, const ProbeOptions& opti
 
 }  // namespace
 
-void add_probe_command(CLI::App& command, const Program& program, Action& action) {
+void add_probe_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<ProbeOptions>();
   add_options(command, *options);

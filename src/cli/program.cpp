@@ -16,11 +16,9 @@
 #include <memory>
 #include <new>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -39,10 +37,10 @@ std::filesystem::path own_folder() {
 }
 
 // CLI11 would only say that a command is missing.
-void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+void refuse_unknown_command(const command_line::Command& all, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::set<std::string> names;
-  for (const auto* command : app.get_subcommands({})) names.insert(command->get_name());
+  for (const auto& command : all.commands()) names.insert(command.name());
   if (!names.contains(argv[1]))
     throw InputError(fmt::format("there is no command '{}'{}; there are: {}", argv[1],
                                  closest(argv[1], names), fmt::join(names, ", ")));
@@ -69,48 +67,31 @@ std::string wrapped_help(const std::string& help, std::size_t width) {
   return text;
 }
 
-// CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
-    constexpr std::string_view kValue = "{false}";
-    auto name = CLI::Formatter::make_option_name(option, is_positional);
-    if (const auto at = name.find(kValue); at != std::string::npos) name.erase(at, kValue.size());
-    return name;
-  }
-};
-
 int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
-  CLI::App app{
+  const command_line::Program parser{
+      "orbs",
       "Renders small test scenes with every configured renderer, compares the images with references,\n"
-      "and says which requirements each renderer meets."};
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.name("orbs");
-  app.set_version_flag("--version", "orbs " + version);
-  app.require_subcommand(1);
+      "and says which requirements each renderer meets.",
+      "orbs " + version};
+  const auto all = parser.command();
+  all.needs_command();
   Action action;
   for (const auto& command : commands())
-    command.add(*app.add_subcommand(command.name, command.summary)->group(command.group), program, action);
+    command.add(all.add_command(command.name, command.summary, command.group), program, action);
   // Last, since commands inherit the footer that the program has when they are added.
-  app.footer(
+  all.footer(
       "First steps:\n"
       "  orbs doctor                 lists the renderers that are installed\n"
       "  orbs run -c 'm*' -r orbs    renders and judges some cases with the built-in tracer\n"
       "  orbs serve                  shows the results in the browser\n"
       "'orbs COMMAND --help' shows the options of a command.");
-  refuse_unknown_command(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) {
-      std::ostringstream text;
-      const int status = app.exit(e, text, text);
-      print_clean("{}", wrapped_help(text.str(), static_cast<std::size_t>(terminal_width(STDOUT_FILENO))));
-      return status;
-    }
-    throw InputError(parse_complaint(e, app));
+  refuse_unknown_command(all, argc, argv);
+  const auto parsed = parser.parse(argc, argv);
+  if (!parsed.problem.empty()) throw InputError(parse_complaint(parsed, all));
+  if (!parsed.text.empty()) {
+    print_clean("{}", wrapped_help(parsed.text, static_cast<std::size_t>(terminal_width(STDOUT_FILENO))));
+    return 0;
   }
   return action();
 }

@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/show_runs.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -31,7 +29,7 @@ struct QualifyOptions {
   studies::QualifySettings qualify;
 };
 
-void add_options(CLI::App& command, QualifyOptions& options) {
+void add_options(const command_line::Command& command, QualifyOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option(
       "run", options.run,
@@ -42,20 +40,19 @@ void add_options(CLI::App& command, QualifyOptions& options) {
       .add_option(
           "-r,--renderer", options.qualify.renderer,
           "Renderer whose images in the run are the control images; it also renders the scenes without a light")
-      ->capture_default_str();
+      .shows_default();
   command
       .add_option("--spp-scale", options.qualify.missing_light_spp_scale,
                   "Factor of the samples of the renders without a light")
-      ->check(above_zero())
-      ->capture_default_str();
-  command.add_option("--threads", options.threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, kMostThreads));
+      .above_zero()
+      .shows_default();
+  command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
   command
       .add_option(
           "-o,--output", options.output,
           "File for the results (default: beside the references, qualification.json or, for a run at 1/4, "
           "qualification-1-4.json)")
-      ->check(not_empty("a file"));
+      .not_empty("a file");
   command.add_flag(
       "--diagnoses", options.diagnoses,
       "Tests no gates: counts how often the diagnosis of a typical fault is right, and writes no file");
@@ -92,7 +89,7 @@ int qualify(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_qualify_command(CLI::App& command, const Program& program, Action& action) {
+void add_qualify_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<QualifyOptions>();
   add_options(command, *options);

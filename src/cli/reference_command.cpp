@@ -1,5 +1,4 @@
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
@@ -9,12 +8,11 @@
 
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
 
-void add_reference_command(CLI::App& command, const Program& program, Action& action) {
+void add_reference_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto settings = std::make_shared<references::ReferenceSettings>();
   const auto cases = std::make_shared<std::vector<std::string>>();
@@ -26,11 +24,11 @@ void add_reference_command(CLI::App& command, const Program& program, Action& ac
   command
       .add_option("--spp", settings->spp,
                   "Samples per pixel (default: until the noise is 10 dB below the gate)")
-      ->check(CLI::Range(1, references::kMostReferenceSpp));
+      .range(1, references::kMostReferenceSpp);
   command.add_option("--seed", settings->seed, "Seed; it must differ from the seeds of runs")
-      ->check(zero_or_more())
-      ->capture_default_str();
-  command.add_option("--threads", settings->threads, "Threads; 0: all cores")->check(CLI::Range(0, 1024));
+      .zero_or_more()
+      .shows_default();
+  command.add_option("--threads", settings->threads, "Threads; 0: all cores").range(0, 1024);
   command.add_option(
       "--accept", settings->reason,
       "Reason for replacing references that exist. It is kept in the provenance record and, together with "

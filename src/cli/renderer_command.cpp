@@ -7,7 +7,6 @@
 #include "registry/placeholders.h"
 #include "run/plan/choose_renderers.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -39,26 +38,27 @@ int add(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_renderer_command(CLI::App& command, const Program& program, Action& action) {
-  command.require_subcommand(1);
-  auto* adding =
-      command.add_subcommand("add", "Write a checked entry for a renderer, to be completed by hand");
-  const auto configuration = add_configuration_option(*adding);
+void add_renderer_command(const command_line::Command& command, const Program& program, Action& action) {
+  command.needs_command();
+  const auto adding =
+      command.add_command("add", "Write a checked entry for a renderer, to be completed by hand");
+  const auto configuration = add_configuration_option(adding);
+  const auto formats = adapters::scene_formats();
   const auto added = std::make_shared<registry::NewRenderer>();
-  adding->add_option("name", added->name, "Its name in lists, tables and folders")->required();
-  adding->add_option("--executable", added->executable,
-                     "Path, or name of a program on PATH (default: the name)");
-  adding->add_option("--format", added->scene_format, "Scene format that it reads")
-      ->check(CLI::IsMember(adapters::scene_formats()))
-      ->capture_default_str();
-  adding->add_option("--native-scenes", added->native_scenes,
-                     "Ending of scenes written by hand for it, such as xml");
-  adding->add_option("--declares", added->declares, "ORB.S levels that it supports")->capture_default_str();
-  adding->add_option(
+  adding.add_option("name", added->name, "Its name in lists, tables and folders").required();
+  adding.add_option("--executable", added->executable,
+                    "Path, or name of a program on PATH (default: the name)");
+  adding.add_option("--format", added->scene_format, "Scene format that it reads")
+      .one_of({formats.begin(), formats.end()})
+      .shows_default();
+  adding.add_option("--native-scenes", added->native_scenes,
+                    "Ending of scenes written by hand for it, such as xml");
+  adding.add_option("--declares", added->declares, "ORB.S levels that it supports").shows_default();
+  adding.add_option(
       "command", added->command,
       "Program and arguments, after -- (default: those of a renderer with the same format, or "
       "'{executable} {scene} --output {output} --spp {spp} --seed {seed} --threads {threads}')");
-  adding->callback([=, &program, &action] {
+  adding.callback([=, &program, &action] {
     action = [=, &program] { return add(read_configuration(*configuration, program), *added, program); };
   });
 }

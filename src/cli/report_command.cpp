@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
 #include "report/cost_page_file.h"
@@ -12,7 +11,6 @@
 
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -54,22 +52,20 @@ int write_report(const ReportOptions& options, const Program& program) {
 
 }  // namespace
 
-void add_report_command(CLI::App& command, const Program& program, Action& action) {
+void add_report_command(const command_line::Command& command, const Program& program, Action& action) {
   constexpr double kMostMegabytes = 1e6;
   const auto options = std::make_shared<ReportOptions>();
   command
       .add_option(
           "run", options->run,
           "Folder of the run or study (default: the newest outputs-*, cost-* or stability-* in the working folder)")
-      ->check(not_empty("a folder"));
-  command.add_option("-o,--output", options->output, "The file to write")
-      ->required()
-      ->check(not_empty("a file"));
+      .not_empty("a folder");
+  command.add_option("-o,--output", options->output, "The file to write").required().not_empty("a file");
   command
       .add_option("--most-megabytes", options->most_megabytes,
                   "Room for images; those of failures come first (default: 100, of a study 5)")
-      ->check(zero_or_more())
-      ->check(CLI::Range(0.0, kMostMegabytes));
+      .zero_or_more()
+      .range(0.0, kMostMegabytes);
   command.add_flag("--exact", options->exact, "Store images with all digits instead of as 16-bit floats");
   command.callback(
       [=, &program, &action] { action = [=, &program] { return write_report(*options, program); }; });

@@ -3,7 +3,6 @@
 #include "base/local_time.h"
 #include "base/shell.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -145,7 +143,7 @@ int run_plan(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_run_command(CLI::App& command, const Program& program, Action& action) {
+void add_run_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<RunOptions>();
   add_run_options(command, *options);
@@ -153,7 +151,6 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
       "configuration.json can set the default of every option under \"defaults\".\n"
       "Exit status: 0 if every target that a renderer declares passes or is a known failure, 1 if one fails, 2 if the run could not "
       "start\nor every target is unsupported, 130 if it was interrupted (--resume continues it).");
-  const auto* chosen = &command;
   command.callback([=, &program, &action] {
     action = [=, &program] {
       auto from = *configuration;
@@ -167,7 +164,7 @@ void add_run_command(CLI::App& command, const Program& program, Action& action) 
         planned.shard = file.shard;
       }
       const auto read = read_configuration(from, program);
-      const auto settings = run_settings(*chosen, *options, resumed.value_or(read.defaults));
+      const auto settings = run_settings(command, *options, resumed.value_or(read.defaults));
       planned.plan = run::make_plan(read, settings, program.folder);
       planned.whole = run::job_list(planned.plan);
       run::take_shard(planned.shard, planned.plan);

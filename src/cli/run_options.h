@@ -1,13 +1,10 @@
 #pragma once
 
+#include "command_line/command.h"
 #include "registry/run_settings.h"
 
 #include <string>
 #include <vector>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
-class App;
-}
 
 namespace orbs::cli {
 
@@ -33,13 +30,13 @@ struct RunOptions {
 
 /// Adds the options that say what is rendered and how, which `orbs submit` has, too. `options` must live as
 /// long as the command.
-void add_choice_options(CLI::App& command, RunOptions& options);
+void add_choice_options(const command_line::Command& command, RunOptions& options);
 
 /// Adds all options of orbs run.
-void add_run_options(CLI::App& command, RunOptions& options);
+void add_run_options(const command_line::Command& command, RunOptions& options);
 
 /// `settings` with the options that were given in place of its own. InputError for -e without a program.
-registry::RunSettings run_settings(const CLI::App& command,
+registry::RunSettings run_settings(const command_line::Command& command,
                                    const RunOptions& options,
                                    registry::RunSettings settings);
 

@@ -1,5 +1,4 @@
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -7,7 +6,6 @@
 #include "run/plan/make_plan.h"
 #include "studies/qualify/sensitivity_report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -22,23 +20,21 @@ struct SensitivityOptions {
   studies::SensitivitySettings study;
 };
 
-void add_options(CLI::App& command, SensitivityOptions& options) {
+void add_options(const command_line::Command& command, SensitivityOptions& options) {
   constexpr int kMostThreads = 1024;
   constexpr int kMostControls = 10000;
   add_filter_options(command, options.filters);
-  command.add_option("-r,--renderer", options.renderer, "Renderer of the control images")
-      ->capture_default_str();
+  command.add_option("-r,--renderer", options.renderer, "Renderer of the control images").shows_default();
   command
       .add_option("--controls", options.study.controls,
                   "Control images of each scene; the first becomes the mutants")
-      ->check(CLI::Range(1, kMostControls))
-      ->capture_default_str();
+      .range(1, kMostControls)
+      .shows_default();
   command.add_option("--spp-scale", options.study.spp_scale, "Factor of the cases' samples per pixel")
-      ->check(above_zero())
-      ->capture_default_str();
+      .above_zero()
+      .shows_default();
   add_size_option(command, options.size);
-  command.add_option("--threads", options.threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, kMostThreads));
+  command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
 }
 
 int measure(const registry::Configuration& configuration,
@@ -57,7 +53,7 @@ int measure(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_sensitivity_command(CLI::App& command, const Program& program, Action& action) {
+void add_sensitivity_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<SensitivityOptions>();
   add_options(command, *options);

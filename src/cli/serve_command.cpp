@@ -1,10 +1,8 @@
 #include "base/error.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/show_runs.h"
 #include "server/serve.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -33,15 +31,14 @@ int serve(const ServeOptions& options, const Program& program) {
 
 }  // namespace
 
-void add_serve_command(CLI::App& command, const Program& program, Action& action) {
+void add_serve_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto options = std::make_shared<ServeOptions>();
   command
       .add_option(
           "runs", options->runs,
           "Folders of runs and cost studies (default: all outputs-* and cost-* in the working folder, the newest first)")
-      ->check(not_empty("a folder"));
-  command.add_option("--port", options->port, "Port to listen on; 0: any free port")
-      ->check(CLI::Range(0, 65535));
+      .not_empty("a folder");
+  command.add_option("--port", options->port, "Port to listen on; 0: any free port").range(0, 65535);
   command.add_option("--address", options->address,
                      "Address to listen on (default: 127.0.0.1, this machine only)");
   command.add_flag("--allow-network", options->allow_network,

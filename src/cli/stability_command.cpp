@@ -2,7 +2,6 @@
 #include "base/files.h"
 #include "base/terminal.h"
 #include "base/text_table.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/study_context.h"
@@ -14,7 +13,6 @@
 #include "studies/stability/report.h"
 #include "studies/stability/study.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,44 +28,42 @@ struct StabilityOptions {
   bool as_markdown = false;
 };
 
-void add_study_options(CLI::App& command, StabilityOptions& options) {
+void add_study_options(const command_line::Command& command, StabilityOptions& options) {
   constexpr int kMostThreads = 1024;
   command.add_option("files", options.files, "Scene files to render in place of scenes of the suite");
   add_filter_options(command, options.filters);
   command.add_option("--requirement", options.requirements, "Requirements, such as M1 or M*");
   command.add_option("-r,--renderer", options.renderers, "Renderers, by name or pattern (default: all)");
   command.add_option("--relation", options.relations, "Relations, by name or pattern (default: all)")
-      ->delimiter(',');
+      .separated_by(',');
   command.add_option("--size", options.settings.size_px, "Longer side of the images in pixels")
-      ->check(CLI::Range(8, 1024))
-      ->capture_default_str();
-  command.add_option("--spp", options.settings.spp, "Samples per pixel")
-      ->check(CLI::Range(2, 1 << 16))
-      ->capture_default_str();
+      .range(8, 1024)
+      .shows_default();
+  command.add_option("--spp", options.settings.spp, "Samples per pixel").range(2, 1 << 16).shows_default();
   command.add_option("--seeds", options.settings.seeds, "Pairs of images of each step")
-      ->check(CLI::Range(2, 1024))
-      ->capture_default_str();
+      .range(2, 1024)
+      .shows_default();
   command.add_option("--threads", options.settings.threads, "Threads of each render")
-      ->check(CLI::Range(1, kMostThreads))
-      ->capture_default_str();
+      .range(1, kMostThreads)
+      .shows_default();
 }
 
-void add_folder_options(CLI::App& command, StabilityOptions& options) {
-  auto* output = command
-                     .add_option("-o,--output", options.output,
-                                 "New folder of the study (default: stability-YYMMDD-HHMMSS)")
-                     ->check(not_empty("a folder"));
-  auto* resume =
+void add_folder_options(const command_line::Command& command, StabilityOptions& options) {
+  const auto output = command
+                          .add_option("-o,--output", options.output,
+                                      "New folder of the study (default: stability-YYMMDD-HHMMSS)")
+                          .not_empty("a folder");
+  const auto resume =
       command
           .add_option("--resume", options.resume, "Continue the study in this folder with the same options")
-          ->check(not_empty("a folder"));
-  auto* show =
+          .not_empty("a folder");
+  const auto show =
       command
           .add_option("--show", options.show,
                       "Print the tables of a study (its folder or stability.json) and render nothing")
-          ->check(not_empty("a folder or a file"));
-  resume->excludes(output);
-  show->excludes(output)->excludes(resume);
+          .not_empty("a folder or a file");
+  resume.excludes(output);
+  show.excludes(output).excludes(resume);
   command.add_flag("--markdown", options.as_markdown, "Print the tables as Markdown");
 }
 
@@ -136,7 +132,7 @@ std::string footer() {
 
 }  // namespace
 
-void add_stability_command(CLI::App& command, const Program& program, Action& action) {
+void add_stability_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<StabilityOptions>();
   add_study_options(command, *options);

@@ -1,6 +1,5 @@
 #include "base/shell.h"
 #include "base/terminal.h"
-#include "cli/checks.h"
 #include "cli/command_table.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
@@ -8,7 +7,6 @@
 #include "run/plan/make_plan.h"
 #include "run/run_file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -61,30 +59,29 @@ int submit_plan(const registry::Configuration& configuration,
 
 }  // namespace
 
-void add_submit_command(CLI::App& command, const Program& program, Action& action) {
+void add_submit_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
-  command.add_flag("--slurm", options->slurm, "Submit to Slurm, the one engine that there is")->required();
+  command.add_flag("--slurm", options->slurm, "Submit to Slurm, the one engine that there is").required();
   add_choice_options(command, options->run);
   command
       .add_option("-o,--output", options->run.output,
                   "New folder for shards and results, which all nodes see (default: cluster-YYMMDD-HHMMSS)")
-      ->option_text("FOLDER")
-      ->check(not_empty("a folder"));
+      .value_name("FOLDER")
+      .not_empty("a folder");
   command
       .add_option("--shards", options->shards, "Number of tasks (default: one for each render, at most 1000)")
-      ->option_text("NUMBER")
-      ->check(CLI::Range(1, 100'000));
-  auto* resume = command
-                     .add_option("--resume", options->resume,
-                                 "Submit the shards again that are not complete in this folder")
-                     ->option_text("FOLDER")
-                     ->check(not_empty("a folder"));
+      .value_name("NUMBER")
+      .range(1, 100'000);
+  const auto resume = command
+                          .add_option("--resume", options->resume,
+                                      "Submit the shards again that are not complete in this folder")
+                          .value_name("FOLDER")
+                          .not_empty("a folder");
   command.add_flag("--dry-run", options->dry_run, "Print the calls of sbatch, and do nothing");
   for (const auto* name :
        {"--suite", "--case", "--scene", "--requirement", "--renderer", "--output", "--shards"})
-    resume->excludes(command.get_option(name));
-  const auto* chosen = &command;
+    resume.excludes(command.option(name));
   command.callback([=, &program, &action] {
     action = [=, &program] {
       if (!options->resume.empty()) {
@@ -92,7 +89,7 @@ void add_submit_command(CLI::App& command, const Program& program, Action& actio
         return submit_missing(job, run::missing_shards(job));
       }
       const auto read = read_configuration(*configuration, program);
-      return submit_plan(read, run_settings(*chosen, options->run, read.defaults), program, *options);
+      return submit_plan(read, run_settings(command, options->run, read.defaults), program, *options);
     };
   });
 }

@@ -1,11 +1,12 @@
 #include "tracer_cli/options.h"
 
 #include "base/error.h"
+#include "base/terminal.h"
+#include "command_line/command.h"
 #include "scene/effects/effects.h"
 
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace orbs::tracer_cli {
@@ -19,24 +20,22 @@ std::vector<std::string> transport_choices() {
 }
 
 // What is rendered, and how large and how well.
-void add_image_options(CLI::App& app, Options& options) {
-  app.add_option("scene", options.scene, "scene file (orbs-scene/1)")->required();
+void add_image_options(const command_line::Command& app, Options& options) {
+  app.add_option("scene", options.scene, "scene file (orbs-scene/1)").required();
   app.add_option("-o,--output", options.output, "image to write (OpenEXR: R,G,B and their variances)")
-      ->required();
+      .required();
   app.add_option("--spp", options.render.samples_per_pixel, "samples per pixel")
-      ->check(CLI::Range(1, 1 << 24))
-      ->capture_default_str();
+      .range(1, 1 << 24)
+      .shows_default();
   app.add_option("--seed", options.render.seed,
                  "seed of the random numbers; the same seed gives the same image")
-      ->capture_default_str();
+      .shows_default();
   app.add_option("--threads", options.render.threads,
                  "number of threads, 0: all cores; the image does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  app.add_option("--width", options.width, "replaces the camera's width, in pixels")
-      ->check(CLI::Range(1, 65536));
-  app.add_option("--height", options.height, "replaces the camera's height, in pixels")
-      ->check(CLI::Range(1, 65536));
+      .range(0, 1024)
+      .shows_default();
+  app.add_option("--width", options.width, "replaces the camera's width, in pixels").range(1, 65536);
+  app.add_option("--height", options.height, "replaces the camera's height, in pixels").range(1, 65536);
   app.add_flag("--split-paths", options.render.split_paths,
                "write one layer per class of light path (path.EDSL.R ...)");
   app.add_option("--camera", options.camera,
@@ -45,54 +44,53 @@ void add_image_options(CLI::App& app, Options& options) {
          "--plugin", options.plugins.files,
          "shared library with shapes that scenes may name (docs/use/plug-ins.md), by the name of its file; "
          "may be given several times")
-      ->take_all()
-      ->allow_extra_args(false);
+      .one_value_each();
   app.add_option("--plugin-folder", options.plugins.folder,
                  "folder in which the plug-ins that a scene names are looked for, if no --plugin is meant")
-      ->check(CLI::ExistingDirectory);
+      .existing_folder();
 }
 
 // The algorithms, in the order of the help text. Their expected image is the same.
-void add_algorithm_options(CLI::App& app, Options& options) {
+void add_algorithm_options(const command_line::Command& app, Options& options) {
   app.add_option("--sampler", options.sampler,
                  "random numbers: independent, stratified (jittered) or sobol (Owen-scrambled)")
-      ->check(CLI::IsMember({"independent", "stratified", "sobol"}))
-      ->capture_default_str();
+      .one_of({"independent", "stratified", "sobol"})
+      .shows_default();
   app.add_option(
          "--replicates", options.render.replicates,
          "least number of independent blocks of points per pixel, from which its variance is estimated; "
          "1: one block has all points, and the image has no variances")
-      ->check(CLI::Range(1, 1 << 16))
-      ->capture_default_str();
+      .range(1, 1 << 16)
+      .shows_default();
   app.add_option(
          "--direct-light", options.direct_light,
          "light that comes straight from emitters: mis (light and BSDF sampling, multiple importance "
          "sampling), light (next-event estimation alone, but where it cannot find the light) or bsdf (no "
          "next-event estimation)")
-      ->check(CLI::IsMember({"mis", "light", "bsdf"}))
-      ->capture_default_str();
+      .one_of({"mis", "light", "bsdf"})
+      .shows_default();
   app.add_option("--light-selection", options.light_selection,
                  "which of several emitters light sampling takes: bvh (by what each may contribute to the "
                  "point), power (by its power alone) or auto (what a trial rendering shows to be better)")
-      ->check(CLI::IsMember({"auto", "bvh", "power"}))
-      ->capture_default_str();
+      .one_of({"auto", "bvh", "power"})
+      .shows_default();
   app.add_option(
          "--light-paths", options.light_paths,
          "light tracing for caustics: auto (if a trial rendering shows that it reduces noise), always "
          "or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+      .one_of({"auto", "always", "never"})
+      .shows_default();
   app.add_option("--light-connections", options.light_connections,
                  "connections of camera paths to the first hits of light paths (bidirectional): auto (if a "
                  "trial rendering shows that they reduce noise), always or never")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+      .one_of({"auto", "always", "never"})
+      .shows_default();
   app.add_option(
          "--intersection", options.intersection,
          "arithmetic of the tests of rays against triangles: single (Embree's own) or double (slower; "
          "the difference of both images shows where rounding decides)")
-      ->check(CLI::IsMember({"single", "double"}))
-      ->capture_default_str();
+      .one_of({"single", "double"})
+      .shows_default();
   app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
                "no next-event estimation by way of flat mirrors");
   app.add_flag("--no-roulette", options.has_no_roulette,
@@ -100,28 +98,28 @@ void add_algorithm_options(CLI::App& app, Options& options) {
 }
 
 // Unlike the algorithms these change the expected image: an irradiance cache is biased.
-void add_integrator_options(CLI::App& app, Options& options) {
+void add_integrator_options(const command_line::Command& app, Options& options) {
   app.add_option("--integrator", options.integrator,
                  "scene (the one that the scene names), path (path tracing) or irradiance_cache (biased: "
                  "diffuse interreflection is interpolated between a few places)")
-      ->check(CLI::IsMember({"scene", "path", "irradiance_cache"}))
-      ->capture_default_str();
+      .one_of({"scene", "path", "irradiance_cache"})
+      .shows_default();
   app.add_option(
          "--cache-error", options.cache_error,
          "replaces the error of Ward's metric that the scene gives its irradiance cache: less is more "
          "accurate")
-      ->check(CLI::Range(1e-3, 10.0));
+      .range(1e-3, 10.0);
   app.add_option("--cache-rays", options.cache_rays,
                  "replaces the number of rays of each record of the irradiance cache")
-      ->check(CLI::Range(8, 4096));
+      .range(8, 4096);
 }
 
-void add_transport_options(CLI::App& app, Options& options) {
+void add_transport_options(const command_line::Command& app, Options& options) {
   app.add_option("--transport", options.transport,
                  "what light paths carry: auto (the cheapest that has what the scene calls for), or one that "
                  "has more; the expected image is the same")
-      ->check(CLI::IsMember(transport_choices()))
-      ->capture_default_str();
+      .one_of(transport_choices())
+      .shows_default();
   app.add_flag("--lossy", options.may_lose_effects,
                "permit a transport that lacks effects that the scene calls for; the image lacks them, too");
 }
@@ -142,23 +140,29 @@ tracer::DirectLight direct_light_named(const std::string& name) {
 
 Options parse_options(int argc, char** argv, const std::string& version) {
   Options options;
-  CLI::App app{"Renders one orbs-scene/1 file with the reference path tracer."};
-  app.set_version_flag("--version", "orbs-tracer " + version);
+  const command_line::Program program("orbs-tracer",
+                                      "Renders one orbs-scene/1 file with the reference path tracer.",
+                                      "orbs-tracer " + version);
+  const auto app = program.command();
   add_image_options(app, options);
   add_algorithm_options(app, options);
   add_integrator_options(app, options);
   add_transport_options(app, options);
   app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
-  try {
-    app.parse(argc, argv);
-    if (app.count("--replicates") > 0 && options.render.replicates > options.render.samples_per_pixel)
-      throw InputError(fmt::format(
-          "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
-          options.render.replicates, options.render.samples_per_pixel));
-    tracer::check_plugin_names(options.plugins);
-  } catch (const CLI::ParseError& e) {
-    std::exit(app.exit(e) == 0 ? 0 : 2);
+  const auto parsed = program.parse(argc, argv);
+  if (!parsed.problem.empty()) {
+    print_clean(stderr, "{}\nRun with --help for more information.\n", parsed.problem);
+    std::exit(2);
   }
+  if (!parsed.text.empty()) {
+    print_clean("{}", parsed.text);
+    std::exit(0);
+  }
+  if (app.is_given("--replicates") && options.render.replicates > options.render.samples_per_pixel)
+    throw InputError(fmt::format(
+        "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
+        options.render.replicates, options.render.samples_per_pixel));
+  tracer::check_plugin_names(options.plugins);
   return options;
 }
 

@@ -1,0 +1,233 @@
+#include "command_line/command.h"
+
+#include "base/text.h"
+
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace orbs::command_line {
+
+namespace {
+
+CLI::Validator number_check(bool (*holds)(double), const char* expected) {
+  const auto problem = [=](const std::string& text) -> std::string {
+    const auto number = to_number(text);
+    if (number && std::isfinite(*number) && holds(*number)) return "";
+    return fmt::format("expected {}, not '{}'", expected, text);
+  };
+  return {problem, ""};
+}
+
+// CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::string_view kValue = "{false}";
+    auto name = CLI::Formatter::make_option_name(option, is_positional);
+    if (const auto at = name.find(kValue); at != std::string::npos) name.erase(at, kValue.size());
+    return name;
+  }
+};
+
+}  // namespace
+
+Option Option::required() const {
+  option_->required();
+  return *this;
+}
+
+Option Option::range(int least, int most) const {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option Option::range(double least, double most) const {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option Option::any_number() const {
+  option_->check(number_check([](double) { return true; }, "a number"));
+  return *this;
+}
+
+Option Option::above_zero() const {
+  option_->check(number_check([](double number) { return number > 0; }, "a number above 0"));
+  return *this;
+}
+
+Option Option::zero_or_more() const {
+  option_->check(number_check([](double number) { return number >= 0; }, "0 or more"));
+  return *this;
+}
+
+Option Option::not_empty(const std::string& what) const {
+  option_->check({[=](const std::string& text) { return text.empty() ? "needs " + what : ""; }, ""});
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& words) const {
+  option_->check(CLI::IsMember(words));
+  return *this;
+}
+
+Option Option::existing_folder() const {
+  option_->check(CLI::ExistingDirectory);
+  return *this;
+}
+
+Option Option::excludes(const Option& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option Option::separated_by(char letter) const {
+  option_->delimiter(letter);
+  return *this;
+}
+
+Option Option::one_value_each() const {
+  option_->take_all()->allow_extra_args(false);
+  return *this;
+}
+
+Option Option::value_name(const std::string& name) const {
+  option_->option_text(name);
+  return *this;
+}
+
+Option Option::shows_default() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Command::add_option(const std::string& names, std::string& value, const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names, int& value, const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names, std::uint64_t& value, const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names, double& value, const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names,
+                           std::optional<double>& value,
+                           const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names,
+                           std::vector<std::string>& values,
+                           const std::string& text) const {
+  return Option(*app_->add_option(names, values, text));
+}
+
+Option Command::add_option(const std::string& names,
+                           std::vector<int>& values,
+                           const std::string& text) const {
+  return Option(*app_->add_option(names, values, text));
+}
+
+Option Command::add_option(const std::string& names,
+                           std::filesystem::path& value,
+                           const std::string& text) const {
+  return Option(*app_->add_option(names, value, text));
+}
+
+Option Command::add_option(const std::string& names,
+                           std::vector<std::filesystem::path>& values,
+                           const std::string& text) const {
+  return Option(*app_->add_option(names, values, text));
+}
+
+Option Command::add_flag(const std::string& names, bool& value, const std::string& text) const {
+  return Option(*app_->add_flag(names, value, text));
+}
+
+Command Command::add_command(const std::string& name,
+                             const std::string& text,
+                             const std::string& group) const {
+  auto* command = app_->add_subcommand(name, text);
+  if (!group.empty()) command->group(group);
+  return Command(*command);
+}
+
+Option Command::option(const std::string& name) const { return Option(*app_->get_option(name)); }
+
+void Command::remove_option(const std::string& name) const { app_->remove_option(app_->get_option(name)); }
+
+bool Command::is_given(const std::string& name) const {
+  const auto* option = app_->get_option_no_throw(name);
+  return option != nullptr && option->count() > 0;
+}
+
+void Command::needs_command() const { app_->require_subcommand(1); }
+
+void Command::footer(const std::string& text) const { app_->footer(text); }
+
+void Command::callback(const std::function<void()>& call) const { app_->callback(call); }
+
+std::string Command::name() const { return app_->get_name(); }
+
+std::string Command::description() const { return app_->get_description(); }
+
+std::string Command::footer() const { return app_->get_footer(); }
+
+std::vector<OptionText> Command::options() const {
+  std::vector<OptionText> texts;
+  for (const auto* option : app_->get_options())
+    texts.push_back(
+        {option->get_snames(), option->get_lnames(), option->get_name(true), option->get_description()});
+  return texts;
+}
+
+std::vector<Command> Command::commands() const {
+  std::vector<Command> found;
+  for (auto* command : app_->get_subcommands({})) found.emplace_back(*command);
+  return found;
+}
+
+std::optional<Command> Command::chosen() const {
+  const auto commands = app_->get_subcommands();
+  if (commands.empty()) return {};
+  return Command(*commands.front());
+}
+
+Command Command::parent() const { return Command(*app_->get_parent()); }
+
+Program::Program(const std::string& name, const std::string& description, const std::string& version)
+    : app_(std::make_unique<CLI::App>(description)) {
+  app_->formatter(std::make_shared<HelpFormatter>());
+  app_->get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app_->name(name);
+  app_->set_version_flag("--version", version);
+}
+
+Program::~Program() = default;
+
+Parsed Program::parse(int argc, char** argv) const {
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    return {.problem = error.what(), .has_extras = true};
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return {.problem = error.what()};
+    std::ostringstream text;
+    app_->exit(error, text, text);
+    return {.text = text.str()};
+  }
+  return {};
+}
+
+}  // namespace orbs::command_line
