@@ -13,6 +13,7 @@ using namespace orbs;
 // tolerance.
 TEST(PixelChecks, AdmitImagesOfHalfFloats) {
   constexpr unsigned kSignificantBits = 11;
+  int values = 0;
   for (const auto& suite : registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json").suites)
     for (const auto& one_case : registry::load_cases(suite))
       for (const auto& check : one_case.pixel_checks)
@@ -20,5 +21,7 @@ TEST(PixelChecks, AdmitImagesOfHalfFloats) {
           const auto rounded = image::rounded_to_bits(static_cast<float>(value), kSignificantBits);
           EXPECT_LE(std::abs(static_cast<double>(rounded) - value), check.tolerance)
               << one_case.name << ": " << check.why;
+          ++values;
         }
+  EXPECT_GT(values, 0);
 }
