@@ -3,7 +3,8 @@
 # prints from its own description of the command line. cpack makes a Debian package of the same files.
 set(home lib/orbs)
 install(TARGETS orbs orbs-tracer orbs-supervisor RUNTIME DESTINATION ${home})
-install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL)  # built by orbs-page alone
+install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL
+  PATTERN "CMakeFiles" EXCLUDE PATTERN "*.cmake" EXCLUDE)  # built by orbs-page alone
 install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
 install(FILES configuration.json DESTINATION ${home})
 install(DIRECTORY include/orbs DESTINATION include)  # for plug-ins
