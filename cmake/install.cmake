@@ -3,7 +3,8 @@
 # prints from its own description of the command line. cpack makes a Debian package of the same files.
 set(home lib/orbs)
 install(TARGETS orbs orbs-tracer orbs-supervisor orbs_image_formats RUNTIME DESTINATION ${home} LIBRARY DESTINATION ${home})
-install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL)  # built by orbs-page alone
+install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL
+  PATTERN "CMakeFiles" EXCLUDE PATTERN "*.cmake" EXCLUDE)  # built by orbs-page alone
 install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
 install(FILES configuration.json DESTINATION ${home})
 install(DIRECTORY include/orbs DESTINATION include)  # for plug-ins
@@ -28,6 +29,9 @@ print_file(orbs.bash completion bash)
 print_file(_orbs completion zsh)
 print_file(orbs.fish completion fish)
 add_custom_target(orbs-printed ALL DEPENDS ${printed})
+# What is installed but for the page, and what a run needs: no test is among it.
+add_custom_target(orbs-programs DEPENDS orbs-printed)
+add_dependencies(orbs-programs orbs orbs-tracer orbs-supervisor saddle)
 install(FILES ${made}/orbs.1 DESTINATION share/man/man1)
 install(FILES ${made}/orbs.bash DESTINATION share/bash-completion/completions RENAME orbs)
 install(FILES ${made}/_orbs DESTINATION share/zsh/vendor-completions)

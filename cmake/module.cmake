@@ -14,10 +14,11 @@ endfunction()
 
 # Most of the time of compiling a file is reading the same headers of the standard library: they are read once, with
 # base, for all targets.
+set(ORBS_STANDARD_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h> <functional> <map> <memory>
+  <optional> <set> <span> <string> <string_view> <utility> <variant> <vector>)
 function(orbs_precompile target)
   if(target STREQUAL orbs_base)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h>
-      <functional> <map> <memory> <optional> <set> <span> <string> <string_view> <utility> <variant> <vector>)
+    target_precompile_headers(${target} PRIVATE ${ORBS_STANDARD_HEADERS})
   else()
     target_precompile_headers(${target} REUSE_FROM orbs_base)
   endif()

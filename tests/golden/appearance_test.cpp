@@ -152,6 +152,7 @@ TEST(MitsubaAppearance, APolariserTransmitsAlongItsAxisProjectedIntoTheSheet) {
     const auto [prepared, read] = exported("mitsuba", scene);
     EXPECT_FALSE(read.has_stokes);
     EXPECT_EQ(read.surfaces.at("material2").type, "polarizer");
+    EXPECT_FALSE(read.u_directions.at("material2").empty());
     for (const Vec3d u : read.u_directions.at("material2"))
       EXPECT_NEAR(std::abs(dot(u, axis)), 1, 1e-6) << name;
     // A sheet that leans, with an axis that does not lie in it.
@@ -159,6 +160,7 @@ TEST(MitsubaAppearance, APolariserTransmitsAlongItsAxisProjectedIntoTheSheet) {
       if (scene.meshes[static_cast<std::size_t>(instance.mesh)].name == "filter")
         instance.matrix = translation({1, -5, 2}) * rotation_x(30) * rotation_z(20);
     const auto leaning = exported("mitsuba", scene).read;
+    EXPECT_FALSE(leaning.u_directions.at("material2").empty());
     const Vec3d normal = transform_direction(rotation_x(30) * rotation_z(20), {0, 1, 0});
     const Vec3d within = normalised(axis - normal * dot(axis, normal));
     for (const Vec3d u : leaning.u_directions.at("material2"))

@@ -36,13 +36,16 @@ TEST(RgbSpectra, EveryColourComesBack) {
 }
 
 TEST(RgbSpectra, ColoursOfRealSurfacesAreReflectancesThatLoseLight) {
+  int seen = 0;
   for_each_colour([&](Vec3d rgb) {
     if (std::min({rgb.x, rgb.y, rgb.z}) < 0 || largest(rgb) > 1) return;
     for (const double value : reflectance_of_rgb(rgb).values) {
       EXPECT_GE(value, -1e-15);
       EXPECT_LE(value, 1 + 1e-15);
+      ++seen;
     }
   });
+  EXPECT_GT(seen, 0);
 }
 
 TEST(RgbSpectra, GreyIsConstantAndWhiteLightIsD65) {

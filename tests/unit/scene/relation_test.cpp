@@ -47,6 +47,7 @@ const scene::Scene& scene_in(const std::variant<scene::Scene, std::string>& chan
 TEST(Relations, MakeScenesThatTheFormatHolds) {
   const ScratchFolder scratch("relations");
   const auto original = block_on_ground();
+  int written = 0;
   for (const auto& relation : scene::relations())
     for (const double magnitude : relation.magnitudes) {
       const auto related = relation.apply(original, magnitude);
@@ -57,17 +58,22 @@ TEST(Relations, MakeScenesThatTheFormatHolds) {
       const auto file = scratch.path() / "scene.json";
       scene::write_scene(std::get<0>(related).changed, file);
       EXPECT_NO_THROW(scene::load_scene(file)) << relation.name << " " << magnitude;
+      ++written;
     }
+  EXPECT_GE(written, 10);
 }
 
 TEST(Relations, ChangeSomething) {
   const auto original = block_on_ground();
+  int applied = 0;
   for (const auto& relation : scene::relations()) {
     const auto related = relation.apply(original, relation.magnitudes.back());
     const auto* scenes = std::get_if<scene::RelatedScenes>(&related);
     if (scenes == nullptr) continue;
     EXPECT_FALSE(scenes->original == scenes->changed) << relation.name;
+    ++applied;
   }
+  EXPECT_GE(applied, 5);
 }
 
 // Powers of two are undone without rounding.

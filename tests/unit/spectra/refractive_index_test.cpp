@@ -18,6 +18,8 @@ double normal_reflectance(std::complex<double> index) { return std::norm((index 
 TEST(RefractiveIndex, EverySellmeierGlassHasItsIndices) {
   const TableFile expected = expected_table("glasses_expected.csv");
   const TableFile glasses = product_table("glasses_sellmeier.csv");
+  ASSERT_GT(expected.columns.size(), 1U);
+  ASSERT_FALSE(expected.rows.empty());
   for (std::size_t column = 1; column < expected.columns.size(); ++column) {
     const RefractiveIndex glass = glass_of(glasses, expected.columns[column]);
     EXPECT_TRUE(is_dispersive(glass));
@@ -64,6 +66,7 @@ TEST(RefractiveIndex, AFormulaWithoutARealValueIsSeen) {
 
 TEST(RefractiveIndex, MetalsHaveTheirReflectanceAndColour) {
   const TableFile expected = expected_table("metals_expected.csv");
+  ASSERT_FALSE(expected.rows.empty());
   for (std::size_t row = 0; row < expected.rows.size(); ++row) {
     const std::string& name = expected.rows[row][0];
     const MetalIndex metal = metal_of(product_table("metals/" + name + ".csv"));

@@ -2,6 +2,8 @@
 
 #include "spectra/table_file.h"
 
+#include <stdexcept>
+
 namespace orbs::spectra {
 
 inline TableFile product_table(const std::string& name) {
@@ -22,6 +24,7 @@ inline std::vector<Spectrum> colorchecker() {
   std::vector<Spectrum> patches;
   for (std::size_t i = 1; i < table.columns.size(); ++i)
     patches.push_back(spectrum_of(table, table.columns[i], Beyond::HoldsEnds));
+  if (patches.size() != 24) throw std::runtime_error("colorchecker.csv: 24 patches expected");
   return patches;
 }
 
