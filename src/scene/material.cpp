@@ -1,5 +1,8 @@
 #include "scene/material.h"
 
+#include "scene/load/kind.h"
+#include "scene/load/spectra.h"
+
 namespace orbs::scene {
 
 const char* type_name(const MaterialModel& model) {
@@ -24,6 +27,15 @@ const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
         return kNone;
       },
       model);
+}
+
+Material load_material(json::ObjectReader& in, const Names& textures, SpectralData& spectra) {
+  Material material;
+  material.name = in.text("name");
+  const MaterialEntry entry{in, textures, spectra};
+  material.model = load_kind<MaterialModel>(in, entry);
+  in.finish();
+  return material;
 }
 
 }  // namespace orbs::scene

@@ -52,4 +52,7 @@ const std::optional<TextureUse>& texture_of(const MaterialModel& model);
 /// The spectrum that a model has in the place of its colour, if it has one.
 const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);
 
+/// One entry of "materials". InputError at the key that is wrong.
+Material load_material(json::ObjectReader& in, const Names& textures, SpectralData& spectra);
+
 }  // namespace orbs::scene

@@ -3,7 +3,8 @@
 #include "base/matrix.h"
 #include "base/vec.h"
 #include "scene/colour.h"
-#include "scene/geometry/subdivision/subdivision_surface.h"
+#include "scene/geometry/mesh.h"
+#include "scene/lights/light.h"
 #include "scene/material.h"
 #include "scene/shapes/shape.h"
 #include "scene/texture.h"
@@ -40,21 +41,6 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
-/// length.
-struct Mesh {
-  std::string name;
-  std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;
-  std::vector<Vec3f> tangents;  // zero where not available
-  std::vector<Vec2f> uvs;       // zero where not available
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<int> triangle_materials;  // one per triangle
-  /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
-  std::optional<SubdivisionSurface> subdivision = std::nullopt;
-  bool operator==(const Mesh&) const = default;
-};
-
 /// One placement of a mesh; a mesh without instances is not drawn. Each pair of `remap` replaces the
 /// material `first` by `second`; the list is looked up once per triangle, so it does not chain (ORB.S
 /// REQ_G5).
@@ -74,59 +60,6 @@ struct Sphere {
   double radius_m = 1;
   int material = 0;
   bool operator==(const Sphere&) const = default;
-};
-
-/// Flat light shapes lie in the local XZ plane and emit towards local -Y only; the back is black, opaque and
-/// visible.
-struct RectShape {
-  double half_width_m = 1;   // along local X
-  double half_length_m = 1;  // along local Z
-  bool operator==(const RectShape&) const = default;
-};
-struct DiskShape {
-  double radius_m = 1;
-  bool operator==(const DiskShape&) const = default;
-};
-struct SphereShape {
-  double radius_m = 1;
-  bool operator==(const SphereShape&) const = default;
-};
-using LightShape = std::variant<RectShape, DiskShape, SphereShape>;
-
-/// Intensity distribution of a light, LM-63 type C: candela over (vertical, horizontal) angle with
-/// symmetry unfolded.
-struct IesProfile {
-  std::vector<double> vertical_deg;    // ascending within [0, 180]; 0 = nadir = local -Y of the light
-  std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
-  std::vector<double> candela;         // [horizontal][vertical]
-  double max_candela = 0;
-  bool operator==(const IesProfile&) const = default;
-};
-
-/// The light's radiance is multiplied by candela / max candela.
-struct IesUse {
-  std::filesystem::path file;  // absolute
-  std::shared_ptr<const IesProfile> profile;
-  Mat4 matrix;  // turns the profile within the light's local frame
-  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point
-  /// on the light.
-  bool point_area = false;
-  bool operator==(const IesUse& other) const {
-    return file == other.file && *profile == *other.profile && matrix == other.matrix &&
-           point_area == other.point_area;
-  }
-};
-
-/// A shape that emits the same radiance everywhere and in all directions, or by an IES profile.
-struct Light {
-  std::string name;
-  LightShape shape;
-  RgbColour radiance;
-  Mat4 matrix;  // moves, turns and scales the shape; radiance stays
-  std::optional<IesUse> ies;
-  std::optional<SpectrumUse> spectrum = {};
-  RgbColour reflectance = {};  // Lambertian, of the side that shines
-  bool operator==(const Light&) const = default;
 };
 
 /// Layers that the image holds beside the colour.

@@ -5,7 +5,7 @@
 #include "property/hashed_numbers.h"
 #include "tracer/bsdf/materials.h"
 #include "tracer/light/caustic_casters.h"
-#include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter.h"
 
 #include <numbers>
 

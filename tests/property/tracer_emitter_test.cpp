@@ -1,7 +1,7 @@
 // Light sampling: the pdf of a sample equals the pdf at its point, and the mean of 1 / pdf is the solid
 // angle.
 #include "property/hashed_numbers.h"
-#include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
 
 #include <gtest/gtest.h>

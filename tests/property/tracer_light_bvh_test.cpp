@@ -1,7 +1,6 @@
 // The light BVH: what it selects, with which probability, and that no light is ever left out.
 #include "property/hashed_numbers.h"
-#include "tracer/light/emitter_bounds.h"
-#include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter.h"
 #include "tracer/light/light_bvh.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,14 @@
 #include "adapters/mitsuba/lights.h"
 
+#include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/mitsuba/xml.h"
 
 namespace orbs::adapters::mitsuba {
 
 namespace {
+
+constexpr const char* kName = "Mitsuba";
 
 // Mitsuba's flat shapes lie in XY, [-1, 1]^2 or the unit disk, and face +Z: X goes to the image of local X, Y
 // to that of local Z, Z to where the light shines. The sizes are in the columns; Z's length does not matter.
@@ -43,9 +46,15 @@ std::string area_emitter(const Colours& colours,
   return fmt::format("<emitter type=\"area\">{}</emitter>", colours.radiance(radiance, spectrum));
 }
 
+std::string light_limit(const scene::Light& light, const std::string& display_name) {
+  if (auto reason = limit_of_shape<ShapeWriter>(light, display_name, kName); !reason.empty()) return reason;
+  return adapters::light_limit(light, display_name, kName,
+                               "has no light with a measured intensity distribution");
+}
+
 std::string light_text(const Colours& colours, const scene::Light& light) {
   return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", comment(light.name),
-                     std::visit(ShapeWriter{light}, light.shape),
+                     text_of_shape(light, kName, ShapeWriter{light}),
                      colours.surface("reflectance", light.reflectance),
                      area_emitter(colours, light.radiance, light.spectrum));
 }

@@ -4,6 +4,7 @@
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
 #include "adapters/mitsuba/emitting_mesh.h"
+#include "adapters/mitsuba/lights.h"
 #include "adapters/mitsuba/materials.h"
 #include "adapters/mitsuba/stokes_frame.h"
 #include "scene/effects/effects.h"
@@ -64,8 +65,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
     if (transport != scene::LightTransport::Rgb) note(spectral_texture_limit(texture, kName));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    note(light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i), kName,
-                     "has no light with a measured intensity distribution"));
+    note(mitsuba::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
   note(stokes_limit(scene));
   return reasons;

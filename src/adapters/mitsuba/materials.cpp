@@ -1,6 +1,6 @@
 #include "adapters/mitsuba/materials.h"
 
-#include "adapters/material_support.h"
+#include "adapters/kind_support.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
 

@@ -35,13 +35,8 @@ double farthest_m(const scene::Scene& scene, const std::vector<MaterialMesh>& me
   for (const scene::Light& light : scene.lights) {
     const double scale = length(transform_direction(light.matrix, {1, 0, 0})) +
                          length(transform_direction(light.matrix, {0, 0, 1}));
-    const auto size_m = [](const auto& shape) {
-      if constexpr (requires { shape.radius_m; })
-        return shape.radius_m;
-      else
-        return std::max(shape.half_width_m, shape.half_length_m);
-    };
-    meet(transform_point(light.matrix, {}), scale * std::visit(size_m, light.shape));
+    const Vec3d half = half_size(light.shape);
+    meet(transform_point(light.matrix, {}), scale * std::max(half.x, half.z));
   }
   return farthest;
 }

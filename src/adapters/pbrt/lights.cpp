@@ -1,12 +1,15 @@
 #include "adapters/pbrt/lights.h"
 
 #include "adapters/comment_text.h"
+#include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/pbrt/directives.h"
 
 namespace orbs::adapters::pbrt {
 
 namespace {
+
+constexpr const char* kName = "pbrt";
 
 struct ShapeWriter {
   const scene::Light& light;
@@ -40,6 +43,11 @@ struct ShapeWriter {
 
 }  // namespace
 
+std::string light_limit(const scene::Light& light, const std::string& display_name) {
+  if (auto reason = limit_of_shape<ShapeWriter>(light, display_name, kName); !reason.empty()) return reason;
+  return adapters::light_limit(light, display_name, kName, "has them for points without size only");
+}
+
 std::string light_text(const Colours& colours, const scene::Light& light) {
   return fmt::format(
       "# light {}\n"
@@ -48,7 +56,7 @@ std::string light_text(const Colours& colours, const scene::Light& light) {
       "  AreaLightSource \"diffuse\" {}\n"
       "{}AttributeEnd\n",
       comment_text(light.name), rgb("reflectance", {}), colours.radiance(light.radiance, light.spectrum),
-      std::visit(ShapeWriter{light}, light.shape));
+      text_of_shape(light, kName, ShapeWriter{light}));
 }
 
 }  // namespace orbs::adapters::pbrt

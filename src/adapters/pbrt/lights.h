@@ -9,4 +9,7 @@ namespace orbs::adapters::pbrt {
 /// A light as a black shape that emits towards its normal.
 std::string light_text(const Colours& colours, const scene::Light& light);
 
+/// Why the light cannot be written, "" when it can.
+std::string light_limit(const scene::Light& light, const std::string& display_name);
+
 }  // namespace orbs::adapters::pbrt

@@ -3,6 +3,7 @@
 #include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
+#include "adapters/pbrt/lights.h"
 #include "adapters/pbrt/materials.h"
 #include "adapters/pbrt/small_light.h"
 #include "image/image_io.h"
@@ -65,7 +66,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto name = scene::display_name("light", scene.lights[i].name, i);
-    note(light_limit(scene.lights[i], name, kName, "has them for points without size only"));
+    note(pbrt::light_limit(scene.lights[i], name));
     note(reflecting_limit(scene.lights[i], name));
   }
   const auto meshes = material_meshes(scene);

@@ -1,7 +1,7 @@
 #include "adapters/pbrt/materials.h"
 
 #include "adapters/comment_text.h"
-#include "adapters/material_support.h"
+#include "adapters/kind_support.h"
 #include "adapters/pbrt/bands.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"

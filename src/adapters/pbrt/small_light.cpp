@@ -2,8 +2,6 @@
 
 #include "adapters/light_frame.h"
 
-#include <numbers>
-
 #include <fmt/format.h>
 
 namespace orbs::adapters::pbrt {
@@ -20,23 +18,12 @@ bool is_smooth_glass(const scene::MaterialModel& model) {
   return std::holds_alternative<scene::Glass>(model);
 }
 
-struct AreaOf {
-  const scene::Light& light;
-
-  double operator()(const scene::RectShape& rect) const {
-    const LightFrame frame = light_frame(light.matrix);
-    return 4 * rect.half_width_m * rect.half_length_m * length(cross(frame.u, frame.v));
-  }
-  double operator()(const scene::DiskShape& disk) const {
-    const LightFrame frame = light_frame(light.matrix);
-    return std::numbers::pi * disk.radius_m * disk.radius_m * length(cross(frame.u, frame.v));
-  }
-  // As a disk, which is what is seen of it.
-  double operator()(const scene::SphereShape& sphere) const {
-    const double radius_m = sphere.radius_m * length(transform_direction(light.matrix, {1, 0, 0}));
-    return std::numbers::pi * radius_m * radius_m;
-  }
-};
+// Of a sphere that of a disk, which is what is seen of it.
+double area_m2(const scene::Light& light) {
+  const LightFrame frame = light_frame(light.matrix);
+  return length(cross(frame.u, frame.v)) *
+         std::visit([](const auto& shape) { return cross_section_m2(shape); }, light.shape);
+}
 
 Vec3d middle_m(const scene::Mesh& mesh, const Mat4& place) {
   Vec3d sum;
@@ -53,7 +40,7 @@ std::string small_light_limit(const scene::Scene& scene, const std::vector<Mater
       for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const scene::Light& light = scene.lights[i];
         const Vec3d between = transform_point(light.matrix, {}) - middle_m(shown.mesh, place);
-        const double solid_angle_sr = std::visit(AreaOf{light}, light.shape) / dot(between, between);
+        const double solid_angle_sr = area_m2(light) / dot(between, between);
         if (solid_angle_sr < kLeastSolidAngle_sr)
           return fmt::format(
               "{} fills {:.2g} sr as seen from mesh '{}', which is smooth glass: pbrt's path integrator meets "

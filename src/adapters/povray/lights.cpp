@@ -1,9 +1,10 @@
 #include "adapters/povray/lights.h"
 
+#include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/povray/light_panels.h"
 #include "adapters/povray/sdl.h"
-#include "scene/lower/light.h"
+#include "scene/lights/placement.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,8 @@
 namespace orbs::adapters::povray {
 
 namespace {
+
+constexpr const char* kName = "POV-Ray";
 
 // POV-Ray attenuates by 2 / (1 + (d/f)^2), f = fade_distance. For f far below all distances that is 2 f^2 /
 // d^2.
@@ -166,10 +169,11 @@ struct LightWriter {
 }  // namespace
 
 std::string light_text(const scene::Scene& scene, const scene::Light& light, const PovraySettings& settings) {
-  return std::visit(LightWriter{scene, light, settings}, light.shape);
+  return text_of_shape(light, kName, LightWriter{scene, light, settings});
 }
 
 std::string light_limit(const scene::Light& light, const std::string& display_name) {
+  if (auto reason = limit_of_shape<LightWriter>(light, display_name, kName); !reason.empty()) return reason;
   if (light.ies)
     return display_name +
            " has an IES profile: POV-Ray's light sources have no measured intensity distribution";

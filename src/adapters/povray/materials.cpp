@@ -1,6 +1,6 @@
 #include "adapters/povray/materials.h"
 
-#include "adapters/material_support.h"
+#include "adapters/kind_support.h"
 #include "adapters/povray/sdl.h"
 
 #include <algorithm>
@@ -125,7 +125,7 @@ std::optional<Surface> surface_of(const scene::MaterialModel& model) {
   return std::visit(
       [](const auto& m) -> std::optional<Surface> {
         // A type that TextureWriter writes and SurfaceOf does not know is a compile error.
-        if constexpr (WritesModel<TextureWriter, std::decay_t<decltype(m)>>)
+        if constexpr (WritesKind<TextureWriter, std::decay_t<decltype(m)>>)
           return SurfaceOf{}(m);
         else
           return std::nullopt;

@@ -1,7 +1,7 @@
 #include "scene/effects/features.h"
 
 #include "scene/effects/effects.h"
-#include "scene/lower/light.h"
+#include "scene/lights/placement.h"
 
 #include <map>
 #include <utility>
@@ -122,11 +122,11 @@ std::vector<CalledFeature> features_of_lights(const Scene& scene) {
   std::vector<CalledFeature> features;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& light = scene.lights[i];
-    const auto note = [&](const char* requirement, const char* what) {
+    const auto note = [&](const char* requirement, const std::string& what) {
       features.push_back({requirement, fmt::format("{} {}", display_name("light", light.name, i), what)});
     };
-    const bool is_sphere = std::holds_alternative<SphereShape>(light.shape);
-    note(is_sphere ? "L2" : "L1", is_sphere ? "is a sphere" : "is an area light");
+    std::visit([&](const auto& shape) { note(shape.kRequirement, std::string("is ") + shape.kWhat); },
+               light.shape);
     if (!is_translation(light.matrix)) note("L3", "is turned or scaled");
     if (light.ies) note("L4", "has an IES profile");
   }

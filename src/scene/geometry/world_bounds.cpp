@@ -10,11 +10,6 @@ namespace orbs::scene {
 
 namespace {
 
-// Half the size of a light's shape along its own axes.
-Vec3d half_size(const RectShape& rect) { return {rect.half_width_m, 0, rect.half_length_m}; }
-Vec3d half_size(const DiskShape& disk) { return {disk.radius_m, 0, disk.radius_m}; }
-Vec3d half_size(const SphereShape& sphere) { return {sphere.radius_m, sphere.radius_m, sphere.radius_m}; }
-
 WorldBounds around(const Mat4& matrix, Vec3d half) {
   const Vec3d centre = transform_point(matrix, {});
   const auto reach = [&](std::size_t row) {
@@ -51,8 +46,7 @@ std::optional<WorldBounds> with_shapes_and_lights(const Scene& scene, std::optio
   }
   for (const auto& shape : scene.shapes)
     for (const Vec3d corner : bounding_corners(shape)) add({corner, corner});
-  for (const auto& light : scene.lights)
-    add(around(light.matrix, std::visit([](const auto& shape) { return half_size(shape); }, light.shape)));
+  for (const auto& light : scene.lights) add(around(light.matrix, half_size(light.shape)));
   return bounds;
 }
 

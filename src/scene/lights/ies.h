@@ -1,11 +1,39 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "base/matrix.h"
+#include "base/vec.h"
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace orbs::scene {
+
+/// Intensity distribution of a light, LM-63 type C: candela over (vertical, horizontal) angle with
+/// symmetry unfolded.
+struct IesProfile {
+  std::vector<double> vertical_deg;    // ascending within [0, 180]; 0 = nadir = local -Y of the light
+  std::vector<double> horizontal_deg;  // ascending; first 0, last 360; 0 = local +X, 90 = local +Z
+  std::vector<double> candela;         // [horizontal][vertical]
+  double max_candela = 0;
+  bool operator==(const IesProfile&) const = default;
+};
+
+/// The light's radiance is multiplied by candela / max candela.
+struct IesUse {
+  std::filesystem::path file;  // absolute
+  std::shared_ptr<const IesProfile> profile;
+  Mat4 matrix;  // turns the profile within the light's local frame
+  /// true: the direction is taken from the light's centre (ORB.S REQ_L4, point-area); false: from the point
+  /// on the light.
+  bool point_area = false;
+  bool operator==(const IesUse& other) const {
+    return file == other.file && *profile == *other.profile && matrix == other.matrix &&
+           point_area == other.point_area;
+  }
+};
 
 /// Reads an IES LM-63 photometric file (1986 to 2002, type C) with the symmetry of its horizontal range
 /// unfolded to 0..360. Candela include the multiplier, the ballast factor and the tilt factor at level

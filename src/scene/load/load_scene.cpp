@@ -7,9 +7,8 @@
 #include "scene/check_polariser_axis.h"
 #include "scene/effects/effects.h"
 #include "scene/load/instance.h"
-#include "scene/load/light.h"
-#include "scene/load/material.h"
 #include "scene/load/mesh.h"
+#include "scene/load/spectra.h"
 #include "scene/shapes/load_shape.h"
 
 #include <map>

@@ -95,14 +95,6 @@ void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
   out.end_object();
 }
 
-void write_shape(Writer& out, const RectShape& s) {
-  out.member("type", "rect").member("half_width", s.half_width_m).member("half_length", s.half_length_m);
-}
-void write_shape(Writer& out, const DiskShape& s) { out.member("type", "disk").member("radius", s.radius_m); }
-void write_shape(Writer& out, const SphereShape& s) {
-  out.member("type", "sphere").member("radius", s.radius_m);
-}
-
 void write_shapes(Writer& out, const Scene& scene) {
   if (scene.spheres.empty() && scene.shapes.empty()) return;
   out.key("shapes").begin_array();
@@ -113,22 +105,6 @@ void write_shapes(Writer& out, const Scene& scene) {
   }
   for (const auto& shape : scene.shapes) write_shape(out, scene, shape);
   out.end_array();
-}
-
-void write_light(Writer& out, const Scene& scene, const Light& light) {
-  out.begin_object().member("name", light.name);
-  std::visit([&](const auto& shape) { write_shape(out, shape); }, light.shape);
-  write_colour(out, scene.spectra, "radiance", light.radiance, light.spectrum);
-  if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
-  out.key("matrix").numbers(light.matrix.m);
-  if (light.ies) {
-    out.key("ies")
-        .begin_object()
-        .member("file", light.ies->file.string())
-        .member("point_area", light.ies->point_area);
-    out.key("matrix").numbers(light.ies->matrix.m).end_object();
-  }
-  out.end_object();
 }
 
 void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
@@ -186,7 +162,7 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   out.end_array();
   write_shapes(out, scene);
   out.key("lights").begin_array();
-  for (const auto& light : scene.lights) write_light(out, scene, light);
+  for (const auto& light : scene.lights) write_light(out, scene.spectra, light);
   out.end_array();
   write_settings(out, scene);
   out.end_object();

@@ -4,7 +4,6 @@
 #include "scene/effects/features.h"
 #include "scene/lower/effects.h"
 #include "scene/lower/geometry.h"
-#include "scene/lower/light.h"
 #include "scene/lower/material.h"
 #include "scene/shapes/tessellate.h"
 
@@ -25,9 +24,9 @@ std::string lacking(const std::vector<CalledFeature>& features, const Capabiliti
 std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     auto& light = scene.lights[i];
-    if (std::holds_alternative<SphereShape>(light.shape) && !uniform_scale(light.matrix))
-      return display_name("light", light.name, i) +
-             " is a sphere with a scale that is not uniform, which no level of ORB.S has";
+    const auto problem =
+        std::visit([&](const auto& shape) { return beyond_levels(shape, light.matrix); }, light.shape);
+    if (!problem.empty()) return display_name("light", light.name, i) + " " + problem;
     if (capabilities.contains("L3")) continue;
     const auto moved = without_matrix(light);
     if (!moved)

@@ -1,7 +1,7 @@
 #include "scene/shapes/tessellate.h"
 
 #include "scene/geometry/generators.h"
-#include "scene/geometry/generators/build.h"
+#include "scene/geometry/mesh.h"
 
 #include <array>
 #include <cmath>

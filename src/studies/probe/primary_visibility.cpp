@@ -103,43 +103,6 @@ struct LightSetup {
   int object = kNoObject;
 };
 
-struct LightHit {
-  double distance = std::numeric_limits<double>::infinity();  // in lengths of the direction
-  bool is_front = true;
-};
-
-// Intersects the ray o + t d, in the frame of the light, with the light's shape.
-struct ShapeIntersector {
-  Vec3d o;
-  Vec3d d;
-
-  template <typename Inside>
-  LightHit plane(Inside inside) const {
-    if (d.y == 0) return {};
-    const double t = -o.y / d.y;
-    return t > 0 && inside(o.x + t * d.x, o.z + t * d.z) ? LightHit{t, o.y < 0} : LightHit{};
-  }
-  LightHit operator()(const scene::RectShape& rect) const {
-    return plane([&](double x, double z) {
-      return std::abs(x) <= rect.half_width_m && std::abs(z) <= rect.half_length_m;
-    });
-  }
-  LightHit operator()(const scene::DiskShape& disk) const {
-    return plane([&](double x, double z) { return x * x + z * z <= disk.radius_m * disk.radius_m; });
-  }
-  LightHit operator()(const scene::SphereShape& sphere) const {
-    const double a = dot(d, d);
-    const double half_b = dot(o, d);
-    const double c = dot(o, o) - sphere.radius_m * sphere.radius_m;
-    const double discriminant = half_b * half_b - a * c;
-    if (discriminant < 0) return {};
-    const double root = std::sqrt(discriminant);
-    const double near = (-half_b - root) / a;
-    const double far = (-half_b + root) / a;
-    return near > 0 ? LightHit{near, true} : far > 0 ? LightHit{far, false} : LightHit{};
-  }
-};
-
 struct NearestHit {
   VisibleSurface surface;
   double inverse_distance = 0;  // 0 without a hit
@@ -163,7 +126,8 @@ void intersect_triangle(const TriangleSetup& triangle, Vec3d d, NearestHit& near
 
 void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit& nearest) {
   const Vec3d d = transform_direction(light.to_local, world_direction);
-  const auto hit = std::visit(ShapeIntersector{light.origin, d}, light.light->shape);
+  const auto hit =
+      std::visit([&](const auto& shape) { return scene::hit(shape, light.origin, d); }, light.light->shape);
   if (1 / hit.distance <= nearest.inverse_distance) return;
   nearest.inverse_distance = 1 / hit.distance;
   nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0};

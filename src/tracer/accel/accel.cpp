@@ -20,16 +20,12 @@ namespace {
 
 constexpr std::size_t kPacket = 16;
 
-std::array<Vec3f, 4> corners_of(const RectEmitter& rect) {
-  return {rect.centre - rect.a - rect.b, rect.centre + rect.a - rect.b, rect.centre + rect.a + rect.b,
-          rect.centre - rect.a + rect.b};
-}
-constexpr std::array<std::array<std::uint32_t, 3>, 2> kRectTriangles{{{0, 1, 2}, {0, 2, 3}}};
+constexpr std::array<std::array<std::uint32_t, 3>, 2> kQuadTriangles{{{0, 1, 2}, {0, 2, 3}}};
 
-std::vector<DoubleTriangle> triangles_of(const RectEmitter& rect) {
-  const auto corners = corners_of(rect);
+std::vector<DoubleTriangle> triangles_of(const Quad& quad) {
+  const auto& corners = quad.corners;
   std::vector<DoubleTriangle> triangles;
-  for (const auto& [a, b, c] : kRectTriangles)
+  for (const auto& [a, b, c] : kQuadTriangles)
     triangles.push_back({cast<double>(corners[a]), cast<double>(corners[b]), cast<double>(corners[c])});
   return triangles;
 }
@@ -39,13 +35,14 @@ void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std:
 }  // namespace
 
 struct Accel::State {
+  bool is_double = false;
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<RTCScene> mesh_scenes;
-  std::vector<CurvedSurface> curved;
+  std::vector<std::shared_ptr<const void>> surfaces;          // with tests of their own
   std::vector<std::vector<DoubleTriangle>> double_triangles;  // of the objects, where they are wanted
 
-  State() : device(rtcNewDevice(nullptr)) {
+  explicit State(bool triangles_are_double) : is_double(triangles_are_double), device(rtcNewDevice(nullptr)) {
     rtcSetDeviceErrorFunction(device, on_error, nullptr);
     top = new_scene();
   }
@@ -84,15 +81,15 @@ struct Accel::State {
     attach(scene, geometry, id);
   }
 
-  void add_rect(const RectEmitter& rect, unsigned int id) const {
+  void add_surface(const Quad& quad, unsigned int id) {
+    if (is_double) return add_double(triangles_of(quad), id);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<Vec3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 4));
-    const auto corners = corners_of(rect);
-    std::copy(corners.begin(), corners.end(), vertices);
+    std::copy(quad.corners.begin(), quad.corners.end(), vertices);
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), 2));
-    for (const auto& triangle : kRectTriangles)
+    for (const auto& triangle : kQuadTriangles)
       indices = std::copy(triangle.begin(), triangle.end(), indices);
     attach(top, geometry, id);
   }
@@ -102,9 +99,11 @@ struct Accel::State {
     attach(top, make_user_geometry(device, std::span<const DoubleTriangle>(double_triangles.back())), id);
   }
 
-  void add_curved(const CurvedSurface& surface, unsigned int id) {
-    curved.push_back(surface);  // capacity was reserved: the pointer stays valid
-    attach(top, make_user_geometry(device, std::span<const CurvedSurface>(&curved.back(), 1)), id);
+  template <typename Surface>
+  void add_surface(Surface surface, unsigned int id) {
+    const auto kept = std::make_shared<const Surface>(std::move(surface));
+    surfaces.push_back(kept);
+    attach(top, make_user_geometry(device, std::span<const Surface>(kept.get(), 1)), id);
   }
 
   void add_instance(const RenderObject& object, const TriangleMesh& mesh, unsigned int id) {
@@ -124,16 +123,15 @@ struct Accel::State {
   }
 };
 
-Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(std::make_unique<State>()) {
-  const bool is_double = intersection == Intersection::Double;
-  state_->curved.reserve(geometry.objects.size());
+Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
+    : state_(std::make_unique<State>(intersection == Intersection::Double)) {
   state_->double_triangles.reserve(geometry.objects.size());
   for (unsigned int id = 0; id < geometry.objects.size(); ++id) {
     const RenderObject& object = geometry.objects[id];
     const bool is_instance = object.kind == ObjectKind::InstancedMesh;
     if (object.kind == ObjectKind::WorldMesh || is_instance) {
       const TriangleMesh& mesh = geometry.meshes[object.mesh];
-      if (is_double)
+      if (state_->is_double)
         state_->add_double(world_triangles(object, mesh), id);
       else if (is_instance)
         state_->add_instance(object, mesh, id);
@@ -141,7 +139,7 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(
         state_->add_mesh(state_->top, mesh, id);
     }
     if (object.kind == ObjectKind::Sphere)
-      state_->add_curved(surface_of(geometry.spheres[object.sphere]), id);
+      state_->add_surface(surface_of(geometry.spheres[object.sphere]), id);
     if (object.kind == ObjectKind::Solid)
       State::attach(
           state_->top,
@@ -151,12 +149,9 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection) : state_(
                     make_user_geometry(state_->device, std::span<const PluginShape>(
                                                            &geometry.plugin_shapes[object.plugin_shape], 1)),
                     id);
-    if (object.kind != ObjectKind::Light) continue;
-    const auto& shape = geometry.lights[object.light].shape;
-    if (const auto* rect = std::get_if<RectEmitter>(&shape))
-      is_double ? state_->add_double(triangles_of(*rect), id) : state_->add_rect(*rect, id);
-    if (const auto* disk = std::get_if<DiskEmitter>(&shape)) state_->add_curved(surface_of(*disk), id);
-    if (const auto* sphere = std::get_if<SphereEmitter>(&shape)) state_->add_curved(surface_of(*sphere), id);
+    if (object.kind == ObjectKind::Light)
+      std::visit([&](const auto& emitter) { state_->add_surface(surface_of(emitter), id); },
+                 geometry.lights[object.light].shape);
   }
   rtcCommitScene(state_->top);
 }

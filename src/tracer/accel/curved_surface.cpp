@@ -30,11 +30,6 @@ std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far)
   return std::nullopt;
 }
 
-std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
-  const double determinant = dot(a, cross(b, c));
-  return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
-}
-
 std::optional<double> distance_to(const CurvedSurface& surface, const UserRay& ray) {
   const auto local = [&](Vec3d v) {
     return Vec3d{dot(surface.inverse_rows[0], v), dot(surface.inverse_rows[1], v),
@@ -48,19 +43,9 @@ std::optional<double> distance_to(const CurvedSurface& surface, const UserRay& r
 
 }  // namespace
 
-CurvedSurface surface_of(const DiskEmitter& disk) {
-  const Vec3d a = cast<double>(disk.a);
-  const Vec3d b = cast<double>(disk.b);
-  // The normal only completes the basis; the disk has no extent along it.
-  return {cast<double>(disk.centre),
-          inverse_rows(a, cast<double>(disk.normal) * std::sqrt(length(a) * length(b)), b), false};
-}
-
-CurvedSurface surface_of(const SphereEmitter& sphere) {
-  return {
-      cast<double>(sphere.centre),
-      inverse_rows(cast<double>(sphere.axes[0]), cast<double>(sphere.axes[1]), cast<double>(sphere.axes[2])),
-      true};
+std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
+  const double determinant = dot(a, cross(b, c));
+  return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
 }
 
 CurvedSurface surface_of(const SphereSurface& sphere) {

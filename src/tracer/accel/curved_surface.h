@@ -2,7 +2,6 @@
 
 #include "tracer/accel/user_geometry.h"
 #include "tracer/geometry/render_object.h"
-#include "tracer/light/emitter.h"
 
 #include <array>
 
@@ -16,8 +15,9 @@ struct CurvedSurface {
   bool is_sphere = false;
 };
 
-CurvedSurface surface_of(const DiskEmitter& disk);
-CurvedSurface surface_of(const SphereEmitter& sphere);
+/// The inverse of a map by the images of the unit axes.
+std::array<Vec3d, 3> inverse_rows(Vec3d x, Vec3d y, Vec3d z);
+
 CurvedSurface surface_of(const SphereSurface& sphere);
 
 /// For make_user_geometry; hits have no barycentric coordinates.

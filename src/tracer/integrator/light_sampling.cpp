@@ -1,7 +1,7 @@
 #include "tracer/integrator/light_sampling.h"
 
 #include "tracer/integrator/light_emission.h"
-#include "tracer/light/emitter_sampling.h"
+#include "tracer/light/emitter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,62 +1,25 @@
 #pragma once
 
-#include "base/vec.h"
-#include "scene/scene.h"
+#include "scene/lights/ies.h"
 #include "tracer/colour/colour.h"
+#include "tracer/light/disk_emitter.h"
+#include "tracer/light/rect_emitter.h"
+#include "tracer/light/sphere_emitter.h"
+#include "tracer/light/triangle_emitter.h"
 
 #include <array>
 #include <optional>
 #include <variant>
+#include <vector>
 
 /// Emitters: the area lights of the scene and the triangles of emissive meshes.
 namespace orbs::tracer {
 
-/// Parallelogram centre +- a +- b that emits to the side of `normal`.
-struct RectEmitter {
-  Vec3f centre;
-  Vec3f a;  // half the width
-  Vec3f b;  // half the length
-  Vec3f normal;
-  float area = 0;
-  bool is_orthogonal = false;
-};
+/// Variants of kinds of emitters only, see EmitterType.
+template <EmitterType... Types>
+using EmitterVariant = std::variant<Types...>;
 
-/// Ellipse centre + s a + t b with s^2 + t^2 <= 1 that emits to the side of `normal`.
-struct DiskEmitter {
-  Vec3f centre;
-  Vec3f a;
-  Vec3f b;
-  Vec3f normal;
-  float area = 0;
-};
-
-/// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid if the matrix of the light
-/// scales unevenly.
-struct SphereEmitter {
-  Vec3f centre;
-  std::array<Vec3f, 3> axes{};     // images of the unit axes
-  std::array<Vec3f, 3> inverse{};  // rows of the inverse map
-  float determinant = 1;           // |det axes|
-  float area = 0;                  // of the sphere of equal volume; used for selection only
-};
-
-/// Triangle of an emissive mesh; emits from both sides.
-struct TriangleEmitter {
-  Vec3f corner;
-  Vec3f edge1;
-  Vec3f edge2;
-  Vec3f normal;
-  float area = 0;
-  std::array<Vec2f, 3> uvs;
-  int material = 0;
-};
-
-inline Vec2f interpolated_uv(const TriangleEmitter& t, Vec2f b) {
-  return {t.uvs[0].x * (1 - b.x - b.y) + t.uvs[1].x * b.x + t.uvs[2].x * b.y,
-          t.uvs[0].y * (1 - b.x - b.y) + t.uvs[1].y * b.x + t.uvs[2].y * b.y};
-}
-
-using EmitterShape = std::variant<RectEmitter, DiskEmitter, SphereEmitter>;
+using EmitterShape = EmitterVariant<RectEmitter, DiskEmitter, SphereEmitter>;
 
 struct AreaLight {
   EmitterShape shape;
@@ -67,17 +30,21 @@ struct AreaLight {
   Vec3f centre;
 };
 
-/// Bound of the rounding error of a point interpolated from three vectors of this size, in metres (see
-/// surface_point).
-inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
-  return 16 * 0x1p-24F * (largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
-}
-/// The same for a point on the emitter.
-inline float rounding_of(const RectEmitter& rect) { return rounding_of(rect.centre, rect.a, rect.b); }
-inline float rounding_of(const DiskEmitter& disk) { return rounding_of(disk.centre, disk.a, disk.b); }
-inline float rounding_of(const SphereEmitter& sphere) {
-  return rounding_of(sphere.centre, sphere.axes[0] + sphere.axes[1], sphere.axes[2]);
-}
-inline float rounding_of(const TriangleEmitter& t) { return rounding_of(t.corner, t.edge1, t.edge2); }
+/// The functions of EmitterType, of any kind.
+std::optional<EmitterPoint> sample_towards(const EmitterShape& shape, Vec3f from, float u, float v);
+float pdf_towards(const EmitterShape& shape, Vec3f from, Vec3f position);
+EmittingPoint point_on(const EmitterShape& shape, float u, float v);
+float pdf_area(const EmitterShape& shape, Vec3f position);
+Vec3f normal_of(const EmitterShape& shape, Vec3f position);
+float rounding_of(const EmitterShape& shape);
+float area_of(const EmitterShape& shape);
+
+/// Radiance that the light emits from `position` towards `to`, with its IES profile; zero on the dark side.
+Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to);
+
+/// Bounds of all emitters, the lights first, with the powers (radiance times area) of EmitterTable::build.
+std::vector<LightBounds> bounds_of(const std::vector<AreaLight>& lights,
+                                   const std::vector<TriangleEmitter>& triangles,
+                                   const std::vector<float>& powers);
 
 }  // namespace orbs::tracer

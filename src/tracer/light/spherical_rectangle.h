@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "tracer/light/emitter.h"
+#include "tracer/light/rect_emitter.h"
 
 #include <optional>
 

@@ -1,8 +1,6 @@
 #include "tracer/world/build_lights.h"
 
 #include "image/colour.h"
-#include "tracer/light/emitter_bounds.h"
-#include "tracer/sampling/warps.h"
 #include "tracer/world/build_meshes.h"
 
 #include <cmath>
@@ -11,43 +9,13 @@ namespace orbs::tracer {
 
 namespace {
 
-Vec3f direction_of(const Mat4& m, Vec3d v) { return cast<float>(transform_direction(m, v)); }
-
-EmitterShape prepare_shape(const scene::RectShape& s, const Mat4& m, Vec3f normal) {
-  RectEmitter out{.centre = cast<float>(transform_point(m, {})),
-                  .a = direction_of(m, {s.half_width_m, 0, 0}),
-                  .b = direction_of(m, {0, 0, s.half_length_m}),
-                  .normal = normal};
-  out.area = 4 * length(cross(out.a, out.b));
-  out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5F * length(out.a) * length(out.b);
-  return out;
-}
-
-EmitterShape prepare_shape(const scene::DiskShape& s, const Mat4& m, Vec3f normal) {
-  DiskEmitter out{.centre = cast<float>(transform_point(m, {})),
-                  .a = direction_of(m, {s.radius_m, 0, 0}),
-                  .b = direction_of(m, {0, 0, s.radius_m}),
-                  .normal = normal};
-  out.area = kPi * length(cross(out.a, out.b));
-  return out;
-}
-
-EmitterShape prepare_shape(const scene::SphereShape& s, const Mat4& m, Vec3f) {
-  const Mat4 map = m * scaling({s.radius_m, s.radius_m, s.radius_m});
-  const Mat4 back = inverse(map).value();
-  SphereEmitter out{.centre = cast<float>(transform_point(m, {})), .axes = affine(map).axes};
-  for (std::size_t r = 0; r < 3; ++r) out.inverse[r] = cast<float>(Vec3d{back(r, 0), back(r, 1), back(r, 2)});
-  out.determinant = static_cast<float>(std::abs(determinant3(map)));
-  out.area = 4 * kPi * std::pow(out.determinant, 2.0F / 3.0F);
-  return out;
-}
-
 AreaLight prepare_light(const scene::Light& light, Vec3d origin, const SceneColours& colours) {
   const Mat4 matrix = relative_to(light.matrix, origin);
   const Mat4 back = inverse(matrix).value();
   const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
   AreaLight out{
-      .shape = std::visit([&](const auto& s) { return prepare_shape(s, matrix, normal); }, light.shape),
+      .shape = std::visit([&](const auto& s) -> EmitterShape { return make_emitter(s, matrix, normal); },
+                          light.shape),
       .radiance = {cast<float>(light.radiance), add_spectrum(colours, light.spectrum)},
       .reflectance = cast<float>(light.reflectance),
       .ies = light.ies,
@@ -81,8 +49,8 @@ float brightness(const World& world, const Radiance& radiance) {
 }
 
 float power_of(const World& world, const AreaLight& light) {
-  const float area = std::visit([](const auto& s) { return s.area; }, light.shape);
-  return area * brightness(world, light.radiance) * (light.ies ? mean_share(*light.ies->profile) : 1.0F);
+  return area_of(light.shape) * brightness(world, light.radiance) *
+         (light.ies ? mean_share(*light.ies->profile) : 1.0F);
 }
 
 float mean_brightness(const World& world, const EmissionMaterial& material) {

@@ -112,15 +112,6 @@ Vec2f uv_of_sphere(Vec3f n) {
   return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
 }
 
-Vec3f normal_of(const RectEmitter& rect, Vec3f) { return rect.normal; }
-Vec3f normal_of(const DiskEmitter& disk, Vec3f) { return disk.normal; }
-// The gradient of |inverse (p - centre)|^2.
-Vec3f normal_of(const SphereEmitter& sphere, Vec3f position) {
-  const Vec3f d = position - sphere.centre;
-  const Vec3f local{dot(sphere.inverse[0], d), dot(sphere.inverse[1], d), dot(sphere.inverse[2], d)};
-  return normalised(sphere.inverse[0] * local.x + sphere.inverse[1] * local.y + sphere.inverse[2] * local.z);
-}
-
 }  // namespace
 
 void fill_triangle_cache(TriangleMesh& mesh) {
@@ -146,12 +137,11 @@ void fill_triangle_cache(TriangleMesh& mesh) {
 SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit) {
   SurfacePoint out;
   out.position = ray.origin + ray.direction * hit.distance;
-  out.geometric_normal =
-      std::visit([&](const auto& shape) { return normal_of(shape, out.position); }, light.shape);
+  out.geometric_normal = normal_of(light.shape, out.position);
   out.shading_normal = out.geometric_normal;
   // The hit distance and the origin of the ray are rounded as well.
-  out.position_error = std::visit([](const auto& shape) { return rounding_of(shape); }, light.shape) +
-                       4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
+  out.position_error =
+      rounding_of(light.shape) + 4 * 0x1p-24F * (largest_magnitude(ray.origin) + hit.distance);
   return out;
 }
 

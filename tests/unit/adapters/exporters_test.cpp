@@ -2,7 +2,7 @@
 #include "adapters/exporters.h"
 
 #include "adapters/export.h"
-#include "adapters/material_support.h"
+#include "adapters/kind_support.h"
 #include "json/document.h"
 #include "json/object_reader.h"
 

@@ -1,6 +1,6 @@
 #include "scene/geometry/generators/box.h"
 
-#include "scene/geometry/generators/build.h"
+#include "scene/geometry/mesh.h"
 
 namespace orbs::scene {
 

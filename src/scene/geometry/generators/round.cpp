@@ -1,7 +1,7 @@
 #include "scene/geometry/generators/round.h"
 
 #include "base/error.h"
-#include "scene/geometry/generators/build.h"
+#include "scene/geometry/mesh.h"
 
 #include <cmath>
 #include <numbers>

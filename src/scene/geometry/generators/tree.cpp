@@ -1,6 +1,6 @@
 #include "scene/geometry/generators/tree.h"
 
-#include "scene/geometry/generators/build.h"
+#include "scene/geometry/mesh.h"
 
 #include <cmath>
 #include <numbers>

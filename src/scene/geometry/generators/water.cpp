@@ -1,6 +1,6 @@
 #include "scene/geometry/generators/water.h"
 
-#include "scene/geometry/generators/build.h"
+#include "scene/geometry/mesh.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,30 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "base/vec.h"
+#include "scene/geometry/subdivision/subdivision_surface.h"
 
-/// Functions that all generators use.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace orbs::scene {
+
+/// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
+/// length.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<Vec3f> tangents;  // zero where not available
+  std::vector<Vec2f> uvs;       // zero where not available
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<int> triangle_materials;  // one per triangle
+  /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
+  std::optional<SubdivisionSurface> subdivision = std::nullopt;
+  bool operator==(const Mesh&) const = default;
+};
 
 inline std::uint32_t vertex_count(const Mesh& mesh) {
   return static_cast<std::uint32_t>(mesh.positions.size());

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "scene/lights/sphere.h"
+#include "tracer/light/emitter_type.h"
+
+#include <array>
+
+namespace orbs::tracer {
+
+struct CurvedSurface;
+
+/// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid if the matrix of the light
+/// scales unevenly.
+struct SphereEmitter {
+  Vec3f centre;
+  std::array<Vec3f, 3> axes{};     // images of the unit axes
+  std::array<Vec3f, 3> inverse{};  // rows of the inverse map
+  float determinant = 1;           // |det axes|
+  float area = 0;                  // of the sphere of equal volume; used for selection only
+};
+
+SphereEmitter make_emitter(const scene::SphereShape& sphere, const Mat4& matrix, Vec3f normal);
+CurvedSurface surface_of(const SphereEmitter& sphere);
+std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f from, float u, float v);
+float pdf_towards(const SphereEmitter& sphere, Vec3f from, Vec3f position);
+EmittingPoint point_on(const SphereEmitter& sphere, float u, float v);
+float pdf_area(const SphereEmitter& sphere, Vec3f position);
+Vec3f normal_of(const SphereEmitter& sphere, Vec3f position);
+bool shows_bright_side(const SphereEmitter& sphere, Vec3f position, Vec3f to_viewer);
+float rounding_of(const SphereEmitter& sphere);
+LightBounds bounds_of(const SphereEmitter& sphere, float power);
+
+}  // namespace orbs::tracer
