@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "scene/colour.h"
 #include "scene/geometry/mesh.h"
+#include "scene/integrator.h"
 #include "scene/lights/light.h"
 #include "scene/material.h"
 #include "scene/shapes/shape.h"
@@ -69,34 +70,6 @@ struct Outputs {
   bool operator==(const Outputs&) const = default;
 };
 
-/// Which directions count how much.
-enum class OcclusionWeight { Cosine, Uniform };
-
-/// An integrator in place of light transport: the image is the share of the hemisphere about the visible
-/// point in which no surface lies nearer than the distance.
-struct AmbientOcclusion {
-  double distance_m = std::numeric_limits<double>::infinity();
-  OcclusionWeight weight = OcclusionWeight::Cosine;
-  bool operator==(const AmbientOcclusion&) const = default;
-};
-
-/// Which records of an irradiance cache may be used at a point, and how they weigh.
-enum class CacheMetric { Ward, TabellionLamorlette };
-
-/// An integrator in place of plain path tracing, biased: diffuse interreflection is computed at a few places
-/// and interpolated between them.
-struct IrradianceCache {
-  CacheMetric metric = CacheMetric::Ward;
-  double error = 0.2;             // a of Ward's metric: the relative error that interpolation may have
-  double kappa = 1;               // of the metric of Tabellion and Lamorlette: more is more accurate
-  int rays = 512;                 // of each record
-  double least_spacing_px = 1.5;  // bounds of the distance that a record reaches
-  double most_spacing_px = 20;
-  bool has_gradients = true;
-  bool clamps_to_neighbours = true;
-  bool operator==(const IrradianceCache&) const = default;
-};
-
 /// A trace depth that no path reaches: Russian roulette ends them all.
 constexpr int kUnlimitedDepth = 1'000'000;
 
@@ -122,8 +95,7 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<Light> lights;
   int trace_depth = 5;  // most surface scatterings on a path; 1 is direct light (ORB.S REQ_A1)
-  std::optional<AmbientOcclusion> ambient_occlusion;  // at most one of these two; neither: path tracing
-  std::optional<IrradianceCache> irradiance_cache;
+  Integrator integrator;
   Outputs outputs;
   ReadNotes notes;
   bool operator==(const Scene&) const = default;

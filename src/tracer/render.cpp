@@ -40,7 +40,8 @@ Rendering render(const World& world,
   Film film = film_for(world, settings);
   const auto passes = plan_passes(settings.samples_per_pixel, settings.replicates);
   // Pixels that share records err together: the scatter of their samples says nothing of that.
-  film.has_variance = !world.irradiance_cache && (settings.replicates > 1 || passes.back().replicate > 0);
+  film.has_variance = !std::holds_alternative<scene::IrradianceCache>(world.integrator) &&
+                      (settings.replicates > 1 || passes.back().replicate > 0);
   PassRenderer* const render_pass = kernel_for(world);
   Rendering out;
   for (std::uint32_t p = 0; p < passes.size() && !(stop && p > 0); ++p) {

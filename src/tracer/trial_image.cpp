@@ -49,7 +49,8 @@ double product_of_differences(const std::vector<double>& a,
 Trial trial_of(World& world, int side, int threads) {
   const PinholeCamera camera = world.camera;
   // Records would take longer than the trial saves, and hide the noise that it is to see.
-  const auto cache = std::exchange(world.irradiance_cache, std::nullopt);
+  const auto integrator = world.integrator;
+  if (std::holds_alternative<scene::IrradianceCache>(integrator)) world.integrator = scene::PathTracing{};
   const double scale = static_cast<double>(side) / std::max(camera.width, camera.height);
   world.camera.width = std::max(1, static_cast<int>(camera.width * scale));
   world.camera.height = std::max(1, static_cast<int>(camera.height * scale));
@@ -61,7 +62,7 @@ Trial trial_of(World& world, int side, int threads) {
   auto a = rendered(1);
   auto b = rendered(2);
   world.camera = camera;
-  world.irradiance_cache = cache;
+  world.integrator = integrator;
   const double contributions =
       static_cast<double>(a.light_path_contributions) / static_cast<double>(a.image.pixel_count());
   return {{std::move(a.image), std::move(b.image)}, contributions};

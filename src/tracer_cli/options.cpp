@@ -163,23 +163,25 @@ Options parse_options(int argc, char** argv, const std::string& version) {
 }
 
 void set_integrator(scene::Scene& scene, const Options& options) {
-  if (options.integrator != "scene") scene.ambient_occlusion.reset();
-  if (options.integrator == "path") scene.irradiance_cache.reset();
-  if (options.integrator == "irradiance_cache" && !scene.irradiance_cache) scene.irradiance_cache.emplace();
-  if (!scene.irradiance_cache) {
+  if (options.integrator == "path") scene.integrator = scene::PathTracing{};
+  if (options.integrator == "irradiance_cache" &&
+      !std::holds_alternative<scene::IrradianceCache>(scene.integrator))
+    scene.integrator = scene::IrradianceCache{};
+  auto* cache = std::get_if<scene::IrradianceCache>(&scene.integrator);
+  if (cache == nullptr) {
     if (options.cache_error > 0 || options.cache_rays > 0)
       throw InputError(
           "--cache-error and --cache-rays are settings of an irradiance cache, and the image has none: add "
           "--integrator irradiance_cache, or leave them out");
     return;
   }
-  if (options.cache_error > 0 && scene.irradiance_cache->metric != scene::CacheMetric::Ward)
+  if (options.cache_error > 0 && cache->metric != scene::CacheMetric::Ward)
     throw InputError(
         "--cache-error is a setting of Ward's metric, and the scene asks for that of Tabellion and Lamorlette");
   if (options.render.split_paths)
     throw InputError("--split-paths: an irradiance cache keeps no light paths that have classes");
-  if (options.cache_error > 0) scene.irradiance_cache->error = options.cache_error;
-  if (options.cache_rays > 0) scene.irradiance_cache->rays = options.cache_rays;
+  if (options.cache_error > 0) cache->error = options.cache_error;
+  if (options.cache_rays > 0) cache->rays = options.cache_rays;
 }
 
 tracer::RenderSettings render_settings(const Options& options, const scene::Scene& scene) {

@@ -104,7 +104,7 @@ TEST(IrradianceCacheImages, HaveTheLightOfPathTracing) {
     auto scene =
         case_scene(name, 64);  // the least spacing of records is in pixels, and 32 of them are coarse
     const auto cached = render_scene(scene, {.samples_per_pixel = 256}).image;
-    scene.irradiance_cache.reset();
+    scene.integrator = scene::PathTracing{};
     const auto traced = render_scene(scene, {.samples_per_pixel = 2048}).image;
     EXPECT_LT(largest_tile_error(cached, traced), 0.05) << name;
     for (std::size_t c = 0; c < 3; ++c)
@@ -150,7 +150,7 @@ TEST(IrradianceCacheImages, ArePathTracedAtDepthOne) {
   scene.trace_depth = 1;
   const auto cached = render_scene(scene, {.samples_per_pixel = 8});
   EXPECT_EQ(cached.cache_use.records, 0U);
-  scene.irradiance_cache.reset();
+  scene.integrator = scene::PathTracing{};
   const auto traced = render_scene(scene, {.samples_per_pixel = 8}, {.light_paths = false}).image;
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 24; ++x)

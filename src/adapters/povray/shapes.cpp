@@ -1,8 +1,10 @@
 #include "adapters/povray/shapes.h"
 
+#include "adapters/kind_support.h"
 #include "adapters/povray/isosurface.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/sdl.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <array>
@@ -32,13 +34,8 @@ std::string quadric_text(const RevolvedQuadric& q) {
       quadric, q.y_high, -q.y_low, -r, q.y_low - 0.001 * r, -r, r, q.y_high + 0.001 * r, r);
 }
 
-struct FormText {
-  bool is_operand;
-
-  template <typename F>
-  std::string operator()(const F& form) const {
-    return quadric_text(revolved(form));
-  }
+// Forms that POV-Ray has a word of its own for.
+struct OwnText {
   std::string operator()(const SphereForm& f) const {
     return fmt::format("sphere {{ {}, {}", vector(f.centre_m), f.radius_m);
   }
@@ -57,26 +54,66 @@ struct FormText {
     return fmt::format("superellipsoid {{ <{},{}> matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>", f.east_west,
                        f.north_south);
   }
-  std::string operator()(const PluginForm&) const { return ""; }  // beyond_orbs refuses it
-  std::string operator()(const ImplicitForm& f) const { return isosurface_text(f, is_operand); }
-  // merge: a union would keep the faces inside.
-  std::string operator()(const CsgForm& f) const {
-    constexpr std::array kWords{"merge", "intersection", "difference"};
-    std::string text = fmt::format("{} {{", kWords[static_cast<std::size_t>(f.operation)]);
-    for (const Shape& operand : f.operands) {
-      text += fmt::format("\n  {}", std::visit(FormText{true}, operand.form));
-      if (operand.material >= 0) text += fmt::format(" texture {{ Material{} }}", operand.material);
-      text += fmt::format(" {} }}", matrix(operand.matrix));
-    }
-    return text;
-  }
 };
+
+std::string csg_text(const CsgForm& form);
+
+// All others are quadrics, isosurfaces and CSG; nothing for a form that is none of them.
+std::optional<std::string> form_text(const ShapeForm& form, bool is_operand) {
+  return std::visit(
+      [&](const auto& f) -> std::optional<std::string> {
+        if constexpr (WritesKind<OwnText, std::decay_t<decltype(f)>>)
+          return OwnText{}(f);
+        else if constexpr (requires { revolved(f); })
+          return quadric_text(revolved(f));
+        else if constexpr (requires { implicit(f); })
+          return isosurface_text(implicit(f), is_operand);
+        else if constexpr (requires { csg_text(f); })
+          return csg_text(f);
+        else
+          return std::nullopt;
+      },
+      form);
+}
+
+std::string written(const ShapeForm& form, bool is_operand) {
+  if (auto text = form_text(form, is_operand)) return *text;
+  throw InputError(fmt::format("POV-Ray has no {}", type_name(form)));
+}
+
+// merge: a union would keep the faces inside.
+std::string csg_text(const CsgForm& form) {
+  constexpr std::array kWords{"merge", "intersection", "difference"};
+  std::string text = fmt::format("{} {{", kWords[static_cast<std::size_t>(form.operation)]);
+  for (const Shape& operand : form.operands) {
+    text += fmt::format("\n  {}", written(operand.form, true));
+    if (operand.material >= 0) text += fmt::format(" texture {{ Material{} }}", operand.material);
+    text += fmt::format(" {} }}", matrix(operand.matrix));
+  }
+  return text;
+}
+
+// Why a leaf cannot be written; "" when it can, and when beyond_orbs_limits gives the reason.
+std::string form_limit(const ShapeForm& form) {
+  return std::visit(
+      [&](const auto& f) -> std::string {
+        using Form = std::decay_t<decltype(f)>;
+        if constexpr (WritesKind<OwnText, Form> || requires { revolved(f); })
+          return "";
+        else if constexpr (requires { implicit(f); })
+          return isosurface_limit(implicit(f));
+        else
+          return is_refused(Form::kLevel, beyond_orbs()) ? ""
+                                                         : fmt::format("POV-Ray has no {}", type_name(form));
+      },
+      form);
+}
 
 }  // namespace
 
 std::string open_shape_text(const Shape& shape) {
-  return fmt::format("{} texture {{ Material{} }} {}", std::visit(FormText{false}, shape.form),
-                     shape.material, matrix(shape.matrix));
+  return fmt::format("{} texture {{ Material{} }} {}", written(shape.form, false), shape.material,
+                     matrix(shape.matrix));
 }
 
 std::optional<int> photon_material(const Scene& scene, const Shape& shape) {
@@ -97,9 +134,8 @@ std::string shape_limit(const Scene& scene, const Shape& shape, const std::strin
       problem =
           fmt::format("{} has a texture: POV-Ray's shapes have different texture coordinates", display_name);
     if (surface_of(material.model) == Surface::Glass) glasses.insert(index);
-    if (const auto* form = std::get_if<ImplicitForm>(&leaf.form))
-      if (const auto reason = isosurface_limit(*form); !reason.empty())
-        problem = fmt::format("{}: {}", display_name, reason);
+    if (const auto reason = form_limit(leaf.form); !reason.empty())
+      problem = fmt::format("{}: {}", display_name, reason);
   });
   if (glasses.size() > 1)
     return fmt::format("{} is made of several glasses: an object of POV-Ray has one interior", display_name);

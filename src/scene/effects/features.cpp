@@ -142,9 +142,12 @@ std::vector<CalledFeature> features_of_effects(const Scene& scene) {
 }
 
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
-  if (scene.ambient_occlusion) return {{"I1", "the image is ambient occlusion"}};
-  if (scene.irradiance_cache) return {{"I2", "diffuse interreflection comes from an irradiance cache"}};
-  return {};
+  return std::visit(
+      [](const auto& integrator) -> std::vector<CalledFeature> {
+        if constexpr (requires { integrator.kLevel; }) return {{integrator.kLevel, integrator.kWhat}};
+        return {};
+      },
+      scene.integrator);
 }
 
 std::vector<CalledFeature> features_called_for(const Scene& scene) {

@@ -1,7 +1,5 @@
 #include "scene/geometry/world_bounds.h"
 
-#include "scene/shapes/shape_bounds.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

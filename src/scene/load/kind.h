@@ -50,20 +50,25 @@ struct KindLoader<std::variant<Kinds...>> {
   }
 
   template <typename Entry, std::size_t... I>
-  static Variant load_named(json::ObjectReader& in, Entry& entry, std::index_sequence<I...>) {
-    const std::string word = in.one_of("type", {words()[I]...});
+  static Variant load_named(json::ObjectReader& in,
+                            Entry& entry,
+                            const char* fallback,
+                            std::index_sequence<I...>) {
+    const std::string word = fallback == nullptr ? in.one_of("type", {words()[I]...})
+                                                 : in.one_of_or("type", fallback, {words()[I]...});
     Variant loaded;
     (load_if_named<Kinds>(word, entry, loaded) || ...);
     return loaded;
   }
 };
 
-/// The kind that "type" names, with its members; `entry` is what the load functions of the kinds take.
-/// InputError at the key that is wrong.
+/// The kind that "type" names, with its members; `entry` is what the load functions of the kinds take, and
+/// `fallback` the word that an entry without a type means, if it may lack one. InputError at the key that is
+/// wrong.
 template <typename Variant, typename Entry>
-Variant load_kind(json::ObjectReader& in, Entry& entry) {
+Variant load_kind(json::ObjectReader& in, Entry& entry, const char* fallback = nullptr) {
   using Loader = KindLoader<Variant>;
-  return Loader::load_named(in, entry, std::make_index_sequence<Loader::kWordCount>{});
+  return Loader::load_named(in, entry, fallback, std::make_index_sequence<Loader::kWordCount>{});
 }
 
 }  // namespace orbs::scene

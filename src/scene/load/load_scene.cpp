@@ -9,7 +9,6 @@
 #include "scene/load/instance.h"
 #include "scene/load/mesh.h"
 #include "scene/load/spectra.h"
-#include "scene/shapes/load_shape.h"
 
 #include <map>
 #include <optional>
@@ -108,46 +107,12 @@ Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
   return texture;
 }
 
-AmbientOcclusion load_ambient_occlusion(json::ObjectReader& in) {
-  AmbientOcclusion occlusion;
-  if (in.has("distance")) occlusion.distance_m = in.number("distance", kLength);
-  const bool is_uniform = in.one_of_or("weight", "cosine", {"cosine", "uniform"}) == "uniform";
-  occlusion.weight = is_uniform ? OcclusionWeight::Uniform : OcclusionWeight::Cosine;
-  return occlusion;
-}
-
-IrradianceCache load_irradiance_cache(json::ObjectReader& in) {
-  constexpr json::Range kErrors{1e-3, 10};
-  constexpr json::Range kSpacings_px{0.1, 10000};
-  IrradianceCache cache;
-  if (in.one_of_or("metric", "ward", {"ward", "tabellion_lamorlette"}) == "ward") {
-    cache.error = in.number_or("error", cache.error, kErrors);
-  } else {
-    cache.metric = CacheMetric::TabellionLamorlette;
-    cache.kappa = in.number_or("kappa", cache.kappa, kErrors);
-  }
-  // As many points as a sampler has in one block, and enough for a ring of strata with neighbours.
-  cache.rays = in.integer_or("rays", cache.rays, 8, 4096);
-  if (in.has("spacing")) {
-    const auto spacing = in.numbers("spacing", 2, kSpacings_px);
-    if (spacing[0] > spacing[1])
-      in.fail("spacing", "the first number is the least spacing and must not be above the second");
-    cache.least_spacing_px = spacing[0];
-    cache.most_spacing_px = spacing[1];
-  }
-  cache.has_gradients = in.boolean_or("gradients", cache.has_gradients);
-  cache.clamps_to_neighbours = in.boolean_or("neighbour_clamping", cache.clamps_to_neighbours);
-  return cache;
-}
-
 void load_integrator(json::ObjectReader in, Scene& scene) {
-  const auto type = in.one_of_or("type", "path", {"path", "ambient_occlusion", "irradiance_cache"});
-  if (type == "ambient_occlusion") {
-    scene.ambient_occlusion = load_ambient_occlusion(in);
+  scene.integrator = load_integrator(in);
+  if (std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
     in.finish();
     return;
   }
-  if (type == "irradiance_cache") scene.irradiance_cache = load_irradiance_cache(in);
   if (in.has("trace_depth") && in.holds_text("trace_depth")) {
     in.one_of("trace_depth", {"unlimited"});
     scene.trace_depth = kUnlimitedDepth;
@@ -171,7 +136,7 @@ void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& 
 }
 
 void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
-  if (!scene.irradiance_cache) return;
+  if (!std::holds_alternative<IrradianceCache>(scene.integrator)) return;
   const auto found = effects(scene);
   if (const auto needed = transport(found); needed != LightTransport::Rgb)
     in.fail("integrator", fmt::format("an irradiance cache keeps three channels, and the scene calls for {} "
@@ -184,6 +149,17 @@ void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& s
   const auto radiance = load_radiance(in, "environment", data);
   scene.environment = radiance.rgb;
   scene.environment_spectrum = radiance.spectrum;
+}
+
+// A sphere without a matrix is kept as one.
+void add_shape(json::ObjectReader& in, const Names& materials, Scene& scene) {
+  const bool has_matrix = in.has("matrix");
+  Shape shape = load_shape(in, materials);
+  const auto* sphere = std::get_if<SphereForm>(&shape.form);
+  if (sphere != nullptr && !has_matrix)
+    scene.spheres.push_back({shape.name, sphere->centre_m, sphere->radius_m, shape.material});
+  else
+    scene.shapes.push_back(std::move(shape));
 }
 
 // Meshes whose vertices are relative to an origin get it back by the matrices of their instances, in double.
@@ -228,17 +204,13 @@ Scene load_document(const json::Document& document,
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
   move_to_origins(origins, scene.instances);
-  for (auto& entry : in.objects_or_none("shapes")) load_shape(entry, materials, scene);
+  for (auto& entry : in.objects_or_none("shapes")) add_shape(entry, materials, scene);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
   if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
   if (in.has("outputs")) {
     scene.outputs = load_outputs(in.object("outputs"));
-    if (scene.ambient_occlusion && scene.outputs != Outputs{})
-      in.fail("outputs",
-              "ambient occlusion has no light paths that Stokes vectors or classes could be told of");
-    if (scene.irradiance_cache && scene.outputs != Outputs{})
-      in.fail("outputs",
-              "an irradiance cache keeps no light paths that Stokes vectors or classes could be told of");
+    const auto reason = no_paths_reason(scene.integrator);
+    if (!reason.empty() && scene.outputs != Outputs{}) in.fail("outputs", reason);
   }
   in.finish();
   scene.spectra = std::move(data.spectra);

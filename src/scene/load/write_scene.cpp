@@ -5,7 +5,6 @@
 #include "scene/geometry/ply.h"
 #include "scene/geometry/subdivision/write_subdivision.h"
 #include "scene/load/write_spectra.h"
-#include "scene/shapes/write_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -107,31 +106,13 @@ void write_shapes(Writer& out, const Scene& scene) {
   out.end_array();
 }
 
-void write_occlusion(Writer& out, const AmbientOcclusion& occlusion) {
-  out.member("type", "ambient_occlusion");
-  if (std::isfinite(occlusion.distance_m)) out.member("distance", occlusion.distance_m);
-  out.member("weight", occlusion.weight == OcclusionWeight::Uniform ? "uniform" : "cosine");
-  out.end_object();
-}
-
-void write_cache(Writer& out, const IrradianceCache& cache) {
-  out.member("type", "irradiance_cache");
-  if (cache.metric == CacheMetric::Ward)
-    out.member("metric", "ward").member("error", cache.error);
-  else
-    out.member("metric", "tabellion_lamorlette").member("kappa", cache.kappa);
-  out.member("rays", cache.rays);
-  out.key("spacing").numbers(std::array{cache.least_spacing_px, cache.most_spacing_px});
-  out.member("gradients", cache.has_gradients).member("neighbour_clamping", cache.clamps_to_neighbours);
-}
-
 void write_settings(Writer& out, const Scene& scene) {
   out.key("integrator").begin_object();
-  if (scene.ambient_occlusion) {
-    write_occlusion(out, *scene.ambient_occlusion);
+  write_integrator(out, scene.integrator);
+  if (std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
+    out.end_object();
     return;
   }
-  if (scene.irradiance_cache) write_cache(out, *scene.irradiance_cache);
   out.key("trace_depth");
   if (scene.trace_depth == kUnlimitedDepth)
     out.value("unlimited");

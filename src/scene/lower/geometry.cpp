@@ -139,4 +139,20 @@ void tessellate_spheres(Scene& scene) {
   scene.spheres.clear();
 }
 
+void tessellate_shapes(Scene& scene, const char* level) {
+  std::vector<Shape> kept;
+  for (Shape& shape : scene.shapes) {
+    auto mesh = level_of(shape.form) == std::string_view(level) ? tessellated(shape.form) : std::nullopt;
+    if (!mesh) {
+      kept.push_back(std::move(shape));
+      continue;
+    }
+    mesh->name = fmt::format("shape {} as triangles", scene.meshes.size());
+    mesh->triangle_materials.assign(mesh->triangles.size(), shape.material);
+    scene.instances.push_back({shape.name, static_cast<int>(scene.meshes.size()), shape.matrix, {}});
+    scene.meshes.push_back(std::move(*mesh));
+  }
+  scene.shapes = std::move(kept);
+}
+
 }  // namespace orbs::scene

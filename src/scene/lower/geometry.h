@@ -7,6 +7,8 @@ namespace orbs::scene {
 
 /// Each sphere becomes an instance of a tessellated one with exact normals.
 void tessellate_spheres(Scene& scene);
+/// Replaces the shapes of this level ("S1" or "S2") that have a mesh by it.
+void tessellate_shapes(Scene& scene, const char* level);
 /// Gives each (mesh, remap list) pair a mesh of its own with the list applied; instances keep no list.
 void resolve_remap_lists(Scene& scene);
 /// Resolves remap lists and gives each material of a mesh a mesh of its own.

@@ -5,7 +5,6 @@
 #include "scene/lower/effects.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/material.h"
-#include "scene/shapes/tessellate.h"
 
 #include <fmt/format.h>
 

@@ -33,7 +33,7 @@ Scene moved(const Scene& scene, const Mat4& motion) {
     sphere.radius_m *= scale;
   }
   for (auto& shape : out.shapes) shape.matrix = motion * shape.matrix;
-  if (out.ambient_occlusion) out.ambient_occlusion->distance_m *= scale;
+  if (auto* occlusion = std::get_if<AmbientOcclusion>(&out.integrator)) occlusion->distance_m *= scale;
   for (auto& material : out.materials)
     std::visit(
         [&](auto& model) {

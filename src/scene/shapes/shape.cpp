@@ -1,6 +1,9 @@
 #include "scene/shapes/shape.h"
 
-#include "scene/shapes/parse_expression.h"
+#include "json/writer.h"
+#include "scene/load/entry.h"
+#include "scene/load/kind.h"
+#include "scene/scene.h"
 
 #include <fmt/format.h>
 
@@ -8,99 +11,95 @@ namespace orbs::scene {
 
 namespace {
 
-struct Words {
-  const char* what;
-  const char* level;
-};
+constexpr std::size_t kMostLeaves = 256;  // of one solid; every ray that meets its bounds visits them
 
-struct WordsOf {
-  Words operator()(const SphereForm&) const { return {"an ellipsoid", "S1"}; }
-  Words operator()(const CylinderForm&) const { return {"a cylinder", "S1"}; }
-  Words operator()(const ConeForm&) const { return {"a cone", "S1"}; }
-  Words operator()(const DiskForm&) const { return {"a disk", "S1"}; }
-  Words operator()(const ParaboloidForm&) const { return {"a paraboloid", "S1"}; }
-  Words operator()(const HyperboloidForm&) const { return {"a hyperboloid", "S1"}; }
-  Words operator()(const BoxForm&) const { return {"a box", "S1"}; }
-  Words operator()(const HalfSpaceForm&) const { return {"a half-space", "S4"}; }
-  Words operator()(const TorusForm&) const { return {"a torus", "S2"}; }
-  Words operator()(const SuperellipsoidForm&) const { return {"a superellipsoid", "S2"}; }
-  Words operator()(const ImplicitForm&) const { return {"an implicit surface", "S3"}; }
-  Words operator()(const PluginForm&) const { return {"a plug-in's surface", "S7"}; }
-  Words operator()(const CsgForm&) const { return {"a solid by CSG", "S4"}; }
-};
+// Reads one object up to finish().
+Shape load_form(ShapeEntry& entry, bool is_operand) {
+  auto& in = entry.in;
+  Shape shape;
+  shape.name = in.text_or("name", "");
+  shape.form = load_kind<ShapeForm>(in, entry);
+  if (std::holds_alternative<CsgForm>(shape.form)) {
+    if (!is_operand && !is_bounded(shape))
+      in.fail("operands", "the solid has no end: intersect its half-spaces with a shape that has one");
+  } else if (!is_operand && !bounds(shape.form)) {
+    in.fail("type",
+            fmt::format("a {} has no end; it can only be an operand of union, intersection or difference",
+                        type_name(shape.form)));
+  } else if (++entry.limits.leaves > kMostLeaves) {
+    in.fail("type", fmt::format("the solid has more than {} operands", kMostLeaves));
+  }
+  shape.matrix = load_matrix(in, "matrix");
+  if (!is_operand || in.has("material")) shape.material = entry.materials.find(in, "material");
+  in.finish();
+  return shape;
+}
+
+void add_corners(const Shape& shape, const Mat4& around, std::vector<Vec3d>& corners) {
+  const Mat4 matrix = around * shape.matrix;
+  if (const auto* csg = std::get_if<CsgForm>(&shape.form))
+    for (const Shape& operand : csg->operands) add_corners(operand, matrix, corners);
+  const auto box = bounds(shape.form);
+  if (!box) return;
+  for (const double x : {box->low.x, box->high.x})
+    for (const double y : {box->low.y, box->high.y})
+      for (const double z : {box->low.z, box->high.z}) corners.push_back(transform_point(matrix, {x, y, z}));
+}
 
 }  // namespace
 
-bool CsgForm::operator==(const CsgForm& other) const {
-  return operation == other.operation && operands == other.operands;
-}
-
-RevolvedQuadric revolved(const CylinderForm& form) {
-  return {form.radius_m * form.radius_m, 0, 0, 0, form.height_m, form.has_caps};
-}
-
-RevolvedQuadric revolved(const ConeForm& form) {
-  // (r + s y)^2; a cone that ends in its apex has no second nappe between 0 and its height.
-  const double slope = (form.top_radius_m - form.radius_m) / form.height_m;
-  return {form.radius_m * form.radius_m,
-          2 * form.radius_m * slope,
-          slope * slope,
-          0,
-          form.height_m,
-          form.has_caps};
-}
-
-RevolvedQuadric revolved(const ParaboloidForm& form) {
-  return {0, form.radius_m * form.radius_m / form.height_m, 0, 0, form.height_m, form.has_caps};
-}
-
-RevolvedQuadric revolved(const HyperboloidForm& form) {
-  // waist^2 + (radius^2 - waist^2) (2 y / height - 1)^2
-  const double excess = form.radius_m * form.radius_m - form.waist_radius_m * form.waist_radius_m;
-  const double per_height = 2 / form.height_m;
-  return {form.radius_m * form.radius_m,
-          -2 * excess * per_height,
-          excess * per_height * per_height,
-          0,
-          form.height_m,
-          form.has_caps};
-}
-
-ImplicitForm implicit(const TorusForm& form) {
-  // Nearly the distance, so that enclosures are tight: the quartic's are several times as wide.
-  constexpr double kRoom = 1 + 1e-6;  // so that the surface does not touch the box
-  const double reach = kRoom * (form.major_radius_m + form.minor_radius_m);
-  const double height = kRoom * form.minor_radius_m;
-  return {parse_expression(
-              fmt::format("(sqrt(x^2 + z^2) - {})^2 + y^2 - {}^2", form.major_radius_m, form.minor_radius_m)),
-          {-reach, -height, -reach},
-          {reach, height, reach},
-          true};
-}
-
-ImplicitForm implicit(const SuperellipsoidForm& form) {
-  constexpr double kReach = 1 + 1e-6;
-  const double e = form.east_west;
-  const double n = form.north_south;
-  return {
-      parse_expression(fmt::format("(abs(x)^{} + abs(z)^{})^{} + abs(y)^{} - 1", 2 / e, 2 / e, e / n, 2 / n)),
-      {-kReach, -kReach, -kReach},
-      {kReach, kReach, kReach},
-      true};
-}
-
-const char* what_is(const ShapeForm& form) { return std::visit(WordsOf{}, form).what; }
-const char* level_of(const ShapeForm& form) { return std::visit(WordsOf{}, form).level; }
-
-bool is_closed(const ShapeForm& form) {
+const char* type_name(const ShapeForm& form) {
   return std::visit(
       [](const auto& f) {
-        if constexpr (requires { f.has_caps; }) return f.has_caps;
-        if constexpr (requires { f.is_closed; }) return f.is_closed;
-        using Form = std::decay_t<decltype(f)>;
-        return !std::is_same_v<Form, DiskForm> && !std::is_same_v<Form, PluginForm>;
+        if constexpr (requires { f.kType; })
+          return f.kType;
+        else
+          return type_word(f);
       },
       form);
+}
+
+const char* what_is(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return f.kWhat; }, form);
+}
+
+const char* level_of(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return f.kLevel; }, form);
+}
+
+bool is_closed(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return is_closed(f); }, form);
+}
+
+std::optional<LocalBox> bounds(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return bounds(f); }, form);
+}
+
+std::optional<Mesh> tessellated(const ShapeForm& form) {
+  return std::visit([](const auto& f) { return tessellated(f); }, form);
+}
+
+Shape load_shape(json::ObjectReader& in, const Names& materials) {
+  SolidLimits limits;
+  ShapeEntry entry{in, materials, limits};
+  return load_form(entry, false);
+}
+
+Shape load_operand(ShapeEntry& entry) { return load_form(entry, true); }
+
+void write_shape(json::Writer& out, const Scene& scene, const Shape& shape) {
+  out.begin_object().member("type", type_name(shape.form));
+  std::visit([&](const auto& form) { write(out, scene, form); }, shape.form);
+  out.member("name", shape.name);
+  out.key("matrix").numbers(shape.matrix.m);
+  if (shape.material >= 0) out.member("material", material_at(scene, shape.material).name);
+  out.end_object();
+}
+
+std::vector<Vec3d> bounding_corners(const Shape& shape) {
+  std::vector<Vec3d> corners;
+  add_corners(shape, Mat4{}, corners);
+  return corners;
 }
 
 }  // namespace orbs::scene

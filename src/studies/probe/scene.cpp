@@ -4,7 +4,6 @@
 #include "image/image_io.h"
 #include "scene/lower/effects.h"
 #include "scene/lower/geometry.h"
-#include "scene/shapes/tessellate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -85,7 +85,7 @@ class TileWorker {
                                    ? light_point(world_.lights[object.light], ray, hit)
                                    : surface_point(world_, ray, hit);
     const auto u = draw(samples_[i].block, samples_[i].index, 0, SampleDimension::Scatter);
-    const auto& settings = *world_.ambient_occlusion;
+    const auto& settings = std::get<scene::AmbientOcclusion>(world_.integrator);
     const Vec3f local = settings.weight == scene::OcclusionWeight::Cosine ? sample_cosine(u[0], u[1])
                                                                           : sample_hemisphere(u[0], u[1]);
     const float side = dot(point.shading_normal, ray.direction);

@@ -75,7 +75,8 @@ class Builder {
       high = {std::max(high.x, p.x + margin), std::max(high.y, p.y + margin), std::max(high.z, p.z + margin)};
       levels = std::max(levels, level(candidate) + 1);
     }
-    caches_.of_scatterings.assign(levels, IrradianceCache(*world_.irradiance_cache, low, high));
+    caches_.of_scatterings.assign(
+        levels, IrradianceCache(std::get<scene::IrradianceCache>(world_.integrator), low, high));
   }
 
   // Those of the candidates that no record covers, in an order that scatters them over the image, so that the

@@ -26,7 +26,7 @@ const IrradianceCache* cache_for(const IrradianceCaches& caches, const World& wo
 /// so that interpolation goes between records and not beyond them; then again where neighbour clamping has
 /// uncovered places. Candidates are taken in a fixed order in groups of fixed size. The records of a group
 /// are computed in parallel and inserted in that order, but for those that the group's earlier ones cover:
-/// the caches do not depend on the number of threads. world.irradiance_cache must hold settings.
+/// the caches do not depend on the number of threads. world.integrator must be an irradiance cache.
 IrradianceCaches build_caches(const World& world, const RenderSettings& settings);
 
 }  // namespace orbs::tracer

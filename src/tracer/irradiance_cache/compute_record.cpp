@@ -84,7 +84,7 @@ std::array<Vec3f, 3> to_world(const Frame& frame, const std::array<Vec3f, 3>& gr
 ComputedRecord compute_record(const World& world,
                               const RenderSettings& settings,
                               const CacheCandidate& candidate) {
-  const scene::IrradianceCache& cache = *world.irradiance_cache;
+  const auto& cache = std::get<scene::IrradianceCache>(world.integrator);
   const HemisphereStrata strata = hemisphere_strata(cache.rays);
   auto paths = start_record_paths(world, settings, candidate, strata);
   RecordVisitor visitor(paths.samples.size());

@@ -19,8 +19,8 @@ extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport,
 extern template PassRenderer render_pass<PolarisedTransport<BispectralTransport, 4>>;
 
 PassRenderer* kernel_for(const World& world) {
-  if (world.ambient_occlusion) return render_ambient_occlusion;
-  if (world.irradiance_cache) return render_irradiance_cache;
+  if (std::holds_alternative<scene::AmbientOcclusion>(world.integrator)) return render_ambient_occlusion;
+  if (std::holds_alternative<scene::IrradianceCache>(world.integrator)) return render_irradiance_cache;
   switch (world.transport) {
     case scene::LightTransport::Rgb:
       return world.has_appearance_materials ? render_pass<RgbBoundaryTransport> : render_pass<RgbTransport>;

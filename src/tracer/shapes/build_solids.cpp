@@ -115,7 +115,10 @@ class Builder {
 
   template <typename F>
   static SolidLeaf leaf_of(const F& form) {
-    return {.form = QuadricLeaf{revolved(form)}, .to_local = {}, .to_world = {}};
+    if constexpr (requires { revolved(form); })
+      return {.form = QuadricLeaf{revolved(form)}, .to_local = {}, .to_world = {}};
+    else
+      return {.form = ImplicitLeaf{implicit(form)}, .to_local = {}, .to_world = {}};
   }
   static SolidLeaf leaf_of(const scene::SphereForm& f) {
     const double r = f.radius_m;
@@ -134,12 +137,6 @@ class Builder {
   }
   static SolidLeaf leaf_of(const scene::TorusForm& f) {
     return {.form = ImplicitLeaf{implicit(f), f}, .to_local = {}, .to_world = {}};
-  }
-  static SolidLeaf leaf_of(const scene::SuperellipsoidForm& f) {
-    return {.form = ImplicitLeaf{implicit(f)}, .to_local = {}, .to_world = {}};
-  }
-  static SolidLeaf leaf_of(const scene::ImplicitForm& f) {
-    return {.form = ImplicitLeaf{f}, .to_local = {}, .to_world = {}};
   }
   static SolidLeaf leaf_of(const scene::PluginForm&) { std::abort(); }  // is no solid: add_plugin_shapes
   static SolidLeaf leaf_of(const scene::CsgForm&) { std::abort(); }     // add() does not come here with CSG

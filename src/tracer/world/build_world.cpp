@@ -89,7 +89,7 @@ bool supports_light_paths(const World& world) {
                                           [](const auto& light) { return !(light.reflectance == Vec3f{}); });
   // Of the transport, not of the materials: one that no surface shows must change nothing.
   const bool may_fluoresce = scene::covers(world.transport, scene::LightTransport::Bispectral);
-  return !world.ambient_occlusion && !world.irradiance_cache && !is_polarised && !lights_reflect &&
+  return std::holds_alternative<scene::PathTracing>(world.integrator) && !is_polarised && !lights_reflect &&
          !may_fluoresce && !world.emitters.empty();
 }
 
@@ -110,9 +110,9 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
   world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
-  world.ambient_occlusion = scene.ambient_occlusion;
-  world.irradiance_cache = scene.irradiance_cache;
-  if (world.irradiance_cache && world.transport != scene::LightTransport::Rgb)
+  world.integrator = scene.integrator;
+  if (std::holds_alternative<scene::IrradianceCache>(world.integrator) &&
+      world.transport != scene::LightTransport::Rgb)
     throw InputError(fmt::format(
         "scene '{}' has an irradiance cache, which keeps three channels, and {} transport has more: render it "
         "with rgb transport, or by the integrator 'path'",

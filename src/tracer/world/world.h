@@ -29,9 +29,8 @@ struct World {
   bool has_appearance_materials = false;                         // a surface shows one
   bool wants_stokes = false;
   Radiance environment;
-  std::optional<scene::AmbientOcclusion> ambient_occlusion;  // in place of path tracing
-  std::optional<scene::IrradianceCache> irradiance_cache;    // of path tracing; needs Rgb transport
-  int trace_depth = 1;                                       // most scattering events of a path
+  scene::Integrator integrator;            // an irradiance cache needs Rgb transport
+  int trace_depth = 1;                     // most scattering events of a path
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
   std::vector<TexelGrid> textures;
   std::vector<SurfaceMaterial> materials;

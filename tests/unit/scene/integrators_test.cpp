@@ -39,17 +39,18 @@ void expect_refusal(const std::string& integrator, const std::string& part, cons
 
 TEST(IrradianceCacheScene, IsReadAndWritten) {
   const auto plain = scene_with("");
-  EXPECT_EQ(plain.irradiance_cache, scene::IrradianceCache{});
+  EXPECT_EQ(std::get<scene::IrradianceCache>(plain.integrator), scene::IrradianceCache{});
   EXPECT_EQ(plain.trace_depth, 5);
   const auto full = scene_with(R"(, "trace_depth": "unlimited", "metric": "tabellion_lamorlette", "kappa": 2,
     "rays": 100, "spacing": [1, 7], "gradients": false, "neighbour_clamping": false)");
-  EXPECT_EQ(full.irradiance_cache, (scene::IrradianceCache{.metric = scene::CacheMetric::TabellionLamorlette,
-                                                           .kappa = 2,
-                                                           .rays = 100,
-                                                           .least_spacing_px = 1,
-                                                           .most_spacing_px = 7,
-                                                           .has_gradients = false,
-                                                           .clamps_to_neighbours = false}));
+  EXPECT_EQ(std::get<scene::IrradianceCache>(full.integrator),
+            (scene::IrradianceCache{.metric = scene::CacheMetric::TabellionLamorlette,
+                                    .kappa = 2,
+                                    .rays = 100,
+                                    .least_spacing_px = 1,
+                                    .most_spacing_px = 7,
+                                    .has_gradients = false,
+                                    .clamps_to_neighbours = false}));
   const structure::TestFolder folder("integrators");
   for (const auto& scene : {scene_with(R"(, "error": 0.05)"), full}) {
     scene::write_scene(scene, folder.path() / "scene.json");
@@ -66,7 +67,7 @@ TEST(IrradianceCacheScene, CallsForI2) {
 // All its lengths are pixels.
 TEST(IrradianceCacheScene, DoesNotChangeWithTheScale) {
   const auto scene = scene_with(R"(, "spacing": [1, 7])");
-  EXPECT_EQ(scene::moved(scene, scaling({3, 3, 3})).irradiance_cache, scene.irradiance_cache);
+  EXPECT_EQ(scene::moved(scene, scaling({3, 3, 3})).integrator, scene.integrator);
 }
 
 TEST(IrradianceCacheScene, RefusalsSayWhereAndWhatToDo) {

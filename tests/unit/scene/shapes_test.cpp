@@ -3,10 +3,10 @@
 #include "scene/effects/features.h"
 #include "scene/load/load_scene.h"
 #include "scene/load/write_scene.h"
+#include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
 #include "scene/shapes/evaluate.h"
-#include "scene/shapes/parse_expression.h"
-#include "scene/shapes/tessellate.h"
+#include "scene/shapes/expression.h"
 #include "structure/source_files.h"
 
 #include <cmath>

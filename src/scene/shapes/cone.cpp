@@ -1,0 +1,41 @@
+#include "scene/shapes/cone.h"
+
+#include "json/writer.h"
+#include "scene/load/entry.h"
+
+#include <algorithm>
+
+namespace orbs::scene {
+
+void load(ShapeEntry& entry, ConeForm& loaded) {
+  loaded.radius_m = entry.in.number("radius", {0, kFarthest_m});
+  loaded.top_radius_m = entry.in.number_or("top_radius", 0, {0, kFarthest_m});
+  loaded.height_m = entry.in.number("height", kLength);
+  loaded.has_caps = load_caps(entry);
+  if (loaded.radius_m == 0 && loaded.top_radius_m == 0)
+    entry.in.fail("radius", "must be above 0 where top_radius is 0: the cone has no width");
+}
+
+void write(json::Writer& out, const Scene&, const ConeForm& form) {
+  out.member("radius", form.radius_m).member("top_radius", form.top_radius_m);
+  out.member("height", form.height_m).member("caps", form.has_caps);
+}
+
+std::optional<LocalBox> bounds(const ConeForm& form) {
+  return about_axis(std::max(form.radius_m, form.top_radius_m), 0, form.height_m);
+}
+
+RevolvedQuadric revolved(const ConeForm& form) {
+  // (r + s y)^2; a cone that ends in its apex has no second nappe between 0 and its height.
+  const double slope = (form.top_radius_m - form.radius_m) / form.height_m;
+  return {form.radius_m * form.radius_m,
+          2 * form.radius_m * slope,
+          slope * slope,
+          0,
+          form.height_m,
+          form.has_caps};
+}
+
+std::optional<Mesh> tessellated(const ConeForm& form) { return turned(revolved(form), 1); }
+
+}  // namespace orbs::scene
