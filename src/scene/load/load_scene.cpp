@@ -107,7 +107,7 @@ Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
   return texture;
 }
 
-void load_integrator(json::ObjectReader in, Scene& scene) {
+void add_integrator(json::ObjectReader in, Scene& scene) {
   scene.integrator = load_integrator(in);
   if (std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
     in.finish();
@@ -206,7 +206,7 @@ Scene load_document(const json::Document& document,
   move_to_origins(origins, scene.instances);
   for (auto& entry : in.objects_or_none("shapes")) add_shape(entry, materials, scene);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
-  if (in.has("integrator")) load_integrator(in.object("integrator"), scene);
+  if (in.has("integrator")) add_integrator(in.object("integrator"), scene);
   if (in.has("outputs")) {
     scene.outputs = load_outputs(in.object("outputs"));
     const auto reason = no_paths_reason(scene.integrator);

@@ -102,7 +102,7 @@ void write_shapes(Writer& out, const Scene& scene) {
     out.member("centre", sphere.centre_m).member("radius", sphere.radius_m);
     out.member("material", material_at(scene, sphere.material).name).end_object();
   }
-  for (const auto& shape : scene.shapes) write_shape(out, scene, shape);
+  for (const auto& shape : scene.shapes) write_shape(out, scene.materials, shape);
   out.end_array();
 }
 

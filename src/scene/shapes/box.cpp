@@ -12,7 +12,7 @@ void load(ShapeEntry& entry, BoxForm& loaded) {
   loaded.half_sizes_m = {sizes[0], sizes[1], sizes[2]};
 }
 
-void write(json::Writer& out, const Scene&, const BoxForm& form) {
+void write(json::Writer& out, const MaterialList&, const BoxForm& form) {
   out.member("half_sizes", form.half_sizes_m);
 }
 

@@ -14,7 +14,7 @@ struct BoxForm {
 };
 
 void load(ShapeEntry& entry, BoxForm& loaded);
-void write(json::Writer& out, const Scene& scene, const BoxForm& form);
+void write(json::Writer& out, const MaterialList& materials, const BoxForm& form);
 inline bool is_closed(const BoxForm&) { return true; }
 std::optional<LocalBox> bounds(const BoxForm& form);
 std::optional<Mesh> tessellated(const BoxForm& form);

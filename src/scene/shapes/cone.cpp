@@ -16,7 +16,7 @@ void load(ShapeEntry& entry, ConeForm& loaded) {
     entry.in.fail("radius", "must be above 0 where top_radius is 0: the cone has no width");
 }
 
-void write(json::Writer& out, const Scene&, const ConeForm& form) {
+void write(json::Writer& out, const MaterialList&, const ConeForm& form) {
   out.member("radius", form.radius_m).member("top_radius", form.top_radius_m);
   out.member("height", form.height_m).member("caps", form.has_caps);
 }

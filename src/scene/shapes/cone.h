@@ -19,7 +19,7 @@ struct ConeForm {
 };
 
 void load(ShapeEntry& entry, ConeForm& loaded);
-void write(json::Writer& out, const Scene& scene, const ConeForm& form);
+void write(json::Writer& out, const MaterialList& materials, const ConeForm& form);
 inline bool is_closed(const ConeForm& form) { return form.has_caps; }
 std::optional<LocalBox> bounds(const ConeForm& form);
 std::optional<Mesh> tessellated(const ConeForm& form);

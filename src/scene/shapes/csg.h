@@ -25,8 +25,9 @@ inline const char* type_word(const CsgForm& form) {
   return CsgForm::kTypes[static_cast<std::size_t>(form.operation)];
 }
 
+/// Its operands are shapes again, so that these are in shape.cpp.
 void load(ShapeEntry& entry, CsgForm& loaded);
-void write(json::Writer& out, const Scene& scene, const CsgForm& form);
+void write(json::Writer& out, const MaterialList& materials, const CsgForm& form);
 inline bool is_closed(const CsgForm&) { return true; }
 /// Nothing: its operands have bounds, each under its own matrix (bounding_corners).
 inline std::optional<LocalBox> bounds(const CsgForm&) { return std::nullopt; }

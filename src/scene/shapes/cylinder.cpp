@@ -11,7 +11,7 @@ void load(ShapeEntry& entry, CylinderForm& loaded) {
   loaded.has_caps = load_caps(entry);
 }
 
-void write(json::Writer& out, const Scene&, const CylinderForm& form) {
+void write(json::Writer& out, const MaterialList&, const CylinderForm& form) {
   out.member("radius", form.radius_m).member("height", form.height_m).member("caps", form.has_caps);
 }
 

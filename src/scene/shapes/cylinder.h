@@ -18,7 +18,7 @@ struct CylinderForm {
 };
 
 void load(ShapeEntry& entry, CylinderForm& loaded);
-void write(json::Writer& out, const Scene& scene, const CylinderForm& form);
+void write(json::Writer& out, const MaterialList& materials, const CylinderForm& form);
 inline bool is_closed(const CylinderForm& form) { return form.has_caps; }
 std::optional<LocalBox> bounds(const CylinderForm& form);
 std::optional<Mesh> tessellated(const CylinderForm& form);

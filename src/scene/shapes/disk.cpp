@@ -8,7 +8,9 @@ namespace orbs::scene {
 
 void load(ShapeEntry& entry, DiskForm& loaded) { loaded.radius_m = entry.in.number("radius", kLength); }
 
-void write(json::Writer& out, const Scene&, const DiskForm& form) { out.member("radius", form.radius_m); }
+void write(json::Writer& out, const MaterialList&, const DiskForm& form) {
+  out.member("radius", form.radius_m);
+}
 
 std::optional<LocalBox> bounds(const DiskForm& form) { return about_axis(form.radius_m, 0, 0); }
 

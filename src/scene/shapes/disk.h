@@ -14,7 +14,7 @@ struct DiskForm {
 };
 
 void load(ShapeEntry& entry, DiskForm& loaded);
-void write(json::Writer& out, const Scene& scene, const DiskForm& form);
+void write(json::Writer& out, const MaterialList& materials, const DiskForm& form);
 inline bool is_closed(const DiskForm&) { return false; }
 std::optional<LocalBox> bounds(const DiskForm& form);
 std::optional<Mesh> tessellated(const DiskForm& form);

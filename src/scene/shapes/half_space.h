@@ -13,7 +13,7 @@ struct HalfSpaceForm {
 };
 
 inline void load(ShapeEntry&, HalfSpaceForm&) {}
-inline void write(json::Writer&, const Scene&, const HalfSpaceForm&) {}
+inline void write(json::Writer&, const MaterialList&, const HalfSpaceForm&) {}
 inline bool is_closed(const HalfSpaceForm&) { return true; }
 inline std::optional<LocalBox> bounds(const HalfSpaceForm&) { return std::nullopt; }
 inline std::optional<Mesh> tessellated(const HalfSpaceForm&) { return std::nullopt; }

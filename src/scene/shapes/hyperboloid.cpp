@@ -17,7 +17,7 @@ void load(ShapeEntry& entry, HyperboloidForm& loaded) {
                                               loaded.radius_m, loaded.waist_radius_m));
 }
 
-void write(json::Writer& out, const Scene&, const HyperboloidForm& form) {
+void write(json::Writer& out, const MaterialList&, const HyperboloidForm& form) {
   out.member("radius", form.radius_m).member("waist_radius", form.waist_radius_m);
   out.member("height", form.height_m).member("caps", form.has_caps);
 }

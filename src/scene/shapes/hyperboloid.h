@@ -19,7 +19,7 @@ struct HyperboloidForm {
 };
 
 void load(ShapeEntry& entry, HyperboloidForm& loaded);
-void write(json::Writer& out, const Scene& scene, const HyperboloidForm& form);
+void write(json::Writer& out, const MaterialList& materials, const HyperboloidForm& form);
 inline bool is_closed(const HyperboloidForm& form) { return form.has_caps; }
 std::optional<LocalBox> bounds(const HyperboloidForm& form);
 std::optional<Mesh> tessellated(const HyperboloidForm& form);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "json/writer.h"
 #include "scene/load/entry.h"
+#include "scene/shapes/parse_expression.h"
 
 namespace orbs::scene {
 
@@ -22,7 +23,7 @@ void load(ShapeEntry& entry, ImplicitForm& loaded) {
   loaded.is_closed = in.boolean_or("closed", false);
 }
 
-void write(json::Writer& out, const Scene&, const ImplicitForm& form) {
+void write(json::Writer& out, const MaterialList&, const ImplicitForm& form) {
   out.member("expression", form.expression.text);
   out.member("low", form.low_m).member("high", form.high_m).member("closed", form.is_closed);
 }

@@ -19,7 +19,7 @@ struct ImplicitForm {
 };
 
 void load(ShapeEntry& entry, ImplicitForm& loaded);
-void write(json::Writer& out, const Scene& scene, const ImplicitForm& form);
+void write(json::Writer& out, const MaterialList& materials, const ImplicitForm& form);
 inline bool is_closed(const ImplicitForm& form) { return form.is_closed; }
 inline std::optional<LocalBox> bounds(const ImplicitForm& form) { return LocalBox{form.low_m, form.high_m}; }
 inline std::optional<Mesh> tessellated(const ImplicitForm&) { return std::nullopt; }

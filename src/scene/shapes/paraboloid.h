@@ -18,7 +18,7 @@ struct ParaboloidForm {
 };
 
 void load(ShapeEntry& entry, ParaboloidForm& loaded);
-void write(json::Writer& out, const Scene& scene, const ParaboloidForm& form);
+void write(json::Writer& out, const MaterialList& materials, const ParaboloidForm& form);
 inline bool is_closed(const ParaboloidForm& form) { return form.has_caps; }
 std::optional<LocalBox> bounds(const ParaboloidForm& form);
 std::optional<Mesh> tessellated(const ParaboloidForm& form);

@@ -40,7 +40,7 @@ void load(ShapeEntry& entry, PluginForm& loaded) {
   numbers.finish();
 }
 
-void write(json::Writer& out, const Scene&, const PluginForm& form) {
+void write(json::Writer& out, const MaterialList&, const PluginForm& form) {
   out.member("plugin", form.plugin).key("numbers").begin_object();
   for (const auto& [name, value] : form.numbers) out.member(name, value);
   out.end_object();

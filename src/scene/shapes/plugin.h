@@ -19,7 +19,7 @@ struct PluginForm {
 };
 
 void load(ShapeEntry& entry, PluginForm& loaded);
-void write(json::Writer& out, const Scene& scene, const PluginForm& form);
+void write(json::Writer& out, const MaterialList& materials, const PluginForm& form);
 inline bool is_closed(const PluginForm&) { return false; }
 /// The plug-in knows, and only the tracer opens it: the point where the shape is placed stands for it.
 inline std::optional<LocalBox> bounds(const PluginForm&) { return LocalBox{}; }

@@ -3,7 +3,9 @@
 #include "json/writer.h"
 #include "scene/load/entry.h"
 #include "scene/load/kind.h"
-#include "scene/scene.h"
+#include "scene/material.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -11,7 +13,19 @@ namespace orbs::scene {
 
 namespace {
 
+constexpr int kDeepestSolid = 32;         // CSG within CSG
 constexpr std::size_t kMostLeaves = 256;  // of one solid; every ray that meets its bounds visits them
+
+// What to write so that the form gets an inside, as the end of a message.
+std::string remedy(const ShapeForm& form) {
+  return std::visit(
+      [](const auto& f) -> std::string {
+        using Form = std::decay_t<decltype(f)>;
+        if constexpr (requires { Form::kClosedBy; }) return fmt::format("; set {}", Form::kClosedBy);
+        return "";
+      },
+      form);
+}
 
 // Reads one object up to finish().
 Shape load_form(ShapeEntry& entry, bool is_operand) {
@@ -47,6 +61,45 @@ void add_corners(const Shape& shape, const Mat4& around, std::vector<Vec3d>& cor
 }
 
 }  // namespace
+
+bool CsgForm::operator==(const CsgForm& other) const {
+  return operation == other.operation && operands == other.operands;
+}
+
+void load(ShapeEntry& entry, CsgForm& loaded) {
+  const std::string word = entry.in.text("type");
+  const auto found = std::find(CsgForm::kTypes.begin(), CsgForm::kTypes.end(), word);
+  loaded.operation = static_cast<SetOperation>(found - CsgForm::kTypes.begin());
+  if (++entry.limits.depth > kDeepestSolid)
+    entry.in.fail("operands", fmt::format("are nested more than {} deep", kDeepestSolid));
+  auto readers = entry.in.objects("operands");
+  if (readers.size() < 2)
+    entry.in.fail("operands", fmt::format("must be at least two, there are {}", readers.size()));
+  for (auto& reader : readers) {
+    ShapeEntry operand{reader, entry.materials, entry.limits};
+    loaded.operands.push_back(load_operand(operand));
+    if (const auto& form = loaded.operands.back().form; !is_closed(form))
+      reader.fail("type",
+                  fmt::format("{} without an inside cannot be an operand{}", what_is(form), remedy(form)));
+  }
+  --entry.limits.depth;
+}
+
+void write(json::Writer& out, const MaterialList& materials, const CsgForm& form) {
+  out.key("operands").begin_array();
+  for (const Shape& operand : form.operands) write_shape(out, materials, operand);
+  out.end_array();
+}
+
+bool is_bounded(const Shape& shape) {
+  const auto* csg = std::get_if<CsgForm>(&shape.form);
+  if (csg == nullptr) return bounds(shape.form).has_value();
+  if (csg->operation == SetOperation::Difference) return is_bounded(csg->operands.front());
+  const bool needs_all = csg->operation == SetOperation::Union;
+  for (const Shape& operand : csg->operands)
+    if (is_bounded(operand) != needs_all) return !needs_all;
+  return needs_all;
+}
 
 const char* type_name(const ShapeForm& form) {
   return std::visit(
@@ -87,12 +140,12 @@ Shape load_shape(json::ObjectReader& in, const Names& materials) {
 
 Shape load_operand(ShapeEntry& entry) { return load_form(entry, true); }
 
-void write_shape(json::Writer& out, const Scene& scene, const Shape& shape) {
+void write_shape(json::Writer& out, const MaterialList& materials, const Shape& shape) {
   out.begin_object().member("type", type_name(shape.form));
-  std::visit([&](const auto& form) { write(out, scene, form); }, shape.form);
+  std::visit([&](const auto& form) { write(out, materials, form); }, shape.form);
   out.member("name", shape.name);
   out.key("matrix").numbers(shape.matrix.m);
-  if (shape.material >= 0) out.member("material", material_at(scene, shape.material).name);
+  if (shape.material >= 0) out.member("material", materials[static_cast<std::size_t>(shape.material)].name);
   out.end_object();
 }
 

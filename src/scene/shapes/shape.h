@@ -66,7 +66,7 @@ Shape load_shape(json::ObjectReader& in, const Names& materials);
 /// One of "operands": it may lack a material and an end.
 Shape load_operand(ShapeEntry& entry);
 /// Writes a shape as load_shape reads it.
-void write_shape(json::Writer& out, const Scene& scene, const Shape& shape);
+void write_shape(json::Writer& out, const MaterialList& materials, const Shape& shape);
 
 /// The corners of boxes that together hold the shape, in the world. Of solids by CSG those of all operands
 /// that have an end: what is taken away as well.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace orbs::json {
 class ObjectReader;
@@ -24,7 +25,8 @@ class Writer;
 namespace orbs::scene {
 
 class Names;
-struct Scene;
+struct Material;
+using MaterialList = std::vector<Material>;
 
 /// How much one entry of "shapes" may still nest and hold.
 struct SolidLimits {
@@ -51,12 +53,12 @@ struct LocalBox {
 /// tessellated: a mesh of the form with the normals and texture coordinates of the formula at its vertices,
 /// which lie on the surface; nothing where a renderer without the level cannot draw it.
 template <typename Form>
-concept ShapeType =
-    requires(ShapeEntry& entry, json::Writer& out, const Scene& scene, Form& loaded, const Form& form) {
+concept ShapeType = requires(
+    ShapeEntry& entry, json::Writer& out, const MaterialList& materials, Form& loaded, const Form& form) {
   { Form::kWhat } -> std::convertible_to<std::string_view>;
   { Form::kLevel } -> std::convertible_to<std::string_view>;
   { load(entry, loaded) } -> std::same_as<void>;
-  { write(out, scene, form) } -> std::same_as<void>;
+  { write(out, materials, form) } -> std::same_as<void>;
   { is_closed(form) } -> std::same_as<bool>;
   { bounds(form) } -> std::same_as<std::optional<LocalBox>>;
   { tessellated(form) } -> std::same_as<std::optional<Mesh>>;

@@ -12,7 +12,7 @@ void load(ShapeEntry& entry, SphereForm& loaded) {
   loaded.radius_m = entry.in.number("radius", kLength);
 }
 
-void write(json::Writer& out, const Scene&, const SphereForm& form) {
+void write(json::Writer& out, const MaterialList&, const SphereForm& form) {
   out.member("centre", form.centre_m).member("radius", form.radius_m);
 }
 

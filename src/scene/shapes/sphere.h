@@ -14,7 +14,7 @@ struct SphereForm {
 };
 
 void load(ShapeEntry& entry, SphereForm& loaded);
-void write(json::Writer& out, const Scene& scene, const SphereForm& form);
+void write(json::Writer& out, const MaterialList& materials, const SphereForm& form);
 inline bool is_closed(const SphereForm&) { return true; }
 std::optional<LocalBox> bounds(const SphereForm& form);
 std::optional<Mesh> tessellated(const SphereForm& form);

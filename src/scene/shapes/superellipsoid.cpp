@@ -2,6 +2,7 @@
 
 #include "json/writer.h"
 #include "scene/load/entry.h"
+#include "scene/shapes/parse_expression.h"
 #include "scene/shapes/revolved.h"
 
 #include <cmath>
@@ -28,7 +29,7 @@ void load(ShapeEntry& entry, SuperellipsoidForm& loaded) {
   loaded.north_south = entry.in.number("north_south", kExponent);
 }
 
-void write(json::Writer& out, const Scene&, const SuperellipsoidForm& form) {
+void write(json::Writer& out, const MaterialList&, const SuperellipsoidForm& form) {
   out.member("east_west", form.east_west).member("north_south", form.north_south);
 }
 

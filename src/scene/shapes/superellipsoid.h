@@ -17,7 +17,7 @@ struct SuperellipsoidForm {
 };
 
 void load(ShapeEntry& entry, SuperellipsoidForm& loaded);
-void write(json::Writer& out, const Scene& scene, const SuperellipsoidForm& form);
+void write(json::Writer& out, const MaterialList& materials, const SuperellipsoidForm& form);
 inline bool is_closed(const SuperellipsoidForm&) { return true; }
 std::optional<LocalBox> bounds(const SuperellipsoidForm& form);
 std::optional<Mesh> tessellated(const SuperellipsoidForm& form);

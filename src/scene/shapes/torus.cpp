@@ -2,6 +2,7 @@
 
 #include "json/writer.h"
 #include "scene/load/entry.h"
+#include "scene/shapes/parse_expression.h"
 #include "scene/shapes/revolved.h"
 
 #include <cmath>
@@ -19,7 +20,7 @@ void load(ShapeEntry& entry, TorusForm& loaded) {
                               loaded.major_radius_m, loaded.minor_radius_m));
 }
 
-void write(json::Writer& out, const Scene&, const TorusForm& form) {
+void write(json::Writer& out, const MaterialList&, const TorusForm& form) {
   out.member("major_radius", form.major_radius_m).member("minor_radius", form.minor_radius_m);
 }
 

@@ -16,7 +16,7 @@ struct TorusForm {
 };
 
 void load(ShapeEntry& entry, TorusForm& loaded);
-void write(json::Writer& out, const Scene& scene, const TorusForm& form);
+void write(json::Writer& out, const MaterialList& materials, const TorusForm& form);
 inline bool is_closed(const TorusForm&) { return true; }
 std::optional<LocalBox> bounds(const TorusForm& form);
 std::optional<Mesh> tessellated(const TorusForm& form);

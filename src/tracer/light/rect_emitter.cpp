@@ -13,7 +13,7 @@ Vec3f absolute(Vec3f v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; 
 std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f from) {
   const Vec3f d = rect.centre - from;
   if (!rect.is_orthogonal || dot(d, d) > 4 * rect.area) return std::nullopt;
-  return make_spherical_rectangle(rect, from);
+  return make_spherical_rectangle(rect.centre, rect.a, rect.b, from);
 }
 
 Vec3f place(const RectEmitter& rect, float u, float v) {

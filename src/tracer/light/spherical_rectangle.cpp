@@ -7,15 +7,18 @@
 
 namespace orbs::tracer {
 
-std::optional<SphericalRectangle> make_spherical_rectangle(const RectEmitter& rect, Vec3f from) {
+std::optional<SphericalRectangle> make_spherical_rectangle(Vec3f centre,
+                                                           Vec3f half_width,
+                                                           Vec3f half_length,
+                                                           Vec3f from) {
   SphericalRectangle r;
   r.from = from;
-  const float width = 2 * length(rect.a);
-  const float height = 2 * length(rect.b);
-  r.x = rect.a * (2 / width);
-  r.y = rect.b * (2 / height);
+  const float width = 2 * length(half_width);
+  const float height = 2 * length(half_length);
+  r.x = half_width * (2 / width);
+  r.y = half_length * (2 / height);
   r.z = cross(r.x, r.y);
-  const Vec3f d = rect.centre - rect.a - rect.b - from;
+  const Vec3f d = centre - half_width - half_length - from;
   r.z0 = dot(d, r.z);
   if (r.z0 > 0) {
     r.z = -r.z;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/vec.h"
-#include "tracer/light/rect_emitter.h"
 
 #include <optional>
 
@@ -25,9 +24,12 @@ struct SphericalRectangle {
   float solid_angle = 0;
 };
 
-/// Nothing if the solid angle is below 1e-2 sr, where the sum of four angles minus 2 pi has fewer than four
-/// significant digits in float.
-std::optional<SphericalRectangle> make_spherical_rectangle(const RectEmitter& rect, Vec3f from);
+/// Of centre +- half_width +- half_length, at a right angle. Nothing if the solid angle is below 1e-2 sr,
+/// where the sum of four angles minus 2 pi has fewer than four significant digits in float.
+std::optional<SphericalRectangle> make_spherical_rectangle(Vec3f centre,
+                                                           Vec3f half_width,
+                                                           Vec3f half_length,
+                                                           Vec3f from);
 
 /// World position for (u, v) in [0, 1)^2.
 Vec3f sample_point(const SphericalRectangle& rectangle, float u, float v);

@@ -75,4 +75,18 @@ TEST(MaterialSupport, NothingIsWrittenForATypeThatTheWriterDoesNotKnow) {
   EXPECT_THROW(adapters::text_of_material({"a", scene::Glass{}}, "Fake", WriterOfTwo{}), InputError);
 }
 
+struct WriterOfDisks {
+  std::string operator()(const scene::DiskShape&) const { return "disk"; }
+};
+
+TEST(KindSupport, ALightThatTheWriterDoesNotKnowIsRefusedByName) {
+  scene::Light light{"lamp", scene::DiskShape{1}, {1, 1, 1}, {}, {}};
+  EXPECT_EQ(adapters::limit_of_shape<WriterOfDisks>(light, "light 'lamp'", "Fake"), "");
+  EXPECT_EQ(adapters::text_of_shape(light, "Fake", WriterOfDisks{}), "disk");
+  light.shape = scene::RectShape{1, 1};
+  EXPECT_EQ(adapters::limit_of_shape<WriterOfDisks>(light, "light 'lamp'", "Fake"),
+            "light 'lamp': Fake has no light of type rect");
+  EXPECT_THROW(adapters::text_of_shape(light, "Fake", WriterOfDisks{}), InputError);
+}
+
 }  // namespace

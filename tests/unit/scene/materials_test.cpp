@@ -1,8 +1,11 @@
-// The types of materials are listed in one place, the variant MaterialModel; everything else follows it.
+// The kinds of materials, lights and shapes are each listed in one place, a variant; everything else follows
+// it.
 #include "json/document.h"
 #include "json/object_reader.h"
+#include "scene/load/kind.h"
 #include "scene/load/load_scene.h"
 
+#include <set>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -28,6 +31,46 @@ TEST(Materials, TheSchemaHasTheTypesOfTheVariantInItsOrder) {
   for (auto& material : schema.object("$defs").object("material").objects("oneOf"))
     types.push_back(material.object("properties").object("type").text("const"));
   EXPECT_EQ(types, all_types());
+}
+
+// The words of the types in the schema's list of forms of an entry.
+std::set<std::string> words_of_schema(const std::string& definition) {
+  const auto document = json::parse_file(ORBS_SOURCE_DIR "/data/schema/orbs-scene-1.schema.json");
+  json::ObjectReader schema(document);
+  std::set<std::string> words;
+  for (auto& form : schema.object("$defs").object(definition).objects("oneOf")) {
+    auto type = form.object("properties").object("type");
+    const auto several = type.has("enum") ? type.texts("enum") : std::vector{type.text("const")};
+    words.insert(several.begin(), several.end());
+  }
+  return words;
+}
+
+template <typename Variant>
+std::set<std::string> words_of_kinds() {
+  const auto words = scene::KindLoader<Variant>::words();
+  return {words.begin(), words.end()};
+}
+
+TEST(Kinds, TheSchemaHasTheLightsAndShapesOfTheVariants) {
+  EXPECT_EQ(words_of_schema("light"), words_of_kinds<scene::LightShape>());
+  EXPECT_EQ(words_of_schema("shape_form"), words_of_kinds<scene::ShapeForm>());
+}
+
+TEST(Kinds, AnUnknownLightOrShapeIsAnsweredWithAllWords) {
+  for (const auto& [key, words] : {std::pair{"lights", words_of_kinds<scene::LightShape>()},
+                                   std::pair{"shapes", words_of_kinds<scene::ShapeForm>()}})
+    try {
+      scene::load_scene_text("s.json",
+                             fmt::format(R"({{"format": "orbs-scene/1", "name": "s", "materials": [],
+        "camera": {{"position": [0, 0, 1], "look_at": [0, 0, 0]}}, "{}": [{{"type": "ring"}}]}})",
+                                         key),
+                             ".");
+      ADD_FAILURE() << key;
+    } catch (const InputError& e) {
+      for (const auto& word : words)
+        EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << word << " in " << e.what();
+    }
 }
 
 TEST(Materials, AnUnknownTypeIsAnsweredWithAllTypesAndTheNearest) {

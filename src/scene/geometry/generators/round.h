@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/geometry/mesh.h"
 
 namespace orbs::scene {
 

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "scene/geometry/subdivision/tessellate_surface.h"
-#include "scene/shapes/expression.h"
+#include "scene/shapes/parse_expression.h"
 
 #include <utility>
 

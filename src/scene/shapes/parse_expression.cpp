@@ -1,4 +1,4 @@
-#include "scene/shapes/expression.h"
+#include "scene/shapes/parse_expression.h"
 
 #include "base/error.h"
 #include "base/text.h"
