@@ -16,9 +16,10 @@ class Writer;
 
 /// A form is a surface by its formula: a struct with `kType`, its word in the scene file, `kWhat`, as
 /// messages say it, `kLevel`, the level that draws it, and the free functions of ShapeType beside it; all of
-/// it is one header and one source file of this folder and a line in the variant ShapeForm. A function that
-/// is missing is a compile error. The axis of all that turn is y, and they begin at y = 0. A closed form has
-/// an inside; its normals point out of it. Sizes are in metres before the matrix of the shape.
+/// it is one header and one source file of this folder and a line in the variant ShapeForm (CSG, whose
+/// operands are shapes again, stands beside the variant). A function that is missing is a compile error. The
+/// axis of all that turn is y, and they begin at y = 0. A closed form has an inside; its normals point out of
+/// it. Sizes are in metres before the matrix of the shape.
 ///
 /// The built-in tracer and POV-Ray's exporter draw a form that has revolved(form) as a quadric (revolved.h)
 /// and one that has implicit(form) as an implicit surface (implicit.h): such a form needs nothing else.
