@@ -31,7 +31,7 @@ struct Exporter {
   std::vector<SceneSetting> settings;
   /// Channels of the image that the exported scene asks for; kColourChannels where there is no function.
   ImageChannels (*image_channels)(const scene::Scene& scene) = nullptr;
-  /// Whatever of a lowered scene cannot be written, one reason each; empty when all of it can. A reason
+  /// One reason for each thing in a lowered scene that cannot be written; empty when there is none. A reason
   /// begins with the object in the scene.
   std::vector<std::string> (*limits)(const scene::Scene& scene, const SceneSettings& settings) = nullptr;
   /// Writes a lowered scene without limits, all files into the folder of `file`. InputError when a file

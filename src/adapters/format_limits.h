@@ -23,7 +23,7 @@ bool is_refused(const std::string& requirement, const BeyondOrbs& levels);
 std::vector<std::string> beyond_orbs_limits(const scene::Scene& scene,
                                             const char* renderer,
                                             const BeyondOrbs& levels);
-/// `display_name`: the light in the reason. `ies` says what the renderer has in place of an IES profile on a
+/// `display_name`: the light in the reason. `ies` says what the renderer has instead of an IES profile on a
 /// light with a size: "has no ...".
 std::string light_limit(const scene::Light& light,
                         const std::string& display_name,
@@ -40,7 +40,7 @@ std::string masking_limit(const std::string& material,
 /// Refuses a roughness below `least_alpha`, which the renderer would change.
 std::string alpha_limit(const std::string& material, double alpha, const char* renderer, double least_alpha);
 /// Refuses a texture in a scene that is rendered by wavelengths: each renderer makes spectra of its colours
-/// by a model of its own.
+/// by its own model.
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer);
 std::string wrap_limit(const scene::Texture& texture, const char* renderer);
 

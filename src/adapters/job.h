@@ -52,7 +52,7 @@ std::vector<std::filesystem::path> plugin_files(const registry::Renderer& render
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
 /// renderer's seed_stride; exporters add placeholders of their formats. Arguments of the renderer's variant
-/// and of the scene stand in the place of {arguments}, or at the end of a command without it; a word with
+/// and of the scene replace {arguments}, or stand at the end of a command without it; a word with
 /// {plugin} stands there once for each plug-in. Pure, touches
 /// no file. argv[0] is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,

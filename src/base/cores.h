@@ -4,8 +4,8 @@
 
 namespace orbs {
 
-/// Binds this process, and whatever it starts from now on, to as many of the cores that it may use, so that
-/// no program can take more than others get. It may use all of them again when the binding ends. As many
+/// Binds this process, and all processes it starts from now on, to as many of the cores that it may use, so
+/// that no program can take more than others get. It may use all of them again when the binding ends. As many
 /// cores as there are, or more, bind nothing.
 class CoreBinding {
  public:

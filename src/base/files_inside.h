@@ -51,8 +51,8 @@ class OpenFolder {
 bool leads_inside(const std::filesystem::path& path);
 
 /// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,
-/// so nothing outside the folder can be reached, whatever is renamed meanwhile. std::nullopt if there is no
-/// such regular file.
+/// so nothing outside the folder can be reached, even if folders are renamed meanwhile. std::nullopt if there
+/// is no such regular file.
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative);
 
 }  // namespace orbs

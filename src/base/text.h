@@ -32,7 +32,7 @@ bool glob_match(std::string_view pattern, std::string_view text);
 std::size_t utf8_length(std::string_view text);
 
 /// Text of strangers (titles, names, reasons, output of programs) as a terminal and a file of text can take
-/// it: U+FFFD stands in place of bytes that are no UTF-8, of control characters other than tabs and line
+/// it: U+FFFD replaces bytes that are no UTF-8, of control characters other than tabs and line
 /// ends, of a carriage return that ends no line, and of the characters that reorder text (bidirectional
 /// controls, Unicode Standard Annex 9), which make a line look like another one.
 std::string clean_text(std::string_view text);

@@ -21,8 +21,8 @@ struct Estimate {
 /// tails of Student's distribution: the error is too large rather than too small.
 std::optional<Estimate> mean_light(const results::TargetRecord& target, char channel);
 
-/// The mean squared error with the error of its own that bias_squared, which is mse less a variance, has by
-/// its interval.
+/// The mean squared error with its standard error: that of bias_squared, which is mse less a variance, by its
+/// interval.
 std::optional<Estimate> mean_squared_error(const results::TargetRecord& target);
 
 /// Tests whether the means of the channels differ: for each target, and for each renderer over all of its

@@ -17,10 +17,10 @@ TextPosition locate(std::string_view text, std::string_view pointer);
 std::string with_element(std::string_view text, std::string_view array, std::string_view element);
 /// Whether there is a value with this JSON pointer in `text`, which must be valid JSON.
 bool has_value(std::string_view text, std::string_view pointer);
-/// `text` with another value, itself JSON, in place of the one with this JSON pointer. Every other byte
+/// `text` with another value, itself JSON, instead of the one with this JSON pointer. Every other byte
 /// stays. `text` must be valid JSON and hold the value.
 std::string with_value(std::string_view text, std::string_view pointer, std::string_view value);
-/// `text`, an object in valid JSON, with one more member at its end, on lines of its own and indented like
+/// `text`, an object in valid JSON, with one more member at its end, on separate lines and indented like
 /// the member before it. Every other byte stays.
 std::string with_member(std::string_view text, std::string_view key, std::string_view value);
 /// The line of `text` holding `at`, of a long one what is near, and a caret line under the column.

@@ -11,8 +11,8 @@ namespace orbs::judge {
 /// The provenance by key, without the prefix.
 std::map<std::string, std::string> provenance_of(const image::Image& image);
 
-/// Hash of size, channels and pixels, whatever the order of the channels: the "image_hash" of a provenance
-/// record. The attributes are not in it, as they hold this hash.
+/// Hash of size, channels and pixels, independent of the order of the channels: the "image_hash" of a
+/// provenance record. The attributes are not in it, as they hold this hash.
 std::string image_hash(const image::Image& image);
 
 }  // namespace orbs::judge

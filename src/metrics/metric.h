@@ -37,7 +37,7 @@ struct MapInfo {
   float scale_maximum;
 };
 
-/// Of a number that has no image of its own.
+/// Of a metric without an error map.
 inline constexpr MapInfo kNoMap{"", "", false, 0.0F};
 
 /// Whether every comparison computes a metric, or only one that asks for it.

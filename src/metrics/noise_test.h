@@ -38,7 +38,7 @@ constexpr int kTests = 7;
 /// Whether the noise that the images state is there. NearerThanReference: the squared differences are less
 /// than half of what the noise of the reference alone makes them, so the result shares the reference's
 /// samples: it is a copy, or was made with its seed. OverstatedByResult: they are less than half of what both
-/// images state, so the result's variances are too large, as those of single samples in place of those of
+/// images state, so the result's variances are too large, as those of single samples instead of those of
 /// their mean.
 enum class StatedNoise { Plausible, NearerThanReference, OverstatedByResult };
 

@@ -26,7 +26,7 @@ void store_reference(const RenderedReference& rendered,
                      const std::string& reason);
 
 /// The same for an image that follows from a formula: without variances, as 32-bit floats, not shortened. The
-/// provenance has kind "analytic", the law and its source in place of samples and seeds, and an infinite
+/// provenance has kind "analytic", the law and its source instead of samples and seeds, and an infinite
 /// noise_psnr_srgb8_db.
 void store_analytic_reference(const image::Image& computed,
                               const WantedReference& wanted,

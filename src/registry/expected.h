@@ -20,7 +20,7 @@ struct ExpectedFailure {
   std::string verdict{};   // "fail", "crash", ...
   std::string reason{};
   /// The checks that were not met with their numbers, as they were when the failure was accepted; a check on
-  /// no number has none. Empty: whatever fails is expected.
+  /// no number has none. Empty: any failure is expected.
   std::map<std::string, std::optional<double>> measure{};
 };
 

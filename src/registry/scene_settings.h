@@ -4,7 +4,7 @@
 
 namespace orbs::registry {
 
-/// The entry with the exporter's settings that it has at the reduced size in place of its usual ones.
+/// The entry with the exporter's settings that it has at the reduced size instead of its usual ones.
 Renderer at_size(Renderer renderer, SizeDivisor size_divisor);
 
 /// The entry with the exporter's settings that it has for the scene of that name, which stand above those of

@@ -16,7 +16,7 @@ void refuse_outside(const std::filesystem::path& file,
                     const std::filesystem::path& folder,
                     const Case& one_case);
 
-/// A scene that is judged by the reference of another one names a scene which has a reference of its own.
+/// A scene that is judged by the reference of another one names a scene that has its own reference.
 void check_references(const std::vector<Case>& cases);
 
 }  // namespace orbs::registry

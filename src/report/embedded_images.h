@@ -8,8 +8,8 @@
 
 namespace orbs::report {
 
-/// The contents of a file in the folder of a run or study. InputError if it does not lie in the folder,
-/// whatever the names in its JSON say.
+/// The contents of a file in the folder of a run or study. InputError if it does not lie in the folder:
+/// the names in the JSON are not trusted.
 std::string file_of(const std::filesystem::path& folder, const std::string& name);
 
 struct EmbeddedImages {

@@ -84,7 +84,7 @@ std::string_view state_name(Verdict verdict, Expectation expectation);
 inline constexpr std::string_view kKnown = "known";
 inline constexpr std::string_view kUnexpectedPass = "unexpected pass";
 
-/// As counts_as_failure(verdict), but a known failure does not count, and whatever is news does.
+/// As counts_as_failure(verdict), but a known failure does not count, and an unexpected pass does.
 bool counts_as_failure(Verdict verdict, Expectation expectation);
 
 /// Whether the first of two states is worse: in the order of the verdicts, with known failures after what is

@@ -21,7 +21,7 @@ struct NamedSpectrum {
 };
 using SpectrumList = std::vector<NamedSpectrum>;
 
-/// A spectrum of the scene in the place of a colour: its values times `scale`. The colour beside it is then
+/// A spectrum of the scene instead of a colour: its values times `scale`. The colour beside it is then
 /// the sensor's response to it: to a surface under D65, to a light by itself. It may lie outside of Rec.709,
 /// hence be negative.
 struct SpectrumUse {

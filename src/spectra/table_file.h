@@ -22,7 +22,7 @@ struct TableFile {
 TableFile read_table_file(const std::filesystem::path& file);
 
 /// The column over "wavelength_nm". InputError for a column that is not there (with the nearest name), a cell
-/// that is no number, and whatever tabulated() refuses.
+/// that is no number, and all that tabulated() refuses.
 Spectrum spectrum_of(const TableFile& table, const std::string& column, Beyond beyond);
 
 /// Columns n and k over "wavelength_nm". InputError as above, and for n <= 0 or k < 0.

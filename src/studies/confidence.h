@@ -22,7 +22,7 @@ Sample sample_of(const std::vector<double>& values);
 /// The mean of the values, which are taken to be normally distributed.
 Interval mean_interval(const std::vector<double>& values);
 
-/// The median of at least one value between two order statistics, whatever the distribution is: the binomial
+/// The median of at least one value between two order statistics, for any distribution: the binomial
 /// distribution says how often they enclose it. Fewer than six values cannot reach 95 %; the interval then is
 /// all of them (four: 87.5 %).
 Interval median_interval(std::vector<double> values);

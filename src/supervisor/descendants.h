@@ -5,7 +5,7 @@
 #include <sys/types.h>
 
 /// The descendants of a process, from /proc. When the process is a "child subreaper" (prctl(2)), descendants
-/// that lose their parent become its children, in whatever session or group: none escapes by forking.
+/// that lose their parent become its children, in any session or group: none escapes by forking.
 namespace orbs::supervisor {
 
 struct Descendant {

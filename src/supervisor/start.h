@@ -22,7 +22,7 @@ struct Started {
   int error = 0;  // errno when it could not be started
 };
 
-/// Starts the command in a session of its own, with no input, our environment, standard output and errors.
+/// Starts the command in a new session, with no input, our environment, standard output and errors.
 Started start(const Command& command);
 
 }  // namespace orbs::supervisor

@@ -6,7 +6,7 @@
 #include <string>
 
 /// Colours and spectra as Mitsuba reads them. Its variants of three colours get `<rgb>`. In the spectral ones
-/// Mitsuba would make spectra of colours by a model of its own (Jakob and Hanika 2019), so they get the
+/// Mitsuba would make spectra of colours by its own model (Jakob and Hanika 2019), so they get the
 /// spectrum that the scene means by the colour, nanometre by nanometre.
 namespace orbs::adapters::mitsuba {
 

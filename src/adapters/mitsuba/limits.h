@@ -7,8 +7,8 @@
 
 namespace orbs::adapters {
 
-/// Whatever of the scene Mitsuba 3 cannot draw as ORB.S means it, one reason each; empty when it can draw all
-/// of it. Reads only the scene, no file.
+/// One reason for each thing in the scene that Mitsuba 3 cannot draw as ORB.S means it; empty when there is
+/// none. Reads only the scene, no file.
 std::vector<std::string> mitsuba_limits(const scene::Scene& scene);
 
 }  // namespace orbs::adapters

@@ -4,8 +4,8 @@
 
 namespace orbs::adapters::mitsuba {
 
-/// The mesh in world space, each triangle with vertices of its own whose u grows along `axis` projected into
-/// the triangle: Mitsuba's polariser transmits along the direction of u and absorbs along that of v.
+/// The mesh in world space, each triangle with three separate vertices whose u grows along `axis` projected
+/// into the triangle: Mitsuba's polariser transmits along the direction of u and absorbs along that of v.
 scene::Mesh polariser_mesh(Vec3d axis, const scene::Mesh& mesh, const Mat4& place);
 
 }  // namespace orbs::adapters::mitsuba

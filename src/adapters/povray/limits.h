@@ -7,7 +7,7 @@
 
 namespace orbs::adapters {
 
-/// Whatever of the scene POV-Ray 3.7 cannot do, one reason each; empty when it can do all of it. Slow or
+/// One reason for each thing in the scene that POV-Ray 3.7 cannot draw; empty when there is none. Slow or
 /// noisy rendering is no reason. Reads only the scene, no file.
 std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings = {});
 

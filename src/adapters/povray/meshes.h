@@ -9,8 +9,8 @@
 
 namespace orbs::adapters::povray {
 
-/// A mesh as POV-Ray can hold it: its triangles with the remap list applied, split where a material needs an
-/// object of its own. `material` is -1 for the mesh of all plain materials, else the one mirror or glass.
+/// A mesh as POV-Ray can hold it: its triangles with the remap list applied, split where a material needs a
+/// separate object. `material` is -1 for the mesh of all plain materials, else the one mirror or glass.
 struct DeclaredMesh {
   std::string name;
   int material = -1;

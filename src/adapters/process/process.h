@@ -6,7 +6,7 @@
 #include <string>
 
 /// Programs as child processes: started without a shell, supervised, measured and ended together with all
-/// their descendants, each by an orbs-supervisor of its own.
+/// their descendants, each by one orbs-supervisor.
 namespace orbs::adapters {
 
 struct ProcessResult : supervisor::Report {

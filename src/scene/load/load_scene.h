@@ -10,9 +10,9 @@ namespace orbs::scene {
 
 /// Reads and checks an orbs-scene/1 file. Paths in it are relative to the file's folder, and must lead into
 /// that folder or one of `data_folders`; if there are none, they may lead anywhere. InputError with file,
-/// line and key for whatever is wrong: unknown keys, types, ranges, dangling names, files that are not there,
-/// singular matrices. A file may hold several cameras: `camera` is the name of one of "cameras"; "" is that
-/// of "camera". All are checked, and the scene has the chosen one alone.
+/// line and key for anything that is wrong: unknown keys, types, ranges, dangling names, files that are not
+/// there, singular matrices. A file may hold several cameras: `camera` is the name of one of "cameras"; "" is
+/// that of "camera". All are checked, and the scene has the chosen one alone.
 Scene load_scene(const std::filesystem::path& file,
                  const std::vector<std::filesystem::path>& data_folders = {},
                  const std::string& camera = "");

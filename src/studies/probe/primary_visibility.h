@@ -29,8 +29,8 @@ struct Pixel {
   int y = 0;  // from the top
 };
 
-/// per_side^2 surfaces for each of the pixels, in their order. All surfaces count as opaque, whatever their
-/// material.
+/// per_side^2 surfaces for each of the pixels, in their order. All surfaces count as opaque, glass and
+/// polarisers too.
 std::vector<VisibleSurface> visible_surfaces_of_pixels(const scene::Scene& scene,
                                                        const std::vector<Pixel>& pixels,
                                                        const VisibilityGrid& grid,

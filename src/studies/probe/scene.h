@@ -10,7 +10,7 @@
 /// depend on camera, geometry, matrices, material lists and texture coordinates, and on nothing else.
 namespace orbs::studies {
 
-/// An object with an id of its own: one material on one instance, or a light.
+/// An object with its own id: one material on one instance, or a light.
 struct ProbeObject {
   std::string name;  // "instance 'teapot', material 'mirror'", "light 'lamp'"
   Vec3d radiance;    // the emitted colour, which is the id
@@ -26,8 +26,8 @@ struct ProbeScene {
 /// stays.
 void fit_camera(scene::Camera& camera, int most_px);
 
-/// The scene with a camera of at most `most_px` pixels on the longer side, where each object emits a flat
-/// colour of its own. A mesh with several instances gets its materials by remap lists.
+/// The scene with a camera of at most `most_px` pixels on the longer side, where each object emits a
+/// different flat colour. A mesh with several instances gets its materials by remap lists.
 ProbeScene make_id_pass(const scene::Scene& original, int most_px);
 
 /// Side of the ramp texture in texels.

@@ -27,7 +27,7 @@ std::vector<results::GateRecord> qualify(const run::Plan& plan,
                                          const QualifySettings& settings,
                                          const StudyContext& context);
 
-/// `known` with each record of `found` in place of the one of the same target.
+/// `known` with each record of `found` replacing the one of the same target.
 std::vector<results::GateRecord> merged(std::vector<results::GateRecord> known,
                                         const std::vector<results::GateRecord>& found);
 

@@ -84,10 +84,11 @@ void user_occluded(const RTCOccludedFunctionNArguments* args) {
 
 }  // namespace detail
 
-/// Shapes with tests of their own as a geometry of Embree. `shapes` must outlive it and must not move. Found
-/// by argument-dependent lookup: UserBounds bounds_of(const Shape&), in world space, and std::optional<Hit>
-/// hit_of(const Shape&, unsigned int index, const UserRay&), where index is that of the shape; and, where any
-/// hit is found faster than the nearest one, bool is_blocked(const Shape&, unsigned int, const UserRay&).
+/// Shapes with own intersection tests as a geometry of Embree. `shapes` must outlive it and must not move.
+/// Found by argument-dependent lookup: UserBounds bounds_of(const Shape&), in world space, and
+/// std::optional<Hit> hit_of(const Shape&, unsigned int index, const UserRay&), where index is that of the
+/// shape; and, where any hit is found faster than the nearest one, bool is_blocked(const Shape&, unsigned
+/// int, const UserRay&).
 template <typename Shape>
 RTCGeometry make_user_geometry(RTCDevice device, std::span<const Shape> shapes) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);

@@ -16,8 +16,8 @@
 #include <utility>
 #include <variant>
 
-/// All materials. A material is a file of this folder and a line in MaterialModel. Whatever its file lacks of
-/// the following is a compile error:
+/// All materials. A material is a file of this folder and a line in MaterialModel. A file that lacks one of
+/// the following does not compile:
 ///   XMaterial                         its parameters, prepared once per scene
 ///     kIsAppearance                     false for the materials of ORB.S; true for those that need the
 ///                                       wavelengths of a path

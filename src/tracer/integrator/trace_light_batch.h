@@ -91,7 +91,7 @@ void start_light_paths(LightPathBatch<T>& batch,
   for (std::uint32_t i = 0; i < count; ++i) {
     LightPath<T>& path = batch.paths[i];
     path.index = first + i;
-    // Light paths have random numbers of their own (kLightSeed), so these two dimensions are free.
+    // Light paths have their own random numbers (kLightSeed), so these two dimensions are free.
     path.start = emit(world, draw(block, path.index, 0, SampleDimension::PixelAndFirstLight),
                       draw(block, path.index, 0, SampleDimension::LightPick));
     path.ray = path.start.ray;

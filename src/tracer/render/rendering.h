@@ -19,7 +19,7 @@ struct RenderSettings {
   Sampler sampler = Sampler::Sobol;
   /// Of each pixel, at least; see plan_passes. Two give 0.73 of the squared error of four (ORB.S at 128 px
   /// and 16 samples), and their variance is unbiased. But it has one degree of freedom, and tests of two
-  /// images of equal noise then call 1.8 % of right ones wrong in place of 0.1 %.
+  /// images of equal noise then call 1.8 % of right ones wrong instead of 0.1 %.
   int replicates = 4;
 };
 

@@ -168,7 +168,7 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
   );
 }
 
-/** How far each renderer's images follow changes of the scenes. */
+/** Metamorphic tests: transformed scenes, and whether the images are what the transformation implies. */
 export function StabilityPage({ source, run, study, route }: Props) {
   const firstBroken = study.matrix.find((cell) => cell.first_break) ?? study.matrix[0];
   const usual = firstBroken ? `${firstBroken.relation}/${firstBroken.renderer}` : "";
