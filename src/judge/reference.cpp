@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
-#include "image/reduced_image.h"
 #include "judge/difference.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"

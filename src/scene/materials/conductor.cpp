@@ -72,10 +72,10 @@ MaterialRequirement requirement(const Conductor&) { return {"E1", "a conductor b
 
 std::vector<EffectVerdict> effects(const SpectrumList&, const Conductor& m) {
   std::vector<EffectVerdict> found;
-  if (is_measured(m))
-    found.push_back({Effect::MeasuredMetal, true, "has n and k that differ from wavelength to wavelength"});
-  else
-    found.push_back({Effect::MeasuredMetal, false, "has the same n and k at all wavelengths"});
+  const bool measured = is_measured(m);
+  found.emplace_back(Effect::MeasuredMetal, measured,
+                     measured ? "has n and k that differ from wavelength to wavelength"
+                              : "has the same n and k at all wavelengths");
   if (m.roughness) found.push_back(effect_of(*m.roughness));
   if (auto film = effect_of_film(m)) found.push_back(std::move(*film));
   return found;

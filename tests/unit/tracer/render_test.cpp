@@ -1,6 +1,6 @@
 // The tracer against closed forms. Tolerances are four standard errors by the variance of the image: a false
 // alarm in one of 16,000 seeds, and the seeds are fixed.
-#include "tracer_scenes.h"
+#include "unit/tracer/scenes.h"
 
 #include <numbers>
 
