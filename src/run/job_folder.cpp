@@ -60,7 +60,7 @@ std::string named_within(const std::filesystem::path& folder, std::string text) 
     } else if (is_other_folder) {
       at = end;
     } else {
-      text.replace(at, prefix.size(), ".");
+      text.replace(at, prefix.size(), 1, '.');
       ++at;
     }
   }

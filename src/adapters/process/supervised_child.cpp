@@ -1,5 +1,6 @@
 #include "adapters/process/supervised_child.h"
 
+#include "base/files.h"
 #include "supervisor/descendants.h"
 #include "supervisor/supervise.h"
 
