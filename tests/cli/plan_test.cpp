@@ -109,6 +109,19 @@ TEST(PlanFile, IsExecutedAsItIs) {
   EXPECT_TRUE(contains(sandbox.orbs({"run", "--plan", "nowhere.json"}).text, "nowhere.json"));
 }
 
+TEST(PlanFile, KeepsTheProgramThatWasNamed) {
+  const Sandbox sandbox;
+  fs::copy_file(fs::path(ORBS_BINARY_DIR) / "orbs-fake-renderer", sandbox.folder() / "mine");
+  sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./mine", "-o", "local"});
+  for (const auto& answer : {sandbox.orbs({"run", "--plan", "local/plan.json", "-o", "again"}),
+                             sandbox.orbs({"run", "--resume", "local"})}) {
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_FALSE(contains(answer.text, "has changed")) << answer.text;
+  }
+  EXPECT_EQ(job_of(sandbox, "again/good/grey").program.argv, job_of(sandbox, "local/good/grey").program.argv);
+  EXPECT_TRUE(job_of(sandbox, "local/good/grey").program.argv.at(0).ends_with("/mine"));
+}
+
 // Each shard would make a plan of its own from what has changed.
 TEST(PlanFile, AShardIsNotPlannedAgainWhenItIsResumed) {
   const Sandbox sandbox;

@@ -84,8 +84,11 @@ FiledPlan filed_plan(const Plan& plan, const std::string& orbs_version) {
   for (const auto& folder : plan.suite.data) filed.suite.data.push_back(text(folder));
   filed.settings = plan.settings;
   filed.settings.output.clear();
-  if (plan.settings.executable.find('/') != std::string::npos)
-    filed.settings.executable = text(fs::absolute(plan.settings.executable));
+  if (plan.settings.executable.find('/') != std::string::npos) {
+    const auto file = text(fs::absolute(plan.settings.executable));
+    // A name without a slash would be one on PATH.
+    filed.settings.executable = file.find('/') == std::string::npos ? "./" + file : file;
+  }
   filed.threads = plan.threads;
   FileHashes hashes;
   for (const auto& renderer : plan.renderers)
@@ -125,17 +128,17 @@ void write_plan(const FiledPlan& plan, const fs::path& folder) {
 
 FiledPlan read_plan(const fs::path& file) {
   if (const auto problem = no_file_problem(file); !problem.empty())
-    throw InputError(fmt::format("{}: {}; orbs run writes a {} into the folder of every run", file.string(),
-                                 problem, kPlanFile));
+    throw InputError(
+        fmt::format("{}; orbs run writes a {} into the folder of every run", problem, kPlanFile));
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
   json::check_format(in, kFormat);
   FiledPlan plan;
   json::FieldReader read(in);
   fields(read, plan);
-  plan.root = resolve_path(fs::absolute(file).lexically_normal().parent_path(), plan.root)
-                  .lexically_normal()
-                  .string();
+  plan.root = resolve_path(fs::absolute(file).parent_path(), plan.root).lexically_normal().string();
+  // A path that ended in ".." has a slash at its end.
+  if (plan.root.size() > 1 && plan.root.back() == '/') plan.root.pop_back();
   return plan;
 }
 
