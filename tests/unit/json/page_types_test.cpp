@@ -30,10 +30,10 @@ void fields(Visitor& visit, Record& inner) {
 struct Outer {
   std::string name;
   Mood mood = Mood::Good;
-  std::optional<int> maybe;
-  std::optional<Interval> interval;
-  std::vector<Inner> inner;
-  std::map<std::string, bool> flags;
+  std::optional<int> maybe{};
+  std::optional<Interval> interval{};
+  std::vector<Inner> inner{};
+  std::map<std::string, bool> flags{};
 };
 
 template <class Visitor, RecordOf<Outer> Record>
