@@ -52,7 +52,8 @@ double number_with_unit(const char* option,
 
 void add_options(const command_line::Command& command, CostOptions& options) {
   constexpr int kMost = 1024;
-  add_settings(command, options.run, {"suite", "case", "scene", "requirement", "renderer", "size", "sandbox"});
+  add_settings(command, options.run,
+               {"suite", "case", "scene", "requirement", "renderer", "size", "sandbox"});
   command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h").shows_default();
   command.add_option("--target", options.target, "PSNR that the curves are to cross").shows_default();
   command

@@ -40,8 +40,7 @@ registry::Configuration read_configuration(const std::string& named, const Progr
 
 void take_configuration(const std::string& configuration, run::FiledPlan& plan) {
   if (configuration.empty()) return;
-  if (const auto problem = no_file_problem(configuration); !problem.empty())
-    throw InputError(problem);
+  if (const auto problem = no_file_problem(configuration); !problem.empty()) throw InputError(problem);
   const auto file = std::filesystem::absolute(configuration).lexically_normal();
   plan.root = file.parent_path().string();
   plan.configuration = file.filename().string();

@@ -161,10 +161,11 @@ void add_run_options(const command_line::Command& command, RunOptions& options) 
                   "Only this part of the renders, such as 3/16; 'orbs merge' puts all parts together")
       .value_name("PART")
       .not_empty("a part");
-  const auto plan =
-      command.add_option("--plan", options.plan, "Execute the plan in this file: plan.json of a run or of orbs submit")
-          .value_name("FILE")
-          .not_empty("a file");
+  const auto plan = command
+                        .add_option("--plan", options.plan,
+                                    "Execute the plan in this file: plan.json of a run or of orbs submit")
+                        .value_name("FILE")
+                        .not_empty("a file");
   command
       .add_option("--accept-failures", options.accept_failures,
                   "Write what fails in this run into the configuration as known failures, with this reason")

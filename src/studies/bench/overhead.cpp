@@ -137,8 +137,9 @@ std::optional<Overhead> measure_overhead(const scene::Scene& scene,
   for (int round = 0; round < rounds; ++round) {
     harness.push_back(harness_ms(plan, folders, stop));
     if (stop != nullptr && stop->load()) return std::nullopt;
-    bare.push_back(
-        taken_by({"/bin/cp", (scratch / "image.exr").string(), (scratch / "run/copy/scene/result.exr").string()}).wall_ms);
+    bare.push_back(taken_by({"/bin/cp", (scratch / "image.exr").string(),
+                             (scratch / "run/copy/scene/result.exr").string()})
+                       .wall_ms);
   }
   return Overhead{*spread_of(harness), *spread_of(bare)};
 }

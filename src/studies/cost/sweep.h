@@ -12,11 +12,11 @@ namespace orbs::studies {
 struct CostPilot {
   std::size_t target = 0;
   std::size_t renderer = 0;
-  double fixed_seconds = 0;        // wall clock of the fixed cost
-  int spp = 1;                     // of the pilot
-  double seconds = 0;              // its wall clock on an idle machine
-  double psnr_srgb8 = 0;           // its error
-  int least_spp = 1;               // the fewest samples of a point
+  double fixed_seconds = 0;            // wall clock of the fixed cost
+  int spp = 1;                         // of the pilot
+  double seconds = 0;                  // its wall clock on an idle machine
+  double psnr_srgb8 = 0;               // its error
+  int least_spp = 1;                   // the fewest samples of a point
   std::vector<SweepSetting> settings;  // the settings that the configuration lists; none: samples
   /// Wall clock of the settings that were tried, the first of the list; the study has no more of them.
   std::vector<double> setting_seconds = {};
@@ -40,8 +40,8 @@ double expected_seconds(const CostPilot& pilot, const Sweep& sweep, const CostSe
 /// budget, in seconds of wall clock, all sweeps first get fewer points, down to the four that a fit needs;
 /// then the one whose samples take the longest gets half of them, again and again, and says so in its note.
 std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
-                                       const CostSettings& settings,
-                                       double budget_seconds);
+                                 const CostSettings& settings,
+                                 double budget_seconds);
 
 /// Sweeps of these sample counts at every curve, however long they take.
 std::vector<Sweep> given_sweeps(const std::vector<CostPilot>& pilots, const std::vector<int>& samples);

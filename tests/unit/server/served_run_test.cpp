@@ -1,7 +1,6 @@
 // A run as the server holds it, whatever becomes of its folder.
-#include "server/served.h"
-
 #include "results/record_json.h"
+#include "server/served.h"
 #include "structure/source_files.h"
 
 #include <thread>
