@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "scene/scene.h"
 #include "scene/geometry/generators.h"
 
 #include <array>
