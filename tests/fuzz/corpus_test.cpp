@@ -51,7 +51,7 @@ const std::vector<Refused> kRefused{
     {"scene", "sphere_without_size.json", "/lights/0/radius: times the matrix is too small a sphere"},
     {"scene", "mesh_beyond_floats.json", "/meshes/0: position 0 lies farther out than 1000000000000 m"},
     {"scene", "zero_in_file.json", "/textures/0/file: must not hold a zero byte"},
-    {"configuration", "zero_in_name.json", "/renderers/0/name: 'a"},
+    {"configuration", "zero_in_name.json", "/renderers/0/name: must not hold a zero byte"},
     {"configuration", "zero_in_command.json", "/renderers/0/command/3: must not hold a zero byte"},
     {"configuration", "zero_in_program.json", "/renderers/0/executable: must not hold a zero byte"},
     {"configuration", "deep.json", ":1:76: nested deeper than 64 levels"},

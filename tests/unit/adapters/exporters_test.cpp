@@ -18,8 +18,12 @@ using namespace orbs;
 TEST(Exporters, TheSchemaOfTheConfigurationHasTheirWords) {
   const auto document = json::parse_file(ORBS_SOURCE_DIR "/data/schema/orbs-configuration-1.schema.json");
   json::ObjectReader schema(document);
-  const auto words =
-      schema.object("$defs").object("renderer").object("properties").object("scene_format").texts("enum");
+  const auto words = schema.object("properties")
+                         .object("renderers")
+                         .object("items")
+                         .object("properties")
+                         .object("scene_format")
+                         .texts("enum");
   EXPECT_EQ(std::set<std::string>(words.begin(), words.end()), adapters::scene_formats());
 }
 

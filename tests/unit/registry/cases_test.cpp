@@ -226,7 +226,7 @@ TEST(Cases, ASceneMayBeJudgedByTheReferenceOfAnotherCase) {
 TEST(Cases, AReferenceMustBeThatOfASceneWhichHasOne) {
   const auto own = case_text("", R"([{"name": "one", "file": "1.json"}])");
   const auto typo = case_text("", R"([{"name": "2", "file": "2.json", "reference": "oen"}])");
-  EXPECT_NE(suite_message(SuiteOfTwo(own, typo)).find("reference of 'oen', but no scene of the suite"),
+  EXPECT_NE(suite_message(SuiteOfTwo(own, typo)).find("reference of 'oen', but the suite has no scene"),
             std::string::npos)
       << suite_message(SuiteOfTwo(own, typo));
   EXPECT_NE(suite_message(SuiteOfTwo(own, typo)).find("did you mean 'one'?"), std::string::npos);
