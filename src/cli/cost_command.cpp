@@ -10,6 +10,7 @@
 #include "run/host.h"
 #include "run/plan/make_plan.h"
 #include "run/run_file.h"
+#include "studies/cost/json.h"
 #include "studies/cost/report.h"
 #include "studies/cost/study.h"
 

@@ -6,8 +6,8 @@
 #include "report/progress.h"
 #include "report/target_data.h"
 #include "results/study_kinds.h"
-#include "studies/cost/report.h"
-#include "studies/stability/report.h"
+#include "studies/cost/json.h"
+#include "studies/stability/json.h"
 
 #include <cstdio>
 #include <exception>

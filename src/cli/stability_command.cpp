@@ -10,6 +10,7 @@
 #include "run/plan/make_plan.h"
 #include "run/run_file.h"
 #include "scene/load/load_scene.h"
+#include "studies/stability/json.h"
 #include "studies/stability/report.h"
 #include "studies/stability/study.h"
 

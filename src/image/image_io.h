@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/exr.h"
 #include "image/image.h"
 
 #include <filesystem>
@@ -8,10 +9,6 @@
 #include <string_view>
 
 namespace orbs::image {
-
-/// Half: 16-bit floats, but for channels "variance.*", which stay 32-bit floats, because variances span more
-/// decades than half floats have. Float: all as they are.
-enum class Precision { Half, Float };
 
 /// An EXR, HDR, PNG, JPEG, BMP, TGA, PFM, PPM or PGM file, known by its ending; of several images in it the
 /// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an

@@ -1,6 +1,6 @@
 // orbs cost works from the command line to its files; what its numbers are is for the unit tests.
 #include "cli/sandbox.h"
-#include "studies/cost/report.h"
+#include "studies/cost/json.h"
 
 #include <gtest/gtest.h>
 

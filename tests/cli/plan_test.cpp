@@ -138,5 +138,5 @@ TEST(PlanFile, OfAnotherVersionIsRefused) {
   replace_in(sandbox, "local/run.json", "orbs-run/2", "orbs-run/1");
   const auto answer = sandbox.orbs({"run", "--resume", "local"});
   EXPECT_EQ(answer.status, 2);
-  EXPECT_TRUE(contains(answer.text, "was it written by another version of orbs?")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "another version of orbs wrote it")) << answer.text;
 }

@@ -1,6 +1,6 @@
 // orbs stability works from the command line to its files; what its numbers are is for the unit tests.
 #include "cli/sandbox.h"
-#include "studies/stability/report.h"
+#include "studies/stability/json.h"
 
 #include <gtest/gtest.h>
 

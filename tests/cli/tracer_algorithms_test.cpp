@@ -73,7 +73,7 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
 TEST(TracerAlgorithms, TheirCostCanBeMeasured) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"cost", "--configuration", ORBS_SOURCE_DIR "/data/bench/algorithms.json",
-                                    "-s", "g4-lambert", "-r", "orbs-sobol-4", "--size", "1/8", "--rungs", "8",
+                                    "-s", "g4-lambert", "-r", "orbs-sobol-4", "--size", "1/8", "--sweep", "8",
                                     "--seeds", "2", "--threads", "1", "--time", "10s", "-o", "study"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_EQ(answer.text.find("need as many samples"), std::string::npos) << answer.text;

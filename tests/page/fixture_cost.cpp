@@ -4,7 +4,7 @@
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "results/study_kinds.h"
-#include "studies/cost/report.h"
+#include "studies/cost/json.h"
 
 #include <array>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "results/study_kinds.h"
+#include "studies/stability/json.h"
 #include "studies/stability/report.h"
 
 namespace orbs::page_tests {

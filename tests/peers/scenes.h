@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/image.h"
-#include "scene/scene.h"
 #include "scene/geometry/generators.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <string>

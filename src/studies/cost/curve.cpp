@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace orbs::studies {
 
 namespace {
@@ -115,6 +117,16 @@ void fit_curve(const Sweep& sweep, const ReferenceNoise& noise, CostCurve& curve
 }
 
 }  // namespace
+
+double mse_of_psnr(double decibels) { return 255 * 255 * std::pow(10, -decibels / 10); }
+
+std::string image_file(const CostRecord& record,
+                       const Sweep& sweep,
+                       std::size_t setting,
+                       const char* ending) {
+  return fmt::format("images/{}/{}/{}.{}", record.renderers[sweep.renderer].name,
+                     record.targets[sweep.target].name, setting, ending);
+}
 
 std::vector<const CostRender*> renders_of(const CostRecord& record,
                                           const Sweep& sweep,

@@ -1,9 +1,10 @@
+#include "studies/cost/json.h"
+
 #include "base/error.h"
 #include "json/document.h"
 #include "json/writer.h"
 #include "results/field_reader.h"
 #include "results/field_writer.h"
-#include "studies/cost/report.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,6 @@
 #include "studies/cost/numbers.h"
 
-#include "studies/cost/curve.h"
-
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace orbs::studies {
 
@@ -104,7 +100,7 @@ std::vector<CostComparison> compare_renderers(const std::vector<CostCurve>& curv
         found.target = one.target;
         found.first = one.renderer;
         found.second = other.renderer;
-        all.push_back(std::move(found));
+        all.push_back(found);
       }
     }
   return all;
@@ -124,27 +120,6 @@ CostNumbers cost_numbers(const CostRecord& record) {
   if (numbers.self_comparison && numbers.self_comparison->passed)
     numbers.comparisons = compare_renderers(numbers.curves);
   return numbers;
-}
-
-const std::vector<ErrorTarget>& error_targets() {
-  static const std::vector<ErrorTarget> targets{{kPsnr, 30},     {kPsnr, 35},     {kPsnr, 40},    {kPsnr, 45},
-                                                {kRelmse, 1e-2}, {kRelmse, 1e-3}, {kRelmse, 1e-4}};
-  return targets;
-}
-
-std::string error_text(const ErrorTarget& target) {
-  return target.metric == kPsnr ? fmt::format("{:g} dB", target.level)
-                                : fmt::format("relMSE 1e{:.0f}", std::log10(target.level));
-}
-
-double mse_of_psnr(double decibels) { return 255 * 255 * std::pow(10, -decibels / 10); }
-
-std::string image_file(const CostRecord& record,
-                       const Sweep& sweep,
-                       std::size_t setting,
-                       const char* ending) {
-  return fmt::format("images/{}/{}/{}.{}", record.renderers[sweep.renderer].name,
-                     record.targets[sweep.target].name, setting, ending);
 }
 
 }  // namespace orbs::studies

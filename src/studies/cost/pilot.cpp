@@ -1,5 +1,6 @@
+#include "studies/cost/pilot.h"
+
 #include "base/error.h"
-#include "studies/cost/measure.h"
 #include "studies/cost/sweep.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+#include "studies/cost/render.h"
+
 #include "base/files.h"
 #include "image/colour.h"
 #include "image/image_io.h"
@@ -5,8 +7,7 @@
 #include "run/host.h"
 #include "run/job_folder.h"
 #include "run/render_once.h"
-#include "studies/cost/measure.h"
-#include "studies/cost/numbers.h"
+#include "studies/cost/curve.h"
 
 namespace orbs::studies {
 

@@ -1,6 +1,7 @@
 #include "studies/cost/report.h"
 
 #include "base/text_table.h"
+#include "studies/cost/numbers.h"
 
 #include <algorithm>
 #include <cmath>

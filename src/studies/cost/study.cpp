@@ -10,7 +10,8 @@
 #include "results/study_kinds.h"
 #include "run/host.h"
 #include "run/renderer_version.h"
-#include "studies/cost/measure.h"
+#include "studies/cost/json.h"
+#include "studies/cost/pilot.h"
 #include "studies/cost/report.h"
 
 #include <algorithm>

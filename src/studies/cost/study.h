@@ -1,21 +1,10 @@
 #pragma once
 
-#include "run/plan/plan.h"
-#include "studies/context.h"
-#include "studies/cost/record.h"
-
-#include <filesystem>
-#include <vector>
+#include "studies/cost/render.h"
 
 /// What accuracy costs in time: each renderer renders each scene of a plan with more and more samples, or
 /// with one setting after the other.
 namespace orbs::studies {
-
-struct CostRequest {
-  CostSettings settings;
-  std::vector<int> samples;      // per pixel, of every sweep by samples; none: chosen by pilot renders
-  std::filesystem::path folder;  // of the study; it exists
-};
 
 /// Renders in rounds, one seed of every setting in each, in an order that is shuffled by a recorded seed so
 /// that drift of the machine hits all alike. One render at a time; all with the same number of threads, and

@@ -1,10 +1,11 @@
+#include "studies/cost/subject.h"
+
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "judge/noise.h"
 #include "metrics/pixel_errors.h"
-#include "studies/cost/measure.h"
 
 #include <algorithm>
 

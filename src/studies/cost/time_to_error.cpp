@@ -1,7 +1,9 @@
-#include "studies/cost/curve.h"
+#include "studies/cost/time_to_error.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace orbs::studies {
 
@@ -66,6 +68,17 @@ void interpolate(
 }
 
 }  // namespace
+
+const std::vector<ErrorTarget>& error_targets() {
+  static const std::vector<ErrorTarget> targets{{kPsnr, 30},     {kPsnr, 35},     {kPsnr, 40},    {kPsnr, 45},
+                                                {kRelmse, 1e-2}, {kRelmse, 1e-3}, {kRelmse, 1e-4}};
+  return targets;
+}
+
+std::string error_text(const ErrorTarget& target) {
+  return target.metric == kPsnr ? fmt::format("{:g} dB", target.level)
+                                : fmt::format("relMSE 1e{:.0f}", std::log10(target.level));
+}
 
 TimeToError time_to_error(const CostCurve& curve, const ErrorTarget& target, bool has_samples) {
   TimeToError time;

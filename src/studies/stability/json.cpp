@@ -1,8 +1,9 @@
+#include "studies/stability/json.h"
+
 #include "base/error.h"
 #include "json/document.h"
 #include "results/field_reader.h"
 #include "results/field_writer.h"
-#include "studies/stability/report.h"
 
 #include <fmt/format.h>
 

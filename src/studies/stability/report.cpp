@@ -1,6 +1,7 @@
 #include "studies/stability/report.h"
 
 #include "base/text_table.h"
+#include "studies/stability/numbers.h"
 
 #include <algorithm>
 #include <cmath>

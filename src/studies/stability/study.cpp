@@ -14,6 +14,7 @@
 #include "studies/effects/paired_difference.h"
 #include "studies/probe/scene.h"
 #include "studies/stability/images.h"
+#include "studies/stability/json.h"
 #include "studies/stability/report.h"
 
 #include <algorithm>

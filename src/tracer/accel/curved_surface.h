@@ -16,7 +16,7 @@ struct CurvedSurface {
 };
 
 /// The inverse of a map by the images of the unit axes.
-std::array<Vec3d, 3> inverse_rows(Vec3d x, Vec3d y, Vec3d z);
+std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c);
 
 CurvedSurface surface_of(const SphereSurface& sphere);
 

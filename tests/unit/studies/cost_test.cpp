@@ -1,4 +1,5 @@
 #include "structure/source_files.h"
+#include "studies/cost/json.h"
 #include "studies/cost/numbers.h"
 #include "studies/cost/report.h"
 #include "studies/cost/sweep.h"

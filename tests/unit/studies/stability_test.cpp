@@ -5,6 +5,7 @@
 #include "page/fixture_stability.h"
 #include "results/study_kinds.h"
 #include "studies/effects/paired_difference.h"
+#include "studies/stability/json.h"
 #include "studies/stability/numbers.h"
 #include "studies/stability/relation.h"
 #include "studies/stability/report.h"

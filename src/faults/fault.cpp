@@ -1,4 +1,5 @@
 #include "faults/fault.h"
+
 #include "faults/pixels.h"
 
 #include <algorithm>

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/scratch_folder.h"
+#include "studies/context.h"
+#include "studies/cost/subject.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace orbs::studies {
+
+struct CostRequest {
+  CostSettings settings;
+  std::vector<int> samples;      // per pixel, of every sweep by samples; none: chosen by pilot renders
+  std::filesystem::path folder;  // of the study; it exists
+};
+
+/// A study of cost while it goes on.
+struct CostMeasurement {
+  const run::Plan& plan;
+  const CostRequest& request;
+  const StudyContext& context;
+  CostRecord record;
+  std::vector<CostSubject> subjects;  // by target of the record
+  ScratchFolder scratch{"orbs-cost"};
+};
+
+/// Makes the render that `wanted` names (target, renderer, purpose, setting, samples, seed), and fills in
+/// what it cost and, unless it is of the fixed cost, its errors. `kept_as`: the index of the setting as whose
+/// image it is kept in the study's folder. Nothing when the user interrupts; InputError when there is no
+/// image.
+std::optional<CostRender> measured_render(const CostMeasurement& study,
+                                          CostRender wanted,
+                                          std::optional<std::size_t> kept_as = {});
+
+}  // namespace orbs::studies
