@@ -37,10 +37,10 @@ Image filtered_along(const Image& image, const std::vector<float>& weights, bool
     for (int x = 0; x < image.width; ++x)
       for (std::size_t c = 0; c < image.channel_count(); ++c) {
         float sum = 0;
-        for (int i = -reach; i <= reach; ++i) {
-          const int u = along_x ? std::clamp(x + i, 0, image.width - 1) : x;
-          const int v = along_x ? y : std::clamp(y + i, 0, image.height - 1);
-          sum += weights[static_cast<std::size_t>(i + reach)] * image.at(u, v, c);
+        for (int i = 0; i <= 2 * reach; ++i) {
+          const int u = along_x ? std::clamp(x + i - reach, 0, image.width - 1) : x;
+          const int v = along_x ? y : std::clamp(y + i - reach, 0, image.height - 1);
+          sum += weights[static_cast<std::size_t>(i)] * image.at(u, v, c);
         }
         out.at(x, y, c) = sum;
       }

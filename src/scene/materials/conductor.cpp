@@ -71,11 +71,10 @@ void write(json::Writer& out, const SpectrumList&, const Conductor& m) {
 MaterialRequirement requirement(const Conductor&) { return {"E1", "a conductor by its indices"}; }
 
 std::vector<EffectVerdict> effects(const SpectrumList&, const Conductor& m) {
-  std::vector<EffectVerdict> found;
   const bool measured = is_measured(m);
-  found.emplace_back(Effect::MeasuredMetal, measured,
-                     measured ? "has n and k that differ from wavelength to wavelength"
-                              : "has the same n and k at all wavelengths");
+  std::vector<EffectVerdict> found{{Effect::MeasuredMetal, measured,
+                                    measured ? "has n and k that differ from wavelength to wavelength"
+                                             : "has the same n and k at all wavelengths"}};
   if (m.roughness) found.push_back(effect_of(*m.roughness));
   if (auto film = effect_of_film(m)) found.push_back(std::move(*film));
   return found;

@@ -124,13 +124,14 @@ MaterialRequirement requirement(const Fluorescent&) { return {"E4", "fluorescent
 
 std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Fluorescent& m) {
   auto found = effects_of_reflectance(spectra, m.spectrum);
-  if (const auto support = support_of(m.reradiation))
-    found.emplace_back(Effect::Fluorescence, true,
-                       fmt::format("turns light of {:g} to {:g} nm into light of {:g} to {:g} nm{}",
-                                   support->in.first_nm, support->in.last_nm, support->out.first_nm,
-                                   support->out.last_nm, m.gains_energy ? " and gains energy" : ""));
-  else
-    found.emplace_back(Effect::Fluorescence, false, "has a kernel that is zero: it re-radiates nothing");
+  EffectVerdict verdict{Effect::Fluorescence, false, "has a kernel that is zero: it re-radiates nothing"};
+  if (const auto support = support_of(m.reradiation)) {
+    verdict.is_called_for = true;
+    verdict.reason = fmt::format("turns light of {:g} to {:g} nm into light of {:g} to {:g} nm{}",
+                                 support->in.first_nm, support->in.last_nm, support->out.first_nm,
+                                 support->out.last_nm, m.gains_energy ? " and gains energy" : "");
+  }
+  found.push_back(std::move(verdict));
   return found;
 }
 
