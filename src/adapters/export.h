@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -33,5 +34,14 @@ ImageChannels image_channels(const std::string& format, const scene::Scene& scen
 void export_scene(const registry::Renderer& renderer,
                   const scene::Scene& prepared,
                   const std::filesystem::path& file);
+
+/// All exporters. To add one: its folder, and its line in this table.
+const std::vector<Exporter>& exporters();
+
+/// The exporter of that format; nullptr when there is none.
+const Exporter* find_exporter(const std::string& format);
+
+/// The words that "scene_format" of configuration.json may hold: those of the exporters, and "native".
+std::set<std::string> scene_formats();
 
 }  // namespace orbs::adapters

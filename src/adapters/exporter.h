@@ -3,7 +3,9 @@
 #include "registry/placeholders.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -43,5 +45,13 @@ struct Exporter {
   /// where it has none.
   registry::Placeholders (*placeholders)(int spp) = nullptr;
 };
+
+/// A name for a comment of one line: characters that end a line or control a terminal become spaces.
+inline std::string comment_text(const std::string& name) {
+  std::string text = name;
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return text;
+}
 
 }  // namespace orbs::adapters

@@ -1,7 +1,6 @@
 #include "adapters/job.h"
 
 #include "adapters/export.h"
-#include "adapters/exporters.h"
 #include "adapters/transports.h"
 #include "base/error.h"
 #include "base/files.h"

@@ -1,11 +1,80 @@
 #include "adapters/material_meshes.h"
 
 #include "scene/lower/geometry.h"
-#include "scene/lower/material.h"
+#include "scene/lower/lower.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <utility>
 
 namespace orbs::adapters {
+
+namespace {
+
+using Corner = std::array<long, 3>;
+
+std::vector<Corner> welded_corners(const scene::Mesh& mesh) {
+  double size = 0;
+  for (const Vec3f p : mesh.positions)
+    size = std::max({size, std::abs(double{p.x}), std::abs(double{p.y}), std::abs(double{p.z})});
+  const double cells_per_m = size > 0 ? 1e6 / size : 1;
+  std::vector<Corner> corners;
+  for (const Vec3f p : mesh.positions)
+    corners.push_back({std::lround(double{p.x} * cells_per_m), std::lround(double{p.y} * cells_per_m),
+                       std::lround(double{p.z} * cells_per_m)});
+  return corners;
+}
+
+std::array<Vec3d, 3> corners_of(const scene::Mesh& mesh, std::size_t triangle) {
+  const auto& t = mesh.triangles[triangle];
+  return {cast<double>(mesh.positions[t[0]]), cast<double>(mesh.positions[t[1]]),
+          cast<double>(mesh.positions[t[2]])};
+}
+
+}  // namespace
+
+bool is_closed(const scene::Mesh& mesh) {
+  const std::vector<Corner> corners = welded_corners(mesh);
+  std::map<std::pair<Corner, Corner>, int> surplus;  // of the direction from the smaller corner
+  for (const auto& triangle : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Corner& from = corners[triangle[i]];
+      const Corner& to = corners[triangle[(i + 1) % 3]];
+      if (from < to) ++surplus[{from, to}];
+      if (to < from) --surplus[{to, from}];
+    }
+  return !mesh.triangles.empty() &&
+         std::all_of(surplus.begin(), surplus.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+bool is_wound_outwards(const scene::Mesh& mesh) {
+  double six_volumes = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [a, b, c] = corners_of(mesh, i);
+    six_volumes += dot(a, cross(b, c));
+  }
+  return six_volumes > 0;
+}
+
+// Sum of the triangles' signed solid angles (Van Oosterom and Strackee 1983, eq. 8): 4 pi inside, 0 outside.
+bool encloses(const scene::Mesh& mesh, Vec3d point) {
+  double solid_angle = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    auto [a, b, c] = corners_of(mesh, i);
+    a = a - point;
+    b = b - point;
+    c = c - point;
+    const double la = length(a);
+    const double lb = length(b);
+    const double lc = length(c);
+    solid_angle +=
+        2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
+  }
+  return std::abs(solid_angle) > 2 * std::numbers::pi;
+}
 
 namespace {
 

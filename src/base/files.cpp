@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -12,6 +13,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace orbs {
@@ -200,5 +202,35 @@ std::filesystem::path beside_program(const std::string& name) {
     if (std::filesystem::exists(place / name, failed)) return place / name;
   return folder / name;
 }
+
+namespace {
+
+std::string text_of(const struct stat& status) {
+  return fmt::format("{} {} {} {}.{:09} {}.{:09}", status.st_dev, status.st_ino, status.st_size,
+                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ctim.tv_sec,
+                     status.st_ctim.tv_nsec);
+}
+
+}  // namespace
+
+std::string file_state(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? text_of(status) : "";
+}
+
+std::string file_state(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 ? text_of(status) : "";
+}
+
+ScratchFolder::ScratchFolder(const std::string& name) {
+  auto pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+  if (::mkdtemp(pattern.data()) == nullptr)
+    throw std::filesystem::filesystem_error("cannot make a scratch folder", pattern,
+                                            std::error_code(errno, std::generic_category()));
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() { remove_tree(path_); }
 
 }  // namespace orbs

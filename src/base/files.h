@@ -51,4 +51,26 @@ std::filesystem::path resolve_path(const std::filesystem::path& base_folder, con
 /// programs. Where it is expected, when there is none.
 std::filesystem::path beside_program(const std::string& name);
 
+/// Device, inode, size and times of a file as text: another text after each change of its content, even one
+/// that keeps the size or sets the time of modification back, since nobody can set the time of change. "" if
+/// there is no such file. Symbolic links are followed.
+std::string file_state(const std::filesystem::path& file);
+
+/// The same of an open file.
+std::string file_state(int descriptor);
+
+/// A new folder for unfinished files in the system's temporary folder. It is deleted with the object.
+class ScratchFolder {
+ public:
+  /// `name` tells users who made it. Throws std::filesystem::filesystem_error if it cannot be made.
+  explicit ScratchFolder(const std::string& name);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace orbs

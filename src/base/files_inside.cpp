@@ -1,7 +1,7 @@
 #include "base/files_inside.h"
 
 #include "base/error.h"
-#include "base/file_state.h"
+#include "base/files.h"
 #include "base/text.h"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 namespace orbs {
 
 /// The pixels x0 <= x < x1, y0 <= y < y1. y counts from the top.
@@ -13,6 +15,8 @@ struct Rectangle {
 };
 
 /// Writes "[x0,y0,x1,y1]", the form of messages and results.
-std::string rectangle_text(const Rectangle& rectangle);
+inline std::string rectangle_text(const Rectangle& r) {
+  return fmt::format("[{},{},{},{}]", r.x0, r.y0, r.x1, r.y1);
+}
 
 }  // namespace orbs

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs {
 
@@ -165,6 +166,43 @@ std::string clean_line(std::string_view text) {
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return line;
+}
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+bool is_plain_name(std::string_view name, std::string_view marks) {
+  const auto is_plain = [&](char c) {
+    return is_letter_or_digit(c) || marks.find(c) != std::string_view::npos;
+  };
+  return !name.empty() && name.size() <= kMostNameCharacters && is_letter_or_digit(name.front()) &&
+         std::all_of(name.begin(), name.end(), is_plain);
+}
+
+namespace {
+
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string inner;
+  for (const char c : word) inner += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return fmt::format("'{}'", inner);
+}
+
+}  // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::vector<std::string> parts;
+  for (const auto& word : words) parts.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+std::string shell_command(std::vector<std::string> environment, const std::vector<std::string>& argv) {
+  environment.insert(environment.begin(), {"env", "-i"});
+  environment.insert(environment.end(), argv.begin(), argv.end());
+  return shell_text(environment);
 }
 
 }  // namespace orbs

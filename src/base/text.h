@@ -40,4 +40,20 @@ std::string clean_text(std::string_view text);
 /// clean_text on one line: line ends and tabs become blanks.
 std::string clean_line(std::string_view text);
 
+/// Names that become words of commands and names of files: file systems take 255 bytes, and endings follow.
+constexpr std::size_t kMostNameCharacters = 100;
+
+/// Of ASCII, independent of the locale.
+bool is_letter_or_digit(char c);
+
+/// At most kMostNameCharacters letters, digits and characters of `marks`, a letter or a digit first: leads to
+/// no other folder, and is no option of a command.
+bool is_plain_name(std::string_view name, std::string_view marks = "-_");
+
+/// Quotes `words` as a command line that a POSIX shell splits into the same words.
+std::string shell_text(const std::vector<std::string>& words);
+
+/// A line for a POSIX shell that runs `argv` with exactly the variables NAME=value of `environment`.
+std::string shell_command(std::vector<std::string> environment, const std::vector<std::string>& argv);
+
 }  // namespace orbs

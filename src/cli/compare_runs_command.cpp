@@ -1,5 +1,5 @@
 #include "base/terminal.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 #include "history/compare_runs.h"
 #include "results/run_folder.h"
 

@@ -1,6 +1,6 @@
 #include "base/terminal.h"
 #include "base/text.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 
 #include <string>
 #include <vector>

@@ -1,12 +1,12 @@
 #include "base/error.h"
 #include "base/terminal.h"
-#include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/program.h"
 #include "cli/run_options.h"
 #include "registry/cases.h"
 #include "report/effects_table.h"
 #include "results/record_json.h"
-#include "run/plan/scene_record.h"
+#include "run/plan/load_scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/terminal.h"
-#include "cli/command_table.h"
 #include "cli/options.h"
+#include "cli/program.h"
 #include "cli/run_options.h"
 #include "run/cluster/export_plan.h"
 #include "run/plan/make_plan.h"

@@ -1,6 +1,6 @@
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 #include "cli/show_runs.h"
 #include "history/history_text.h"
 #include "history/steps.h"

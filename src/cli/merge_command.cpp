@@ -1,5 +1,5 @@
 #include "base/terminal.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 #include "report/files.h"
 #include "report/table.h"
 #include "run/cluster/merge_runs.h"

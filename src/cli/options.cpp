@@ -4,6 +4,8 @@
 #include "adapters/process/isolation.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/terminal.h"
+#include "cli/interrupt.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,6 +55,14 @@ void refuse_without_sandbox(bool sandbox) {
 
 std::string joined_list(const std::vector<std::string>& values) {
   return fmt::format("{}", fmt::join(values, ","));
+}
+
+studies::StudyContext study_context(const Program& program, std::FILE* stream) {
+  return {program.folder, program.version, &catch_interrupts(), [=](const std::string& line) {
+            print_clean(stream, "{}\n", line);
+            // Without this a file or a pipe would get its first line after minutes.
+            std::fflush(stream);
+          }};
 }
 
 }  // namespace orbs::cli

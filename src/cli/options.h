@@ -1,15 +1,18 @@
 #pragma once
 
-#include "cli/action.h"
+#include "cli/program.h"
 #include "command_line/command.h"
 #include "registry/configuration.h"
 #include "run/plan/plan_file.h"
+#include "studies/context.h"
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 /// Options that several commands have.
+
 namespace orbs::cli {
 
 /// Adds --configuration FILE; returns the text that it fills.
@@ -28,5 +31,9 @@ void refuse_without_sandbox(bool sandbox);
 
 /// The values of a repeatable option as one comma-separated list.
 std::string joined_list(const std::vector<std::string>& values);
+
+/// The surroundings of a study: its progress goes to `stream` line by line, and from now on an interrupt only
+/// sets the context's flag.
+studies::StudyContext study_context(const Program& program, std::FILE* stream);
 
 }  // namespace orbs::cli

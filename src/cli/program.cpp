@@ -4,10 +4,9 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
-#include "cli/action.h"
-#include "cli/command_table.h"
-#include "cli/parse_complaint.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -134,6 +133,146 @@ int run_program(int argc, char** argv, const std::string& version) {
     print_clean(stderr, "orbs: internal error: {}\n", e.what());
     return kOurBug;
   }
+}
+
+// Each is defined in the file of its name: add_bench_command in bench_command.cpp.
+using AddCommand = void(const command_line::Command& command, const Program& program, Action& action);
+AddCommand add_run_command, add_serve_command, add_report_command, add_compare_command;
+AddCommand add_doctor_command, add_list_command, add_effects_command;
+AddCommand add_renderer_command, add_reference_command, add_completion_command;
+AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
+AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
+AddCommand add_history_command, add_merge_command, add_submit_command, add_export_command;
+AddCommand add_judge_command, add_manual_command;
+
+namespace {
+
+constexpr const char* kResults = "Run and see results";
+constexpr const char* kLookUp = "Look up what there is";
+constexpr const char* kSetUp = "Set up";
+constexpr const char* kStudies = "Studies";
+
+constexpr std::array kCommands{
+    Command{"run", kResults, "Render a suite and judge the images", add_run_command},
+    Command{"merge", kResults, "Put the shards of a run together", add_merge_command},
+    Command{"submit", kResults, "Render a suite on a cluster", add_submit_command},
+    Command{"export", kResults, "Write the scenes of a suite, to be rendered elsewhere", add_export_command},
+    Command{"judge", kResults, "Judge images that were rendered from an export", add_judge_command},
+    Command{"serve", kResults, "Show runs as a page in the browser, even while they go on",
+            add_serve_command},
+    Command{"report", kResults, "Write the page of a run as one HTML file", add_report_command},
+    Command{"compare", kResults, "Compare two images by every metric, and tell bias from noise",
+            add_compare_command},
+    Command{"compare-runs", kResults, "Compare two runs: significant regressions and improvements",
+            add_compare_runs_command},
+    Command{"history", kResults, "Show verdicts, errors and times over many runs, and where they changed",
+            add_history_command},
+    Command{"doctor", kLookUp, "List the renderers: what is installed, its version, what it declares",
+            add_doctor_command},
+    Command{"list", kLookUp, "List suites, renderers, requirements, cases and scenes", add_list_command},
+    Command{"effects", kLookUp, "Show which effects of light each scene calls for, and why",
+            add_effects_command},
+    Command{"renderer", kSetUp, "Add a renderer to configuration.json", add_renderer_command},
+    Command{"reference", kSetUp, "Render references with the built-in tracer", add_reference_command},
+    Command{"completion", kSetUp, "Print the completion of commands and options for a shell",
+            add_completion_command},
+    Command{"manual", kSetUp, "Print the manual page", add_manual_command},
+    Command{"probe", kStudies, "Check that each renderer places camera, geometry and textures correctly",
+            add_probe_command},
+    Command{"qualify", kStudies, "Check that each gate rejects faulty images and accepts a good one",
+            add_qualify_command},
+    Command{"sensitivity", kStudies,
+            "Measure which slight faults pass silently, and the rate of false alarms",
+            add_sensitivity_command},
+    Command{"cost", kStudies, "Measure how long each renderer takes to a given error", add_cost_command},
+    Command{"stability", kStudies, "Metamorphic tests: transform scenes in known ways and check the images",
+            add_stability_command},
+    Command{"bench", kStudies, "Measure speed and noise of renderers side by side", add_bench_command},
+    Command{"effect-cost", kStudies,
+            "Measure what each effect of light costs, and what leaving it out changes",
+            add_effect_cost_command},
+};
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+namespace {
+
+// The innermost command that was given, and its words: "renderer add".
+std::pair<command_line::Command, std::string> chosen_command(command_line::Command command) {
+  std::string words;
+  for (auto inner = command.chosen(); inner; inner = command.chosen()) {
+    command = *inner;
+    words += command.name() + " ";
+  }
+  return {command, words};
+}
+
+std::string unexpected(std::string_view word,
+                       const command_line::Command& command,
+                       const std::string& words) {
+  std::set<std::string> known;
+  for (const auto& option : command.options())
+    for (const auto& name : option.long_names) known.insert("--" + name);
+  const std::string name(word.substr(0, word.find('=')));
+  if (!name.starts_with('-'))
+    return fmt::format("'orbs {}' takes no further argument '{}'", trim(words), name);
+  return fmt::format("'orbs {}' has no option {}{}", trim(words), name, closest(name, known));
+}
+
+// "0.000000 to 1000000.000000", as CLI11 writes the limits of a number that is no integer.
+std::string plain_range(const std::string& range) {
+  constexpr std::string_view kTo = " to ";
+  const auto at = range.find(kTo);
+  if (at == std::string::npos || range.find('.') == std::string::npos) return range;
+  return fmt::format("{}{}{}", std::stod(range), kTo, std::stod(range.substr(at + kTo.size())));
+}
+
+// CLI11's "<option>: Value x not in range 1 to 8" and "<option>: x not in {a,b}".
+std::string expected_value(const std::string& text) {
+  constexpr std::string_view kRange = " not in range ";
+  constexpr std::string_view kValue = "Value ";
+  constexpr std::string_view kList = " not in {";
+  const auto colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  const auto option = text.substr(0, colon + 2);
+  const auto rest = text.substr(colon + 2);
+  if (const auto at = rest.find(kRange); at != std::string::npos && rest.starts_with(kValue))
+    return fmt::format("{}expected a number from {}, not '{}'", option,
+                       plain_range(rest.substr(at + kRange.size())),
+                       rest.substr(kValue.size(), at - kValue.size()));
+  if (const auto at = rest.find(kList); at != std::string::npos && rest.ends_with('}')) {
+    const auto words = split(rest.substr(at + kList.size(), rest.size() - at - kList.size() - 1), ',');
+    const auto found = rest.substr(0, at);
+    return fmt::format("{}expected one of {}, not '{}'{}", option, fmt::join(words, ", "), found,
+                       closest(found, {words.begin(), words.end()}));
+  }
+  if (rest.find(" required ") != std::string::npos && rest.ends_with(" missing"))
+    return option + "needs a value";
+  return text;
+}
+
+}  // namespace
+
+std::string parse_complaint(const command_line::Parsed& parsed, const command_line::Command& program) {
+  const auto [command, words] = chosen_command(program);
+  auto text = parsed.problem;
+  if (parsed.has_extras) {
+    const auto found = words_of(text.substr(text.find(": ") + 1));
+    // The words that follow an unknown option belong to it and are not complained about.
+    const auto option =
+        std::find_if(found.begin(), found.end(), [](const auto& word) { return word.starts_with('-'); });
+    if (!found.empty()) text = unexpected(option == found.end() ? found.front() : *option, command, words);
+  } else if (text == "A subcommand is required") {
+    std::vector<std::string> names;
+    for (const auto& inner : command.commands()) names.push_back(inner.name());
+    text = fmt::format("'orbs{}{}' needs a command; there {} {}", words.empty() ? "" : " ", trim(words),
+                       names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
+  } else {
+    text = expected_value(text);
+  }
+  return fmt::format("{}; 'orbs {}--help' lists the options", text, words);
 }
 
 }  // namespace orbs::cli

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "registry/image_size.h"
-#include "results/read_record.h"
-#include "run/plan/shipped_times.h"
+#include "results/record_json.h"
+#include "run/plan/render_seconds.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "base/terminal.h"
-#include "cli/command_table.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
+#include "cli/program.h"
 #include "cli/run_options.h"
 #include "references/references.h"
 #include "references/store.h"

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 #include "cli/show_runs.h"
 #include "report/page_file.h"
 #include "results/study_kinds.h"

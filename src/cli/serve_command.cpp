@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "cli/command_table.h"
+#include "cli/program.h"
 #include "cli/show_runs.h"
 #include "server/serve.h"
 

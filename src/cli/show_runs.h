@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/action.h"
+#include "cli/program.h"
 
 #include <filesystem>
 #include <string>

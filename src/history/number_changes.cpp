@@ -1,6 +1,6 @@
 #include "history/number_changes.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 #include "metrics/noise_test.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "history/steps.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <cmath>

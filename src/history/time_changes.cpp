@@ -1,6 +1,6 @@
 #include "history/time_changes.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "base/interval.h"
+#include "base/statistics.h"
 #include "json/object_reader.h"
 
 #include <array>

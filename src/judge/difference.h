@@ -1,6 +1,11 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/compare.h"
+#include "results/record.h"
+
+#include <filesystem>
+#include <vector>
 
 namespace orbs::judge {
 
@@ -11,5 +16,11 @@ namespace orbs::judge {
 /// covariances within a sample are left out). Same size and channels are the caller's promise. Attributes are
 /// those of `of`.
 image::Image difference_of(const image::Image& of, const image::Image& minus);
+
+/// Writes result.png and the error maps as error-<name>.exr and .png (with a colour scale) into `folder`.
+/// Returns the maps; their files are relative to `folder`.
+std::vector<results::MapRecord> write_maps(const image::Image& result,
+                                           const metrics::Comparison& comparison,
+                                           const std::filesystem::path& folder);
 
 }  // namespace orbs::judge

@@ -1,6 +1,6 @@
 #include "judge/noise.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 #include "image/colour.h"
 #include "metrics/psnr.h"
 

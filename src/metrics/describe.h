@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/interval.h"
+#include "base/statistics.h"
 #include "metrics/metric.h"
 #include "metrics/noise_test.h"
 

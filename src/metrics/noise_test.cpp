@@ -1,6 +1,6 @@
 #include "metrics/noise_test.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 #include "metrics/shared_noise.h"
 
 #include <algorithm>

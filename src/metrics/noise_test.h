@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/interval.h"
+#include "base/statistics.h"
 #include "image/image.h"
 #include "metrics/block_scores.h"
 #include "metrics/mask.h"

@@ -1,6 +1,6 @@
 #include "metrics/residual.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <array>

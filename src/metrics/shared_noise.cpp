@@ -1,6 +1,6 @@
 #include "metrics/shared_noise.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/interval.h"
+#include "base/statistics.h"
 #include "metrics/pair_samples.h"
 
 #include <cstdint>

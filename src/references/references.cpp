@@ -8,7 +8,6 @@
 #include "references/render.h"
 #include "references/store.h"
 #include "registry/cases.h"
-#include "registry/choose_cases.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

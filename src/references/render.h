@@ -1,6 +1,5 @@
 #pragma once
 
-#include "references/passes.h"
 #include "references/unfinished.h"
 #include "registry/analytic.h"
 

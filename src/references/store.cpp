@@ -2,7 +2,6 @@
 
 #include "base/files.h"
 #include "base/local_time.h"
-#include "base/scratch_folder.h"
 #include "base/text.h"
 #include "image/image_io.h"
 #include "image/reduced_precision.h"

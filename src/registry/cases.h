@@ -2,9 +2,15 @@
 
 #include "registry/case.h"
 #include "registry/configuration.h"
+#include "registry/run_settings.h"
 
+#include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
+
+/// What only all cases of a suite together tell. InputErrors with the file of the case.
 
 namespace orbs::registry {
 
@@ -17,5 +23,37 @@ std::vector<Case> load_cases(const Suite& suite);
 /// The scenes of the suite whose names match (registry/filters.h), each once, in its order. InputError for a
 /// pattern that matches none.
 std::vector<CaseScene> scenes_of(const Suite& suite, const std::string& patterns);
+
+/// One scene may serve several cases; it is rendered once, so it must be the same scene everywhere.
+void refuse_conflicts(const std::vector<Case>& cases);
+
+/// After symbolic links: a case must not reach into what is none of the suite's business.
+void refuse_outside(const std::filesystem::path& file,
+                    const std::filesystem::path& folder,
+                    const Case& one_case);
+
+/// A scene that is judged by the reference of another one names a scene that has its own reference.
+void check_references(const std::vector<Case>& cases);
+
+/// The cases that the settings choose, each with the targets that they choose. Scenes from which only a
+/// chosen difference is made stay in the case. InputError when a filter matches nothing, or all of them
+/// together leave no scene.
+std::vector<Case> choose_cases(const std::vector<Case>& all, const RunSettings& settings);
+
+/// The case with these targets alone, and the scenes that its chosen differences are made from.
+Case with_targets(const Case& whole, const std::set<std::string>& chosen);
+
+/// The patterns of a comma-separated list, trimmed, empty ones dropped.
+std::vector<std::string> patterns_of(std::string_view list);
+
+/// True when one of the patterns ('*', '?' as in a shell) matches the whole name.
+bool matches_any(const std::vector<std::string>& patterns, std::string_view name);
+
+/// Those of `names` that the comma-separated patterns choose, in the order of `names`. InputError, with the
+/// nearest name, when the list is empty or one pattern of it chooses nothing: a typo must not quietly test
+/// less. `what` is the word for the message ("scene").
+std::vector<std::string> select_names(const std::vector<std::string>& names,
+                                      std::string_view list,
+                                      const std::string& what);
 
 }  // namespace orbs::registry

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "registry/cluster.h"
 #include "registry/expected.h"
 #include "registry/renderer.h"
 #include "registry/run_settings.h"
-#include "registry/slurm.h"
 
 #include <filesystem>
 #include <optional>

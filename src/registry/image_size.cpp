@@ -14,4 +14,44 @@ SizeDivisor size_divisor(std::string_view text) {
   throw InputError(fmt::format("'{}' is no size; there are 1, 1/2, 1/4 and 1/8 of the full width", text));
 }
 
+namespace {
+
+int rounded_up(int pixel, int divisor) { return (pixel + divisor - 1) / divisor; }
+
+Rectangle grown(const Rectangle& full, int divisor) {
+  return {full.x0 / divisor, full.y0 / divisor, rounded_up(full.x1, divisor), rounded_up(full.y1, divisor)};
+}
+
+Rectangle shrunk(const Rectangle& full, int divisor) {
+  return {rounded_up(full.x0, divisor), rounded_up(full.y0, divisor), full.x1 / divisor, full.y1 / divisor};
+}
+
+bool are_equal(const Rectangle& a, const Rectangle& b) {
+  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
+}  // namespace
+
+Case reduced_case(Case one_case, int divisor) {
+  if (divisor == 1) return one_case;
+  for (auto& mask : one_case.masks)
+    for (auto& rectangle : mask.rectangles) rectangle = grown(rectangle, divisor);
+  for (auto& check : one_case.pixel_checks) {
+    const auto region = shrunk(check.region, divisor);
+    // A mean that is checked within its standard errors is that of exactly these pixels: where the image has
+    // a gradient, a part of them has another one.
+    const bool is_a_part = check.standard_errors > 0 && !are_equal(region, grown(check.region, divisor));
+    if (is_a_part) {
+      check.not_measured = fmt::format(
+          "not measured at {}: the mean of these pixels is not that of whole ones there", size_text(divisor));
+    } else if (region.x0 < region.x1 && region.y0 < region.y1) {
+      check.region = region;
+    } else {
+      check.not_measured = fmt::format("not measured at {}: these pixels of the full size fill none there",
+                                       size_text(divisor));
+    }
+  }
+  return one_case;
+}
+
 }  // namespace orbs::registry

@@ -1,6 +1,5 @@
 #include "registry/plain_name.h"
 
-#include "base/plain_name.h"
 #include "base/text.h"
 
 #include <set>

@@ -1,7 +1,7 @@
 #include "registry/renderer.h"
 
 #include "base/pattern.h"
-#include "base/plain_name.h"
+#include "base/text.h"
 #include "registry/placeholders.h"
 #include "registry/plain_name.h"
 

@@ -1,6 +1,6 @@
 #include "registry/renderer_variants.h"
 
-#include "registry/filters.h"
+#include "registry/cases.h"
 
 #include <algorithm>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/files.h"
+#include "report/csv.h"
+#include "report/junit.h"
 #include "results/record.h"
 
 #include <filesystem>
@@ -7,6 +10,9 @@
 namespace orbs::report {
 
 /// Writes results.csv and junit.xml into `folder`.
-void write_reports(const results::RunRecord& run, const std::filesystem::path& folder);
+inline void write_reports(const results::RunRecord& run, const std::filesystem::path& folder) {
+  write_file(folder / "results.csv", results_csv(run));
+  write_file(folder / "junit.xml", junit_xml(run));
+}
 
 }  // namespace orbs::report

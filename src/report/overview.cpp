@@ -1,6 +1,6 @@
 #include "report/overview.h"
 
-#include "base/shell.h"
+#include "base/text.h"
 #include "json/writer.h"
 #include "results/field_writer.h"
 

@@ -7,7 +7,15 @@
 #include <vector>
 
 /// Images in the form that the page reads (format "orbs-image/2"), so that no browser has to decode EXR.
+
 namespace orbs::report {
+
+/// One gzip member (RFC 1952) without name and time: equal bytes give equal files. `level` is zlib's, 1
+/// (fast) to 9 (small).
+std::string gzip(std::string_view bytes, int level);
+
+/// Base64 of RFC 4648, section 4, on one line.
+std::string base64(std::string_view bytes);
 
 /// Exact: every number arrives as it stands in the image. Rounded: as half floats, 11 significant bits;
 /// channels with a finite value beyond the largest half stay exact.

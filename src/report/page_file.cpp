@@ -1,18 +1,89 @@
 #include "report/page_file.h"
 
+#include "base/error.h"
 #include "base/files.h"
+#include "base/files_inside.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "json/writer.h"
-#include "report/embedded_images.h"
-#include "report/gzip.h"
 #include "report/overview.h"
 #include "report/packed_image.h"
-#include "report/page_template.h"
 #include "report/target_data.h"
 #include "results/study_kinds.h"
 
+#include <set>
+
+#include <fmt/format.h>
+
 namespace orbs::report {
+
+std::string file_of(const std::filesystem::path& folder, const std::string& name) {
+  const auto file = open_inside(folder, name);
+  if (!file) throw InputError(fmt::format("{}: there is no such file in {}", name, folder.string()));
+  return file->read(0, static_cast<std::size_t>(file->size()));
+}
+
+EmbeddedImages embed_images(const std::vector<std::string>& files,
+                            const std::string& type,
+                            const std::function<std::string(const std::string&)>& content,
+                            std::size_t most_bytes) {
+  EmbeddedImages embedded;
+  std::set<std::string> seen;
+  std::size_t used = 0;
+  json::Writer names;
+  names.begin_object();
+  for (const auto& file : files) {
+    if (file.empty() || !seen.insert(file).second) continue;
+    try {
+      const auto bytes = base64(content(file));
+      if (used + bytes.size() > most_bytes) {
+        embedded.left_out.push_back(file);
+        continue;
+      }
+      used += bytes.size();
+      const auto id = fmt::format("image-{}", embedded.count++);
+      names.member(file, id);
+      embedded.elements += data_element(id, type + ";base64", bytes);
+    } catch (const InputError& e) {
+      embedded.left_out.emplace_back(e.what());
+    }
+  }
+  embedded.elements +=
+      data_element("orbs-images", "application/json", script_text(names.end_object().text()));
+  return embedded;
+}
+
+std::pair<std::string, std::string> page_template(const std::filesystem::path& bundle) {
+  constexpr std::string_view kMark = "<!--orbs-data-->";
+  const auto file = bundle / "single.html";
+  if (!std::filesystem::exists(file))
+    throw InputError(
+        fmt::format("{}: is missing: the results page has not been built; './bootstrap build' makes it "
+                    "and says what it needs (Node.js 18 or newer and npm)",
+                    file.string()));
+  const auto text = read_file(file);
+  const auto at = text.find(kMark);
+  if (at == std::string::npos)
+    throw InputError(fmt::format("{}: has no {}; build it again", file.string(), kMark));
+  return {text.substr(0, at), text.substr(at + kMark.size())};
+}
+
+std::string script_text(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string data_element(const std::string& id, const std::string& type, const std::string& content) {
+  return fmt::format("<script type=\"{}\" id=\"{}\">{}</script>\n", type, id, content);
+}
 
 namespace {
 

@@ -4,8 +4,7 @@
 #include "base/text.h"
 #include "base/text_table.h"
 #include "history/compare_runs.h"
-#include "report/probe_hint.h"
-#include "report/size_note.h"
+#include "report/hints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "report/target_data.h"
 
 #include "base/files_inside.h"
-#include "base/shell.h"
+#include "base/text.h"
 #include "json/writer.h"
 #include "results/field_writer.h"
 

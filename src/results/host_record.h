@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace orbs::results {
 
 /// The machine that images were rendered on. Texts are "" and numbers 0 where the system does not say.
@@ -47,6 +49,13 @@ void fields(Visitor& visit, Record& host) {
 /// processor. The name of the machine, its memory and the kernel's release are left out because they differ
 /// between nodes of equal speed; the compiler and the versions of programs are left out because the cost of
 /// changing them is a question that times are compared for.
-std::string timing_machine(const Host& host);
+inline std::string timing_machine(const Host& host) {
+  if (host.cpu.empty()) return "";
+  auto text = fmt::format("{}, {} core{}", host.cpu, host.cores, host.cores == 1 ? "" : "s");
+  if (!host.governor.empty()) text += fmt::format(", governor {}", host.governor);
+  if (host.cpu_limit_cores) text += fmt::format(", container limited to {:g} cores", *host.cpu_limit_cores);
+  if (!host.distribution.empty()) text += fmt::format(", {}", host.distribution);
+  return text;
+}
 
 }  // namespace orbs::results

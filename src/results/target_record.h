@@ -10,6 +10,7 @@
 #include <vector>
 
 /// What is recorded of one judged target. Each member is also listed in the struct's fields(): see fields.h.
+
 namespace orbs::results {
 
 /// A number with what it means, for readers outside this program.
@@ -136,6 +137,9 @@ inline std::string_view state_name(const TargetRecord& target) {
 
 /// What is said of the target: why its failure is known or what is news about it, then the reason of its
 /// verdict.
-std::string reason_text(const TargetRecord& target);
+inline std::string reason_text(const TargetRecord& target) {
+  if (target.expected.empty() || target.reason.empty()) return target.expected + target.reason;
+  return target.expected + "; " + target.reason;
+}
 
 }  // namespace orbs::results

@@ -3,7 +3,7 @@
 #include "adapters/process/process.h"
 #include "base/files.h"
 #include "base/local_time.h"
-#include "base/shell.h"
+#include "base/text.h"
 #include "run/host.h"
 #include "run/job_folder.h"
 #include "run/prepare.h"

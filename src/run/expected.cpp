@@ -4,7 +4,6 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "registry/cases.h"
-#include "registry/filters.h"
 #include "results/record_json.h"
 #include "run/summary.h"
 

@@ -3,7 +3,6 @@
 #include "adapters/job.h"
 #include "adapters/process/programs.h"
 #include "base/error.h"
-#include "base/file_state.h"
 #include "base/files.h"
 #include "registry/placeholders.h"
 

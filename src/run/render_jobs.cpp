@@ -7,7 +7,6 @@
 #include "run/expected.h"
 #include "run/host.h"
 #include "run/judge_targets.h"
-#include "run/outdated.h"
 #include "run/resume.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "json/fields.h"
-#include "registry/shard.h"
+#include "registry/cluster.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "server/events.h"
 
-#include "server/refuse.h"
+#include "server/request_gate.h"
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/packed_text.h"
 
-#include "report/gzip.h"
+#include "report/packed_image.h"
 #include "server/request_gate.h"
 
 #include <utility>

@@ -4,8 +4,14 @@
 #include <string_view>
 #include <variant>
 
+#include <httplib.h>
+
 /// Decides on the bytes of a request whether it is allowed, before anything else sees them.
+
 namespace orbs::server {
+
+/// A plain answer with this status.
+void refuse(httplib::Response& response, int status, const std::string& reason);
 
 constexpr std::size_t kMostHeadBytes = 16384;
 constexpr std::size_t kMostTargetBytes = 2048;

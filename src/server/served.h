@@ -11,8 +11,13 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace orbs::server {
+
+/// Names of the runs in these absolute folders, for the page and its links: the folder's name, preceded by as
+/// many of its parents as make it unique ("monday/outputs", "tuesday/outputs").
+std::vector<std::string> run_names(const std::vector<std::filesystem::path>& folders);
 
 /// One run in the server's memory: read again when it goes on, when it is resumed, and whenever its
 /// results.json is another file. Its folder is kept open, so that what takes its name later leads nowhere.

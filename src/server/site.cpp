@@ -9,7 +9,6 @@
 #include "report/packed_image.h"
 #include "report/preview.h"
 #include "results/study_kinds.h"
-#include "server/refuse.h"
 #include "server/request_gate.h"
 
 #include <algorithm>

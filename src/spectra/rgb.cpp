@@ -3,7 +3,7 @@
 #include "base/matrix.h"
 #include "spectra/embedded_tables.h"
 #include "spectra/observer.h"
-#include "spectra/row_table.h"
+#include "spectra/table_file.h"
 
 #include <algorithm>
 

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <sys/types.h>
 
 /// The descendants of a process, from /proc. When the process is a "child subreaper" (prctl(2)), descendants
 /// that lose their parent become its children, in any session or group: none escapes by forking.
+
 namespace orbs::supervisor {
+
+/// The whole text of a file of /proc; "" when it cannot be read, as that of a process that is gone.
+std::string read_proc_file(const std::string& file);
 
 struct Descendant {
   pid_t pid = 0;

@@ -1,7 +1,7 @@
 #include "supervisor/memory.h"
 
 #include "base/text.h"
-#include "supervisor/proc_file.h"
+#include "supervisor/descendants.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,19 +2,21 @@
 #include "base/terminal.h"
 #include "image/image_io.h"
 #include "scene/load/load_scene.h"
-#include "tracer/choose_light_connections.h"
-#include "tracer/choose_light_paths.h"
-#include "tracer/choose_light_selection.h"
+#include "tracer/choose_light.h"
 #include "tracer/render.h"
+#include "tracer/render/rendering.h"
 #include "tracer/world/build_world.h"
 #include "tracer/world/reset_counts.h"
 #include "tracer_cli/options.h"
-#include "tracer_cli/progress_line.h"
 #include "tracer_cli/stamp.h"
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <string>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #ifndef ORBS_VERSION
 #  define ORBS_VERSION "unknown"
@@ -23,6 +25,46 @@
 namespace orbs::tracer_cli {
 
 namespace {
+
+// Shows the progress of a render: a bar on a terminal, or lines of JSON on standard output. show() is called
+// after every tile and prints at most ten times a second.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool as_json);
+
+  void show(const tracer::Progress& progress);
+  /// Clears the bar.
+  void finish() const;
+
+ private:
+  bool as_json_;
+  bool on_terminal_;
+  double last_seconds_ = 0;
+};
+
+ProgressLine::ProgressLine(bool as_json) : as_json_(as_json), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+void ProgressLine::show(const tracer::Progress& progress) {
+  constexpr double kInterval = 0.1;  // seconds
+  if (progress.seconds < last_seconds_ + kInterval) return;
+  last_seconds_ = progress.seconds;
+  if (as_json_) {
+    print_clean("{{\"progress\": {:.4f}, \"spp\": {}, \"seconds\": {:.2f}}}\n", progress.done,
+                progress.samples_per_pixel, progress.seconds);
+    std::fflush(stdout);
+  } else if (on_terminal_) {
+    constexpr int kWidth = 40;
+    const auto full = static_cast<std::size_t>(progress.done * kWidth);
+    const double left = progress.seconds / progress.done - progress.seconds;
+    print_raw(stderr,
+              fmt::format("\r[{}{}] {:3.0f} %  {:.0f} s, {:.0f} s left ", std::string(full, '#'),
+                          std::string(kWidth - full, '.'), 100 * progress.done, progress.seconds, left));
+  }
+}
+
+void ProgressLine::finish() const {
+  if (on_terminal_ && !as_json_ && last_seconds_ > 0) print_raw(stderr, fmt::format("\r{:79}\r", ""));
+}
 
 std::atomic<bool> stop{false};
 

@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/read_record.h"
+#include "results/record_json.h"
 
 #include <algorithm>
 #include <fstream>

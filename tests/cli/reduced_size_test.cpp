@@ -1,8 +1,8 @@
 // orbs run --size: fewer pixels, judged by averages of the references.
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/read_record.h"
 #include "results/record.h"
+#include "results/record_json.h"
 
 #include <gtest/gtest.h>
 

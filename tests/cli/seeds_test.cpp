@@ -3,7 +3,7 @@
 
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/read_record.h"
+#include "results/record_json.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "json/object_reader.h"
-#include "results/read_record.h"
+#include "results/record_json.h"
 
 #include <algorithm>
 

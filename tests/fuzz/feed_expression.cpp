@@ -1,7 +1,7 @@
 #include "fuzz/feed.h"
 #include "scene/shapes/dual.h"
 #include "scene/shapes/enclosure.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,4 @@
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "fuzz/feed.h"
 #include "image/image_io.h"
 

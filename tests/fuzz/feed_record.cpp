@@ -1,5 +1,4 @@
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "fuzz/feed.h"
 #include "history/compare_runs.h"
 #include "history/history_text.h"
@@ -12,7 +11,6 @@
 #include "results/effect_costs.h"
 #include "results/image_hashes.h"
 #include "results/qualification.h"
-#include "results/read_record.h"
 #include "results/record_json.h"
 #include "results/study_kinds.h"
 #include "run/plan/plan_file.h"

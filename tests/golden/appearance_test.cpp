@@ -1,5 +1,5 @@
 #include "adapters/export.h"
-#include "base/scratch_folder.h"
+#include "base/files.h"
 #include "golden/read_back.h"
 #include "scene/load/load_scene.h"
 #include "spectra/observer.h"

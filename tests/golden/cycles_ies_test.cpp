@@ -1,6 +1,5 @@
 #include "adapters/process/process.h"
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "scene/lights/ies.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 
 #include "adapters/export.h"
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
 #include "scene/load/load_scene.h"

@@ -5,7 +5,6 @@
 #include "image/image_io.h"
 #include "results/record_json.h"
 #include "results/run_folder.h"
-#include "results/work_folder.h"
 
 #include <cmath>
 #include <iostream>

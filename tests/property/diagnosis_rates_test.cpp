@@ -9,7 +9,7 @@
 #include "judge/reference.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
-#include "registry/reduced_case.h"
+#include "registry/image_size.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // Enclosures hold what they enclose: values at random points of random boxes, of every step a formula may
 // have.
 #include "scene/shapes/dual.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 
 #include <algorithm>
 #include <cmath>

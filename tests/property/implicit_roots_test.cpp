@@ -1,6 +1,6 @@
 // No root of an implicit surface is passed over. The roots come from polynomials along the ray in quadruple
 // precision, counted by Sturm's theorem, which shares nothing with the search by enclosures.
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 #include "tracer/shapes/implicit_boundary.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // The example of a plug-in against the same surface as an implicit one, whose roots are found by interval
 // arithmetic.
 #include "property/hashed_numbers.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 #include "structure/source_files.h"
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/shapes/implicit_boundary.h"

@@ -1,7 +1,7 @@
 // The built-in tracer follows every relation, as far as tests have time: each at its first and, for ladders,
 // at a hard magnitude.
 #include "studies/effects/paired_difference.h"
-#include "studies/stability/relation.h"
+#include "studies/stability/images.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
 #include "unit/scene/related_scenes.h"

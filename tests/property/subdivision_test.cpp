@@ -4,7 +4,7 @@
 #include "scene/geometry/subdivision/subdivide.h"
 #include "scene/geometry/subdivision/tessellate_surface.h"
 #include "scene/geometry/subdivision/vertex_ring.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // Connections of camera paths to the first hits of light paths, where light enters by way of one small wall.
-#include "tracer/choose_light_connections.h"
-#include "tracer/choose_light_selection.h"
+#include "tracer/choose_light.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer/scenes.h"
 

@@ -1,5 +1,5 @@
 // Light paths against camera paths alone, and against mirrored light sampling.
-#include "tracer/choose_light_paths.h"
+#include "tracer/choose_light.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer/scenes.h"
 

@@ -5,8 +5,7 @@
 #include "metrics/describe.h"
 #include "metrics/noise_test.h"
 #include "scene/load/load_scene.h"
-#include "tracer/choose_light_paths.h"
-#include "tracer/choose_light_selection.h"
+#include "tracer/choose_light.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
 

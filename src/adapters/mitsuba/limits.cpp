@@ -1,11 +1,10 @@
 #include "adapters/mitsuba/limits.h"
 
-#include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
-#include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/lights.h"
 #include "adapters/mitsuba/materials.h"
+#include "adapters/mitsuba/meshes.h"
 #include "adapters/mitsuba/stokes_frame.h"
 #include "scene/effects/effects.h"
 

@@ -1,11 +1,10 @@
 #include "adapters/mitsuba/mitsuba.h"
 
 #include "adapters/material_meshes.h"
-#include "adapters/mitsuba/emitting_mesh.h"
 #include "adapters/mitsuba/lights.h"
 #include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/materials.h"
-#include "adapters/mitsuba/polariser_mesh.h"
+#include "adapters/mitsuba/meshes.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"

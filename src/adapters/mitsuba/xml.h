@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapters/comment_text.h"
+#include "adapters/exporter.h"
 #include "base/matrix.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "adapters/pbrt/lights.h"
 
-#include "adapters/comment_text.h"
+#include "adapters/exporter.h"
 #include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/pbrt/directives.h"

@@ -1,6 +1,5 @@
 #include "adapters/pbrt/limits.h"
 
-#include "adapters/closed_mesh.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
 #include "adapters/pbrt/lights.h"

@@ -1,8 +1,8 @@
 #include "adapters/pbrt/materials.h"
 
-#include "adapters/comment_text.h"
+#include "adapters/exporter.h"
 #include "adapters/kind_support.h"
-#include "adapters/pbrt/bands.h"
+#include "adapters/pbrt/colours.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"
 

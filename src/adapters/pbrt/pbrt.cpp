@@ -1,8 +1,8 @@
 #include "adapters/pbrt/pbrt.h"
 
-#include "adapters/comment_text.h"
+#include "adapters/exporter.h"
 #include "adapters/material_meshes.h"
-#include "adapters/pbrt/bands.h"
+#include "adapters/pbrt/colours.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
 #include "adapters/pbrt/limits.h"

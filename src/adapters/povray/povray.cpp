@@ -1,6 +1,6 @@
 #include "adapters/povray/povray.h"
 
-#include "adapters/comment_text.h"
+#include "adapters/exporter.h"
 #include "adapters/povray/dispersion.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/limits.h"
@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "scene/camera_frame.h"
+#include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
-#include "scene/relations/rescaled.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "adapters/process/process.h"
 
-#include "adapters/process/output_log.h"
 #include "adapters/process/supervised_child.h"
 #include "base/error.h"
 
@@ -9,8 +8,13 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -22,6 +26,60 @@
 namespace orbs::adapters {
 
 namespace {
+
+// Output of a program, bounded: the first half of the allowance is written as it arrives, so that the file
+// can be followed while the program runs; of all later output the last half is kept.
+class OutputLog {
+ public:
+  /// `file` may be empty: memory only. An existing file is continued, for the seeds of a job share their log.
+  /// WriteError, here and below, when the disk refuses.
+  OutputLog(const std::filesystem::path& file, std::size_t most_bytes);
+  void append(std::string_view bytes);
+  /// Writes the part that is still held back and returns all that was kept.
+  std::string finish();
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::size_t half_;
+  std::string head_;
+  std::string tail_;
+  std::size_t left_out_ = 0;
+};
+
+OutputLog::OutputLog(const std::filesystem::path& file, std::size_t most_bytes)
+    : path_(file), half_(most_bytes / 2) {
+  if (path_.empty()) return;
+  file_.open(path_, std::ios::binary | std::ios::app);
+  if (!file_)
+    throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+}
+
+void OutputLog::append(std::string_view bytes) {
+  const auto to_head = std::min(bytes.size(), half_ - head_.size());
+  head_ += bytes.substr(0, to_head);
+  if (!path_.empty() && !(file_ << bytes.substr(0, to_head) << std::flush))
+    throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  tail_ += bytes.substr(to_head);
+  // Cut at twice the allowance only, so that each byte is moved once on average.
+  if (tail_.size() <= 2 * half_) return;
+  left_out_ += tail_.size() - half_;
+  tail_.erase(0, tail_.size() - half_);
+}
+
+std::string OutputLog::finish() {
+  if (tail_.size() > half_) {
+    left_out_ += tail_.size() - half_;
+    tail_.erase(0, tail_.size() - half_);
+  }
+  const auto rest = left_out_ == 0 ? tail_ : fmt::format("\n[orbs: {} bytes left out]\n{}", left_out_, tail_);
+  if (!path_.empty()) {
+    file_ << rest << std::flush;
+    if (!file_)
+      throw WriteError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  }
+  return head_ + rest;
+}
 
 using Clock = std::chrono::steady_clock;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapters/process/process_request.h"
+#include "adapters/process/supervised_child.h"
 #include "supervisor/report.h"
 
 #include <string>

@@ -1,6 +1,5 @@
 #include "adapters/process/programs.h"
 
-#include "base/shell.h"
 #include "base/text.h"
 
 #include <cstdlib>

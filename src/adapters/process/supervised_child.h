@@ -1,14 +1,30 @@
 #pragma once
 
-#include "adapters/process/process_request.h"
+#include "base/process_limits.h"
+#include "supervisor/supervise.h"
 
 #include <array>
+#include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <sys/types.h>
 
 namespace orbs::adapters {
+
+/// A program to run as a child process.
+struct ProcessRequest {
+  std::vector<std::string> argv;         // argv[0] is the file that is started, as an absolute path
+  std::filesystem::path folder;          // working directory, whose size is limited; "": ours, not limited
+  std::vector<std::string> environment;  // NAME=value, nothing else is passed on
+  std::filesystem::path log;  // stdout and stderr, written as they arrive; "" keeps them in memory only
+  ProcessLimits limits;
+  // For the supervisor to report once the limits or an interrupt have ended the process. It may need as long
+  // as it waits for what cannot be killed; then we kill it and all that it started.
+  double answer_seconds = supervisor::kGiveUp_seconds + 5;
+  const std::atomic<bool>* stop = nullptr;  // when it becomes true, the process is ended
+};
 
 /// The two ends of a pipe that no child inherits except by dup2. Both descriptors are above 3: the child uses
 /// 0 to 3.

@@ -1,7 +1,7 @@
 #include "run/cluster/export_plan.h"
 
 #include "base/files.h"
-#include "base/shell.h"
+#include "base/text.h"
 #include "run/job_folder.h"
 #include "run/prepare.h"
 

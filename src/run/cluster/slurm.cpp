@@ -4,7 +4,6 @@
 #include "adapters/process/programs.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "base/shell.h"
 #include "base/text.h"
 #include "json/document.h"
 #include "json/field_reader.h"

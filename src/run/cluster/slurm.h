@@ -1,6 +1,6 @@
 #pragma once
 
-#include "registry/slurm.h"
+#include "registry/cluster.h"
 #include "run/plan/plan.h"
 
 #include <cstddef>

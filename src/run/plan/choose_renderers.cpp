@@ -4,7 +4,7 @@
 #include "adapters/process/programs.h"
 #include "adapters/transports.h"
 #include "base/error.h"
-#include "registry/filters.h"
+#include "registry/cases.h"
 #include "registry/image_size.h"
 #include "registry/placeholders.h"
 #include "registry/renderer_variants.h"

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "results/record.h"
 #include "run/plan/plan.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace orbs::run {
+
+/// The effects that the scene calls for, as results and `orbs effects` show them.
+results::SceneRecord scene_record(const std::string& name, const scene::Scene& scene);
 
 /// Hash that changes whenever the image may: all of the scene's text, the camera that was chosen, its meshes,
 /// and the files of its textures, IES profiles and tables of spectra.

@@ -8,14 +8,14 @@
 #include "judge/gate.h"
 #include "judge/judge.h"
 #include "metrics/mask.h"
-#include "registry/choose_cases.h"
+#include "registry/cases.h"
 #include "registry/image_size.h"
 #include "run/expected.h"
 #include "run/plan/choose_renderers.h"
 #include "run/plan/load_scenes.h"
 #include "run/plan/plan_file.h"
 #include "run/plan/reduced_size.h"
-#include "run/plan/shipped_times.h"
+#include "run/plan/render_seconds.h"
 
 #include <algorithm>
 #include <map>

@@ -6,14 +6,14 @@
 #include "json/document.h"
 #include "json/field_reader.h"
 #include "json/field_writer.h"
-#include "registry/choose_cases.h"
+#include "registry/cases.h"
 #include "registry/image_size.h"
-#include "run/outdated.h"
 #include "run/plan/choose_renderers.h"
 #include "run/plan/load_scenes.h"
 #include "run/plan/reduced_size.h"
-#include "run/plan/shipped_times.h"
+#include "run/plan/render_seconds.h"
 #include "run/program_hash.h"
+#include "run/resume.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "run/plan/plan_text.h"
 
-#include "base/shell.h"
+#include "base/text.h"
 #include "registry/image_size.h"
 #include "run/prepare.h"
 

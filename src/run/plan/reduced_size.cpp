@@ -6,7 +6,6 @@
 #include "metrics/mask.h"
 #include "registry/image_size.h"
 #include "registry/placeholders.h"
-#include "registry/reduced_case.h"
 
 #include <algorithm>
 #include <memory>

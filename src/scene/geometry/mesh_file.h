@@ -2,7 +2,9 @@
 
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace orbs::scene {
@@ -22,5 +24,12 @@ enum class FileNormals { Required, MayLack };
 
 /// Stores the places of all vertices.
 void place_vertices(const std::vector<Vec3d>& vertices, MeshFile& file);
+
+/// Wavefront OBJ: v, vt, vn, f (polygons become fans), usemtl. Normals are used as given; where they
+/// may lack, all corners have one or none has. InputError with file and line.
+MeshFile read_obj(const std::filesystem::path& file, FileNormals normals = FileNormals::Required);
+MeshFile parse_obj(const std::string& name,
+                   std::string_view text,
+                   FileNormals normals = FileNormals::Required);
 
 }  // namespace orbs::scene

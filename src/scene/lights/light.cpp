@@ -4,7 +4,6 @@
 #include "scene/lights/placement.h"
 #include "scene/load/kind.h"
 #include "scene/load/spectra.h"
-#include "scene/load/write_spectra.h"
 
 namespace orbs::scene {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "json/writer.h"
 #include "scene/colour.h"
 #include "scene/load/entry.h"
 #include "spectra/refractive_index.h"
@@ -13,6 +14,8 @@
 
 /// Reading what a scene file says wavelength by wavelength. All functions throw InputError at the key that is
 /// wrong.
+/// Writing what load_spectra.h reads. Spectra are written by their samples, wherever these came from.
+
 namespace orbs::scene {
 
 /// The radiance that a channel of an image can hold.
@@ -49,5 +52,21 @@ Colour load_radiance(json::ObjectReader& in, const std::string& key, const Spect
 /// A number, or an object with "spectrum", "wavelengths", "sellmeier", "cauchy" or "file". Above 0
 /// everywhere.
 spectra::RefractiveIndex load_index(json::ObjectReader& in, const std::string& key, SpectralData& data);
+
+/// "spectra", when there are any.
+void write_spectra(json::Writer& out, const SpectrumList& spectra);
+
+/// A colour as [r, g, b], or the spectrum that stands in its place.
+void write_colour(json::Writer& out,
+                  const SpectrumList& spectra,
+                  const char* key,
+                  RgbColour rgb,
+                  const std::optional<SpectrumUse>& spectrum);
+
+/// A number where the spectrum is constant, else an object with its samples.
+void write_curve(json::Writer& out, const char* key, const spectra::Spectrum& spectrum);
+
+/// A refractive index: a curve, or the coefficients of its formula.
+void write_index(json::Writer& out, const char* key, const spectra::RefractiveIndex& index);
 
 }  // namespace orbs::scene

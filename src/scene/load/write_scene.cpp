@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "json/writer.h"
 #include "scene/geometry/ply.h"
-#include "scene/geometry/subdivision/write_subdivision.h"
-#include "scene/load/write_spectra.h"
+#include "scene/geometry/subdivision/entry.h"
+#include "scene/load/spectra.h"
 
 #include <algorithm>
 #include <array>

@@ -2,13 +2,105 @@
 
 #include "scene/effects/effects.h"
 #include "scene/effects/features.h"
-#include "scene/lower/effects.h"
 #include "scene/lower/geometry.h"
-#include "scene/lower/material.h"
+
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace orbs::scene {
+
+void drop_spectra(Scene& scene) {
+  for (auto& material : scene.materials)
+    std::visit(
+        [](auto& model) {
+          if constexpr (requires { model.spectrum; }) model.spectrum.reset();
+        },
+        material.model);
+  for (auto& light : scene.lights) light.spectrum.reset();
+  scene.environment_spectrum.reset();
+  scene.spectra.clear();
+}
+
+namespace {
+
+bool has_texture_matrix(const Material& material) {
+  const auto& use = texture_of(material.model);
+  return use && use->matrix != Mat4{};
+}
+
+Vec2f transformed(const Mat4& m, Vec2f uv) {
+  const double u = static_cast<double>(uv.x);
+  const double v = static_cast<double>(uv.y);
+  return {static_cast<float>(m(0, 0) * u + m(0, 1) * v + m(0, 3)),
+          static_cast<float>(m(1, 0) * u + m(1, 1) * v + m(1, 3))};
+}
+
+// Triangles of different materials may share vertices, whose coordinates then differ: each material gets a
+// separate vertex.
+void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
+  constexpr int kAsIs = -1;
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> places;
+  Mesh out;
+  out.name = mesh.name;
+  out.triangle_materials = mesh.triangle_materials;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const int index = mesh.triangle_materials[i];
+    const auto& material = materials[static_cast<std::size_t>(index)];
+    const bool has_matrix = has_texture_matrix(material);
+    auto& triangle = out.triangles.emplace_back(mesh.triangles[i]);
+    for (auto& vertex : triangle) {
+      const auto place = static_cast<std::uint32_t>(out.positions.size());
+      const auto [it, is_new] = places.try_emplace({vertex, has_matrix ? index : kAsIs}, place);
+      if (is_new) {
+        out.positions.push_back(mesh.positions[vertex]);
+        out.normals.push_back(mesh.normals[vertex]);
+        out.tangents.push_back(mesh.tangents[vertex]);
+        const Vec2f uv = mesh.uvs[vertex];
+        out.uvs.push_back(has_matrix ? transformed(texture_of(material.model)->matrix, uv) : uv);
+      }
+      vertex = it->second;
+    }
+  }
+  mesh = std::move(out);
+}
+
+}  // namespace
+
+void replace_smooth_oren_nayar(Scene& scene) {
+  for (auto& material : scene.materials) {
+    const auto* model = std::get_if<OrenNayar>(&material.model);
+    if (model == nullptr || model->roughness != 0) continue;
+    // eq. 5 with sigma = 0: A = 1, B = 0
+    material.model = Lambert{model->reflectance, model->texture, model->spectrum};
+  }
+}
+
+void replace_plain_dielectrics(Scene& scene) {
+  constexpr double kAnywhere_nm = 550;
+  for (auto& material : scene.materials) {
+    const auto* glass = std::get_if<Dielectric>(&material.model);
+    if (glass == nullptr || !is_smooth_glass(*glass) || is_dispersive(*glass)) continue;
+    material.model =
+        Glass{{1, 1, 1}, index_at(glass->index, kAnywhere_nm) / index_at(glass->outside, kAnywhere_nm)};
+  }
+}
+
+void bake_texture_matrices(Scene& scene) {
+  bool any = false;
+  for (const auto& material : scene.materials) any = any || has_texture_matrix(material);
+  if (!any) return;
+  resolve_remap_lists(scene);
+  for (auto& mesh : scene.meshes) bake_texture_matrices(mesh, scene.materials);
+  for (auto& material : scene.materials)
+    std::visit(
+        [](auto& model) {
+          if constexpr (requires { model.texture; })
+            if (model.texture) model.texture->matrix = Mat4{};
+        },
+        material.model);
+}
 
 namespace {
 

@@ -1,7 +1,6 @@
 #include "scene/materials/conductor.h"
 
 #include "scene/load/spectra.h"
-#include "scene/load/write_spectra.h"
 #include "scene/materials/boundary.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "scene/materials/fluorescent.h"
 
-#include "scene/load/write_spectra.h"
+#include "scene/load/spectra.h"
 #include "scene/materials/reflectance.h"
 #include "spectra/rgb.h"
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "scene/load/spectra.h"
+#include "scene/materials/boundary.h"
 #include "scene/materials/material_type.h"
+#include "scene/materials/reflectance.h"
 
 #include <optional>
 
@@ -15,10 +18,27 @@ struct Ggx {
   bool operator==(const Ggx&) const = default;
 };
 
-void load(const MaterialEntry& entry, Ggx& loaded);
-void write(json::Writer& out, const SpectrumList& spectra, const Ggx& m);
-MaterialRequirement requirement(const Ggx& m);
-std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Ggx& m);
-bool is_coloured(const SpectrumList& spectra, const Ggx& m);
+inline void load(const MaterialEntry& entry, Ggx& loaded) {
+  const auto colour = load_reflectance(entry.in, "colour", entry.spectra);
+  loaded = {colour.rgb, load_alpha(entry.in), colour.spectrum};
+}
+
+inline void write(json::Writer& out, const SpectrumList& spectra, const Ggx& m) {
+  write_colour(out, spectra, "colour", m.colour, m.spectrum);
+  out.member("alpha", m.alpha);
+}
+
+// No M level of ORB.S defines glossy reflection: it brings that with the paths of A2, as rough glass with A4.
+inline MaterialRequirement requirement(const Ggx&) { return {"A2", "a glossy reflector (GGX)"}; }
+
+inline std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Ggx& m) {
+  auto found = effects_of_reflectance(spectra, m.spectrum);
+  found.push_back(effect_of(Roughness{m.alpha}));
+  return found;
+}
+
+inline bool is_coloured(const SpectrumList& spectra, const Ggx& m) {
+  return is_coloured(spectra, m.colour, m.spectrum);
+}
 
 }  // namespace orbs::scene

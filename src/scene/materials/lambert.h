@@ -1,6 +1,9 @@
 #pragma once
 
+#include "json/writer.h"
+#include "scene/load/spectra.h"
 #include "scene/materials/material_type.h"
+#include "scene/materials/reflectance.h"
 #include "scene/texture.h"
 
 #include <optional>
@@ -16,10 +19,23 @@ struct Lambert {
   bool operator==(const Lambert&) const = default;
 };
 
-void load(const MaterialEntry& entry, Lambert& loaded);
-void write(json::Writer& out, const SpectrumList& spectra, const Lambert& m);
-MaterialRequirement requirement(const Lambert& m);
-std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Lambert& m);
-bool is_coloured(const SpectrumList& spectra, const Lambert& m);
+inline void load(const MaterialEntry& entry, Lambert& loaded) {
+  const auto colour = load_reflectance(entry.in, "reflectance", entry.spectra);
+  loaded = {colour.rgb, load_tinted_texture(entry, colour), colour.spectrum};
+}
+
+inline void write(json::Writer& out, const SpectrumList& spectra, const Lambert& m) {
+  write_colour(out, spectra, "reflectance", m.reflectance, m.spectrum);
+}
+
+inline MaterialRequirement requirement(const Lambert&) { return {"M1", "Lambertian"}; }
+
+inline std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Lambert& m) {
+  return effects_of_reflectance(spectra, m.spectrum);
+}
+
+inline bool is_coloured(const SpectrumList& spectra, const Lambert& m) {
+  return m.texture || is_coloured(spectra, m.reflectance, m.spectrum);
+}
 
 }  // namespace orbs::scene

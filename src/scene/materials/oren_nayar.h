@@ -1,6 +1,9 @@
 #pragma once
 
+#include "json/writer.h"
+#include "scene/load/spectra.h"
 #include "scene/materials/material_type.h"
+#include "scene/materials/reflectance.h"
 #include "scene/texture.h"
 
 #include <optional>
@@ -17,10 +20,25 @@ struct OrenNayar {
   bool operator==(const OrenNayar&) const = default;
 };
 
-void load(const MaterialEntry& entry, OrenNayar& loaded);
-void write(json::Writer& out, const SpectrumList& spectra, const OrenNayar& m);
-MaterialRequirement requirement(const OrenNayar& m);
-std::vector<EffectVerdict> effects(const SpectrumList& spectra, const OrenNayar& m);
-bool is_coloured(const SpectrumList& spectra, const OrenNayar& m);
+inline void load(const MaterialEntry& entry, OrenNayar& loaded) {
+  const auto colour = load_reflectance(entry.in, "reflectance", entry.spectra);
+  const double roughness = entry.in.number("roughness", {0.0, 1.0});
+  loaded = {colour.rgb, roughness, load_tinted_texture(entry, colour), colour.spectrum};
+}
+
+inline void write(json::Writer& out, const SpectrumList& spectra, const OrenNayar& m) {
+  write_colour(out, spectra, "reflectance", m.reflectance, m.spectrum);
+  out.member("roughness", m.roughness);
+}
+
+inline MaterialRequirement requirement(const OrenNayar&) { return {"M7", "Oren-Nayar"}; }
+
+inline std::vector<EffectVerdict> effects(const SpectrumList& spectra, const OrenNayar& m) {
+  return effects_of_reflectance(spectra, m.spectrum);
+}
+
+inline bool is_coloured(const SpectrumList& spectra, const OrenNayar& m) {
+  return m.texture || is_coloured(spectra, m.reflectance, m.spectrum);
+}
 
 }  // namespace orbs::scene

@@ -1,6 +1,13 @@
 #pragma once
 
+#include "json/object_reader.h"
+#include "json/writer.h"
 #include "scene/materials/material_type.h"
+#include "scene/materials/polariser.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace orbs::scene {
 
@@ -13,10 +20,24 @@ struct Retarder {
   bool operator==(const Retarder&) const = default;
 };
 
-void load(const MaterialEntry& entry, Retarder& loaded);
-void write(json::Writer& out, const SpectrumList& spectra, const Retarder& m);
-MaterialRequirement requirement(const Retarder& m);
-std::vector<EffectVerdict> effects(const SpectrumList& spectra, const Retarder& m);
-bool is_coloured(const SpectrumList& spectra, const Retarder& m);
+inline void load(const MaterialEntry& entry, Retarder& loaded) {
+  loaded.axis = load_axis(entry.in);
+  loaded.retardance_deg = entry.in.number("retardance_deg", {-3600.0, 3600.0});
+}
+
+inline void write(json::Writer& out, const SpectrumList&, const Retarder& m) {
+  out.member("axis", m.axis).member("retardance_deg", m.retardance_deg);
+}
+
+inline MaterialRequirement requirement(const Retarder&) { return {"E3", "a retarder"}; }
+
+inline std::vector<EffectVerdict> effects(const SpectrumList&, const Retarder& m) {
+  if (std::fmod(m.retardance_deg, 360) == 0)
+    return {
+        {Effect::Polarisation, false, fmt::format("retards by {} degrees, whole waves", m.retardance_deg)}};
+  return {{Effect::Polarisation, true, fmt::format("retards by {} degrees", m.retardance_deg)}};
+}
+
+inline bool is_coloured(const SpectrumList&, const Retarder&) { return false; }
 
 }  // namespace orbs::scene

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "scene/materials/boundary.h"
+#include "scene/materials/glass.h"
 #include "scene/materials/material_type.h"
+#include "scene/materials/reflectance.h"
 
 namespace orbs::scene {
 
@@ -14,10 +17,22 @@ struct RoughGlass {
   bool operator==(const RoughGlass&) const = default;
 };
 
-void load(const MaterialEntry& entry, RoughGlass& loaded);
-void write(json::Writer& out, const SpectrumList& spectra, const RoughGlass& m);
-MaterialRequirement requirement(const RoughGlass& m);
-std::vector<EffectVerdict> effects(const SpectrumList& spectra, const RoughGlass& m);
-bool is_coloured(const SpectrumList& spectra, const RoughGlass& m);
+inline void load(const MaterialEntry& entry, RoughGlass& loaded) {
+  const RgbColour colour = entry.in.vec3_or("colour", {1, 1, 1}, {0.0, 1.0});
+  const double ior = load_ior(entry.in);
+  loaded = {colour, ior, load_alpha(entry.in)};
+}
+
+inline void write(json::Writer& out, const SpectrumList&, const RoughGlass& m) {
+  out.member("colour", m.colour).member("ior", m.ior).member("alpha", m.alpha);
+}
+
+inline MaterialRequirement requirement(const RoughGlass&) { return {"A4", "rough glass"}; }
+
+inline std::vector<EffectVerdict> effects(const SpectrumList&, const RoughGlass& m) {
+  return {effect_of(Roughness{m.alpha})};
+}
+
+inline bool is_coloured(const SpectrumList&, const RoughGlass& m) { return !is_grey(m.colour); }
 
 }  // namespace orbs::scene

@@ -1,6 +1,6 @@
 #include "scene/relations/motion.h"
 
-#include "scene/geometry/placed_vertices.h"
+#include "scene/geometry/world_bounds.h"
 #include "scene/lower/geometry.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "json/writer.h"
+#include "scene/load/entry.h"
 #include "scene/shapes/revolved.h"
 #include "scene/shapes/shape_type.h"
 
@@ -17,11 +19,26 @@ struct CylinderForm {
   bool operator==(const CylinderForm&) const = default;
 };
 
-void load(ShapeEntry& entry, CylinderForm& loaded);
-void write(json::Writer& out, const MaterialList& materials, const CylinderForm& form);
 inline bool is_closed(const CylinderForm& form) { return form.has_caps; }
-std::optional<LocalBox> bounds(const CylinderForm& form);
-std::optional<Mesh> tessellated(const CylinderForm& form);
-RevolvedQuadric revolved(const CylinderForm& form);
+
+inline void load(ShapeEntry& entry, CylinderForm& loaded) {
+  loaded.radius_m = entry.in.number("radius", kLength);
+  loaded.height_m = entry.in.number("height", kLength);
+  loaded.has_caps = load_caps(entry);
+}
+
+inline void write(json::Writer& out, const MaterialList&, const CylinderForm& form) {
+  out.member("radius", form.radius_m).member("height", form.height_m).member("caps", form.has_caps);
+}
+
+inline std::optional<LocalBox> bounds(const CylinderForm& form) {
+  return about_axis(form.radius_m, 0, form.height_m);
+}
+
+inline RevolvedQuadric revolved(const CylinderForm& form) {
+  return {form.radius_m * form.radius_m, 0, 0, 0, form.height_m, form.has_caps};
+}
+
+inline std::optional<Mesh> tessellated(const CylinderForm& form) { return turned(revolved(form), 1); }
 
 }  // namespace orbs::scene

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "json/writer.h"
+#include "scene/load/entry.h"
+#include "scene/shapes/revolved.h"
 #include "scene/shapes/shape_type.h"
 
 namespace orbs::scene {
@@ -13,10 +16,22 @@ struct DiskForm {
   bool operator==(const DiskForm&) const = default;
 };
 
-void load(ShapeEntry& entry, DiskForm& loaded);
-void write(json::Writer& out, const MaterialList& materials, const DiskForm& form);
 inline bool is_closed(const DiskForm&) { return false; }
-std::optional<LocalBox> bounds(const DiskForm& form);
-std::optional<Mesh> tessellated(const DiskForm& form);
+
+inline void load(ShapeEntry& entry, DiskForm& loaded) {
+  loaded.radius_m = entry.in.number("radius", kLength);
+}
+
+inline void write(json::Writer& out, const MaterialList&, const DiskForm& form) {
+  out.member("radius", form.radius_m);
+}
+
+inline std::optional<LocalBox> bounds(const DiskForm& form) { return about_axis(form.radius_m, 0, 0); }
+
+inline std::optional<Mesh> tessellated(const DiskForm& form) {
+  Mesh mesh;
+  add_cap(mesh, 0, form.radius_m, true);
+  return mesh;
+}
 
 }  // namespace orbs::scene

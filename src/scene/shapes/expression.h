@@ -4,6 +4,7 @@
 #include <vector>
 
 /// Formulas f(x, y, z) of implicit surfaces.
+
 namespace orbs::scene {
 
 enum class Operation {
@@ -44,5 +45,10 @@ struct Expression {
   std::vector<Step> steps;
   bool operator==(const Expression& other) const { return text == other.text; }
 };
+
+/// Reads +, -, *, /, ^ (with a constant exponent), numbers, x, y, z, pi, sin, cos, exp, log, sqrt, abs, min,
+/// max and pow. Constant parts are computed in double. InputError with the column where the text is wrong,
+/// and when it has more than 10000 characters or 1000 steps.
+Expression parse_expression(const std::string& text);
 
 }  // namespace orbs::scene

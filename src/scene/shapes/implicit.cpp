@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "json/writer.h"
 #include "scene/load/entry.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 
 namespace orbs::scene {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "json/writer.h"
+#include "scene/load/entry.h"
 #include "scene/shapes/revolved.h"
 #include "scene/shapes/shape_type.h"
 
@@ -17,11 +19,31 @@ struct ParaboloidForm {
   bool operator==(const ParaboloidForm&) const = default;
 };
 
-void load(ShapeEntry& entry, ParaboloidForm& loaded);
-void write(json::Writer& out, const MaterialList& materials, const ParaboloidForm& form);
 inline bool is_closed(const ParaboloidForm& form) { return form.has_caps; }
-std::optional<LocalBox> bounds(const ParaboloidForm& form);
-std::optional<Mesh> tessellated(const ParaboloidForm& form);
-RevolvedQuadric revolved(const ParaboloidForm& form);
+
+inline void load(ShapeEntry& entry, ParaboloidForm& loaded) {
+  loaded.radius_m = entry.in.number("radius", kLength);
+  loaded.height_m = entry.in.number("height", kLength);
+  loaded.has_caps = load_caps(entry);
+}
+
+inline void write(json::Writer& out, const MaterialList&, const ParaboloidForm& form) {
+  out.member("radius", form.radius_m).member("height", form.height_m).member("caps", form.has_caps);
+}
+
+inline std::optional<LocalBox> bounds(const ParaboloidForm& form) {
+  return about_axis(form.radius_m, 0, form.height_m);
+}
+
+inline RevolvedQuadric revolved(const ParaboloidForm& form) {
+  return {0, form.radius_m * form.radius_m / form.height_m, 0, 0, form.height_m, form.has_caps};
+}
+
+inline std::optional<Mesh> tessellated(const ParaboloidForm& form) {
+  std::vector<double> heights;  // of even radii
+  for (int i = kShapeBands; i >= 0; --i)
+    heights.push_back(form.height_m * i * i / (kShapeBands * kShapeBands));
+  return turned(revolved(form), heights);
+}
 
 }  // namespace orbs::scene

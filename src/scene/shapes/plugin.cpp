@@ -1,6 +1,5 @@
 #include "scene/shapes/plugin.h"
 
-#include "base/plain_name.h"
 #include "base/text.h"
 #include "json/writer.h"
 #include "scene/load/entry.h"

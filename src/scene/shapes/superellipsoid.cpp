@@ -2,7 +2,7 @@
 
 #include "json/writer.h"
 #include "scene/load/entry.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 #include "scene/shapes/revolved.h"
 
 #include <cmath>

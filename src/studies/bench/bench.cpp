@@ -1,18 +1,18 @@
 #include "studies/bench/bench.h"
 
 #include "adapters/process/programs.h"
+#include "base/files.h"
 #include "base/local_time.h"
-#include "base/scratch_folder.h"
 #include "metrics/compare.h"
 #include "metrics/seeds.h"
 #include "run/execute.h"
 #include "run/host.h"
 #include "run/plan/choose_renderers.h"
-#include "run/render_once.h"
+#include "run/render.h"
 #include "run/renderer_version.h"
 #include "scene/load/load_scene.h"
 #include "studies/bench/overhead.h"
-#include "studies/spread.h"
+#include "studies/seed_statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 
 #include "registry/configuration.h"
 #include "results/record.h"
-#include "run/render_once.h"
+#include "run/render.h"
 #include "studies/bench/overhead.h"
 #include "studies/context.h"
-#include "studies/seed_noise.h"
+#include "studies/seed_statistics.h"
 
 #include <optional>
 #include <string>

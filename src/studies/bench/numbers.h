@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/bench/bench.h"
-#include "studies/spread.h"
+#include "studies/seed_statistics.h"
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "image/image.h"
 #include "scene/scene.h"
-#include "studies/spread.h"
+#include "studies/seed_statistics.h"
 
 #include <atomic>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "studies/confidence.h"
 #include "studies/cost/error_fit.h"
 #include "studies/cost/record.h"
+#include "studies/seed_statistics.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results/fields.h"
-#include "studies/confidence.h"
+#include "studies/seed_statistics.h"
 
 #include <optional>
 #include <string>

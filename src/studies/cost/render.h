@@ -1,8 +1,12 @@
 #pragma once
 
-#include "base/scratch_folder.h"
+#include "base/files.h"
+#include "image/image.h"
+#include "metrics/mask.h"
+#include "registry/case.h"
+#include "run/plan/plan.h"
 #include "studies/context.h"
-#include "studies/cost/subject.h"
+#include "studies/cost/record.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -10,6 +14,19 @@
 #include <vector>
 
 namespace orbs::studies {
+
+/// A scene that a study of cost renders, and what it is measured against. Points into the plan.
+struct CostSubject {
+  CostTarget target;
+  const registry::Case* one_case = nullptr;
+  const run::PlannedScene* scene = nullptr;
+  image::Image reference;
+  metrics::Mask mask;
+};
+
+/// The scenes that some renderer of the plan renders, each once. Copies their references, at the size of the
+/// plan, to images/reference in `folder`. InputError when a reference is missing or there is no scene.
+std::vector<CostSubject> load_cost_subjects(const run::Plan& plan, const std::filesystem::path& folder);
 
 struct CostRequest {
   CostSettings settings;

@@ -1,9 +1,9 @@
 #include "studies/cost/study.h"
 
-#include "base/cores.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/local_time.h"
+#include "base/parallel.h"
 #include "image/image_io.h"
 #include "judge/judge.h"
 #include "registry/image_size.h"
@@ -11,8 +11,8 @@
 #include "run/host.h"
 #include "run/renderer_version.h"
 #include "studies/cost/json.h"
-#include "studies/cost/pilot.h"
 #include "studies/cost/report.h"
+#include "studies/cost/sweep.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/cost/record.h"
+#include "studies/cost/render.h"
 
 #include <cstddef>
 #include <optional>
@@ -45,5 +46,10 @@ std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
 
 /// Sweeps of these sample counts at every curve, however long they take.
 std::vector<Sweep> given_sweeps(const std::vector<CostPilot>& pilots, const std::vector<int>& samples);
+
+/// Renders a pilot of every scene by every renderer that renders it, and chooses the sweeps of a study of
+/// `budget_seconds` of wall clock, the pilots included, unless the request gives them. A renderer that fails
+/// on a scene gets a sweep without settings, with the reason in its note. False when the user interrupts.
+bool find_sweeps(CostMeasurement& study, double budget_seconds);
 
 }  // namespace orbs::studies

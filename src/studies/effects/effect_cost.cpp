@@ -1,14 +1,14 @@
 #include "studies/effects/effect_cost.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/local_time.h"
-#include "base/scratch_folder.h"
 #include "registry/cases.h"
 #include "run/execute.h"
 #include "run/host.h"
 #include "run/plan/choose_renderers.h"
-#include "run/render_once.h"
-#include "scene/effects/without_effect.h"
+#include "run/render.h"
+#include "scene/effects/effects.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "results/record.h"
 #include "studies/context.h"
 #include "studies/effects/image_change.h"
-#include "studies/spread.h"
+#include "studies/seed_statistics.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "studies/effects/paired_difference.h"
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <cmath>

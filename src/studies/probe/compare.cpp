@@ -1,6 +1,7 @@
 #include "studies/probe/compare.h"
 
-#include "studies/probe/noise.h"
+#include "image/image.h"
+#include "studies/probe/primary_visibility.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +9,37 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace orbs::studies {
 
 namespace {
+
+// How far these channels ("RGB") of a pixel may lie from what they should be because of noise: eight times
+// the median standard deviation at these pixels, of the noisiest channel. The median, since a few pixels at
+// edges that are out of place are no noise; eight, since two seeds underestimate it 1.5-fold, and a bright
+// pixel may be twice as noisy as most. 0 for an image without variances.
+double noise_tolerance(const image::Image& image,
+                       const std::vector<Pixel>& pixels,
+                       std::string_view channels) {
+  constexpr double kDeviations = 8;
+  if (pixels.empty()) return 0;
+  double most = 0;
+  for (const char name : channels) {
+    const int channel = image::channel_index(image, fmt::format("variance.{}", name));
+    if (channel < 0) return 0;
+    std::vector<float> variances;
+    for (const Pixel& pixel : pixels)
+      variances.push_back(image.at(pixel.x, pixel.y, static_cast<std::size_t>(channel)));
+    const auto median = variances.begin() + std::ssize(variances) / 2;
+    std::nth_element(variances.begin(), median, variances.end());
+    most = std::max(most, std::sqrt(static_cast<double>(*median)));
+  }
+  return kDeviations * most;
+}
 
 // Half floats keep 11 bits, a relative error of 5e-4; ids are much farther apart than twice that.
 constexpr double kColourTolerance = 1e-3;

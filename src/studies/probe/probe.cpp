@@ -3,12 +3,12 @@
 #include "adapters/export.h"
 #include "adapters/native_scene.h"
 #include "base/error.h"
-#include "base/scratch_folder.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "metrics/seeds.h"
 #include "registry/placeholders.h"
 #include "run/job_folder.h"
-#include "run/render_once.h"
+#include "run/render.h"
 #include "studies/probe/report.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "image/image_io.h"
-#include "scene/lower/effects.h"
 #include "scene/lower/geometry.h"
+#include "scene/lower/lower.h"
 
 #include <algorithm>
 #include <cmath>

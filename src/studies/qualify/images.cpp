@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
-#include "run/render_once.h"
+#include "run/render.h"
 #include "scene/scene.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "adapters/job.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/local_time.h"
 #include "base/parallel.h"
-#include "base/scratch_folder.h"
 #include "image/image.h"
 #include "image/image_io.h"
 #include "judge/provenance.h"

@@ -2,13 +2,13 @@
 
 #include "adapters/job.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/parallel.h"
-#include "base/scratch_folder.h"
 #include "faults/fault.h"
 #include "judge/judge.h"
 #include "judge/noise.h"
 #include "metrics/seeds.h"
-#include "run/render_once.h"
+#include "run/render.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "run/plan/plan.h"
 #include "studies/context.h"
+#include "studies/stability/images.h"
 #include "studies/stability/record.h"
-#include "studies/stability/relation.h"
 
 #include <filesystem>
 #include <vector>

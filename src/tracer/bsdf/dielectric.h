@@ -4,9 +4,9 @@
 #include "tracer/bsdf/boundary_bsdf.h"
 #include "tracer/bsdf/broadcast.h"
 #include "tracer/bsdf/bsdf_sample.h"
+#include "tracer/bsdf/fresnel.h"
 #include "tracer/bsdf/microfacets.h"
 #include "tracer/bsdf/polarisation.h"
-#include "tracer/bsdf/refraction.h"
 #include "tracer/colour/scene_colours.h"
 
 #include <array>

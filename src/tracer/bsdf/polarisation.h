@@ -3,8 +3,8 @@
 #include "snippets/fresnel_mueller.h"
 #include "tracer/bsdf/boundary.h"
 #include "tracer/bsdf/broadcast.h"
-#include "tracer/bsdf/refraction.h"
-#include "tracer/bsdf/scattering.h"
+#include "tracer/bsdf/bsdf_sample.h"
+#include "tracer/bsdf/fresnel.h"
 
 #include <optional>
 #include <type_traits>

@@ -5,7 +5,6 @@
 #include "tracer/bsdf/fresnel.h"
 #include "tracer/bsdf/ggx.h"
 #include "tracer/bsdf/polarisation.h"
-#include "tracer/bsdf/refraction.h"
 #include "tracer/colour/scene_colours.h"
 #include "tracer/sampling/warps.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/bsdf/scattering.h"
+#include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/geometry/frame.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"

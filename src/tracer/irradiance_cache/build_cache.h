@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tracer/irradiance_cache/candidates.h"
 #include "tracer/irradiance_cache/irradiance_cache.h"
 #include "tracer/render/rendering.h"
 #include "tracer/world/world.h"
@@ -8,6 +9,19 @@
 #include <vector>
 
 namespace orbs::tracer {
+
+/// A record and the work that it took.
+struct ComputedRecord {
+  IrradianceRecord record;
+  double traversal_seconds = 0;
+};
+
+/// Irradiance by interreflection at the place of the candidate, from paths of the path tracer: all light but
+/// that which comes straight, or by delta functions alone, from emitters and the environment. The random
+/// numbers depend on the seed, the pixel and the number of scatterings before.
+ComputedRecord compute_record(const World& world,
+                              const RenderSettings& settings,
+                              const CacheCandidate& candidate);
 
 /// The caches of an image. How much light a path still brings depends on how often it may scatter, so there
 /// is one cache for each number of scatterings (mirrors, glass) before the surface; a single one for an

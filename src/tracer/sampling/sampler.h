@@ -1,12 +1,34 @@
 #pragma once
 
 #include "tracer/geometry/lanes.h"
+#include "tracer/sampling/hash.h"
 #include "tracer/sampling/sample_dimension.h"
 
 #include <array>
 #include <cstdint>
 
 namespace orbs::tracer {
+
+/// Number `counter` of an independent sequence: in [0, 1), a multiple of 2^-24.
+inline float independent_number(std::uint32_t seed, std::uint32_t counter) {
+  return static_cast<float>(static_cast<std::int32_t>(hash(seed ^ hash(counter + 1U)) >> 8)) * 0x1p-24F;
+}
+
+/// Four independent random numbers; `seed` is well mixed.
+inline std::array<float, 4> independent_point(std::uint32_t seed, std::uint32_t index) {
+  return {independent_number(seed, 4 * index), independent_number(seed, 4 * index + 1),
+          independent_number(seed, 4 * index + 2), independent_number(seed, 4 * index + 3)};
+}
+
+/// Point `index` of `count` jittered points (Cook, Porter and Carpenter 1984), four numbers in [0, 1): the
+/// numbers that are used as a pair (pixel, point on a light, direction) have a grid of cells, with about as
+/// many rows as columns, and the others one interval per point. Each pair and number visits its strata in its
+/// own random order, as in pbrt's StratifiedSampler. If the grid has more cells than there are points,
+/// a random choice of cells stays empty. `seed` is well mixed.
+std::array<float, 4> stratified_point(std::uint32_t seed,
+                                      std::uint32_t index,
+                                      std::uint32_t count,
+                                      SampleDimension dimension);
 
 /// How the points of a block lie: independent random numbers; jittered in strata, as the stratified samplers
 /// of pbrt and Mitsuba (stratified_points.h); or Sobol' points (Joe and Kuo 2008, first four dimensions),

@@ -3,23 +3,48 @@
 #include "base/error.h"
 #include "scene/camera_frame.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
-#include "scene/relations/rescaled.h"
+#include "scene/scene.h"
+#include "tracer/colour/scene_colours.h"
 #include "tracer/world/build_lights.h"
-#include "tracer/world/build_materials.h"
 #include "tracer/world/build_meshes.h"
-#include "tracer/world/find_caustic_casters.h"
-#include "tracer/world/find_mirror_planes.h"
+#include "tracer/world/specular_objects.h"
 #include "tracer/world/surface.h"
+#include "tracer/world/world.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+/// A step of make_world.
+
 namespace orbs::tracer {
 
 namespace {
+
+// Up to this roughness light paths find the light in a lobe better than light sampling at the surface itself.
+constexpr float kNearSpecularAlpha = 0.3F;
+
+bool is_appearance(const MaterialModel& model) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::kIsAppearance; }, model);
+}
+
+void add_materials(const scene::Scene& scene, const SceneColours& colours, World& world) {
+  for (const auto& material : scene.materials) {
+    SurfaceMaterial out{
+        .model = std::visit([&](const auto& m) -> MaterialModel { return make_material(m, colours); },
+                            material.model)};
+    const float alpha = std::visit([](const auto& m) { return lobe_alpha(m); }, out.model);
+    out.is_delta = alpha == 0;
+    out.is_near_specular = alpha < kNearSpecularAlpha;
+    world.materials.push_back(std::move(out));
+  }
+  for (const int index : scene::visible_materials(scene))
+    world.has_appearance_materials = world.has_appearance_materials ||
+                                     is_appearance(world.materials[static_cast<std::size_t>(index)].model);
+}
 
 // What must be resolved: all that is drawn and the camera, or without it where it is far away.
 struct Extent {

@@ -1,6 +1,4 @@
 // The table of exporters, and what becomes of a type of material that an exporter does not know.
-#include "adapters/exporters.h"
-
 #include "adapters/export.h"
 #include "adapters/kind_support.h"
 #include "json/document.h"

@@ -2,7 +2,6 @@
 #include "adapters/povray/povray.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "scene/geometry/generators.h"
 
 #include <cmath>

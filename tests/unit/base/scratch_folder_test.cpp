@@ -1,5 +1,3 @@
-#include "base/scratch_folder.h"
-
 #include "base/files.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 #include "image/image_io.h"
 #include "judge/difference.h"
 #include "judge/gate.h"
-#include "judge/maps.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"
 #include "judge/qualified.h"

@@ -3,7 +3,7 @@
 #include "judge/judge.h"
 #include "judge/provenance.h"
 #include "judge/reference.h"
-#include "registry/reduced_case.h"
+#include "registry/image_size.h"
 #include "structure/source_files.h"
 
 #include <cmath>

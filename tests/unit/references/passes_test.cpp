@@ -1,8 +1,7 @@
-#include "references/passes.h"
-
 #include "base/error.h"
 #include "base/random.h"
 #include "references/store.h"
+#include "references/unfinished.h"
 
 #include <cmath>
 

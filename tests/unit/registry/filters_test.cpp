@@ -1,6 +1,5 @@
-#include "registry/filters.h"
-
 #include "base/error.h"
+#include "registry/cases.h"
 
 #include <gtest/gtest.h>
 

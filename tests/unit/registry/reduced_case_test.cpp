@@ -1,5 +1,3 @@
-#include "registry/reduced_case.h"
-
 #include "base/error.h"
 #include "registry/image_size.h"
 

@@ -1,12 +1,11 @@
 // What the page reads: packed images, the overview, one image, the one-file page.
 #include "base/error.h"
 #include "base/files.h"
-#include "base/shell.h"
+#include "base/text.h"
 #include "image/image_io.h"
 #include "image/reduced_precision.h"
 #include "json/document.h"
 #include "page/fixture_runs.h"
-#include "report/gzip.h"
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_file.h"

@@ -1,6 +1,5 @@
 #include "base/error.h"
 #include "json/document.h"
-#include "results/read_record.h"
 #include "results/record.h"
 #include "results/record_json.h"
 #include "structure/source_files.h"

@@ -3,9 +3,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "page/fixture_runs.h"
-#include "results/read_record.h"
 #include "results/record_json.h"
-#include "results/work_folder.h"
+#include "results/run_folder.h"
 #include "structure/source_files.h"
 
 #include <filesystem>

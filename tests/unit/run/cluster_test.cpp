@@ -3,7 +3,7 @@
 #include "base/random.h"
 #include "run/cluster/shard.h"
 #include "run/cluster/slurm.h"
-#include "run/plan/shipped_times.h"
+#include "run/plan/render_seconds.h"
 
 #include <algorithm>
 #include <cmath>

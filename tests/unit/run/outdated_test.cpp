@@ -1,4 +1,4 @@
-#include "run/outdated.h"
+#include "run/resume.h"
 
 #include <gtest/gtest.h>
 

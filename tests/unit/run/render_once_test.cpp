@@ -1,9 +1,8 @@
-#include "run/render_once.h"
-
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
 #include "run/job_folder.h"
+#include "run/render.h"
 #include "structure/source_files.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What a version command prints, and which part of it is the version.
 #include "run/renderer_version.h"
 
-#include "base/scratch_folder.h"
+#include "base/files.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 // Scenes beyond ORB.S: what the reader makes of them, what it refuses, and that writing loses nothing.
 #include "base/error.h"
 #include "base/files.h"
-#include "base/scratch_folder.h"
 #include "scene/load/load_scene.h"
 #include "scene/load/write_scene.h"
 #include "spectra/observer.h"

@@ -2,9 +2,8 @@
 // would be right.
 #include "base/error.h"
 #include "base/files.h"
-#include "base/scratch_folder.h"
+#include "scene/geometry/mesh_file.h"
 #include "scene/geometry/ply.h"
-#include "scene/geometry/read_obj.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

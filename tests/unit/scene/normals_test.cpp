@@ -1,8 +1,8 @@
 // Mesh files without normals, and PLY in big-endian.
 #include "base/error.h"
 #include "scene/geometry/crease_normals.h"
+#include "scene/geometry/mesh_file.h"
 #include "scene/geometry/ply.h"
-#include "scene/geometry/read_obj.h"
 #include "scene/load/load_scene.h"
 #include "structure/source_files.h"
 

@@ -1,9 +1,8 @@
 // Changed scenes are what their relations claim.
 #include "scene/relations/relation.h"
 
-#include "base/scratch_folder.h"
+#include "base/files.h"
 #include "scene/camera_frame.h"
-#include "scene/geometry/placed_vertices.h"
 #include "scene/geometry/world_bounds.h"
 #include "scene/load/write_scene.h"
 #include "scene/relations/geometry.h"

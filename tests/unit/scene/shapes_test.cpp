@@ -6,7 +6,7 @@
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
 #include "scene/shapes/evaluate.h"
-#include "scene/shapes/parse_expression.h"
+#include "scene/shapes/expression.h"
 #include "structure/source_files.h"
 
 #include <cmath>

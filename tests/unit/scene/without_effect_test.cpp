@@ -1,6 +1,5 @@
-#include "scene/effects/without_effect.h"
-
 #include "base/error.h"
+#include "scene/effects/effects.h"
 #include "scene/load/load_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/scratch_folder.h"
+#include "base/files.h"
 #include "server/serve.h"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "server/run_names.h"
+#include "server/served.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "studies/bench/json.h"
 #include "studies/bench/numbers.h"
 #include "studies/bench/report.h"
-#include "studies/seed_noise.h"
+#include "studies/seed_statistics.h"
 
 #include <cmath>
 

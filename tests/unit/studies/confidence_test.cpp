@@ -1,4 +1,4 @@
-#include "studies/confidence.h"
+#include "studies/seed_statistics.h"
 
 #include <cmath>
 #include <random>

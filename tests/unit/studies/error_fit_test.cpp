@@ -1,6 +1,6 @@
 #include "studies/cost/error_fit.h"
 
-#include "studies/confidence.h"
+#include "studies/seed_statistics.h"
 
 #include <cmath>
 #include <random>

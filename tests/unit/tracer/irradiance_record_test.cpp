@@ -2,7 +2,7 @@
 // which records are used.
 #include "tracer/irradiance_cache/hemisphere.h"
 #include "tracer/irradiance_cache/irradiance_cache.h"
-#include "tracer/sampling/independent_points.h"
+#include "tracer/sampling/sampler.h"
 
 #include <cmath>
 #include <functional>

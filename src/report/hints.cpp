@@ -1,0 +1,77 @@
+#include "report/hints.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace orbs::report {
+
+namespace {
+
+using results::TargetRecord;
+
+// local_bias is the mean of a tile, less what noise may add to it: a misplaced scene moves it, noise does
+// not.
+bool may_be_noise(const TargetRecord& target) {
+  return std::any_of(target.checks.begin(), target.checks.end(),
+                     [](const auto& check) { return check.what == "local_bias" && check.passed; });
+}
+
+bool fails_by_far(const TargetRecord& target) {
+  constexpr double kFar_db = 6;
+  if (target.verdict != results::Verdict::Fail || may_be_noise(target)) return false;
+  return std::any_of(target.checks.begin(), target.checks.end(), [&](const auto& check) {
+    const auto measure = std::find_if(target.measures.begin(), target.measures.end(),
+                                      [&](const auto& one) { return one.name == check.what; });
+    return measure != target.measures.end() && measure->unit == "dB" && check.min &&
+           measure->value <= *check.min - kFar_db;
+  });
+}
+
+// Compares the programs by their own names: "orbs-tracer" in the provenance, "orbs-tracer 0.1.0" as a
+// version.
+bool is_foreign(const TargetRecord& target, const results::RendererRecord& renderer) {
+  const auto program = target.reference_provenance.find("program");
+  return program != target.reference_provenance.end() && !renderer.version.starts_with(program->second);
+}
+
+}  // namespace
+
+std::string probe_hints(const results::RunRecord& run) {
+  std::string text;
+  for (const auto& renderer : run.renderers) {
+    std::vector<std::string> targets;
+    for (const auto& target : run.targets)
+      if (target.renderer == renderer.name && fails_by_far(target) && is_foreign(target, renderer) &&
+          std::find(targets.begin(), targets.end(), target.target) == targets.end())
+        targets.push_back(target.target);
+    if (!targets.empty())
+      text += fmt::format(
+          "{0} is far off in {1}: 'orbs probe -r {0}' checks whether it places camera and objects as the "
+          "scenes say\n",
+          renderer.name, fmt::join(targets, ", "));
+  }
+  return text;
+}
+
+std::string size_note(const results::RunRecord& run) {
+  if (run.size == "1") return "";
+  std::ptrdiff_t unmeasured = 0;
+  for (const auto& target : run.targets)
+    unmeasured += std::count_if(target.checks.begin(), target.checks.end(),
+                                [](const auto& check) { return !check.measured; });
+  const auto left_out =
+      unmeasured == 0
+          ? ""
+          : fmt::format("Not measured: {}, smaller than such a pixel. ",
+                        unmeasured == 1 ? "1 pixel check" : fmt::format("{} pixel checks", unmeasured));
+  return fmt::format(
+      "Measured at {} of the width and height: means, tiles and noise are judged as at full size. Edges and detail\n"
+      "finer than a pixel of this size are averaged out and not judged.\n"
+      "{}--size 1 judges everything.\n",
+      run.size, left_out);
+}
+
+}  // namespace orbs::report

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "base/statistics.h"
+#include "image/image.h"
+#include "json/writer.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace orbs::studies {
+
+/// The middle of some measurements and the ends between which all of them lie.
+struct Spread {
+  double median = 0;  // of an even number: the mean of the two in the middle
+  double least = 0;
+  double most = 0;
+};
+
+/// Nothing when there are no values.
+std::optional<Spread> spread_of(std::vector<double> values);
+
+/// As the member `name` of an object; null for nothing.
+void write_spread(json::Writer& out, const char* name, const std::optional<Spread>& spread);
+
+/// Intervals of studies hold 95 %: the probability that one misses.
+inline constexpr double kOutside = 0.05;
+
+/// What repeated measurements of one number say of it.
+struct Sample {
+  double mean = 0;
+  double variance = 0;  // unbiased, of one measurement
+  int count = 0;
+};
+
+/// Of at least one value; the variance of a single one is 0.
+Sample sample_of(const std::vector<double>& values);
+
+/// The mean of the values, which are taken to be normally distributed.
+Interval mean_interval(const std::vector<double>& values);
+
+/// The median of at least one value between two order statistics, for any distribution: the binomial
+/// distribution says how often they enclose it. Fewer than six values cannot reach 95 %; the interval then is
+/// all of them (four: 87.5 %).
+Interval median_interval(std::vector<double> values);
+
+/// The ratio of the geometric means of two samples, second / first, by Welch's test on the logarithms. All
+/// values are above 0, and there are at least two of each.
+Interval ratio_interval(const std::vector<double>& first,
+                        const std::vector<double>& second,
+                        double outside = kOutside);
+
+/// The noise of one image, estimated only from several images with different seeds. It needs no reference and
+/// measures every renderer alike; it cannot show an error that all seeds share.
+struct SeedNoise {
+  double relative_mse = 0;
+  double psnr_srgb8_db = 0;
+};
+
+inline constexpr std::string_view kRelativeMseDefinition =
+    "mean over the channels R, G, B of all pixels of s^2 / (m^2 + 0.01); s^2: unbiased variance over "
+    "seeds of the linear Rec.709 value; m: mean of the images of all renderers and seeds";
+inline constexpr std::string_view kSeedPsnrDefinition =
+    "10 log10(255^2 / (MSE / 2)); MSE: that of psnr_srgb8 between images of two seeds, of which each has "
+    "half, mean over successive seeds";
+
+/// From at least two images of the same sample count; `mean`, of their size, gives the denominators.
+SeedNoise noise_of_seeds(const std::vector<image::Image>& images, const image::Image& mean, int threads);
+
+}  // namespace orbs::studies
