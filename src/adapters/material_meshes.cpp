@@ -1,5 +1,6 @@
 #include "adapters/material_meshes.h"
 
+#include "base/nth.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
 
@@ -97,7 +98,7 @@ std::vector<MaterialMesh> material_meshes(const scene::Scene& scene) {
   scene::split_by_material(split);
   std::vector<MaterialMesh> meshes(split.meshes.size());
   for (const scene::Instance& instance : split.instances)
-    meshes[static_cast<std::size_t>(instance.mesh)].places.push_back(instance.matrix);
+    nth(meshes, instance.mesh).places.push_back(instance.matrix);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     meshes[i].mesh = std::move(split.meshes[i]);
     if (!meshes[i].mesh.triangle_materials.empty()) meshes[i].material = meshes[i].mesh.triangle_materials[0];

@@ -1,9 +1,8 @@
 #include "analytic/analytic_image.h"
 
-#include "analytic/albedo.h"
 #include "analytic/direct_light.h"
-#include "analytic/fresnel_plane.h"
 #include "analytic/ray.h"
+#include "analytic/reflectance.h"
 #include "scene/camera_frame.h"
 
 #include <algorithm>

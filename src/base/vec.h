@@ -59,6 +59,10 @@ inline Vec3<Real> normalised(Vec3<Real> a) {
   return a / length(a);
 }
 
+/// Radians, 0 to pi; exact where the arc cosine of the unit vectors' product is not: near 0 and pi (W. Kahan,
+/// "How Futile are Mindless Assessments of Roundoff", 2006). 0 where one of the two is zero.
+inline double angle_between(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
 template <typename Real>
 constexpr Real largest(Vec3<Real> a) {
   const Real xy = a.x > a.y ? a.x : a.y;

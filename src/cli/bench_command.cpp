@@ -4,7 +4,6 @@
 #include "cli/options.h"
 #include "cli/program.h"
 #include "studies/bench/bench.h"
-#include "studies/bench/json.h"
 #include "studies/bench/report.h"
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include "cli/run_options.h"
 #include "registry/cases.h"
 #include "report/effects_table.h"
-#include "results/record_json.h"
-#include "run/plan/load_scenes.h"
+#include "results/record.h"
+#include "run/plan/scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "registry/image_size.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "run/plan/render_seconds.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "faults/fault.h"
 
+#include "base/nth.h"
 #include "faults/pixels.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ float bright_value(const Image& image) {
   auto values = image::select_rgb(image, "").pixels;
   const auto at = static_cast<std::ptrdiff_t>(values.size() - 1 - values.size() / 100);
   std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+  return nth(values, at);
 }
 
 // An alpha that rises from left to right.

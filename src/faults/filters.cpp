@@ -1,5 +1,7 @@
 #include "faults/filters.h"
 
+#include "base/nth.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +42,7 @@ Image filtered_along(const Image& image, const std::vector<float>& weights, bool
         for (int i = 0; i <= 2 * reach; ++i) {
           const int u = along_x ? std::clamp(x + i - reach, 0, image.width - 1) : x;
           const int v = along_x ? y : std::clamp(y + i - reach, 0, image.height - 1);
-          sum += weights[static_cast<std::size_t>(i)] * image.at(u, v, c);
+          sum += nth(weights, i) * image.at(u, v, c);
         }
         out.at(x, y, c) = sum;
       }

@@ -9,10 +9,6 @@
 /// OpenEXR files by the OpenEXR library. Errors say what is wrong, without the file's name.
 namespace orbs::image {
 
-/// Half: 16-bit floats, but for channels "variance.*", which stay 32-bit floats, because variances span more
-/// decades than half floats have. Float: all as they are.
-enum class Precision { Half, Float };
-
 /// The first part of the file `bytes`, "R", "G", "B" first in each layer; without pixels when only the header
 /// is wanted. `name` is for the library's messages. InputError as read_image.
 Image decoded_exr(const std::string& name, std::string_view bytes, Wanted wanted);

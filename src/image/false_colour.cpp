@@ -1,6 +1,7 @@
 #include "image/false_colour.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "image/colour.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ struct Colouring {
     if (std::isnan(value)) return kNoValue;
     const float position = maximum > 0.0F ? std::clamp(value / maximum, -1.0F, 1.0F) : 0.0F;
     const float share = scale == ColourScale::Diverging ? 0.5F * (position + 1.0F) : std::max(position, 0.0F);
-    return table[static_cast<std::size_t>(std::lround(share * static_cast<float>(table.size() - 1)))];
+    return nth(table, std::lround(share * static_cast<float>(table.size() - 1)));
   }
 };
 
@@ -125,7 +126,7 @@ void fill_dot(Image& image, int left, int top, int zoom, float value) {
 void draw_glyph(Image& image, int x, int y, const Glyph& glyph, int zoom, float value) {
   for (int row = 0; row < kGlyphHeightPx; ++row)
     for (int column = 0; column < kGlyphWidthPx; ++column)
-      if ((glyph.rows[static_cast<std::size_t>(row)] >> (kGlyphWidthPx - 1 - column) & 1) != 0)
+      if ((nth(glyph.rows, row) >> (kGlyphWidthPx - 1 - column) & 1) != 0)
         fill_dot(image, x + column * zoom, y + row * zoom, zoom, value);
 }
 

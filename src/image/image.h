@@ -35,6 +35,10 @@ struct Image {
   }
 };
 
+/// Of the pixels in an EXR file. Half: 16-bit floats, but for channels "variance.*", which stay 32-bit
+/// floats, because variances span more decades than half floats have. Float: all as they are.
+enum class Precision { Half, Float };
+
 /// Black image with these channels.
 Image make_image(int width, int height, std::vector<std::string> channels);
 

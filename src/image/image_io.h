@@ -1,6 +1,5 @@
 #pragma once
 
-#include "image/exr.h"
 #include "image/image.h"
 
 #include <filesystem>

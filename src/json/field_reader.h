@@ -43,11 +43,6 @@ class FieldReader {
     get(key, value, field);
   }
 
-  template <class T>
-  void at_least(const std::string& key, T& value, int least) {
-    (*this)(key, value, {.range = {static_cast<double>(least), kMostInteger}});
-  }
-
   // As FieldWriter writes it: null with "infinite" beside it is infinite, null alone is NaN.
   void maybe_infinite(const std::string& key, double& value) {
     if (in_.has(key) && in_.holds_number(key)) {

@@ -42,11 +42,6 @@ class FieldWriter {
     put(value);
   }
 
-  template <class T>
-  void at_least(std::string_view key, const T& value, int) {
-    (*this)(key, value);
-  }
-
   void inside_folder(std::string_view key, const std::string& path) { (*this)(key, path); }
 
   /// JSON has no infinity: it becomes null, with "infinite": true beside it.

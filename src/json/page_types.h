@@ -41,23 +41,18 @@ class Members {
   explicit Members(PageTypes& types) : types_(types) {}
 
   template <class T>
-  void operator()(std::string_view key, const T& value) {
+  void operator()(std::string_view key, const T& value, const Field& = {}) {
     constexpr bool kMayBeLeftOut = requires { is_absent(value); };
     add(key, kMayBeLeftOut ? "?" : "", type_of(value));
   }
 
   template <class T>
-  void operator()(std::string_view key, const std::optional<T>&) {
+  void operator()(std::string_view key, const std::optional<T>&, const Field& = {}) {
     add(key, "?", type_of(T{}));
   }
 
   template <class T>
-  void required(std::string_view key, const T& value) {
-    add(key, "", type_of(value));
-  }
-
-  template <class T>
-  void at_least(std::string_view key, const T& value, int) {
+  void required(std::string_view key, const T& value, const Field& = {}) {
     add(key, "", type_of(value));
   }
 

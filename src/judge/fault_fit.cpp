@@ -1,5 +1,7 @@
 #include "judge/fault_fit.h"
 
+#include "base/nth.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,7 +158,7 @@ double larger_where_changed(const FitSamples& samples,
       double low = 0;
       double high = 0;
       for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(by_change.size()); ++i)
-        (i < half ? low : high) += by_change[static_cast<std::size_t>(i)].second;
+        (i < half ? low : high) += nth(by_change, i).second;
       more += (high - low) / 2;
       count += by_change.size();
     }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "image/image.h"
 #include "metrics/image_pair.h"
 #include "metrics/metric.h"
 #include "registry/case.h"
+#include "results/record.h"
 #include "results/verdict.h"
 
 #include <string>
@@ -25,5 +27,17 @@ GateResult check_gate(const registry::Gate& gate,
 
 /// InputError for a gate whose metric does not exist, with its place and the nearest name.
 void refuse_unknown_metrics(const registry::Case& one_case);
+
+/// Measures the region's mean and compares it as the check says; not measured where it says why not. The
+/// image holds the region.
+results::Check check_pixels(const registry::PixelCheck& check, const image::Image& image);
+
+/// Of a check that was measured and has not passed: Fail, or Inconclusive where as many standard errors as
+/// the check allows could have moved the mean so far. Inconclusive, too, where light is expected and an image
+/// that states its noise is black with none: no sample has met the light.
+results::Verdict verdict_of_missed_check(const registry::PixelCheck& check, const image::Image& image);
+
+/// How far the mean is off, in tolerances; infinite where none is given.
+double excess_of_missed_check(const registry::PixelCheck& check, const image::Image& image);
 
 }  // namespace orbs::judge

@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "judge/gate.h"
 #include "judge/noise.h"
-#include "judge/pixel_checks.h"
 #include "judge/provenance.h"
 #include "metrics/describe.h"
 

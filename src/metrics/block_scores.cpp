@@ -1,5 +1,6 @@
 #include "metrics/block_scores.h"
 
+#include "base/nth.h"
 #include "base/statistics.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ double score(double difference, double reference, double variance) {
 int count_findings(std::vector<double> probabilities, int tests, double rate) {
   std::sort(probabilities.begin(), probabilities.end());
   for (auto k = static_cast<int>(probabilities.size()); k > 0; --k)
-    if (probabilities[static_cast<std::size_t>(k - 1)] <= rate * k / tests) return k;
+    if (nth(probabilities, k - 1) <= rate * k / tests) return k;
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "metrics/metric.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ inline MetricResult quantile(const ImagePair& pair, double share) {
     if (pair.included[pixel] != 0) errors.push_back(error_of(pair, pixel));
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1;
   std::nth_element(errors.begin(), errors.begin() + rank, errors.end());
-  return {static_cast<double>(errors[static_cast<std::size_t>(rank)]), {}};
+  return {static_cast<double>(nth(errors, rank)), {}};
 }
 
 }  // namespace error_quantiles

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "metrics/metric.h"
 
@@ -29,7 +30,7 @@ inline Weights window_weights() {
   double sum = 0.0;
   for (int i = 0; i <= kRadius; ++i) {
     const double weight = std::exp(-0.5 * i * i / (kSigmaPx * kSigmaPx));
-    weights[static_cast<std::size_t>(i)] = weight;
+    nth(weights, i) = weight;
     sum += i == 0 ? weight : 2.0 * weight;
   }
   for (double& weight : weights) weight /= sum;
@@ -48,7 +49,7 @@ inline void filter_columns(const ImagePair& pair, const Weights& weights, int ro
   const auto width = static_cast<std::size_t>(pair.width);
   for (auto* values : {&out.x, &out.y, &out.xy, &out.xx_yy}) std::fill(values->begin(), values->end(), 0.0);
   for (int k = -kRadius; k <= kRadius; ++k) {
-    const double weight = weights[static_cast<std::size_t>(std::abs(k))];
+    const double weight = nth(weights, std::abs(k));
     const double* const a = &pair.result_luma[static_cast<std::size_t>(row + k) * width];
     const double* const b = &pair.reference_luma[static_cast<std::size_t>(row + k) * width];
     for (std::size_t i = 0; i < width; ++i) {
@@ -62,7 +63,7 @@ inline void filter_columns(const ImagePair& pair, const Weights& weights, int ro
 
 inline double filtered(const double* centre, const Weights& weights) {
   double sum = weights[0] * centre[0];
-  for (int k = 1; k <= kRadius; ++k) sum += weights[static_cast<std::size_t>(k)] * (centre[-k] + centre[k]);
+  for (int k = 1; k <= kRadius; ++k) sum += nth(weights, k) * (centre[-k] + centre[k]);
   return sum;
 }
 

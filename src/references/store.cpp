@@ -10,7 +10,7 @@
 #include "results/image_hashes.h"
 #include "run/execute.h"
 #include "run/host.h"
-#include "run/plan/load_scenes.h"
+#include "run/plan/scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

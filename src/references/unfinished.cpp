@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "image/image_io.h"
 #include "judge/provenance.h"
-#include "run/plan/load_scenes.h"
+#include "run/plan/scenes.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>

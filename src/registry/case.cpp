@@ -241,12 +241,6 @@ std::vector<std::string> target_names(const Case& one_case) {
   return names;
 }
 
-Case with_reference(Case one_case, const std::string& scene, const std::string& reference) {
-  for (auto& other : one_case.scenes)
-    if (other.name == scene) other.reference = reference;
-  return one_case;
-}
-
 const std::string& reference_name(const CaseScene& scene) {
   return scene.reference.empty() ? scene.name : scene.reference;
 }

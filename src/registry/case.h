@@ -97,9 +97,6 @@ std::vector<std::string> target_names(const Case& one_case);
 /// The scene whose reference a scene is judged by: mostly its own.
 const std::string& reference_name(const CaseScene& scene);
 
-/// The case with this reference instead of the scene's own.
-Case with_reference(Case one_case, const std::string& scene, const std::string& reference);
-
 /// Why pixel checks alone judge the target, a scene or a difference of scenes; "" where a reference does.
 std::string no_reference_reason(const Case& one_case, const std::string& target);
 

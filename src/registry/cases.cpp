@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "registry/features.h"
+#include "registry/filters.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -187,34 +188,6 @@ std::vector<Case> choose_cases(const std::vector<Case>& all, const RunSettings& 
     throw InputError(
         fmt::format("no scene is left: nothing matches case '{}', requirement '{}' and scene '{}' at once",
                     settings.cases, settings.requirements, settings.scenes));
-  return chosen;
-}
-
-std::vector<std::string> patterns_of(std::string_view list) {
-  std::vector<std::string> patterns;
-  for (const auto& item : split(list, ','))
-    if (const auto pattern = trim(item); !pattern.empty()) patterns.emplace_back(pattern);
-  return patterns;
-}
-
-bool matches_any(const std::vector<std::string>& patterns, std::string_view name) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const auto& pattern) { return glob_match(pattern, name); });
-}
-
-std::vector<std::string> select_names(const std::vector<std::string>& names,
-                                      std::string_view list,
-                                      const std::string& what) {
-  const auto patterns = patterns_of(list);
-  if (patterns.empty()) throw InputError(fmt::format("no {} is chosen: '{}' holds no name", what, list));
-  const std::set<std::string> known(names.begin(), names.end());
-  for (const auto& pattern : patterns)
-    if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return glob_match(pattern, name); }))
-      throw InputError(fmt::format("no {} matches '{}'{}; 'orbs list {}s' shows what there is", what, pattern,
-                                   closest(pattern, known), what));
-  std::vector<std::string> chosen;
-  for (const auto& name : names)
-    if (matches_any(patterns, name)) chosen.push_back(name);
   return chosen;
 }
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// What only all cases of a suite together tell. InputErrors with the file of the case.
@@ -42,18 +41,5 @@ std::vector<Case> choose_cases(const std::vector<Case>& all, const RunSettings& 
 
 /// The case with these targets alone, and the scenes that its chosen differences are made from.
 Case with_targets(const Case& whole, const std::set<std::string>& chosen);
-
-/// The patterns of a comma-separated list, trimmed, empty ones dropped.
-std::vector<std::string> patterns_of(std::string_view list);
-
-/// True when one of the patterns ('*', '?' as in a shell) matches the whole name.
-bool matches_any(const std::vector<std::string>& patterns, std::string_view name);
-
-/// Those of `names` that the comma-separated patterns choose, in the order of `names`. InputError, with the
-/// nearest name, when the list is empty or one pattern of it chooses nothing: a typo must not quietly test
-/// less. `what` is the word for the message ("scene").
-std::vector<std::string> select_names(const std::vector<std::string>& names,
-                                      std::string_view list,
-                                      const std::string& what);
 
 }  // namespace orbs::registry

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "json/locate.h"
 #include "json/writer.h"
-#include "registry/cases.h"
+#include "registry/filters.h"
 
 #include <algorithm>
 #include <array>

@@ -14,4 +14,11 @@ const std::string& entry_of(const Renderer& renderer);
 /// with variants chooses all of them. InputError, with the nearest name, for a pattern that chooses nothing.
 std::vector<std::string> chosen_renderers(const Configuration& configuration, const std::string& list);
 
+/// The entry with the exporter's settings that it has at the reduced size instead of its usual ones.
+Renderer at_size(Renderer renderer, SizeDivisor size_divisor);
+
+/// The entry with the exporter's settings that it has for the scene of that name, which stand above those of
+/// the size.
+Renderer for_scene(Renderer renderer, const std::string& scene);
+
 }  // namespace orbs::registry

@@ -1,7 +1,7 @@
 #include "report/history_page.h"
 
 #include "history/history_text.h"
-#include "report/junit.h"
+#include "report/files.h"
 
 #include <algorithm>
 #include <cmath>

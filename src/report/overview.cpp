@@ -1,8 +1,8 @@
 #include "report/overview.h"
 
 #include "base/text.h"
+#include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -234,7 +234,7 @@ Overview overview_of(const RunView& view) {
 std::string overview_json(const RunView& view) {
   json::Writer out;
   out.begin_object().member("format", "orbs-page/2");
-  results::write_fields(out, overview_of(view));
+  json::write_fields(out, overview_of(view));
   return out.end_object().text();
 }
 

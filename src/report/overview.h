@@ -29,7 +29,7 @@ struct RunInfo {
   results::Host host;
 };
 
-template <class Visitor, results::RecordOf<RunInfo> Record>
+template <class Visitor, json::RecordOf<RunInfo> Record>
 void fields(Visitor& visit, Record& run) {
   visit("name", run.name);
   visit("suite", run.suite);
@@ -51,7 +51,7 @@ struct State {
   bool is_failure = false;
 };
 
-template <class Visitor, results::RecordOf<State> Record>
+template <class Visitor, json::RecordOf<State> Record>
 void fields(Visitor& visit, Record& state) {
   visit("name", state.name);
   visit("failure", state.is_failure);
@@ -65,7 +65,7 @@ struct Renderer {
   std::optional<std::string> version, declared, measured;
 };
 
-template <class Visitor, results::RecordOf<Renderer> Record>
+template <class Visitor, json::RecordOf<Renderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit("name", renderer.name);
   visit("wall_seconds", renderer.wall_seconds);
@@ -81,7 +81,7 @@ struct Requirement {
   std::string title;
 };
 
-template <class Visitor, results::RecordOf<Requirement> Record>
+template <class Visitor, json::RecordOf<Requirement> Record>
 void fields(Visitor& visit, Record& requirement) {
   visit("code", requirement.code);
   visit("title", requirement.title);
@@ -95,7 +95,7 @@ struct Metric {
   bool is_signed = false;
 };
 
-template <class Visitor, results::RecordOf<Metric> Record>
+template <class Visitor, json::RecordOf<Metric> Record>
 void fields(Visitor& visit, Record& metric) {
   visit("name", metric.name);
   visit("unit", metric.unit);
@@ -114,7 +114,7 @@ struct Cells {
   Column wall_seconds, cpu_seconds, render_seconds, peak_rss_bytes, spp;
 };
 
-template <class Visitor, results::RecordOf<Cells> Record>
+template <class Visitor, json::RecordOf<Cells> Record>
 void fields(Visitor& visit, Record& cells) {
   visit("case", cells.cases);
   visit("target", cells.targets);
@@ -150,7 +150,7 @@ struct Overview {
   std::map<std::string, std::vector<std::size_t>> infinite;
 };
 
-template <class Visitor, results::RecordOf<Overview> Record>
+template <class Visitor, json::RecordOf<Overview> Record>
 void fields(Visitor& visit, Record& overview) {
   visit("run", overview.run);
   visit("states", overview.states);

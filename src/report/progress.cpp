@@ -1,7 +1,7 @@
 #include "report/progress.h"
 
+#include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ std::string progress_json(const RunView& view) {
           fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
   }
   json::Writer out;
-  results::write_record(out, progress);
+  json::write_record(out, progress);
   return out.text();
 }
 

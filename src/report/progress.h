@@ -17,7 +17,7 @@ struct Progress {
   double seconds_left = 0;  // an estimate; NaN if unknown
 };
 
-template <class Visitor, results::RecordOf<Progress> Record>
+template <class Visitor, json::RecordOf<Progress> Record>
 void fields(Visitor& visit, Record& progress) {
   visit("live", progress.is_live);
   visit("running", progress.running);

@@ -2,8 +2,8 @@
 
 #include "base/files_inside.h"
 #include "base/text.h"
+#include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -93,7 +93,7 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
 
 std::string target_json(const RunView& view, std::size_t index) {
   json::Writer out;
-  results::write_record(out, target_detail(view, index));
+  json::write_record(out, target_detail(view, index));
   return out.text();
 }
 

@@ -21,7 +21,7 @@ struct ImageFile {
   std::optional<double> scale_maximum = {};
 };
 
-template <class Visitor, results::RecordOf<ImageFile> Record>
+template <class Visitor, json::RecordOf<ImageFile> Record>
 void fields(Visitor& visit, Record& image) {
   visit("name", image.name);
   visit("kind", image.kind);
@@ -37,7 +37,7 @@ struct Job {
   std::string log;
 };
 
-template <class Visitor, results::RecordOf<Job> Record>
+template <class Visitor, json::RecordOf<Job> Record>
 void fields(Visitor& visit, Record& job) {
   fields(visit, job.record);
   visit("log", job.log);
@@ -63,7 +63,7 @@ struct TargetDetail {
   std::string command;                       // renders and judges this target again, and no other
 };
 
-template <class Visitor, results::RecordOf<TargetDetail> Record>
+template <class Visitor, json::RecordOf<TargetDetail> Record>
 void fields(Visitor& visit, Record& detail) {
   visit("case", detail.case_name);
   visit("target", detail.target);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 
 #include <cstddef>
 #include <optional>
@@ -30,11 +30,11 @@ struct Host {
 /// A host that nobody noted is left out of a record.
 inline bool is_absent(const Host& host) { return host == Host{}; }
 
-template <class Visitor, RecordOf<Host> Record>
+template <class Visitor, json::RecordOf<Host> Record>
 void fields(Visitor& visit, Record& host) {
   visit("name", host.name);
   visit("cpu", host.cpu);
-  visit.at_least("cores", host.cores, 0);
+  visit("cores", host.cores, {.range = {.min = 0}});
   visit("governor", host.governor);
   visit("memory_bytes", host.memory_bytes);
   visit("system", host.system);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 #include "results/host_record.h"
 #include "results/job_outcome.h"
 
@@ -23,15 +23,15 @@ struct JobIdentity {
   int seeds = 1;  // number of consecutive seeds that share the samples
 };
 
-template <class Visitor, RecordOf<JobIdentity> Record>
+template <class Visitor, json::RecordOf<JobIdentity> Record>
 void fields(Visitor& visit, Record& identity) {
   visit.required("id", identity.id);
   visit("suite", identity.suite);
   visit.required("scene", identity.scene);
   visit.required("renderer", identity.renderer);
-  visit.at_least("spp", identity.spp, 1);
+  visit("spp", identity.spp, {.range = {.min = 1}});
   visit("seed", identity.seed);
-  visit.at_least("seeds", identity.seeds, 1);
+  visit("seeds", identity.seeds, {.range = {.min = 1}});
 }
 
 /// What was started.
@@ -42,12 +42,12 @@ struct JobProgram {
   int threads = 0;
 };
 
-template <class Visitor, RecordOf<JobProgram> Record>
+template <class Visitor, json::RecordOf<JobProgram> Record>
 void fields(Visitor& visit, Record& program) {
   visit("version", program.version);
   visit("argv", program.argv);
   visit("shell", program.shell);
-  visit.at_least("threads", program.threads, 0);
+  visit("threads", program.threads, {.range = {.min = 0}});
 }
 
 /// What the render and its verdict depend on: --resume renders or judges again where a hash differs.
@@ -61,7 +61,7 @@ struct JobHashes {
   std::string image;     // the image's file, by which merge notices damage; "" if there is none
 };
 
-template <class Visitor, RecordOf<JobHashes> Record>
+template <class Visitor, json::RecordOf<JobHashes> Record>
 void fields(Visitor& visit, Record& hashes) {
   visit("scene", hashes.scene);
   visit("program", hashes.program);
@@ -83,7 +83,7 @@ struct JobCost {
   Host host;
 };
 
-template <class Visitor, RecordOf<JobCost> Record>
+template <class Visitor, json::RecordOf<JobCost> Record>
 void fields(Visitor& visit, Record& cost) {
   visit("started", cost.started);
   visit("load", cost.load);
@@ -103,7 +103,7 @@ struct JobEnd {
   bool core_dumped = false;
 };
 
-template <class Visitor, RecordOf<JobEnd> Record>
+template <class Visitor, json::RecordOf<JobEnd> Record>
 void fields(Visitor& visit, Record& end) {
   visit.required("outcome", end.outcome);
   visit("reason", end.reason);
@@ -120,7 +120,7 @@ struct JobFiles {
   std::string log;           // "" if it was not kept
 };
 
-template <class Visitor, RecordOf<JobFiles> Record>
+template <class Visitor, json::RecordOf<JobFiles> Record>
 void fields(Visitor& visit, Record& files) {
   visit.inside_folder("folder", files.folder);
   visit("native_scene", files.native_scene);
@@ -138,7 +138,7 @@ struct JobRecord {
   JobFiles files;
 };
 
-template <class Visitor, RecordOf<JobRecord> Record>
+template <class Visitor, json::RecordOf<JobRecord> Record>
 void fields(Visitor& visit, Record& job) {
   visit.required("identity", job.identity);
   visit("program", job.program);

@@ -4,6 +4,7 @@
 #include "results/scene_record.h"
 #include "results/target_record.h"
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 /// What is recorded of a run. Paths are relative to the run's folder if they lie in it. Each member is also
 /// listed in the struct's fields(): see fields.h.
+
 namespace orbs::results {
 
 /// A cell of the summary table: the worst target of a requirement.
@@ -22,7 +24,7 @@ struct Cell {
   Expectation expectation = Expectation::None;
 };
 
-template <class Visitor, RecordOf<Cell> Record>
+template <class Visitor, json::RecordOf<Cell> Record>
 void fields(Visitor& visit, Record& cell) {
   visit("declared", cell.declared);
   visit.required("verdict", cell.verdict);
@@ -37,7 +39,7 @@ struct RequirementRecord {
   std::map<std::string, Cell> cells;  // by renderer
 };
 
-template <class Visitor, RecordOf<RequirementRecord> Record>
+template <class Visitor, json::RecordOf<RequirementRecord> Record>
 void fields(Visitor& visit, Record& requirement) {
   visit.required("code", requirement.code);
   visit("title", requirement.title);
@@ -56,7 +58,7 @@ struct RendererRecord {
   double cpu_seconds = 0;
 };
 
-template <class Visitor, RecordOf<RendererRecord> Record>
+template <class Visitor, json::RecordOf<RendererRecord> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name);
   visit("variant_of", renderer.variant_of);
@@ -64,7 +66,7 @@ void fields(Visitor& visit, Record& renderer) {
   visit("executable", renderer.executable);
   visit("declared", renderer.declared);
   visit("measured", renderer.measured);
-  visit.at_least("requirements_by_verdict", renderer.counts, 0);
+  visit("requirements_by_verdict", renderer.counts, {.range = {.min = 0}});
   visit("wall_seconds", renderer.wall_seconds);
   visit("cpu_seconds", renderer.cpu_seconds);
 }
@@ -75,7 +77,7 @@ struct LeftOut {
   std::string reason;
 };
 
-template <class Visitor, RecordOf<LeftOut> Record>
+template <class Visitor, json::RecordOf<LeftOut> Record>
 void fields(Visitor& visit, Record& left) {
   visit.required("renderer", left.renderer);
   visit("reason", left.reason);
@@ -105,7 +107,7 @@ struct RunRecord {
   std::vector<JobRecord> jobs;
 };
 
-template <class Visitor, RecordOf<RunRecord> Record>
+template <class Visitor, json::RecordOf<RunRecord> Record>
 void fields(Visitor& visit, Record& run) {
   visit("suite", run.suite);
   visit("size", run.size);
@@ -142,5 +144,30 @@ bool judged_nothing(const RunRecord& run);
 /// 0 if nothing that counts failed, else 1: a failure counts if the renderer declares the requirement and the
 /// configuration does not expect it. 2 if nothing was judged.
 int exit_status(const RunRecord& run);
+
+/// The contents of a job.json: the render, and the targets whose image it makes alone.
+struct JobFile {
+  JobRecord job;
+  std::vector<TargetRecord> targets;
+};
+
+/// Reads a job.json. InputError with file, line and key. Unknown members are ignored, since a newer program
+/// may have written them; a missing member keeps its default unless it is required.
+JobFile read_job_file(const std::filesystem::path& file);
+
+/// Reads a results.json in the same way. `folder` of the record is the one that the file lies in now, not the
+/// one that it was written to.
+RunRecord read_results_file(const std::filesystem::path& file);
+
+/// The text of a job's job.json (format "orbs-job/2"): the record of the render, and the records of the
+/// targets whose image it makes alone.
+std::string job_json(const JobRecord& job, const std::vector<TargetRecord>& targets);
+
+/// The text that `orbs effects --json` prints (format "orbs-effects/1").
+std::string scenes_json(const std::vector<SceneRecord>& scenes);
+
+/// The text of results.json (format "orbs-results/2"): the whole record. The host of a render is left out if
+/// it is the run's.
+std::string run_json(const RunRecord& run);
 
 }  // namespace orbs::results

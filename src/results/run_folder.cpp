@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <system_error>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct CaseRecord {
   std::string smallest_error_seen = {};  // by its gate, in words; "" if nobody has tried
 };
 
-template <class Visitor, RecordOf<CaseRecord> Record>
+template <class Visitor, json::RecordOf<CaseRecord> Record>
 void fields(Visitor& visit, Record& one_case) {
   visit("suite", one_case.suite);
   visit.required("name", one_case.name);
@@ -38,7 +38,7 @@ struct EffectRecord {
   std::string reason;   // follows the subject: "has a film 550 nm high"
 };
 
-template <class Visitor, RecordOf<EffectRecord> Record>
+template <class Visitor, json::RecordOf<EffectRecord> Record>
 void fields(Visitor& visit, Record& effect) {
   visit.required("effect", effect.effect);
   visit("subject", effect.subject);
@@ -53,7 +53,7 @@ struct EffectCostRecord {
   std::string change;      // "same to the bit", or how the image differs
 };
 
-template <class Visitor, RecordOf<EffectCostRecord> Record>
+template <class Visitor, json::RecordOf<EffectCostRecord> Record>
 void fields(Visitor& visit, Record& cost) {
   visit.required("name", cost.name);
   visit.required("time_ratio", cost.time_ratio);
@@ -71,7 +71,7 @@ struct SceneRecord {
   std::vector<EffectCostRecord> effect_costs = {};  // from orbs effect-cost; empty if nobody has measured
 };
 
-template <class Visitor, RecordOf<SceneRecord> Record>
+template <class Visitor, json::RecordOf<SceneRecord> Record>
 void fields(Visitor& visit, Record& scene) {
   visit.required("name", scene.name);
   visit("transport", scene.transport);

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "json/document.h"
+#include "json/field_reader.h"
 #include "json/object_reader.h"
-#include "results/field_reader.h"
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ StudyFolder read_study_folder(const fs::path& folder) {
         "{}: holds no study; name a folder that 'orbs cost' or 'orbs stability' made", folder.string()));
   const auto document = json::parse_file(folder / kind->file);
   json::ObjectReader root(document);
-  check_format(root, kind->format);
+  json::check_format(root, kind->format);
   auto started = root.text_or("started", "");
   return {*kind, std::move(started), kind->images(root)};
 }

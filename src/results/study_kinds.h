@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 
 #include <array>
 #include <filesystem>
@@ -56,7 +56,7 @@ struct Definition {
   std::string_view text;
 };
 
-template <class Visitor, RecordOf<Definition> Record>
+template <class Visitor, json::RecordOf<Definition> Record>
 void fields(Visitor& visit, Record& definition) {
   visit("name", definition.name);
   visit("text", definition.text);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 #include "results/verdict.h"
 
 #include <map>
@@ -26,7 +26,7 @@ struct Measure {
   std::vector<double> where = {};  // x0, y0, x1, y1 of the pixels that it measures; empty: all
 };
 
-template <class Visitor, RecordOf<Measure> Record>
+template <class Visitor, json::RecordOf<Measure> Record>
 void fields(Visitor& visit, Record& measure) {
   visit.required("name", measure.name);
   visit.maybe_infinite("value", measure.value);
@@ -48,7 +48,7 @@ struct MapRecord {
   double scale_maximum = 1;  // upper end of its colour scale; the same for every renderer
 };
 
-template <class Visitor, RecordOf<MapRecord> Record>
+template <class Visitor, json::RecordOf<MapRecord> Record>
 void fields(Visitor& visit, Record& map) {
   visit.required("name", map.name);
   visit.inside_folder("image", map.image);
@@ -68,7 +68,7 @@ struct Check {
   bool decided = true;   // false: noise does not let it be told whether it is met
 };
 
-template <class Visitor, RecordOf<Check> Record>
+template <class Visitor, json::RecordOf<Check> Record>
 void fields(Visitor& visit, Record& check) {
   visit.required("what", check.what);
   visit("passed", check.passed);
@@ -106,7 +106,7 @@ struct TargetRecord {
   std::vector<MapRecord> maps;
 };
 
-template <class Visitor, RecordOf<TargetRecord> Record>
+template <class Visitor, json::RecordOf<TargetRecord> Record>
 void fields(Visitor& visit, Record& target) {
   visit.required("requirement", target.requirement);
   visit.required("case", target.case_name);

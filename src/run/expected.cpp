@@ -4,7 +4,8 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "registry/cases.h"
-#include "results/record_json.h"
+#include "registry/filters.h"
+#include "results/record.h"
 #include "run/summary.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "adapters/native_scene.h"
 #include "base/files.h"
 #include "registry/renderer_variants.h"
-#include "registry/scene_settings.h"
 
 #include <algorithm>
 

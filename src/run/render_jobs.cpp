@@ -2,8 +2,9 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/nth.h"
 #include "base/parallel.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "run/expected.h"
 #include "run/host.h"
 #include "run/judge_targets.h"
@@ -185,7 +186,7 @@ std::vector<JudgedJob> render_jobs(const Plan& plan,
   const auto order = order_of_starts(plan);
   std::vector<JudgedJob> jobs(plan.jobs.size());
   for_each_index(static_cast<int>(plan.jobs.size()), plan.settings.jobs, [&](int turn) {
-    const auto index = order[static_cast<std::size_t>(turn)];
+    const auto index = nth(order, turn);
     jobs[index] = run_or_keep(session, index);
   });
   return jobs;

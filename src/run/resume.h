@@ -2,7 +2,6 @@
 
 #include "judge/reference.h"
 #include "results/record.h"
-#include "results/record_json.h"
 #include "run/execute.h"
 #include "run/plan/plan.h"
 

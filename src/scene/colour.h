@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "base/vec.h"
 #include "spectra/spectrum.h"
 
@@ -31,7 +32,7 @@ struct SpectrumUse {
 };
 
 inline const NamedSpectrum& spectrum_at(const SpectrumList& spectra, const SpectrumUse& use) {
-  return spectra[static_cast<std::size_t>(use.spectrum)];
+  return nth(spectra, use.spectrum);
 }
 
 }  // namespace orbs::scene

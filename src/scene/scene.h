@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/matrix.h"
+#include "base/nth.h"
 #include "base/vec.h"
 #include "scene/colour.h"
 #include "scene/geometry/mesh.h"
@@ -110,14 +111,12 @@ std::set<int> visible_materials(const Scene& scene);
 /// "light 'key'", or "light 2" for the one at that place of the file when it has no name.
 std::string display_name(const char* kind, const std::string& name, std::size_t place);
 
-inline const Material& material_at(const Scene& scene, int index) {
-  return scene.materials[static_cast<std::size_t>(index)];
-}
+inline const Material& material_at(const Scene& scene, int index) { return nth(scene.materials, index); }
 inline const Texture& texture_at(const Scene& scene, const TextureUse& use) {
-  return scene.textures[static_cast<std::size_t>(use.texture)];
+  return nth(scene.textures, use.texture);
 }
 inline const Mesh& mesh_of(const Scene& scene, const Instance& instance) {
-  return scene.meshes[static_cast<std::size_t>(instance.mesh)];
+  return nth(scene.meshes, instance.mesh);
 }
 
 }  // namespace orbs::scene

@@ -3,11 +3,11 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/files_inside.h"
+#include "base/nth.h"
 #include "base/text.h"
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
-#include "report/preview.h"
 #include "results/study_kinds.h"
 #include "server/request_gate.h"
 
@@ -149,7 +149,7 @@ void send_data(Site& site,
   if (slash == std::string::npos || !number || *number < 0 ||
       static_cast<std::size_t>(*number) >= site.runs.size())
     return refuse(response, 404, "there is no such run");
-  const auto& served = site.runs[static_cast<std::size_t>(*number)];
+  const auto& served = nth(site.runs, *number);
   const auto rest = path.substr(slash + 1);
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
   const auto folder = std::visit([](const auto& one) { return one->folder(); }, served);

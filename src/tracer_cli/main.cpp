@@ -6,7 +6,6 @@
 #include "tracer/render.h"
 #include "tracer/render/rendering.h"
 #include "tracer/world/build_world.h"
-#include "tracer/world/reset_counts.h"
 #include "tracer_cli/options.h"
 #include "tracer_cli/stamp.h"
 

@@ -2,7 +2,7 @@
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "json/object_reader.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <csignal>
 

@@ -1,7 +1,7 @@
 // The plan of a run as a file that other machines execute.
 #include "base/files.h"
 #include "cli/sandbox.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <filesystem>
 

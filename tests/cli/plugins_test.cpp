@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <filesystem>
 

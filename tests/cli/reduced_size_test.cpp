@@ -2,7 +2,6 @@
 #include "cli/sandbox.h"
 #include "image/image_io.h"
 #include "results/record.h"
-#include "results/record_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Renderers that are added by configuration alone: a script in another language, and scenes written by hand.
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <gtest/gtest.h>
 

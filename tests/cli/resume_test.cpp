@@ -1,7 +1,7 @@
 // Nothing is lost: what is there is kept, what is missing or outdated is done.
 #include "base/files.h"
 #include "cli/sandbox.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "results/run_folder.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "cli/sandbox.h"
 #include "image/image_io.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <gtest/gtest.h>
 

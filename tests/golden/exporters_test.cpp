@@ -1,7 +1,5 @@
-#include "adapters/mitsuba/limits.h"
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/colours.h"
-#include "adapters/pbrt/limits.h"
 #include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
 #include "golden/read_back.h"

@@ -2,7 +2,7 @@
 // torn. Its renderer is a shell script that copies an image, so that the harness's own work is what is hit.
 #include "base/files.h"
 #include "cli/sandbox.h"
-#include "results/record_json.h"
+#include "results/record.h"
 
 #include <chrono>
 #include <iostream>

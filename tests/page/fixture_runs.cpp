@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "image/colour.h"
 #include "image/image_io.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "results/run_folder.h"
 
 #include <cmath>

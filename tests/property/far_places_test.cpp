@@ -51,7 +51,7 @@ scene::Scene moved(scene::Scene scene, Vec3d by) {
   return scene;
 }
 
-image::Image image_of(const scene::Scene& scene) {
+image::Image rendered(const scene::Scene& scene) {
   const std::atomic<bool> never{false};
   // Meshes with several instances are instanced.
   const auto world = tracer::make_world(scene, {.most_copied_triangles = 0});
@@ -60,16 +60,16 @@ image::Image image_of(const scene::Scene& scene) {
 
 // Bit-identical for translations by whole steps of the tracer's origin.
 TEST(FarPlaces, ShowTheSameImage) {
-  const auto at_zero = image_of(furnished());
+  const auto at_zero = rendered(furnished());
   EXPECT_GT(tests::mean_of_channel(at_zero, 0), 0.05);
   for (const Vec3d by : {Vec3d{1048576, -256, 512}, Vec3d{-268435456, 4096, 67108864}})
-    EXPECT_EQ(image_of(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
+    EXPECT_EQ(rendered(moved(furnished(), by)).pixels, at_zero.pixels) << by.x;
 }
 
 // Within a step the camera is up to 128 m from the origin, where floats are 8e-6 m apart.
 TEST(FarPlaces, ShowNearlyTheSameImageInBetween) {
-  const auto at_zero = image_of(furnished());
-  const auto between = image_of(moved(furnished(), Vec3d{1048576 + 100, -100, 612}));
+  const auto at_zero = rendered(furnished());
+  const auto between = rendered(moved(furnished(), Vec3d{1048576 + 100, -100, 612}));
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(tests::mean_of_channel(between, c), tests::mean_of_channel(at_zero, c),
                 0.01 * tests::mean_of_channel(at_zero, c));
@@ -102,11 +102,11 @@ TEST(FarPlaces, AreMetByTheRaysOfADistantCamera) {
 // Products of four lengths of 10^10 m are no floats, so the tracer makes a scene of 2^30 m of a larger one.
 TEST(FarPlaces, MayBeLarge) {
   const auto at_size = [](double factor) {
-    return image_of(scene::moved(furnished(), scaling({factor, factor, factor})));
+    return rendered(scene::moved(furnished(), scaling({factor, factor, factor})));
   };
   const auto large = at_size(0x1p31);
   EXPECT_EQ(large.pixels, at_size(0x1p26).pixels);
-  const auto usual = image_of(furnished());
+  const auto usual = rendered(furnished());
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(tests::mean_of_channel(large, c), tests::mean_of_channel(usual, c),
                 0.01 * tests::mean_of_channel(usual, c));

@@ -41,7 +41,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 }
 Polynomial number(Quad a) { return {a}; }
 Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + number(-1) * b; }
-Polynomial square(const Polynomial& a) { return a * a; }
+Polynomial squared(const Polynomial& a) { return a * a; }
 
 Quad value(const Polynomial& p, Quad t) {
   Quad sum = 0;
@@ -123,10 +123,10 @@ Polynomial barth_sextic(const LocalRay& ray) {
   const auto [x, y, z] = along(ray);
   const Quad p2 = static_cast<Quad>(kPhi) * kPhi;
   const auto pair = [&](const Polynomial& a, const Polynomial& b) {
-    return number(p2) * square(a) - square(b);
+    return number(p2) * squared(a) - squared(b);
   };
   return number(4) * pair(x, y) * pair(y, z) * pair(z, x) -
-         number(1 + 2 * static_cast<Quad>(kPhi)) * square(square(x) + square(y) + square(z) - number(1));
+         number(1 + 2 * static_cast<Quad>(kPhi)) * squared(squared(x) + squared(y) + squared(z) - number(1));
 }
 
 // Barth 1996, "Two projective surfaces with many nodes": 345 nodes, with w = 1.
@@ -136,16 +136,16 @@ Polynomial barth_decic(const LocalRay& ray) {
   const Quad p2 = phi * phi;
   const Quad p4 = p2 * p2;
   const auto pair = [&](const Polynomial& a, const Polynomial& b) {
-    return square(a) - number(p4) * square(b);
+    return squared(a) - number(p4) * squared(b);
   };
-  const Polynomial x2 = square(x);
-  const Polynomial y2 = square(y);
-  const Polynomial z2 = square(z);
+  const Polynomial x2 = squared(x);
+  const Polynomial y2 = squared(y);
+  const Polynomial z2 = squared(z);
   const Polynomial r2 = x2 + y2 + z2;
   const Polynomial quartics =
-      square(x2) + square(y2) + square(z2) - number(2) * (x2 * y2 + y2 * z2 + z2 * x2);
+      squared(x2) + squared(y2) + squared(z2) - number(2) * (x2 * y2 + y2 * z2 + z2 * x2);
   return number(8) * pair(x, y) * pair(y, z) * pair(z, x) * quartics +
-         number(3 + 5 * phi) * square(r2 - number(1)) * square(r2 - number(2 - phi));
+         number(3 + 5 * phi) * squared(r2 - number(1)) * squared(r2 - number(2 - phi));
 }
 
 std::string pair_text(const std::string& a, const std::string& b) {

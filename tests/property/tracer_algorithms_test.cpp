@@ -16,7 +16,7 @@ using tracer::RenderSettings;
 using tracer::Sampler;
 using tracer::WorldSettings;
 
-image::Image image_of(const scene::Scene& scene,
+image::Image rendered(const scene::Scene& scene,
                       const WorldSettings& world_settings,
                       const RenderSettings& settings,
                       bool connects_light_vertices = false) {
@@ -126,7 +126,7 @@ double mean_error_over_seeds(const scene::Scene& scene,
   constexpr int kSeeds = 4;
   double sum = 0;
   for (settings.seed = 1; settings.seed <= kSeeds; ++settings.seed)
-    sum += relative_squared_error(image_of(scene, world, settings), expected);
+    sum += relative_squared_error(rendered(scene, world, settings), expected);
   return sum / kSeeds;
 }
 
@@ -135,11 +135,11 @@ double mean_error_over_seeds(const scene::Scene& scene,
 // Within four standard errors for each quarter of the image.
 TEST_P(TracerAlgorithm, HasTheSameExpectedImage) {
   const auto scene = mixed_scene();
-  static const auto usual = image_of(scene, {}, {.samples_per_pixel = 2048, .seed = 1});
+  static const auto usual = rendered(scene, {}, {.samples_per_pixel = 2048, .seed = 1});
   RenderSettings settings = GetParam().render;
   settings.samples_per_pixel = 1024;
   settings.seed = 2;
-  const auto other = image_of(scene, GetParam().world, settings, GetParam().connects_light_vertices);
+  const auto other = rendered(scene, GetParam().world, settings, GetParam().connects_light_vertices);
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Sum a = sum_of_quarter(usual, quarter);
     const Sum b = sum_of_quarter(other, quarter);
@@ -162,7 +162,7 @@ TEST(TracerDirectLightChoice, MisHasLessNoiseThanEitherHalf) {
     return WorldSettings{.light_paths = false, .direct_light = direct_light};
   };
   const auto expected =
-      image_of(scene, settings_with(DirectLight::Mis), {.samples_per_pixel = 1024, .seed = 9});
+      rendered(scene, settings_with(DirectLight::Mis), {.samples_per_pixel = 1024, .seed = 9});
   const auto error_with = [&](DirectLight direct_light) {
     return mean_error_over_seeds(scene, expected, settings_with(direct_light), {.samples_per_pixel = 64});
   };
@@ -179,7 +179,7 @@ TEST(TracerDirectLightChoice, MisHasLessNoiseThanEitherHalf) {
 // here, in four, better than -1.5. Strata of pairs lie between.
 TEST(TracerSampler, OwenScrambledSobolPointsConvergeFasterOnASmoothIntegrand) {
   const auto scene = bench_scene("smooth-floor.json", 16);
-  const auto expected = image_of(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
+  const auto expected = rendered(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
   const auto error_of = [&](Sampler sampler, int spp) {
     return mean_error_over_seeds(scene, expected, {},
                                  {.samples_per_pixel = spp, .sampler = sampler, .replicates = 1});
@@ -200,12 +200,12 @@ TEST(TracerSampler, OwenScrambledSobolPointsConvergeFasterOnASmoothIntegrand) {
 // One block of all samples is stratified as a whole; four blocks only each in itself.
 TEST(TracerReplicates, OneHasLessNoiseThanFourAndStatesNoVariance) {
   const auto scene = bench_scene("smooth-floor.json", 16);
-  const auto expected = image_of(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
+  const auto expected = rendered(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
   const auto error_of = [&](int replicates) {
     return mean_error_over_seeds(scene, expected, {}, {.samples_per_pixel = 64, .replicates = replicates});
   };
   EXPECT_LT(error_of(1), 0.7 * error_of(4));
-  EXPECT_EQ(image_of(scene, {}, {.samples_per_pixel = 64, .replicates = 1}).channels,
+  EXPECT_EQ(rendered(scene, {}, {.samples_per_pixel = 64, .replicates = 1}).channels,
             (std::vector<std::string>{"R", "G", "B"}));
-  EXPECT_EQ(image_of(scene, {}, {.samples_per_pixel = 64, .replicates = 2}).channel_count(), 6U);
+  EXPECT_EQ(rendered(scene, {}, {.samples_per_pixel = 64, .replicates = 2}).channel_count(), 6U);
 }

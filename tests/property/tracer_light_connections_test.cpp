@@ -42,7 +42,7 @@ tracer::World world_of(const std::string& text) {
   return tracer::make_world(scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR));
 }
 
-image::Image image_of(tracer::World& world, bool connects, const tracer::RenderSettings& settings) {
+image::Image rendered(tracer::World& world, bool connects, const tracer::RenderSettings& settings) {
   const std::atomic<bool> never{false};
   world.connects_light_vertices = connects;
   return tracer::render(world, settings, never, [](const tracer::Progress&) {}).image;
@@ -69,8 +69,8 @@ class LightConnections : public testing::TestWithParam<Cube> {};
 TEST_P(LightConnections, HaveTheSameExpectedImage) {
   auto world = world_of(behind_a_card(GetParam().material));
   ASSERT_TRUE(tracer::supports_light_connections(world));
-  const auto with = image_of(world, true, {.samples_per_pixel = 1024, .seed = 1});
-  const auto without = image_of(world, false, {.samples_per_pixel = 16384, .seed = 2});
+  const auto with = rendered(world, true, {.samples_per_pixel = 1024, .seed = 1});
+  const auto without = rendered(world, false, {.samples_per_pixel = 16384, .seed = 2});
   const double error = std::hypot(error_of_mean(with, 0), error_of_mean(without, 0));
   EXPECT_NEAR(mean_of_channel(with, 0), mean_of_channel(without, 0), 4 * error);
   EXPECT_LT(error, 0.02 * mean_of_channel(with, 0));  // otherwise the test could not fail
@@ -86,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Cubes,
 
 TEST(LightConnections, TakeMostOfTheNoiseWhereLightComesBySmallWall) {
   auto world = world_of(behind_a_card(kLambert));
-  const auto with = image_of(world, true, {.samples_per_pixel = 256, .seed = 1});
-  const auto without = image_of(world, false, {.samples_per_pixel = 256, .seed = 1});
+  const auto with = rendered(world, true, {.samples_per_pixel = 256, .seed = 1});
+  const auto without = rendered(world, false, {.samples_per_pixel = 256, .seed = 1});
   EXPECT_LT(median_noise(with), 0.3 * median_noise(without));
 }
 
@@ -124,7 +124,7 @@ TEST(LightSelection, TheTreeIsChosenWhereItReducesNoise) {
 
 TEST(LightConnections, DoNotDependOnTheNumberOfThreads) {
   auto world = world_of(behind_a_card(kLambert));
-  const auto one = image_of(world, true, {.samples_per_pixel = 8, .threads = 1});
-  const auto two = image_of(world, true, {.samples_per_pixel = 8, .threads = 2});
+  const auto one = rendered(world, true, {.samples_per_pixel = 8, .threads = 1});
+  const auto two = rendered(world, true, {.samples_per_pixel = 8, .threads = 2});
   EXPECT_EQ(one.pixels, two.pixels);
 }

@@ -19,7 +19,7 @@ tracer::World world_of(const std::string& text, bool light_paths) {
                             {.light_paths = light_paths, .mirrored_light = light_paths});
 }
 
-image::Image image_of(const tracer::World& world, const tracer::RenderSettings& settings) {
+image::Image rendered(const tracer::World& world, const tracer::RenderSettings& settings) {
   const std::atomic<bool> never{false};
   return tracer::render(world, settings, never, [](const tracer::Progress&) {}).image;
 }
@@ -102,8 +102,8 @@ class TracerCaustics : public testing::TestWithParam<Scene> {};
 TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
   const auto with_world = world_of(GetParam().text, true);
   ASSERT_FALSE(with_world.caustic_casters.empty());
-  const auto with = image_of(with_world, {.samples_per_pixel = 256, .seed = 1});
-  const auto without = image_of(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
+  const auto with = rendered(with_world, {.samples_per_pixel = 256, .seed = 1});
+  const auto without = rendered(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
   const auto channels = with.channel_count();
   for (int quarter = 0; quarter < 4; ++quarter) {
     double difference = 0;
@@ -188,7 +188,7 @@ TEST(TracerLightPaths, AFlatMirrorIlluminatesLikeTheMirroredLight) {
   const auto channel =
       std::find(seen.channels.begin(), seen.channels.end(), "path.EDSL.R") - seen.channels.begin();
   ASSERT_LT(channel, static_cast<std::ptrdiff_t>(seen.channel_count()));
-  const auto image_of_light = image_of(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
+  const auto image_of_light = rendered(world_of(scene("", "-2", "60"), false), {.samples_per_pixel = 64});
   const double expected = mean_of_channel(image_of_light, 0);
   EXPECT_GT(expected, 0.01);
   EXPECT_NEAR(mean_of_channel(seen, static_cast<std::size_t>(channel)), expected,
@@ -197,8 +197,8 @@ TEST(TracerLightPaths, AFlatMirrorIlluminatesLikeTheMirroredLight) {
 
 TEST(TracerLightPaths, DoNotDependOnTheThreads) {
   const auto world = world_of(caustic_scenes()[1].text, true);
-  const auto one = image_of(world, {.samples_per_pixel = 8, .threads = 1});
-  EXPECT_EQ(one.pixels, image_of(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
+  const auto one = rendered(world, {.samples_per_pixel = 8, .threads = 1});
+  EXPECT_EQ(one.pixels, rendered(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
 }
 
 TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {

@@ -4,6 +4,8 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace orbs::adapters {
 
@@ -17,5 +19,9 @@ void write_mitsuba(const scene::Scene& scene, const std::filesystem::path& file)
 
 /// Mitsuba's row in the table of exporters.
 Exporter mitsuba_exporter();
+
+/// One reason for each thing in the scene that Mitsuba 3 cannot draw as ORB.S means it; empty when there is
+/// none. Reads only the scene, no file.
+std::vector<std::string> mitsuba_limits(const scene::Scene& scene);
 
 }  // namespace orbs::adapters

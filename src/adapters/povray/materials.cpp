@@ -2,6 +2,7 @@
 
 #include "adapters/kind_support.h"
 #include "adapters/povray/sdl.h"
+#include "base/nth.h"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +20,7 @@ constexpr const char* kName = "POV-Ray";
 
 using scene::TextureUse;
 
-const scene::Texture& texture_in(const scene::Scene& scene, int index) {
-  return scene.textures[static_cast<std::size_t>(index)];
-}
+const scene::Texture& texture_in(const scene::Scene& scene, int index) { return nth(scene.textures, index); }
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();

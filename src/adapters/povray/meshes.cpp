@@ -3,6 +3,7 @@
 #include "adapters/povray/clamp.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/sdl.h"
+#include "base/nth.h"
 
 #include <algorithm>
 #include <iterator>
@@ -89,7 +90,7 @@ class Mesh2Builder {
 
   const std::array<ClampAxis, 2>& clamp_axes_of(int texture) {
     const auto [place, is_new] = axes_.try_emplace(texture);
-    if (is_new) place->second = clamp_axes(scene_.textures[static_cast<std::size_t>(texture)]);
+    if (is_new) place->second = clamp_axes(nth(scene_.textures, texture));
     return place->second;
   }
 

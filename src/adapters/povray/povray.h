@@ -4,6 +4,8 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace orbs::adapters {
 
@@ -29,5 +31,9 @@ void write_povray(const scene::Scene& given,
 
 /// POV-Ray's row in the table of exporters.
 Exporter povray_exporter();
+
+/// One reason for each thing in the scene that POV-Ray 3.7 cannot draw; empty when there is none. Slow or
+/// noisy rendering is no reason. Reads only the scene, no file.
+std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySettings& settings = {});
 
 }  // namespace orbs::adapters

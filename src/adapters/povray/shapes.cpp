@@ -4,6 +4,7 @@
 #include "adapters/povray/materials.h"
 #include "adapters/povray/sdl.h"
 #include "base/error.h"
+#include "base/nth.h"
 #include "scene/shapes/dual.h"
 #include "scene/shapes/shape.h"
 
@@ -80,7 +81,7 @@ std::string step_text(const Step& step, const std::string& a, const std::string&
 std::string function_text(const Expression& expression) {
   std::vector<std::string> texts;
   for (const Step& step : expression.steps) {
-    const auto text = [&](int i) { return i < 0 ? std::string() : texts[static_cast<std::size_t>(i)]; };
+    const auto text = [&](int i) { return i < 0 ? std::string() : nth(texts, i); };
     texts.push_back(step_text(step, text(step.a), text(step.b)));
     if (texts.back().size() > kLongest) return "";
   }
@@ -247,7 +248,7 @@ std::string written(const ShapeForm& form, bool is_operand) {
 // merge: a union would keep the faces inside.
 std::string csg_text(const CsgForm& form) {
   constexpr std::array kWords{"merge", "intersection", "difference"};
-  std::string text = fmt::format("{} {{", kWords[static_cast<std::size_t>(form.operation)]);
+  std::string text = fmt::format("{} {{", nth(kWords, form.operation));
   for (const Shape& operand : form.operands) {
     text += fmt::format("\n  {}", written(operand.form, true));
     if (operand.material >= 0) text += fmt::format(" texture {{ Material{} }}", operand.material);

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/files_inside.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "results/run_folder.h"
 #include "run/judge_targets.h"
 #include "run/plan/plan_file.h"

@@ -1,6 +1,7 @@
 #include "run/cluster/shard.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 
 #include <algorithm>
 #include <functional>
@@ -118,7 +119,7 @@ std::vector<int> shards_of_jobs(const Plan& plan, int count) {
     const auto [load, shard] = loads.top();
     loads.pop();
     shard_of_group[group] = shard;
-    seconds[static_cast<std::size_t>(shard)] = load + group_seconds;
+    nth(seconds, shard) = load + group_seconds;
     loads.emplace(load + group_seconds, shard);
   }
   // A cluster starts the tasks of an array by their numbers: shards that take longest come first.
@@ -126,7 +127,7 @@ std::vector<int> shards_of_jobs(const Plan& plan, int count) {
   int next = 0;
   for (const auto& [load, shard] : longest_first(seconds)) number[shard] = ++next;
   std::vector<int> shards;
-  for (const auto group : groups) shards.push_back(number[static_cast<std::size_t>(shard_of_group[group])]);
+  for (const auto group : groups) shards.push_back(nth(number, shard_of_group[group]));
   return shards;
 }
 

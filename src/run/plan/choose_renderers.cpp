@@ -4,11 +4,10 @@
 #include "adapters/process/programs.h"
 #include "adapters/transports.h"
 #include "base/error.h"
-#include "registry/cases.h"
+#include "registry/filters.h"
 #include "registry/image_size.h"
 #include "registry/placeholders.h"
 #include "registry/renderer_variants.h"
-#include "registry/scene_settings.h"
 
 #include <algorithm>
 

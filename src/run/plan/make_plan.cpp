@@ -12,10 +12,9 @@
 #include "registry/image_size.h"
 #include "run/expected.h"
 #include "run/plan/choose_renderers.h"
-#include "run/plan/load_scenes.h"
 #include "run/plan/plan_file.h"
-#include "run/plan/reduced_size.h"
 #include "run/plan/render_seconds.h"
+#include "run/plan/scenes.h"
 
 #include <algorithm>
 #include <map>

@@ -9,9 +9,8 @@
 #include "registry/cases.h"
 #include "registry/image_size.h"
 #include "run/plan/choose_renderers.h"
-#include "run/plan/load_scenes.h"
-#include "run/plan/reduced_size.h"
 #include "run/plan/render_seconds.h"
+#include "run/plan/scenes.h"
 #include "run/program_hash.h"
 #include "run/resume.h"
 

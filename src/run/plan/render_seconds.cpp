@@ -5,9 +5,9 @@
 #include "base/pattern.h"
 #include "base/text.h"
 #include "json/document.h"
+#include "json/field_reader.h"
 #include "json/object_reader.h"
 #include "registry/image_size.h"
-#include "results/field_reader.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +25,7 @@ SecondsPerSample read_times(const std::filesystem::path& file, const Plan& plan)
   SecondsPerSample times;
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
-  results::check_format(in, "orbs-render-times/1");
+  json::check_format(in, "orbs-render-times/1");
   in.text("machine");
   const bool is_same_suite = in.text("suite") == plan.suite.name;
   const bool is_same_size = in.text("size") == registry::size_text(plan.settings.size_divisor);

@@ -1,6 +1,7 @@
 #include "scene/effects/effects.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "spectra/observer.h"
 
 #include <algorithm>
@@ -111,7 +112,7 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
   for (const auto& [mesh, count] : uses)
     if (count > 1)
       note(found, {Effect::Instancing, true, fmt::format("stands in {} places", count)},
-           fmt::format("mesh '{}'", scene.meshes[static_cast<std::size_t>(mesh)].name));
+           fmt::format("mesh '{}'", nth(scene.meshes, mesh).name));
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     note(found, {Effect::AnalyticShape, true, "is a sphere by its formula"},
          display_name("shape", scene.spheres[i].name, i));

@@ -18,8 +18,6 @@ struct Face {
 
 Vec3d unit_or_zero(Vec3d v) { return dot(v, v) > 0 ? normalised(v) : Vec3d{}; }
 
-double angle_between(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
-
 Face face_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
   const auto at = [&](std::size_t k) { return cast<double>(mesh.positions[corners[k % 3]]); };
   Face face;

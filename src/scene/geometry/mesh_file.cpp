@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/nth.h"
 #include "base/text.h"
 #include "scene/geometry/world_bounds.h"
 
@@ -120,9 +121,9 @@ class ObjReader {
     Mesh& mesh = out_.mesh;
     const auto [entry, is_new] = vertices_.emplace(c, static_cast<std::uint32_t>(places_.size()));
     if (is_new) {
-      places_.push_back(positions_[static_cast<std::size_t>(c[0])]);
-      mesh.uvs.push_back(c[1] < 0 ? Vec2f{} : uvs_[static_cast<std::size_t>(c[1])]);
-      mesh.normals.push_back(c[2] < 0 ? Vec3f{} : normals_[static_cast<std::size_t>(c[2])]);
+      places_.push_back(nth(positions_, c[0]));
+      mesh.uvs.push_back(c[1] < 0 ? Vec2f{} : nth(uvs_, c[1]));
+      mesh.normals.push_back(c[2] < 0 ? Vec3f{} : nth(normals_, c[2]));
       mesh.tangents.push_back({});
     }
     return entry->second;

@@ -1,5 +1,7 @@
 #include "scene/geometry/world_bounds.h"
 
+#include "base/nth.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -107,7 +109,7 @@ std::vector<WorldBounds> rough_instance_bounds(const Scene& scene) {
     of_meshes.push_back(world_bounds(scene, {"", static_cast<int>(mesh), Mat4{}, {}}));
   std::vector<WorldBounds> bounds;
   for (const auto& instance : scene.instances) {
-    const auto& [low, high] = of_meshes[static_cast<std::size_t>(instance.mesh)];
+    const auto& [low, high] = nth(of_meshes, instance.mesh);
     bounds.push_back(around(instance.matrix * translation((low + high) * 0.5), (high - low) * 0.5));
   }
   return bounds;

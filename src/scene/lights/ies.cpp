@@ -1,6 +1,7 @@
 #include "scene/lights/ies.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ double read_tilt_factor(NumberStream& in, std::string_view tilt) {
   const auto angles = in.list(pairs, "tilt angle");
   const auto factors = in.list(pairs, "tilt factor");
   const auto level = std::find(angles.begin(), angles.end(), 0.0);  // the light hangs level
-  return level == angles.end() ? 1 : factors[static_cast<std::size_t>(level - angles.begin())];
+  return level == angles.end() ? 1 : nth(factors, level - angles.begin());
 }
 
 // The azimuths at which a stored plane appears, by the symmetry that the range of planes implies (LM-63

@@ -1,6 +1,7 @@
 #include "scene/load/load_scene.h"
 
 #include "base/files.h"
+#include "base/nth.h"
 #include "base/text.h"
 #include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
@@ -213,7 +214,7 @@ void add_shape(json::ObjectReader& in, const Names& materials, Scene& scene) {
 // Meshes whose vertices are relative to an origin get it back by the matrices of their instances, in double.
 void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& instances) {
   for (auto& instance : instances) {
-    const Vec3d origin = origins[static_cast<std::size_t>(instance.mesh)];
+    const Vec3d origin = nth(origins, instance.mesh);
     if (!(origin == Vec3d{})) instance.matrix = instance.matrix * translation(origin);
   }
 }

@@ -1,5 +1,6 @@
 #include "scene/load/mesh.h"
 
+#include "base/nth.h"
 #include "base/text.h"
 #include "scene/geometry/crease_normals.h"
 #include "scene/geometry/generators.h"
@@ -160,7 +161,7 @@ void assign_file_materials(json::ObjectReader& in, const Names& materials, MeshF
       in.fail(file.names_are_slots ? "materials" : "file",
               fmt::format("a triangle has material {}, which is not in the list of {}; or give \"material\"",
                           material, scene_material.size()));
-    material = scene_material[static_cast<std::size_t>(material)];
+    material = nth(scene_material, material);
   }
 }
 

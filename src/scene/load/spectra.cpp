@@ -1,5 +1,6 @@
 #include "scene/load/spectra.h"
 
+#include "base/nth.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 
@@ -135,7 +136,7 @@ spectra::Spectrum load_samples(json::ObjectReader& in) {
 }
 
 const spectra::Spectrum& find_spectrum(json::ObjectReader& in, const SpectralData& data) {
-  return data.spectra[static_cast<std::size_t>(data.names.find(in, "spectrum"))].spectrum;
+  return nth(data.spectra, data.names.find(in, "spectrum")).spectrum;
 }
 
 spectra::TableFile load_table(json::ObjectReader& in, SpectralData& data) {

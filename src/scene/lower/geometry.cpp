@@ -1,5 +1,6 @@
 #include "scene/lower/geometry.h"
 
+#include "base/nth.h"
 #include "scene/geometry/generators.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ void split_by_material(Scene& scene) {
   }
   std::vector<Instance> instances;
   for (const auto& instance : scene.instances)
-    for (const int part : parts_of_mesh[static_cast<std::size_t>(instance.mesh)]) {
+    for (const int part : nth(parts_of_mesh, instance.mesh)) {
       instances.push_back(instance);
       instances.back().mesh = part;
     }

@@ -1,5 +1,6 @@
 #include "scene/lower/lower.h"
 
+#include "base/nth.h"
 #include "scene/effects/effects.h"
 #include "scene/effects/features.h"
 #include "scene/lower/geometry.h"
@@ -47,7 +48,7 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
   out.triangle_materials = mesh.triangle_materials;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const int index = mesh.triangle_materials[i];
-    const auto& material = materials[static_cast<std::size_t>(index)];
+    const auto& material = nth(materials, index);
     const bool has_matrix = has_texture_matrix(material);
     auto& triangle = out.triangles.emplace_back(mesh.triangles[i]);
     for (auto& vertex : triangle) {

@@ -7,18 +7,40 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 /// What materials with a reflectance share: [r, g, b] or a spectrum, and a texture.
+
 namespace orbs::scene {
 
 /// "texture", when there is one. It multiplies `colour`, which must then be no spectrum: neither of the two
 /// would say how the light of a texel is spread over the wavelengths.
-std::optional<TextureUse> load_tinted_texture(const MaterialEntry& entry, const Colour& colour);
+inline std::optional<TextureUse> load_tinted_texture(const MaterialEntry& entry, const Colour& colour) {
+  auto& in = entry.in;
+  if (!in.has("texture")) return std::nullopt;
+  if (colour.spectrum) in.fail("texture", "goes with a colour [r, g, b], not with a spectrum");
+  if (in.holds_text("texture")) return TextureUse{entry.textures.find(in, "texture"), Mat4{}};
+  auto use = in.object("texture");
+  TextureUse result{entry.textures.find(use, "name"), load_matrix(use, "matrix")};
+  use.finish();
+  return result;
+}
 
 /// Whether the spectrum of a reflectance calls for Effect::Spectral; empty where there is none.
-std::vector<EffectVerdict> effects_of_reflectance(const SpectrumList& spectra,
-                                                  const std::optional<SpectrumUse>& use);
+inline std::vector<EffectVerdict> effects_of_reflectance(const SpectrumList& spectra,
+                                                         const std::optional<SpectrumUse>& use) {
+  if (!use) return {};
+  const auto& [name, spectrum] = spectrum_at(spectra, *use);
+  if (use->scale == 0) return {{Effect::Spectral, false, fmt::format("has spectrum '{}' times zero", name)}};
+  if (is_constant(spectrum))
+    return {{Effect::Spectral, false,
+             fmt::format("has spectrum '{}', which is constant, not spectral: a grey says the same", name)}};
+  return {{Effect::Spectral, true, fmt::format("reflects by spectrum '{}'", name)}};
+}
 
 /// Whether a reflectance differs from wavelength to wavelength.
-bool is_coloured(const SpectrumList& spectra, RgbColour rgb, const std::optional<SpectrumUse>& use);
+inline bool is_coloured(const SpectrumList& spectra, RgbColour rgb, const std::optional<SpectrumUse>& use) {
+  return use ? use->scale > 0 && !is_constant(spectrum_at(spectra, *use).spectrum) : !is_grey(rgb);
+}
 
 }  // namespace orbs::scene

@@ -1,5 +1,6 @@
 #include "scene/relations/motion.h"
 
+#include "base/nth.h"
 #include "scene/geometry/world_bounds.h"
 #include "scene/lower/geometry.h"
 
@@ -58,7 +59,7 @@ Scene with_moved_vertices(const Scene& scene, Vec3d offset) {
   out.instances = scene.instances;
   merge_into_world_mesh(out);
   for (auto& instance : out.instances) {
-    auto& mesh = out.meshes[static_cast<std::size_t>(instance.mesh)];
+    auto& mesh = nth(out.meshes, instance.mesh);
     std::vector<Vec3d> vertices;
     for (const Vec3f position : mesh.positions) vertices.push_back(cast<double>(position) + offset);
     auto placed = placed_vertices(vertices);

@@ -2,7 +2,7 @@
 
 #include "base/vec.h"
 #include "scene/shapes/enclosure.h"
-#include "scene/shapes/evaluate.h"
+#include "scene/shapes/expression.h"
 
 #include <cmath>
 

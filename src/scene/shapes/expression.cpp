@@ -1,8 +1,8 @@
 #include "scene/shapes/expression.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "base/text.h"
-#include "scene/shapes/evaluate.h"
 
 #include <algorithm>
 #include <array>
@@ -72,7 +72,7 @@ class Parser {
   }
 
   std::optional<double> constant(int step) const {
-    const Step& s = steps_[static_cast<std::size_t>(step)];
+    const Step& s = nth(steps_, step);
     return s.operation == Operation::Constant ? std::optional(s.number) : std::nullopt;
   }
 
@@ -97,12 +97,12 @@ class Parser {
   // Without the parts of folded constants; the value becomes the last step, as it takes earlier ones only.
   std::vector<Step> used_steps(int value) const {
     std::vector<int> place(steps_.size(), -1);
-    place[static_cast<std::size_t>(value)] = 0;
+    nth(place, value) = 0;
     for (std::size_t i = steps_.size(); i-- > 0;)
       for (const int argument : {steps_[i].a, steps_[i].b})
-        if (place[i] == 0 && argument >= 0) place[static_cast<std::size_t>(argument)] = 0;
+        if (place[i] == 0 && argument >= 0) nth(place, argument) = 0;
     std::vector<Step> used;
-    const auto moved = [&](int step) { return step < 0 ? -1 : place[static_cast<std::size_t>(step)]; };
+    const auto moved = [&](int step) { return step < 0 ? -1 : nth(place, step); };
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (place[i] < 0) continue;
       place[i] = static_cast<int>(used.size());

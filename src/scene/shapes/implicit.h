@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/error.h"
+#include "json/writer.h"
+#include "scene/load/entry.h"
 #include "scene/shapes/expression.h"
 #include "scene/shapes/shape_type.h"
 
@@ -18,11 +21,30 @@ struct ImplicitForm {
   bool operator==(const ImplicitForm&) const = default;
 };
 
-void load(ShapeEntry& entry, ImplicitForm& loaded);
-void write(json::Writer& out, const MaterialList& materials, const ImplicitForm& form);
 inline bool is_closed(const ImplicitForm& form) { return form.is_closed; }
 inline std::optional<LocalBox> bounds(const ImplicitForm& form) { return LocalBox{form.low_m, form.high_m}; }
 inline std::optional<Mesh> tessellated(const ImplicitForm&) { return std::nullopt; }
 inline ImplicitForm implicit(const ImplicitForm& form) { return form; }
+
+inline void load(ShapeEntry& entry, ImplicitForm& loaded) {
+  auto& in = entry.in;
+  try {
+    loaded.expression = parse_expression(in.text("expression"));
+  } catch (const InputError& e) {
+    in.fail("expression", e.what());
+  }
+  loaded.low_m = in.vec3("low", kPlace);
+  loaded.high_m = in.vec3("high", kPlace);
+  const Vec3d low = loaded.low_m;
+  const Vec3d high = loaded.high_m;
+  if (!(low.x < high.x && low.y < high.y && low.z < high.z))
+    in.fail("high", "must be above low in x, y and z");
+  loaded.is_closed = in.boolean_or("closed", false);
+}
+
+inline void write(json::Writer& out, const MaterialList&, const ImplicitForm& form) {
+  out.member("expression", form.expression.text);
+  out.member("low", form.low_m).member("high", form.high_m).member("closed", form.is_closed);
+}
 
 }  // namespace orbs::scene

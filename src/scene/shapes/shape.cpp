@@ -1,5 +1,6 @@
 #include "scene/shapes/shape.h"
 
+#include "base/nth.h"
 #include "json/writer.h"
 #include "scene/load/entry.h"
 #include "scene/load/kind.h"
@@ -145,7 +146,7 @@ void write_shape(json::Writer& out, const MaterialList& materials, const Shape& 
   std::visit([&](const auto& form) { write(out, materials, form); }, shape.form);
   out.member("name", shape.name);
   out.key("matrix").numbers(shape.matrix.m);
-  if (shape.material >= 0) out.member("material", materials[static_cast<std::size_t>(shape.material)].name);
+  if (shape.material >= 0) out.member("material", nth(materials, shape.material).name);
   out.end_object();
 }
 

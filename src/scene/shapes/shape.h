@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/matrix.h"
+#include "base/nth.h"
 #include "scene/shapes/box.h"
 #include "scene/shapes/cone.h"
 #include "scene/shapes/cylinder.h"
@@ -35,9 +36,7 @@ struct CsgForm {
   bool operator==(const CsgForm& other) const;
 };
 
-inline const char* type_word(const CsgForm& form) {
-  return CsgForm::kTypes[static_cast<std::size_t>(form.operation)];
-}
+inline const char* type_word(const CsgForm& form) { return nth(CsgForm::kTypes, form.operation); }
 
 void load(ShapeEntry& entry, CsgForm& loaded);
 void write(json::Writer& out, const MaterialList& materials, const CsgForm& form);

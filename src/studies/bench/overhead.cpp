@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "image/image_io.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "run/execute.h"
 
 #include <cerrno>

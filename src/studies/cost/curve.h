@@ -22,7 +22,7 @@ struct CostMetric {
   std::string_view definition;
 };
 
-template <class Visitor, results::RecordOf<CostMetric> Record>
+template <class Visitor, json::RecordOf<CostMetric> Record>
 void fields(Visitor& visit, Record& metric) {
   visit("name", metric.name);
   visit("unit", metric.unit);
@@ -47,7 +47,7 @@ inline constexpr std::array<CostMetric, 4> kCostMetrics{{
 /// By metric, in the order of kCostMetrics.
 struct CostErrors : std::array<std::optional<Interval>, kCostMetrics.size()> {};
 
-template <class Visitor, results::RecordOf<CostErrors> Record>
+template <class Visitor, json::RecordOf<CostErrors> Record>
 void fields(Visitor& visit, Record& errors) {
   for (std::size_t metric = 0; metric < errors.size(); ++metric)
     visit.nullable(kCostMetrics.at(metric).name, errors.at(metric));
@@ -65,7 +65,7 @@ struct CostPoint {
   std::string image, exr;                 // the setting's first image, relative to the study's folder
 };
 
-template <class Visitor, results::RecordOf<CostPoint> Record>
+template <class Visitor, json::RecordOf<CostPoint> Record>
 void fields(Visitor& visit, Record& point) {
   visit("setting", point.setting.name);
   visit("spp", point.setting.spp);
@@ -88,7 +88,7 @@ struct ErrorTarget {
   friend bool operator==(const ErrorTarget&, const ErrorTarget&) = default;
 };
 
-template <class Visitor, results::RecordOf<ErrorTarget> Record>
+template <class Visitor, json::RecordOf<ErrorTarget> Record>
 void fields(Visitor& visit, Record& target) {
   visit("metric", kCostMetrics.at(target.metric).name);
   visit("level", target.level);
@@ -103,8 +103,8 @@ enum class Bound {
 };
 
 inline constexpr auto names(Bound) {
-  return std::array{results::Named{Bound::Exact, "exact"}, results::Named{Bound::AtMost, "at most"},
-                    results::Named{Bound::AtLeast, "at least"}, results::Named{Bound::Unknown, "unknown"}};
+  return std::array{json::Named{Bound::Exact, "exact"}, json::Named{Bound::AtMost, "at most"},
+                    json::Named{Bound::AtLeast, "at least"}, json::Named{Bound::Unknown, "unknown"}};
 }
 
 /// The CPU time to an error, the fixed cost included. Of samples it is interpolated between two sample
@@ -119,7 +119,7 @@ struct TimeToError {
   double degrees = 1;
 };
 
-template <class Visitor, results::RecordOf<TimeToError> Record>
+template <class Visitor, json::RecordOf<TimeToError> Record>
 void fields(Visitor& visit, Record& time) {
   fields(visit, time.target);
   visit("bound", time.bound);
@@ -141,7 +141,7 @@ struct CostCurve {
   std::string note;                        // of the sweep
 };
 
-template <class Visitor, results::RecordOf<CostCurve> Record>
+template <class Visitor, json::RecordOf<CostCurve> Record>
 void fields(Visitor& visit, Record& curve) {
   visit("target", curve.target);
   visit("renderer", curve.renderer);

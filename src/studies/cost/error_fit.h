@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 #include "studies/seed_statistics.h"
 
 #include <optional>
@@ -28,7 +28,7 @@ struct ErrorFit {
   std::string floor_named = {};  // what the gates of the case say of an image at the floor
 };
 
-template <class Visitor, results::RecordOf<ErrorFit> Record>
+template <class Visitor, json::RecordOf<ErrorFit> Record>
 void fields(Visitor& visit, Record& fit) {
   visit("bias_squared", fit.bias_squared);
   visit("variance", fit.variance);

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "json/document.h"
+#include "json/field_reader.h"
+#include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/field_reader.h"
-#include "results/field_writer.h"
 
 #include <fmt/format.h>
 
@@ -49,16 +49,16 @@ std::vector<results::Definition> cost_definitions() {
 std::string cost_json(const CostRecord& record) {
   json::Writer out;
   out.begin_object().member("format", results::kCost.format);
-  results::write_fields(out, CostStudy{.record = record, .numbers = cost_numbers(record)});
+  json::write_fields(out, CostStudy{.record = record, .numbers = cost_numbers(record)});
   return out.end_object().text();
 }
 
 CostRecord read_cost_file(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
-  results::check_format(in, results::kCost.format);
+  json::check_format(in, results::kCost.format);
   CostRecord record;
-  results::FieldReader read(in);
+  json::FieldReader read(in);
   fields(read, record);
   for (const auto& sweep : record.sweeps)
     if (sweep.target >= record.targets.size() || sweep.renderer >= record.renderers.size())

@@ -20,7 +20,7 @@ struct CostStudy {
   CostNumbers numbers;
 };
 
-template <class Visitor, results::RecordOf<CostStudy> Record>
+template <class Visitor, json::RecordOf<CostStudy> Record>
 void fields(Visitor& visit, Record& study) {
   fields(visit, study.record);
   visit("definitions", study.definitions);

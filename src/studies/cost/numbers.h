@@ -13,9 +13,9 @@ namespace orbs::studies {
 enum class Ranking { Faster, Slower, NoDifferenceShown, NotComparable };
 
 inline constexpr auto names(Ranking) {
-  return std::array{results::Named{Ranking::Faster, "faster"}, results::Named{Ranking::Slower, "slower"},
-                    results::Named{Ranking::NoDifferenceShown, "no difference shown"},
-                    results::Named{Ranking::NotComparable, "not comparable"}};
+  return std::array{json::Named{Ranking::Faster, "faster"}, json::Named{Ranking::Slower, "slower"},
+                    json::Named{Ranking::NoDifferenceShown, "no difference shown"},
+                    json::Named{Ranking::NotComparable, "not comparable"}};
 }
 
 struct CostComparison {
@@ -26,7 +26,7 @@ struct CostComparison {
   Ranking ranking = Ranking::NotComparable;
 };
 
-template <class Visitor, results::RecordOf<CostComparison> Record>
+template <class Visitor, json::RecordOf<CostComparison> Record>
 void fields(Visitor& visit, Record& comparison) {
   visit("target", comparison.target);
   fields(visit, comparison.error);
@@ -45,7 +45,7 @@ struct SelfComparison {
   bool passed = false;
 };
 
-template <class Visitor, results::RecordOf<SelfComparison> Record>
+template <class Visitor, json::RecordOf<SelfComparison> Record>
 void fields(Visitor& visit, Record& found) {
   visit("renderer", found.renderer);
   visit("target", found.target);
@@ -63,7 +63,7 @@ struct CostNumbers {
   std::optional<SelfComparison> self_comparison;
 };
 
-template <class Visitor, results::RecordOf<CostNumbers> Record>
+template <class Visitor, json::RecordOf<CostNumbers> Record>
 void fields(Visitor& visit, Record& numbers) {
   visit("curves", numbers.curves);
   visit("comparisons", numbers.comparisons);

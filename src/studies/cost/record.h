@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 #include "results/host_record.h"
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What a study of cost measured, before anything is computed from it. Each member is also listed in the
-/// struct's fields(), see results/fields.h, so that a study is stored and resumed.
+/// struct's fields(), see json/fields.h, so that a study is stored and resumed.
 namespace orbs::studies {
 
 struct CostSettings {
@@ -21,13 +21,13 @@ struct CostSettings {
   int order_seed = 1;            // of the order of the renders
 };
 
-template <class Visitor, results::RecordOf<CostSettings> Record>
+template <class Visitor, json::RecordOf<CostSettings> Record>
 void fields(Visitor& visit, Record& settings) {
   visit("target_db", settings.target_db);
   visit("budget_seconds", settings.budget_seconds);
-  visit.at_least("seeds", settings.seeds, 1);
-  visit.at_least("points", settings.points, 1);
-  visit.at_least("threads", settings.threads, 0);
+  visit("seeds", settings.seeds, {.range = {.min = 1}});
+  visit("points", settings.points, {.range = {.min = 1}});
+  visit("threads", settings.threads, {.range = {.min = 0}});
   visit("order_seed", settings.order_seed);
 }
 
@@ -38,8 +38,7 @@ enum class SweepOf {
 };
 
 inline constexpr auto names(SweepOf) {
-  return std::array{results::Named{SweepOf::Samples, "samples"},
-                    results::Named{SweepOf::Settings, "settings"}};
+  return std::array{json::Named{SweepOf::Samples, "samples"}, json::Named{SweepOf::Settings, "settings"}};
 }
 
 struct CostRenderer {
@@ -49,7 +48,7 @@ struct CostRenderer {
   std::string biased;  // why no time makes it right; "" where nothing is known
 };
 
-template <class Visitor, results::RecordOf<CostRenderer> Record>
+template <class Visitor, json::RecordOf<CostRenderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name);
   visit("version", renderer.version);
@@ -64,7 +63,7 @@ struct ReferenceNoise {
   std::optional<double> psnr_srgb8;
 };
 
-template <class Visitor, results::RecordOf<ReferenceNoise> Record>
+template <class Visitor, json::RecordOf<ReferenceNoise> Record>
 void fields(Visitor& visit, Record& noise) {
   visit("relmse", noise.relmse);
   visit("mse", noise.mse);
@@ -81,13 +80,13 @@ struct CostTarget {
   ReferenceNoise reference_noise;
 };
 
-template <class Visitor, results::RecordOf<CostTarget> Record>
+template <class Visitor, json::RecordOf<CostTarget> Record>
 void fields(Visitor& visit, Record& target) {
   visit.required("name", target.name);
   visit("requirement", target.requirement);
   visit("title", target.title);
-  visit.at_least("width", target.width_px, 0);
-  visit.at_least("height", target.height_px, 0);
+  visit("width", target.width_px, {.range = {.min = 0}});
+  visit("height", target.height_px, {.range = {.min = 0}});
   visit("reference", target.reference);
   visit("reference_noise", target.reference_noise);
 }
@@ -98,10 +97,10 @@ struct SweepSetting {
   int spp = 1;
 };
 
-template <class Visitor, results::RecordOf<SweepSetting> Record>
+template <class Visitor, json::RecordOf<SweepSetting> Record>
 void fields(Visitor& visit, Record& setting) {
   visit.required("name", setting.name);
-  visit.at_least("spp", setting.spp, 1);
+  visit("spp", setting.spp, {.range = {.min = 1}});
 }
 
 /// The settings by which one renderer renders one target, from the fastest to the most accurate.
@@ -114,7 +113,7 @@ struct Sweep {
       finding;  // what the gates of the case say of the last setting's first image, unless it is right
 };
 
-template <class Visitor, results::RecordOf<Sweep> Record>
+template <class Visitor, json::RecordOf<Sweep> Record>
 void fields(Visitor& visit, Record& sweep) {
   visit.required("target", sweep.target);
   visit.required("renderer", sweep.renderer);
@@ -131,8 +130,8 @@ enum class Purpose {
 };
 
 inline constexpr auto names(Purpose) {
-  return std::array{results::Named{Purpose::Sweep, "sweep"}, results::Named{Purpose::FixedCost, "fixed"},
-                    results::Named{Purpose::Again, "again"}};
+  return std::array{json::Named{Purpose::Sweep, "sweep"}, json::Named{Purpose::FixedCost, "fixed"},
+                    json::Named{Purpose::Again, "again"}};
 }
 
 struct CostRender {
@@ -150,7 +149,7 @@ struct CostRender {
   std::optional<double> relmse = {}, mse = {}, psnr_srgb8 = {}, flip = {};
 };
 
-template <class Visitor, results::RecordOf<CostRender> Record>
+template <class Visitor, json::RecordOf<CostRender> Record>
 void fields(Visitor& visit, Record& render) {
   visit.required("target", render.target);
   visit.required("renderer", render.renderer);
@@ -185,7 +184,7 @@ struct CostRecord {
   std::vector<CostRender> renders;
 };
 
-template <class Visitor, results::RecordOf<CostRecord> Record>
+template <class Visitor, json::RecordOf<CostRecord> Record>
 void fields(Visitor& visit, Record& record) {
   visit("orbs_version", record.orbs_version);
   visit("started", record.started);

@@ -1,8 +1,8 @@
 #include "studies/effects/report.h"
 
 #include "base/text_table.h"
+#include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/field_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +116,7 @@ std::string effect_cost_json(const EffectCosts& list) {
   auto host = list.host;
   host.name.clear();  // published with the suite, whose readers need the kind of machine alone
   out.key("host");
-  results::write_record(out, host);
+  json::write_record(out, host);
   out.key("scenes").begin_array();
   for (const auto& scene : list.scenes) {
     out.begin_object()

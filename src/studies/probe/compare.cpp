@@ -1,5 +1,6 @@
 #include "studies/probe/compare.h"
 
+#include "base/nth.h"
 #include "image/image.h"
 #include "studies/probe/primary_visibility.h"
 
@@ -58,7 +59,7 @@ Rgb rgb_at(const image::Image& image, const std::array<int, 3>& channels, int x,
 
 Rgb colour_of(const ProbeScene& probe, int object) {
   if (object == kNoObject) return {};
-  const Vec3d c = probe.objects[static_cast<std::size_t>(object)].radiance;
+  const Vec3d c = nth(probe.objects, object).radiance;
   return {c.x, c.y, c.z};
 }
 
@@ -89,7 +90,7 @@ double least_distance(const ProbeScene& probe) {
 std::string shown(const ProbeScene& probe, const Rgb& colour, double tolerance) {
   for (int object = kNoObject; object < static_cast<int>(probe.objects.size()); ++object)
     if (largest_difference(colour, colour_of(probe, object)) <= tolerance)
-      return object == kNoObject ? "nothing" : probe.objects[static_cast<std::size_t>(object)].name;
+      return object == kNoObject ? "nothing" : nth(probe.objects, object).name;
   return kMixture;
 }
 
@@ -167,26 +168,26 @@ void for_each_pixel(const image::Image& image, const std::vector<VisibleSurface>
 // The range of a coordinate's fractional part in a pixel. None if it wraps around inside the pixel, if the
 // ramp's last texel is interpolated with its first, or if the pixel covers so much of the ramp that the
 // result depends on the filter.
-struct Interval {
+struct FractionRange {
   double low = 0;
   double high = 0;
 };
-std::optional<Interval> fraction(std::span<const VisibleSurface> surfaces,
-                                 float VisibleSurface::*coordinate) {
+std::optional<FractionRange> fraction(std::span<const VisibleSurface> surfaces,
+                                      float VisibleSurface::*coordinate) {
   constexpr double kTexel = 1.0 / kRampSize;
   constexpr double kMostOfRamp = 0.25;
   const auto [least, most] = std::minmax_element(
       surfaces.begin(), surfaces.end(),
       [&](const VisibleSurface& a, const VisibleSurface& b) { return a.*coordinate < b.*coordinate; });
   const double whole = std::floor(static_cast<double>(*least.*coordinate));
-  const Interval range{static_cast<double>(*least.*coordinate) - whole,
-                       static_cast<double>(*most.*coordinate) - whole};
+  const FractionRange range{static_cast<double>(*least.*coordinate) - whole,
+                            static_cast<double>(*most.*coordinate) - whole};
   if (range.low < 2 * kTexel || range.high > 1 - 2 * kTexel || range.high - range.low > kMostOfRamp)
     return std::nullopt;
   return range;
 }
 
-bool is_within(double value, const Interval& range, double noise) {
+bool is_within(double value, const FractionRange& range, double noise) {
   // Without interpolation between texels a renderer is off by at most half a texel; the other half allows for
   // the position of the filter.
   const double tolerance = 1.0 / kRampSize + noise;
@@ -204,8 +205,8 @@ struct IdPixel {
 struct UvPixel {
   Pixel at;
   int object = kNoObject;
-  Interval u;
-  Interval v;
+  FractionRange u;
+  FractionRange v;
   Rgb colour{};
 };
 

@@ -1,5 +1,6 @@
 #include "studies/probe/primary_visibility.h"
 
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "scene/camera_frame.h"
 
@@ -76,7 +77,7 @@ void add_instance(const scene::Scene& scene,
                   const scene::Instance& instance,
                   const View& view,
                   std::vector<TriangleSetup>& out) {
-  const auto& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+  const auto& mesh = nth(scene.meshes, instance.mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vec3d, 3> v;
     TriangleSetup setup;
@@ -152,7 +153,7 @@ VisibilityScene prepare(const scene::Scene& scene) {
   prepared.triangles_of_row.resize(static_cast<std::size_t>(prepared.view.height));
   for (std::size_t i = 0; i < prepared.triangles.size(); ++i)
     for (int y = prepared.triangles[i].first_row; y <= prepared.triangles[i].last_row; ++y)
-      prepared.triangles_of_row[static_cast<std::size_t>(y)].push_back(i);
+      nth(prepared.triangles_of_row, y).push_back(i);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const auto& light = scene.lights[i];
     const Mat4 to_local = inverse(light.matrix).value();
@@ -177,7 +178,7 @@ void find_surfaces(const VisibilityScene& prepared,
                                        pixel.y - grid.margin_px + step * static_cast<double>(row)));
   }
   std::vector<NearestHit> nearest(side * side);
-  for (const std::size_t index : prepared.triangles_of_row[static_cast<std::size_t>(pixel.y)]) {
+  for (const std::size_t index : nth(prepared.triangles_of_row, pixel.y)) {
     const auto& triangle = prepared.triangles[index];
     if (pixel.x < triangle.first_column || pixel.x > triangle.last_column) continue;
     for (std::size_t k = 0; k < nearest.size(); ++k) intersect_triangle(triangle, directions[k], nearest[k]);

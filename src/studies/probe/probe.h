@@ -3,7 +3,7 @@
 #include "registry/configuration.h"
 #include "run/plan/plan.h"
 #include "studies/context.h"
-#include "studies/probe/record.h"
+#include "studies/probe/report.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #include "studies/probe/report.h"
 
+#include "base/nth.h"
 #include "json/writer.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kMostNamed = 3;
 
 std::string object_name(const ProbeRecord& record, int object) {
-  return object == kNoObject ? "the background" : record.object_names[static_cast<std::size_t>(object)];
+  return object == kNoObject ? "the background" : nth(record.object_names, object);
 }
 
 std::string mismatch_text(const ProbeRecord& record, const Mismatch& mismatch) {

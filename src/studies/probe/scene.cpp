@@ -1,6 +1,7 @@
 #include "studies/probe/scene.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "image/image_io.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
@@ -41,8 +42,8 @@ class IdPassBuilder {
   /// The first instance of a mesh sets the mesh's materials; each further one gets a remap list.
   void instance(std::size_t index) {
     const auto& source = from_.instances[index];
-    auto& mesh = to_.scene.meshes[static_cast<std::size_t>(source.mesh)];
-    const auto& shown = from_.meshes[static_cast<std::size_t>(source.mesh)].triangle_materials;
+    auto& mesh = nth(to_.scene.meshes, source.mesh);
+    const auto& shown = nth(from_.meshes, source.mesh).triangle_materials;
     Renumbering objects;
     for (const int material : shown)
       if (!objects.contains(material)) objects[material] = new_object(name_of(index, material));
@@ -123,7 +124,7 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
         {fmt::format("object {}", out.materials.size()), scene::Emission{object.radiance, {}}});
   for (std::size_t i = 0; i < out.lights.size(); ++i) {
     const int object = builder.new_object(fmt::format("light {}", or_number(out.lights[i].name, i)));
-    out.lights[i].radiance = probe.objects[static_cast<std::size_t>(object)].radiance;
+    out.lights[i].radiance = nth(probe.objects, object).radiance;
     out.lights[i].ies.reset();
   }
   return probe;

@@ -1,6 +1,7 @@
 #include "studies/qualify/diagnosis_rates.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "base/text_table.h"
 #include "faults/fault.h"
@@ -114,12 +115,12 @@ std::vector<FaultDiagnosis> measure_diagnoses(const run::Plan& plan,
   std::vector<std::vector<FaultDiagnosis>> found(subjects.size());
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
-    const auto& [one_case, target] = subjects[static_cast<std::size_t>(index)];
+    const auto& [one_case, target] = nth(subjects, index);
     const auto reference = judge::load_reference(*one_case, target, plan.suite.references,
                                                  plan.reference_hashes, {}, plan.settings.size_divisor);
     if (!reference.image) throw InputError(reference.problem);
     const auto control = control_image(run, renderer, one_case->name, target);
-    found[static_cast<std::size_t>(index)] = diagnose_faults(
+    nth(found, index) = diagnose_faults(
         {*one_case, target, *reference.image, control, other_targets_of(plan, *one_case, target)});
   });
   std::vector<FaultDiagnosis> all;

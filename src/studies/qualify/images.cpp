@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/nth.h"
 #include "image/image_io.h"
 #include "run/render.h"
 #include "scene/scene.h"
@@ -18,7 +19,7 @@ namespace {
 bool glows(const scene::Scene& scene) {
   const auto visible = scene::visible_materials(scene);
   return std::any_of(visible.begin(), visible.end(), [&](int material) {
-    return std::holds_alternative<scene::Emission>(scene.materials[static_cast<std::size_t>(material)].model);
+    return std::holds_alternative<scene::Emission>(nth(scene.materials, material).model);
   });
 }
 

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/local_time.h"
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "image/image.h"
 #include "image/image_io.h"
@@ -145,8 +146,8 @@ std::vector<GateRecord> qualify(const run::Plan& plan,
   std::mutex saying;
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
-    auto& gate = gates[static_cast<std::size_t>(index)];
-    gate = gate_record(shared, subjects[static_cast<std::size_t>(index)]);
+    auto& gate = nth(gates, index);
+    gate = gate_record(shared, nth(subjects, index));
     const std::scoped_lock lock(saying);
     context.say(fmt::format("{} {}: {}", gate.case_name, gate.target,
                             results::is_qualified(gate) ? "qualified" : "not qualified"));

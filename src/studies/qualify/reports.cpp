@@ -1,5 +1,6 @@
 #include "studies/qualify/reports.h"
 
+#include "base/nth.h"
 #include "base/text_table.h"
 
 #include <algorithm>
@@ -111,9 +112,8 @@ std::string controls_line(const ByKnowledge& controls) {
   int inconclusive = 0;
   for (const auto& one : controls) {
     all += one.all;
-    wrong += one.of[static_cast<std::size_t>(Answer::Rejected)] +
-             one.of[static_cast<std::size_t>(Answer::Remarked)];
-    inconclusive += one.of[static_cast<std::size_t>(Answer::Inconclusive)];
+    wrong += nth(one.of, Answer::Rejected) + nth(one.of, Answer::Remarked);
+    inconclusive += nth(one.of, Answer::Inconclusive);
   }
   return fmt::format("{} of {} control images were called wrong, {} inconclusive\n", wrong, all,
                      inconclusive);

@@ -3,6 +3,7 @@
 #include "adapters/job.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "faults/fault.h"
 #include "judge/judge.h"
@@ -144,9 +145,9 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
   std::vector<JudgedImage> images(tasks.size());
   for_each_index(static_cast<int>(tasks.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
-    const auto& [knowledge, fault] = tasks[static_cast<std::size_t>(index)];
+    const auto& [knowledge, fault] = nth(tasks, index);
     const Pair& pair = pairs[knowledge];
-    auto& image = images[static_cast<std::size_t>(index)];
+    auto& image = nth(images, index);
     image = judged(subject, pair, fault != nullptr ? faults::applied(*fault, pair.control) : pair.control);
     image.knowledge = kAllKnowledge.at(knowledge);
     image.fault = fault != nullptr ? fault->name : "";

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "json/document.h"
-#include "results/field_reader.h"
-#include "results/field_writer.h"
+#include "json/field_reader.h"
+#include "json/field_writer.h"
 
 #include <fmt/format.h>
 
@@ -42,16 +42,16 @@ std::vector<results::Definition> stability_definitions() {
 std::string stability_json(const StabilityRecord& record) {
   json::Writer out;
   out.begin_object().member("format", results::kStability.format);
-  results::write_fields(out, StabilityStudy{.record = record, .matrix = stability_cells(record)});
+  json::write_fields(out, StabilityStudy{.record = record, .matrix = stability_cells(record)});
   return out.end_object().text();
 }
 
 StabilityRecord read_stability_file(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
-  results::check_format(in, results::kStability.format);
+  json::check_format(in, results::kStability.format);
   StabilityRecord record;
-  results::FieldReader read(in);
+  json::FieldReader read(in);
   fields(read, record);
   for (const auto& step : record.steps)
     if (step.scene >= record.scenes.size() || step.renderer >= record.renderers.size() ||

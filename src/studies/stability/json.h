@@ -20,7 +20,7 @@ struct StabilityStudy {
   std::vector<StabilityCell> matrix;
 };
 
-template <class Visitor, results::RecordOf<StabilityStudy> Record>
+template <class Visitor, json::RecordOf<StabilityStudy> Record>
 void fields(Visitor& visit, Record& study) {
   fields(visit, study.record);
   visit("definitions", study.definitions);

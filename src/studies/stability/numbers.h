@@ -18,7 +18,7 @@ struct FirstBreak {
   std::string reason;
 };
 
-template <class Visitor, results::RecordOf<FirstBreak> Record>
+template <class Visitor, json::RecordOf<FirstBreak> Record>
 void fields(Visitor& visit, Record& first) {
   visit("magnitude", first.magnitude);
   visit("scene", first.scene);
@@ -41,7 +41,7 @@ struct StabilityCell {
   int inconclusive = 0;       // scenes whose noise hides what happens
 };
 
-template <class Visitor, results::RecordOf<StabilityCell> Record>
+template <class Visitor, json::RecordOf<StabilityCell> Record>
 void fields(Visitor& visit, Record& cell) {
   visit("relation", cell.relation_name);
   visit("renderer", cell.renderer_name);

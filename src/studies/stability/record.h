@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/fields.h"
+#include "json/fields.h"
 #include "results/host_record.h"
 
 #include <cstddef>
@@ -22,12 +22,12 @@ struct StabilitySettings {
   bool operator==(const StabilitySettings&) const = default;
 };
 
-template <class Visitor, results::RecordOf<StabilitySettings> Record>
+template <class Visitor, json::RecordOf<StabilitySettings> Record>
 void fields(Visitor& visit, Record& settings) {
-  visit.at_least("size_px", settings.size_px, 1);
-  visit.at_least("spp", settings.spp, 1);
-  visit.at_least("seeds", settings.seeds, 1);
-  visit.at_least("threads", settings.threads, 1);
+  visit("size_px", settings.size_px, {.range = {.min = 1}});
+  visit("spp", settings.spp, {.range = {.min = 1}});
+  visit("seeds", settings.seeds, {.range = {.min = 1}});
+  visit("threads", settings.threads, {.range = {.min = 1}});
   visit("mean_bound", settings.mean_bound);
   visit("block_bound", settings.block_bound);
   visit("pixels_bound", settings.pixels_bound);
@@ -38,7 +38,7 @@ struct StabilityRenderer {
   std::string version;
 };
 
-template <class Visitor, results::RecordOf<StabilityRenderer> Record>
+template <class Visitor, json::RecordOf<StabilityRenderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name);
   visit("version", renderer.version);
@@ -48,7 +48,7 @@ struct StabilityScene {
   std::string name;
 };
 
-template <class Visitor, results::RecordOf<StabilityScene> Record>
+template <class Visitor, json::RecordOf<StabilityScene> Record>
 void fields(Visitor& visit, Record& scene) {
   visit.required("name", scene.name);
 }
@@ -62,7 +62,7 @@ struct StabilityRelationRecord {
   bool is_exact = false;
 };
 
-template <class Visitor, results::RecordOf<StabilityRelationRecord> Record>
+template <class Visitor, json::RecordOf<StabilityRelationRecord> Record>
 void fields(Visitor& visit, Record& relation) {
   visit.required("name", relation.name);
   visit("change", relation.change);
@@ -77,11 +77,10 @@ inline constexpr const char* kPrecisionRelation = "precision";
 enum class StepOutcome { Holds, Breaks, NoImage, Inconclusive, NotApplicable };
 
 inline constexpr auto names(StepOutcome) {
-  return std::array{results::Named{StepOutcome::Holds, "holds"},
-                    results::Named{StepOutcome::Breaks, "breaks"},
-                    results::Named{StepOutcome::NoImage, "no image"},
-                    results::Named{StepOutcome::Inconclusive, "inconclusive"},
-                    results::Named{StepOutcome::NotApplicable, "not applicable"}};
+  return std::array{json::Named{StepOutcome::Holds, "holds"}, json::Named{StepOutcome::Breaks, "breaks"},
+                    json::Named{StepOutcome::NoImage, "no image"},
+                    json::Named{StepOutcome::Inconclusive, "inconclusive"},
+                    json::Named{StepOutcome::NotApplicable, "not applicable"}};
 }
 
 /// One relation at one magnitude, on one scene, by one renderer.
@@ -105,7 +104,7 @@ struct StabilityStep {
       {};  // folder of images relative to the study's: of first breaks and precision; else ""
 };
 
-template <class Visitor, results::RecordOf<StabilityStep> Record>
+template <class Visitor, json::RecordOf<StabilityStep> Record>
 void fields(Visitor& visit, Record& step) {
   visit.required("scene", step.scene);
   visit.required("renderer", step.renderer);
@@ -138,7 +137,7 @@ struct StabilityRecord {
   std::vector<StabilityStep> steps;
 };
 
-template <class Visitor, results::RecordOf<StabilityRecord> Record>
+template <class Visitor, json::RecordOf<StabilityRecord> Record>
 void fields(Visitor& visit, Record& record) {
   visit("orbs_version", record.orbs_version);
   visit("started", record.started);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 
 #include <cstdint>
 #include <limits>

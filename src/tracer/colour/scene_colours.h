@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "scene/scene.h"
 #include "tracer/colour/colour.h"
 
@@ -16,15 +17,27 @@ struct SceneColours {
 };
 
 /// Appends the spectrum to `colours.spectra` and returns its index; -1 if there is none or paths carry RGB.
-int add_spectrum(const SceneColours& colours, const std::optional<scene::SpectrumUse>& use);
+inline int add_spectrum(const SceneColours& colours, const std::optional<scene::SpectrumUse>& use) {
+  if (!use || !colours.has_wavelengths) return -1;
+  colours.spectra.push_back(spectra::scaled(nth(colours.scene.spectra, use->spectrum).spectrum, use->scale));
+  return static_cast<int>(colours.spectra.size()) - 1;
+}
 
-Colour make_colour(const SceneColours& colours,
-                   const scene::RgbColour& rgb,
-                   const std::optional<scene::SpectrumUse>& spectrum = std::nullopt);
+inline Colour make_colour(const SceneColours& colours,
+                          const scene::RgbColour& rgb,
+                          const std::optional<scene::SpectrumUse>& spectrum = std::nullopt) {
+  return {cast<float>(rgb), add_spectrum(colours, spectrum)};
+}
 
-TexturedColour make_textured_colour(const SceneColours& colours,
-                                    const scene::RgbColour& rgb,
-                                    const std::optional<scene::SpectrumUse>& spectrum,
-                                    const std::optional<scene::TextureUse>& texture);
+inline TexturedColour make_textured_colour(const SceneColours& colours,
+                                           const scene::RgbColour& rgb,
+                                           const std::optional<scene::SpectrumUse>& spectrum,
+                                           const std::optional<scene::TextureUse>& texture) {
+  TexturedColour out{make_colour(colours, rgb, spectrum)};
+  if (!texture) return out;
+  out.texture = texture->texture;
+  out.uv = uv_map(texture->matrix);
+  return out;
+}
 
 }  // namespace orbs::tracer

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/geometry/affine.h"
+#include "tracer/geometry/transforms.h"
 
 #include <array>
 #include <cstdint>

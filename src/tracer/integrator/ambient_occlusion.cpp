@@ -1,7 +1,7 @@
 #include "tracer/integrator/ambient_occlusion.h"
 
 #include "base/parallel.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"
 

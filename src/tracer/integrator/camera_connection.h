@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/integrator/light_path_batch.h"
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/integrator/light_vertex.h"
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"
@@ -35,7 +36,7 @@ std::optional<LightVertexScattering<T>> scattering_at(const World& world,
       !sides_agree(point.geometric_normal, point.shading_normal, vertex.to_light))
     return std::nullopt;
   const Frame frame = frame_around(side > 0 ? point.shading_normal : -point.shading_normal);
-  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  const SurfaceMaterial& material = nth(world.materials, point.material);
   const Vec3f wo = frame.to_local(to_viewer);
   const Vec3f wi = frame.to_local(vertex.to_light);
   if (!(wo.z > 0)) return std::nullopt;  // by rounding at grazing angles

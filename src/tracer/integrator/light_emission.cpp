@@ -1,6 +1,6 @@
 #include "tracer/integrator/light_emission.h"
 
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/light/emitter.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"

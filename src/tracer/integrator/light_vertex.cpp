@@ -1,5 +1,6 @@
 #include "tracer/integrator/light_vertex.h"
 
+#include "base/nth.h"
 #include "base/random.h"
 #include "tracer/accel/timed_traversal.h"
 
@@ -22,7 +23,7 @@ SampleBlock light_block(SampleBlock block) {
 std::optional<LightVertex> vertex_at(const World& world, const EmittedRay& emitted, const Hit& hit) {
   if (hit.object == kNoHit || world.objects[hit.object].kind == ObjectKind::Light) return std::nullopt;
   const SurfacePoint point = surface_point(world, emitted.ray, hit);
-  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  const SurfaceMaterial& material = nth(world.materials, point.material);
   if (material.is_near_specular || std::holds_alternative<EmissionMaterial>(material.model))
     return std::nullopt;
   const Radiance radiance = emitted_towards(world, emitted, point.position);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/sampling/sampler.h"
 #include "tracer/transport/transport.h"
 #include "tracer/world/surface.h"
@@ -32,7 +33,7 @@ struct ShadingContext {
   Value reflectance(const TexturedColour& textured) const {
     Colour colour = textured.colour;
     if (textured.texture >= 0)
-      colour.rgb *= lookup(world.textures[static_cast<std::size_t>(textured.texture)],
+      colour.rgb *= lookup(nth(world.textures, textured.texture),
                            apply(textured.uv, texture_coordinates(world, surface)));
     return reflectance(colour);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tracer/bsdf/bsdf_sample.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/light/direct_light.h"

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/bsdf/bsdf_sample.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/light/direct_light.h"
@@ -28,7 +29,7 @@ void sample_mirrored_light(PathBatch<T>& batch,
   if (count == 0) return;
   const int chosen = plane_facing(world.mirror_planes, position,
                                   std::min(count - 1, static_cast<int>(u[3] * static_cast<float>(count))));
-  const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(chosen)];
+  const MirrorPlane& plane = nth(world.mirror_planes, chosen);
   const Vec3f mirrored_position = mirrored(plane, position);
   const auto light = sample_light(world, {mirrored_position, {}}, u[0], u[1], u[2]);
   if (!light || !(height_over(plane, light->position) > 0)) return;
@@ -84,8 +85,7 @@ std::optional<MirrorHit<T>> mirror_hit(
     const World& world, const Ray& ray, const Hit& hit, int plane, const typename T::Lambda& lambda) {
   if (hit.object == kNoHit || mirror_plane_of(world, hit.object, hit.primitive) != plane) return std::nullopt;
   const SurfacePoint point = surface_point(world, ray, hit);
-  const auto& mirror =
-      std::get<MirrorMaterial>(world.materials[static_cast<std::size_t>(point.material)].model);
+  const auto& mirror = std::get<MirrorMaterial>(nth(world.materials, point.material).model);
   return MirrorHit<T>{point, T::reflectance(world, mirror.reflectance, lambda)};
 }
 
@@ -102,7 +102,7 @@ void resolve_mirror_rays(PathBatch<T>& batch, const World& world) {
     if (!found) continue;
     const typename T::Bsdf bsdf = MirrorBsdf<typename T::Value>{found->reflectance};
     const auto throughput = T::chain(payload.throughput, found->reflectance, [&] {
-      const Frame frame = frame_around(world.mirror_planes[static_cast<std::size_t>(payload.plane)].normal);
+      const Frame frame = frame_around(nth(world.mirror_planes, payload.plane).normal);
       const Vec3f wo = frame.to_local(-ray.direction);
       return Scattering<typename T::Bsdf>{bsdf, frame, -ray.direction, wo, {-wo.x, -wo.y, wo.z}};
     });

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "tracer/geometry/frame.h"
+#include "base/nth.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/integrator/sample_direct_light.h"
 #include "tracer/world/surface.h"
@@ -41,7 +42,7 @@ void note_mis_state(
   const bool could_have_sampled = path.bsdf_pdf > 0 && !path.came_by_mirror;
   path.came_by_mirror = could_have_sampled && vertices.mirror_plane[lane] >= 0;
   if (path.came_by_mirror) {
-    const MirrorPlane& plane = world.mirror_planes[static_cast<std::size_t>(vertices.mirror_plane[lane])];
+    const MirrorPlane& plane = nth(world.mirror_planes, vertices.mirror_plane[lane]);
     const Vec3f vertex = path.light_sample.position;
     const int count = count_planes_facing(world.mirror_planes, vertex);
     path.mirror_probability = is_in_front(plane, vertex) ? 1 / static_cast<float>(count) : 0;

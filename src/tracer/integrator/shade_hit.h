@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"
@@ -40,8 +41,7 @@ void note_near_specular(PathState<T>& path,
                         int mirror_plane) {
   if (path.scatterings == 0)
     path.began_at_flat_mirror =
-        mirror_plane >= 0 &&
-        is_in_front(world.mirror_planes[static_cast<std::size_t>(mirror_plane)], world.camera.position);
+        mirror_plane >= 0 && is_in_front(nth(world.mirror_planes, mirror_plane), world.camera.position);
   const bool is_first = is_at_first_surface(path);
   path.near_specular_beyond_first = material.is_near_specular && !is_first;
   if (is_first) path.is_reached_by_light_paths = !material.is_near_specular;
@@ -121,7 +121,7 @@ void shade_hit(PathBatch<T>& batch,
     return;
   }
   const SurfacePoint point = surface_point(world, path.ray, hit);
-  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  const SurfaceMaterial& material = nth(world.materials, point.material);
   const SurfaceHit surface{point, material, hit};
   if (const auto* emission = std::get_if<EmissionMaterial>(&material.model)) {
     add_emission<T>(batch, world, path,

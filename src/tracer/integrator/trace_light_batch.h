@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/integrator/camera_connection.h"
 
 #include <cstdint>
@@ -61,7 +62,7 @@ bool shade_light_path_hit(
   LightPath<T>& path = batch.paths[index];
   if (hit.object == kNoHit || world.objects[hit.object].kind == ObjectKind::Light) return false;
   const SurfacePoint point = surface_point(world, path.ray, hit);
-  const SurfaceMaterial& material = world.materials[static_cast<std::size_t>(point.material)];
+  const SurfaceMaterial& material = nth(world.materials, point.material);
   const bool is_emissive = std::holds_alternative<EmissionMaterial>(material.model);
   if (is_emissive || path.scatterings == world.trace_depth) return false;
   if (path.scatterings == 0) {

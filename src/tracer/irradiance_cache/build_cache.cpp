@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "scene/scene.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/irradiance_cache/candidates.h"
 #include "tracer/irradiance_cache/hemisphere.h"
 #include "tracer/irradiance_cache/visited_batch.h"

@@ -1,5 +1,6 @@
 #include "tracer/irradiance_cache/candidates.h"
 
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "tracer/irradiance_cache/visited_batch.h"
@@ -52,7 +53,7 @@ std::vector<CacheCandidate> candidates_of_row(const World& world, const RenderSe
   CacheBatch batch;
   start_paths(batch, world, samples);
   for (const Sample& sample : samples)
-    batch.paths[static_cast<std::size_t>(sample.x)].ray =
+    nth(batch.paths, sample.x).ray =
         camera_ray(world.camera, static_cast<float>(sample.x) + 0.5F, static_cast<float>(sample.y) + 0.5F);
   CandidateVisitor visitor(world, samples);
   trace_visited(batch, world, samples, 0, visitor);
@@ -64,7 +65,7 @@ std::vector<CacheCandidate> candidates_of_row(const World& world, const RenderSe
 std::vector<CacheCandidate> find_candidates(const World& world, const RenderSettings& settings) {
   std::vector<std::vector<CacheCandidate>> rows(static_cast<std::size_t>(world.camera.height));
   for_each_index(world.camera.height, settings.threads,
-                 [&](int y) { rows[static_cast<std::size_t>(y)] = candidates_of_row(world, settings, y); });
+                 [&](int y) { nth(rows, y) = candidates_of_row(world, settings, y); });
   std::vector<CacheCandidate> all;
   for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
   return all;

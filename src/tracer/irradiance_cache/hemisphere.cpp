@@ -9,8 +9,6 @@ namespace orbs::tracer {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Sine and cosine of the polar angle at the edge between ring - 1 and ring.
 struct RingEdge {
   double sine = 0;
@@ -27,7 +25,9 @@ double sine_squared_integral(const RingEdge& edge) {
   return (std::atan2(edge.sine, edge.cosine) - edge.sine * edge.cosine) / 2;
 }
 
-double sector_edge(const HemisphereStrata& strata, int sector) { return 2 * kPi * sector / strata.sectors; }
+double sector_edge(const HemisphereStrata& strata, int sector) {
+  return 2 * std::numbers::pi * sector / strata.sectors;
+}
 
 struct LightGrid {
   const HemisphereStrata& strata;
@@ -70,7 +70,7 @@ std::array<Vec3d, 3> translation_gradient(const LightGrid& grid) {
       const auto& here = grid.at(ring, sector);
       if (ring > 0)
         add(gradient, step_over_distance(here, grid.at(ring - 1, sector)),
-            outwards * (2 * kPi / strata.sectors * inner.sine * inner.cosine * inner.cosine));
+            outwards * (2 * std::numbers::pi / strata.sectors * inner.sine * inner.cosine * inner.cosine));
       add(gradient, step_over_distance(here, grid.at(ring, sector - 1)),
           sidewards * (outer.sine - inner.sine));
     }
@@ -105,7 +105,7 @@ std::array<Vec3f, 3> rounded(const std::array<Vec3d, 3>& gradient) {
 
 HemisphereStrata hemisphere_strata(int rays) {
   assert(rays >= 8);
-  const int rings = std::max(1, static_cast<int>(std::lround(std::sqrt(rays / kPi))));
+  const int rings = std::max(1, static_cast<int>(std::lround(std::sqrt(rays / std::numbers::pi))));
   return {rings, std::max(3, static_cast<int>(std::lround(static_cast<double>(rays) / rings)))};
 }
 
@@ -115,7 +115,7 @@ Vec3f direction_in_stratum(const HemisphereStrata& strata, std::size_t index, Ve
   const std::size_t sector = index % sectors;
   const double sine_squared = (static_cast<double>(ring) + static_cast<double>(place.x)) / strata.rings;
   const double azimuth =
-      2 * kPi * (static_cast<double>(sector) + static_cast<double>(place.y)) / strata.sectors;
+      2 * std::numbers::pi * (static_cast<double>(sector) + static_cast<double>(place.y)) / strata.sectors;
   const double sine = std::sqrt(sine_squared);
   return cast<float>(Vec3d{sine * std::cos(azimuth), sine * std::sin(azimuth), std::sqrt(1 - sine_squared)});
 }
@@ -132,7 +132,7 @@ HemisphereEstimate estimate_irradiance(const HemisphereStrata& strata, std::span
     out.least_distance = std::min(out.least_distance, found.distance);
   }
   const auto count = static_cast<double>(light.size());
-  out.irradiance = cast<float>(sum * (kPi / count));
+  out.irradiance = cast<float>(sum * (std::numbers::pi / count));
   out.harmonic_mean_distance = static_cast<float>(count / inverse_distances);
   const LightGrid grid{strata, light};
   out.translation_gradient = rounded(translation_gradient(grid));

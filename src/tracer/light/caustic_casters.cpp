@@ -1,6 +1,6 @@
 #include "tracer/light/caustic_casters.h"
 
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/sampling/warps.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include "tracer/light/sphere_emitter.h"
 
 #include "tracer/accel/curved_surface.h"
-#include "tracer/geometry/affine.h"
-#include "tracer/geometry/frame.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/sampling/warps.h"
 
 #include <algorithm>

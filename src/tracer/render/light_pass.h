@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "tracer/integrator/trace_light_batch.h"
@@ -47,7 +48,17 @@ LightChunk trace_light_chunk(const World& world, SampleBlock block, std::uint32_
 
 /// Adds the splats to their pixels. `share` converts the mean over the light paths into a sum over the camera
 /// samples.
-void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadSamples& bad);
+inline void add_splats(const std::vector<Splat>& splats, double share, Film& film, BadSamples& bad) {
+  for (const Splat& splat : splats) {
+    if (!is_finite(splat.value)) {
+      merge(bad, {1, static_cast<int>(splat.pixel) % film.width, static_cast<int>(splat.pixel) / film.width});
+      continue;
+    }
+    const Vec3d radiance = cast<double>(splat.value) * share;
+    film.pixels[splat.pixel].current += radiance;
+    if (!film.class_sums.empty()) nth(film.class_sums, splat.path_class)[splat.pixel] += radiance;
+  }
+}
 
 /// Adds the contributions of light paths to the current replicates of the film's pixels, in an order that
 /// does not depend on the number of threads. Does nothing if the world has no caustic_casters.
@@ -67,10 +78,10 @@ LightPassResult add_light_paths(const World& world, const LightPass& pass, Film&
       const auto left = static_cast<std::uint32_t>(std::min<std::size_t>(kBlock, paths - chunk * kBlock));
       const auto block = sample_block(mix(pass.seed, kLightSeed), static_cast<std::uint32_t>(chunk),
                                       pass.number, {pass.sampler, left});
-      done[static_cast<std::size_t>(i)] = trace_light_chunk<T>(world, block, left);
+      nth(done, i) = trace_light_chunk<T>(world, block, left);
     });
     for (int i = 0; i < count; ++i) {
-      const LightChunk& chunk = done[static_cast<std::size_t>(i)];
+      const LightChunk& chunk = nth(done, i);
       add_splats(chunk.splats, share, film, result.bad_samples);
       result.traversal_seconds += chunk.traversal_seconds;
       result.contributions += chunk.splats.size();

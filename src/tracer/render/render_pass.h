@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "base/parallel.h"
 #include "tracer/integrator/trace_batch.h"
 #include "tracer/render/light_pass.h"
@@ -51,7 +52,7 @@ class TileWorker {
     for (const ClassedRadiance& entry : batch_.classed) {
       if (is_bad[entry.sample]) continue;
       const Sample& sample = samples_[entry.sample];
-      film_.class_sums[static_cast<std::size_t>(entry.path_class)][pixel_index(film_, sample.x, sample.y)] +=
+      nth(film_.class_sums, entry.path_class)[pixel_index(film_, sample.x, sample.y)] +=
           cast<double>(entry.radiance);
     }
     samples_.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "spectra/rgb.h"
 #include "spectra/wavelengths.h"
 #include "tracer/bsdf/materials.h"
@@ -47,7 +48,7 @@ struct SpectralTransport {
   }
 
   static Float4 spectrum_at(const World& world, int spectrum, const Lambda& lambda) {
-    const auto& values = world.spectra[static_cast<std::size_t>(spectrum)];
+    const auto& values = nth(world.spectra, spectrum);
     Float4 out{};
     for (std::size_t i = 0; i < 4; ++i)
       out[i] = static_cast<float>(spectra::value_at(values, static_cast<double>(lambda.nm[i])));

@@ -1,5 +1,6 @@
 #include "tracer/world/build_lights.h"
 
+#include "base/nth.h"
 #include "image/colour.h"
 #include "tracer/world/build_meshes.h"
 
@@ -41,7 +42,7 @@ float luminance(Vec3f rgb) { return static_cast<float>(image::luminance(rgb.x, r
 float brightness(const World& world, const Radiance& radiance) {
   const bool can_change = scene::covers(world.transport, scene::LightTransport::Bispectral);
   if (radiance.spectrum < 0 || !can_change) return luminance(radiance.rgb);
-  const auto& spectrum = world.spectra[static_cast<std::size_t>(radiance.spectrum)];
+  const auto& spectrum = nth(world.spectra, radiance.spectrum);
   const auto one = spectra::constant(1);
   constexpr double kFrom = spectra::kShortestLight_nm;
   constexpr double kTo = spectra::kLongestSeen_nm;
@@ -56,7 +57,7 @@ float power_of(const World& world, const AreaLight& light) {
 float mean_brightness(const World& world, const EmissionMaterial& material) {
   const auto& [colour, texture, uv] = material.radiance;
   if (texture < 0) return brightness(world, {colour.rgb, colour.spectrum});
-  return luminance(colour.rgb * world.textures[static_cast<std::size_t>(texture)].average);
+  return luminance(colour.rgb * nth(world.textures, texture).average);
 }
 
 void add_emissive_triangles(const World& world,
@@ -65,9 +66,8 @@ void add_emissive_triangles(const World& world,
                             std::vector<TriangleEmitter>& out) {
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const int material = object.material_of[static_cast<std::size_t>(mesh.materials[i])];
-    const auto* emission =
-        std::get_if<EmissionMaterial>(&world.materials[static_cast<std::size_t>(material)].model);
+    const int material = nth(object.material_of, mesh.materials[i]);
+    const auto* emission = std::get_if<EmissionMaterial>(&nth(world.materials, material).model);
     if (emission == nullptr) continue;
     std::array<Vec3f, 3> p;
     std::array<Vec2f, 3> uv;

@@ -1,7 +1,8 @@
 #include "tracer/world/build_meshes.h"
 
+#include "base/nth.h"
 #include "scene/geometry/world_bounds.h"
-#include "tracer/geometry/affine.h"
+#include "tracer/geometry/transforms.h"
 #include "tracer/shapes/build_solids.h"
 
 #include <limits>
@@ -49,8 +50,8 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
   std::vector<int> uses(scene.meshes.size(), 0);
   std::size_t copied = 0;
   for (const auto& instance : scene.instances) {
-    ++uses[static_cast<std::size_t>(instance.mesh)];
-    copied += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
+    ++nth(uses, instance.mesh);
+    copied += nth(scene.meshes, instance.mesh).triangles.size();
   }
   std::vector<std::size_t> shared(scene.meshes.size(), kNotAdded);
   const auto is_vast = scene::vast_instances(scene, kVast);

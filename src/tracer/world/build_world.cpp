@@ -1,6 +1,7 @@
 #include "tracer/world/build_world.h"
 
 #include "base/error.h"
+#include "base/nth.h"
 #include "scene/camera_frame.h"
 #include "scene/geometry/world_bounds.h"
 #include "scene/relations/geometry.h"
@@ -42,8 +43,8 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
     world.materials.push_back(std::move(out));
   }
   for (const int index : scene::visible_materials(scene))
-    world.has_appearance_materials = world.has_appearance_materials ||
-                                     is_appearance(world.materials[static_cast<std::size_t>(index)].model);
+    world.has_appearance_materials =
+        world.has_appearance_materials || is_appearance(nth(world.materials, index).model);
 }
 
 // What must be resolved: all that is drawn and the camera, or without it where it is far away.

@@ -4,6 +4,7 @@
 #include "tracer/plugins/plugin_library.h"
 #include "tracer/world/world.h"
 
+#include <memory>
 #include <optional>
 
 namespace orbs::tracer {
@@ -38,5 +39,12 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 /// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their
 /// connections are weighted against the techniques of DirectLight::Mis.
 bool supports_light_connections(const World& world);
+
+/// Forgets what renders so far met at shapes by formula and of plug-ins: roots that stayed open, broken
+/// rules.
+inline void reset_counts(World& world) {
+  for (auto& solid : world.solids) solid.counts = std::make_unique<RootCounts>();
+  for (auto& shape : world.plugin_shapes) shape.faults = std::make_unique<PluginFaults>();
+}
 
 }  // namespace orbs::tracer

@@ -1,5 +1,7 @@
 #include "tracer/world/specular_objects.h"
 
+#include "base/nth.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -29,8 +31,8 @@ void for_each_near_specular_corner(const World& world, const RenderObject& objec
   if (object.kind == ObjectKind::Light || is_analytic(object.kind)) return;
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const int material = object.material_of[static_cast<std::size_t>(mesh.materials[i])];
-    if (!world.materials[static_cast<std::size_t>(material)].is_near_specular) continue;
+    const int material = nth(object.material_of, mesh.materials[i]);
+    if (!nth(world.materials, material).is_near_specular) continue;
     for (const auto corner : mesh.triangles[i]) {
       const Vec3f local = mesh.positions[corner];
       visit(object.kind == ObjectKind::InstancedMesh ? apply_to_point(object.to_world, local) : local);
@@ -40,7 +42,7 @@ void for_each_near_specular_corner(const World& world, const RenderObject& objec
 
 std::optional<BoundingSphere> sphere_about(const World& world, const Solid& solid) {
   const bool is_caster = std::any_of(solid.leaves.begin(), solid.leaves.end(), [&](const SolidLeaf& leaf) {
-    return world.materials[static_cast<std::size_t>(leaf.material)].is_near_specular;
+    return nth(world.materials, leaf.material).is_near_specular;
   });
   if (!is_caster) return std::nullopt;
   const Vec3d centre = (solid.low + solid.high) * 0.5;
@@ -48,7 +50,7 @@ std::optional<BoundingSphere> sphere_about(const World& world, const Solid& soli
 }
 
 std::optional<BoundingSphere> sphere_about(const World& world, const PluginShape& shape) {
-  if (!world.materials[static_cast<std::size_t>(shape.material)].is_near_specular) return std::nullopt;
+  if (!nth(world.materials, shape.material).is_near_specular) return std::nullopt;
   const Vec3d centre = (shape.low + shape.high) * 0.5;
   return BoundingSphere{cast<float>(centre), static_cast<float>(length(shape.high - centre))};
 }
@@ -59,7 +61,7 @@ std::optional<BoundingSphere> sphere_about(const World& world, const RenderObjec
   if (object.kind == ObjectKind::Solid) return sphere_about(world, world.solids[object.solid]);
   if (object.kind == ObjectKind::Sphere) {
     const SphereSurface& sphere = world.spheres[object.sphere];
-    if (!world.materials[static_cast<std::size_t>(sphere.material)].is_near_specular) return std::nullopt;
+    if (!nth(world.materials, sphere.material).is_near_specular) return std::nullopt;
     return BoundingSphere{sphere.centre, sphere.radius};
   }
   Box box;
@@ -140,9 +142,8 @@ void find_in_object(World& world, RenderObject& object) {
   if (object.kind == ObjectKind::Light || is_analytic(object.kind)) return;
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangle_cache.size() && world.mirror_planes.size() <= kMostPlanes; ++i) {
-    const int material = object.material_of[static_cast<std::size_t>(mesh.triangle_cache[i].material)];
-    if (!std::holds_alternative<MirrorMaterial>(world.materials[static_cast<std::size_t>(material)].model))
-      continue;
+    const int material = nth(object.material_of, mesh.triangle_cache[i].material);
+    if (!std::holds_alternative<MirrorMaterial>(nth(world.materials, material).model)) continue;
     const auto plane = plane_of(object, mesh.triangle_cache[i]);
     if (!plane) continue;
     object.mirror_planes.resize(mesh.triangle_cache.size(), -1);

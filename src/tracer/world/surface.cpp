@@ -1,5 +1,6 @@
 #include "tracer/world/surface.h"
 
+#include "base/nth.h"
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
@@ -35,7 +36,7 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
   SurfacePoint out;
-  out.material = object.material_of[static_cast<std::size_t>(triangle.material)];
+  out.material = nth(object.material_of, triangle.material);
   const Vec3f p0 = apply_to_point(object.to_world, triangle.corner);
   const Vec3f e1 = apply_to_direction(object.to_world, triangle.edge1);
   const Vec3f e2 = apply_to_direction(object.to_world, triangle.edge2);
@@ -151,7 +152,7 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
   SurfacePoint out;
-  out.material = object.material_of[static_cast<std::size_t>(triangle.material)];
+  out.material = nth(object.material_of, triangle.material);
   out.position = triangle.corner + triangle.edge1 * hit.barycentric.x + triangle.edge2 * hit.barycentric.y;
   out.geometric_normal = triangle.geometric_normal;
   out.shading_normal = triangle.has_one_normal
@@ -184,7 +185,7 @@ Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
 Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv) {
   const auto& [colour, texture, uv_map] = material.radiance;
   if (texture < 0) return {colour.rgb, colour.spectrum};
-  return {colour.rgb * lookup(world.textures[static_cast<std::size_t>(texture)], uv)};
+  return {colour.rgb * lookup(nth(world.textures, texture), uv)};
 }
 
 }  // namespace orbs::tracer

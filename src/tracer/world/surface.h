@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/nth.h"
 #include "tracer/geometry/lanes.h"
 #include "tracer/world/world.h"
 
@@ -47,7 +48,7 @@ inline int emitter_of(const World& world, std::uint32_t object, std::uint32_t tr
 
 /// Material of a triangle in the table of emitters.
 inline const EmissionMaterial& emission_of(const World& world, const TriangleEmitter& triangle) {
-  return std::get<EmissionMaterial>(world.materials[static_cast<std::size_t>(triangle.material)].model);
+  return std::get<EmissionMaterial>(nth(world.materials, triangle.material).model);
 }
 
 /// Index of the mirror plane that contains the triangle of the object, or -1.

@@ -1,4 +1,3 @@
-#include "adapters/povray/limits.h"
 #include "adapters/povray/povray.h"
 #include "scene/geometry/generators.h"
 

@@ -1,7 +1,6 @@
 // Images that follow from a formula, and the closed forms behind them.
-#include "analytic/albedo.h"
 #include "analytic/analytic_image.h"
-#include "analytic/fresnel_plane.h"
+#include "analytic/reflectance.h"
 
 #include <cmath>
 #include <numbers>

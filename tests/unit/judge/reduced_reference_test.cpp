@@ -26,7 +26,7 @@ image::Image halves(float right) {
   return image;
 }
 
-registry::Case one_case() {
+registry::Case case_with_difference() {
   registry::Case made;
   made.requirement = "M1";
   made.scenes = {{"a", "a.json", 4}, {"b", "b.json", 4}};
@@ -56,16 +56,18 @@ TEST(ReducedReference, IsReadAsItIsCopied) {
   image::write_exr(halves(0.25F), scratch.path() / "b.exr");
   const auto hashes = std::map<std::string, std::string>{{"a", "1234"}, {"b", "1234"}};
   const auto folder = scratch.path() / "copies";
-  const auto copies = judge::copy_references({one_case()}, scratch.path(), hashes, folder, 4);
+  const auto copies = judge::copy_references({case_with_difference()}, scratch.path(), hashes, folder, 4);
   for (const char* target : {"a", "b", "d"}) {
-    const auto copied = judge::load_reference(one_case(), target, scratch.path(), hashes, copies, 4);
-    const auto read = judge::load_reference(one_case(), target, scratch.path(), hashes, {}, 4);
+    const auto copied =
+        judge::load_reference(case_with_difference(), target, scratch.path(), hashes, copies, 4);
+    const auto read = judge::load_reference(case_with_difference(), target, scratch.path(), hashes, {}, 4);
     ASSERT_TRUE(copied.image && read.image) << copied.problem << read.problem;
     EXPECT_EQ(copied.image->width, 4);
     EXPECT_EQ(copied.image->pixels, read.image->pixels) << target;
     EXPECT_EQ(image::read_image(folder / (std::string(target) + ".exr")).height, 2);
   }
-  EXPECT_EQ(judge::load_reference(one_case(), "d", scratch.path(), hashes, copies, 4).image->at(0, 0, 0),
+  EXPECT_EQ(judge::load_reference(case_with_difference(), "d", scratch.path(), hashes, copies, 4)
+                .image->at(0, 0, 0),
             0.125F);
 }
 
@@ -79,19 +81,19 @@ TEST(ReducedReference, IsMissingWhereTheFullOneIsStale) {
   image::write_exr(halves(0.25F), scratch.path() / "b.exr");
   const auto hashes = std::map<std::string, std::string>{{"a", "1234"}, {"b", "5678"}};
   const auto copies =
-      judge::copy_references({one_case()}, scratch.path(), hashes, scratch.path() / "copies", 4);
+      judge::copy_references({case_with_difference()}, scratch.path(), hashes, scratch.path() / "copies", 4);
   for (const auto& from : {copies, judge::ReferenceCopies{}}) {
-    const auto a = judge::load_reference(one_case(), "a", scratch.path(), hashes, from, 4);
+    const auto a = judge::load_reference(case_with_difference(), "a", scratch.path(), hashes, from, 4);
     EXPECT_FALSE(a.image);
     EXPECT_NE(a.problem.find("is not the image that was accepted"), std::string::npos) << a.problem;
-    const auto b = judge::load_reference(one_case(), "b", scratch.path(), hashes, from, 4);
+    const auto b = judge::load_reference(case_with_difference(), "b", scratch.path(), hashes, from, 4);
     EXPECT_FALSE(b.image);
     EXPECT_NE(b.problem.find("scene 'b' has changed"), std::string::npos) << b.problem;
   }
 }
 
 TEST(ReducedReference, SaysWhichPixelsAreNotChecked) {
-  auto full = one_case();
+  auto full = case_with_difference();
   full.pixel_checks = {{"a", {0, 0, 1, 1}, {9, 9, 9}, 0.1, "single pixel"},
                        {"a", {0, 0, 8, 8}, {0.75, 0.75, 0.75}, 1e-5, "mean of halves"}};
   results::TargetRecord record;

@@ -1,7 +1,7 @@
 #include "registry/configuration.h"
 
 #include "base/error.h"
-#include "registry/scene_settings.h"
+#include "registry/renderer_variants.h"
 #include "structure/source_files.h"
 
 #include <string>

@@ -1,5 +1,6 @@
+#include "registry/filters.h"
+
 #include "base/error.h"
-#include "registry/cases.h"
 
 #include <gtest/gtest.h>
 

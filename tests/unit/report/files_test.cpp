@@ -1,5 +1,4 @@
-#include "report/csv.h"
-#include "report/junit.h"
+#include "report/files.h"
 
 #include <limits>
 

@@ -9,7 +9,6 @@
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_file.h"
-#include "report/preview.h"
 #include "report/target_data.h"
 #include "structure/source_files.h"
 

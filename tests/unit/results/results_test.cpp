@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "json/document.h"
 #include "results/record.h"
-#include "results/record_json.h"
 #include "structure/source_files.h"
 
 #include <algorithm>

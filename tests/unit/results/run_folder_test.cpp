@@ -3,8 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "page/fixture_runs.h"
-#include "results/record_json.h"
-#include "results/run_folder.h"
+#include "results/record.h"
 #include "structure/source_files.h"
 
 #include <filesystem>

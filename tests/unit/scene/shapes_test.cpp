@@ -5,7 +5,6 @@
 #include "scene/load/write_scene.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
-#include "scene/shapes/evaluate.h"
 #include "scene/shapes/expression.h"
 #include "structure/source_files.h"
 

@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "image/image_io.h"
 #include "page/fixture_runs.h"
-#include "results/record_json.h"
+#include "results/record.h"
 #include "structure/source_files.h"
 #include "unit/server/client.h"
 

@@ -9,7 +9,7 @@ using namespace orbs::server;
 
 namespace {
 
-int status_of(const std::string& head, bool only_loopback_names = true) {
+int status_for(const std::string& head, bool only_loopback_names = true) {
   const auto answer = check_request(head, {only_loopback_names});
   if (const auto* refusal = std::get_if<Refusal>(&answer)) return refusal->status;
   return 200;
@@ -24,9 +24,9 @@ std::string get(const std::string& target, const std::string& headers = "Host: l
 TEST(RequestGate, LetsThePageAndItsDataPass) {
   for (const char* target :
        {"/", "/page.js", "/data/runs.json", "/data/0/image/a%20b/r%C3%A9sult.exr?layer=S1"})
-    EXPECT_EQ(status_of(get(target)), 200) << target;
+    EXPECT_EQ(status_for(get(target)), 200) << target;
   for (const char* host : {"localhost", "LOCALHOST:80", "127.0.0.1:8080", "[::1]:8080"})
-    EXPECT_EQ(status_of(get("/", std::string("Host: ") + host + "\r\n")), 200) << host;
+    EXPECT_EQ(status_for(get("/", std::string("Host: ") + host + "\r\n")), 200) << host;
 }
 
 TEST(RequestGate, PassesOnNothingOfTheClientsHeaders) {
@@ -49,8 +49,8 @@ TEST(RequestGate, PassesOnWhetherTheClientReadsGzipInWordsOfItsOwn) {
 }
 
 TEST(RequestGate, AnotherAddressHasNamesThatWeDoNotKnow) {
-  EXPECT_EQ(status_of(get("/", "Host: render-box\r\n"), true), 421);
-  EXPECT_EQ(status_of(get("/", "Host: render-box\r\n"), false), 200);
+  EXPECT_EQ(status_for(get("/", "Host: render-box\r\n"), true), 421);
+  EXPECT_EQ(status_for(get("/", "Host: render-box\r\n"), false), 200);
 }
 
 TEST(RequestGate, DecodesPercentCodesOnce) {
@@ -60,5 +60,5 @@ TEST(RequestGate, DecodesPercentCodesOnce) {
 
 TEST(RequestGate, RefusesOverlongAndBrokenUtf8) {
   for (const char* code : {"%C0%AF", "%E0%80%AF", "%ED%A0%80", "%FF", "%F5%80%80%80", "%C3"})
-    EXPECT_EQ(status_of(get(std::string("/") + code)), 400) << code;
+    EXPECT_EQ(status_for(get(std::string("/") + code)), 400) << code;
 }

@@ -1,5 +1,5 @@
 // A run as the server holds it, whatever becomes of its folder.
-#include "results/record_json.h"
+#include "results/record.h"
 #include "server/served.h"
 #include "structure/source_files.h"
 

@@ -1,6 +1,5 @@
 #include "base/random.h"
 #include "metrics/seeds.h"
-#include "studies/bench/json.h"
 #include "studies/bench/numbers.h"
 #include "studies/bench/report.h"
 #include "studies/seed_statistics.h"

@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "registry/case.h"
 #include "registry/cases.h"
-#include "run/plan/load_scenes.h"
+#include "run/plan/scenes.h"
 #include "scene/load/write_scene.h"
 #include "structure/source_files.h"
 #include "unit/tracer/scenes.h"

@@ -17,7 +17,6 @@ using namespace orbs::tracer;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // What a floor at distance x from a long wall sees in a direction: the floor's normal is +z, the wall lies
@@ -105,9 +104,9 @@ TEST(IrradianceHemisphere, HasTheRotationGradientOfAHalfLitSky) {
     return IncomingLight{d.x < 0 ? Vec3f{1, 2, 0} : Vec3f{}, kInfinity};
   });
   const auto gradient = estimate_irradiance(strata, light).rotation_gradient;
-  EXPECT_NEAR(static_cast<double>(gradient[0].y), -kPi / 2, 0.02);
+  EXPECT_NEAR(static_cast<double>(gradient[0].y), -std::numbers::pi / 2, 0.02);
   EXPECT_NEAR(static_cast<double>(gradient[0].x), 0, 0.02);
-  EXPECT_NEAR(static_cast<double>(gradient[1].y), -kPi, 0.04);
+  EXPECT_NEAR(static_cast<double>(gradient[1].y), -std::numbers::pi, 0.04);
   EXPECT_EQ(length(gradient[2]), 0);
 }
 
@@ -116,7 +115,7 @@ TEST(IrradianceHemisphere, EvenLightHasNoGradients) {
   const HemisphereStrata strata = hemisphere_strata(200);
   const auto light = hemisphere_of(strata, [](Vec3f d) { return IncomingLight{{2, 2, 2}, 0.1F + d.z}; });
   const auto estimate = estimate_irradiance(strata, light);
-  EXPECT_NEAR(static_cast<double>(estimate.irradiance.y), 2 * kPi, 1e-6);
+  EXPECT_NEAR(static_cast<double>(estimate.irradiance.y), 2 * std::numbers::pi, 1e-6);
   EXPECT_EQ(length(estimate.translation_gradient[1]), 0);
   EXPECT_LT(length(estimate.rotation_gradient[1]), 1e-6F);
 }
@@ -127,7 +126,7 @@ TEST(IrradianceHemisphere, HasTheHarmonicMeanDistanceToAWall) {
   const HemisphereStrata strata = hemisphere_strata(4096);
   const auto light = hemisphere_of(strata, [](Vec3f d) { return by_wall(d, 0.5F, kInfinity); });
   const auto estimate = estimate_irradiance(strata, light);
-  EXPECT_NEAR(static_cast<double>(estimate.harmonic_mean_distance), 1.5 * kPi * 0.5, 0.01);
+  EXPECT_NEAR(static_cast<double>(estimate.harmonic_mean_distance), 1.5 * std::numbers::pi * 0.5, 0.01);
   EXPECT_NEAR(static_cast<double>(estimate.least_distance), 0.5, 0.01);
 }
 
@@ -149,7 +148,7 @@ TEST(IrradianceHemisphere, DirectionsLieInTheirStrata) {
 // 67.0 % off at +0.1, +0.2 and +0.4, the gradient -0.9, -4.0 and -19.5 %.
 TEST(IrradianceRecord, ExtrapolatesByItsGradient) {
   auto record = record_at({0.5F, 0, 0}, {0, 0, 1}, 1);
-  const auto exact = [](double x) { return kPi / 2 * (1 - x / std::hypot(x, 1.0)); };
+  const auto exact = [](double x) { return std::numbers::pi / 2 * (1 - x / std::hypot(x, 1.0)); };
   record.irradiance.x = static_cast<float>(exact(0.5));
   const auto relative_error_at = [&](float step) {
     const double value = static_cast<double>(extrapolated(record, {{0.5F + step, 0, 0}, 0, {0, 0, 1}}).x);
@@ -189,7 +188,7 @@ TEST(IrradianceRecord, TabellionAndLamorlettesErrorIsTheLargerOfBoth) {
   settings.kappa = 2;
   auto record = record_at({}, {0, 0, 1}, 2);
   EXPECT_NEAR(reach(settings, record), 0.5, 1e-6);
-  const auto ten_degrees = static_cast<float>(kPi / 18);
+  const auto ten_degrees = static_cast<float>(std::numbers::pi / 18);
   const Vec3f turned{std::sin(ten_degrees), 0, std::cos(ten_degrees)};
   EXPECT_NEAR(relative_error(settings, record, {{0.1F, 0, 0}, 0, turned}), 2, 1e-3);
   EXPECT_NEAR(relative_error(settings, record, {{0.1F, 0, 0}, 0, {0, 0, 1}}), 0.2, 1e-6);

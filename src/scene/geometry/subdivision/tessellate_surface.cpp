@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "scene/geometry/subdivision/subdivide.h"
 #include "scene/geometry/subdivision/vertex_ring.h"
-#include "scene/shapes/evaluate.h"
+#include "scene/shapes/expression.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,8 +120,6 @@ void move_points(const Displacement& displacement, Limit& limit) {
     for (auto vertex = first; vertex < end; ++vertex) mesh.places_m[vertex] = place;
   }
 }
-
-double angle_between(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 void set_triangle_normals(SurfaceMesh& mesh) {
   std::vector<Vec3d> sums(mesh.places_m.size());

@@ -1,8 +1,13 @@
 #pragma once
 
+#include "analytic/ray.h"
+#include "registry/analytic.h"
+
+#include <array>
 #include <vector>
 
 /// Directional albedo: what a surface shows in a constant environment of radiance 1.
+
 namespace orbs::analytic {
 
 /// Of the Oren-Nayar model without interreflection and of reflectance 1, at the angle theta (radians) to the
@@ -21,5 +26,14 @@ struct Quadrature {
   std::vector<double> weights;
 };
 Quadrature gauss_legendre(int count);
+
+/// Reflectance of unpolarised light at the cosine of the angle to the normal, by the relative index n + i k
+/// (Born and Wolf, 1.5.2 and 14.2); 1 where everything is reflected.
+double fresnel_reflectance(double cosine, double n, double k);
+
+/// What the image shows along the ray: the radiance times R, or times (1 - R) / (1 + (2 plates - 1) R), the
+/// sum over all reflections between the 2 plates surfaces of an incoherent stack (Stokes 1862). Both hold
+/// for a renderer without polarisation.
+std::array<double, 3> fresnel_plane(const registry::FresnelPlane& image, const Ray& ray);
 
 }  // namespace orbs::analytic

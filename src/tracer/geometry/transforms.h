@@ -1,8 +1,30 @@
 #pragma once
 
+#include "base/matrix.h"
+#include "base/vec.h"
 #include "tracer/geometry/lanes.h"
 
+#include <array>
+
 namespace orbs::tracer {
+
+/// 3x4 affine map in single precision.
+struct Affine {
+  std::array<Vec3f, 3> axes{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};  // images of x, y, z
+  Vec3f offset;
+};
+
+inline Vec3f apply_to_direction(const Affine& map, Vec3f v) {
+  return map.axes[0] * v.x + map.axes[1] * v.y + map.axes[2] * v.z;
+}
+inline Vec3f apply_to_point(const Affine& map, Vec3f p) { return apply_to_direction(map, p) + map.offset; }
+
+inline Affine affine(const Mat4& m) {
+  Affine out;
+  for (std::size_t c = 0; c < 3; ++c) out.axes[c] = cast<float>(Vec3d{m(0, c), m(1, c), m(2, c)});
+  out.offset = cast<float>(Vec3d{m(0, 3), m(1, 3), m(2, 3)});
+  return out;
+}
 
 /// Right-handed orthonormal basis whose z axis is the surface normal.
 template <typename V>

@@ -1,7 +1,10 @@
-#include "analytic/albedo.h"
+#include "analytic/reflectance.h"
+
+#include "base/nth.h"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace orbs::analytic {
@@ -61,7 +64,7 @@ double ggx_albedo(double alpha, double cosine) {
   const double lambda = smith_lambda(alpha, mu);
   double sum = 0;
   for (int i = 0; i < kCosines; ++i) {
-    const double in = rule.nodes[static_cast<std::size_t>(i)];
+    const double in = nth(rule.nodes, i);
     const double in_sine = std::sqrt((1 - in) * (1 + in));
     const double g2 = 1 / (1 + lambda + smith_lambda(alpha, in));
     double over_azimuths = 0;
@@ -74,9 +77,28 @@ double ggx_albedo(double alpha, double cosine) {
       const double s = ((x * x + y * y) / (alpha * alpha) + z * z) / squared;
       over_azimuths += 1 / (kPi * alpha * alpha * s * s);
     }
-    sum += rule.weights[static_cast<std::size_t>(i)] * g2 * over_azimuths * 2 * kPi / kAzimuths / (4 * mu);
+    sum += nth(rule.weights, i) * g2 * over_azimuths * 2 * kPi / kAzimuths / (4 * mu);
   }
   return sum;
+}
+
+double fresnel_reflectance(double cosine, double n, double k) {
+  const double sine_squared = (1 - cosine) * (1 + cosine);
+  const std::complex<double> m(n, k);
+  const auto q = std::sqrt(m * m - sine_squared);  // the principal root: total reflection has q = i |q|
+  const auto s = (cosine - q) / (cosine + q);
+  const auto p = (m * m * cosine - q) / (m * m * cosine + q);
+  return (std::norm(s) + std::norm(p)) / 2;
+}
+
+std::array<double, 3> fresnel_plane(const registry::FresnelPlane& image, const Ray& ray) {
+  const double cosine = std::fabs(dot(image.normal, ray.direction));
+  std::array<double, 3> out{};
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const double r = fresnel_reflectance(cosine, image.n.at(c), image.k.at(c));
+    out.at(c) = image.radiance * (image.plates == 0 ? r : (1 - r) / (1 + (2 * image.plates - 1) * r));
+  }
+  return out;
 }
 
 }  // namespace orbs::analytic
