@@ -1,8 +1,8 @@
-# orbs_module(<name> USES <modules...> PACKAGES <third-party targets...>)
+# orbs_module(<name> [ALONE <folder>] USES <modules...> PACKAGES <third-party targets...>)
 # One static library per folder of src/. USES is the whole list of folders that it may include:
 # tests/structure reads the same lines and fails on any #include beyond them.
 function(orbs_module name)
-  cmake_parse_arguments(arg "" "" "USES;PACKAGES" ${ARGN})
+  cmake_parse_arguments(arg "" "ALONE" "USES;PACKAGES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "[/_]main\\.cpp$")
   add_library(orbs_${name} STATIC ${sources})
@@ -10,6 +10,7 @@ function(orbs_module name)
   list(TRANSFORM arg_USES PREPEND orbs_)
   target_link_libraries(orbs_${name} PUBLIC ${arg_USES} fmt::fmt PRIVATE orbs_options ${arg_PACKAGES})
   orbs_precompile(orbs_${name})
+  orbs_compile_together(orbs_${name} ${arg_ALONE})
 endfunction()
 
 # Most of the time of compiling a file is reading the same headers of the standard library: they are read once, with

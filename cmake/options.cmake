@@ -1,7 +1,9 @@
 # What every target of ours is compiled with.
 add_library(orbs_options INTERFACE)
 target_compile_options(orbs_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  -Wall -Wextra -Wpedantic -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  # Where sources are compiled together, a local name may well be one of another source's.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   # FMA contraction breaks the antisymmetry that watertight edge tests and bit-equal images rest on; and NaN must stay NaN.
   -ffp-contract=off -fno-fast-math
   # These two only say that nobody reads errno or traps; every value, NaN and infinities included, stays the same.

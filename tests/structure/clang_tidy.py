@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """clang-tidy over every source of src/ and every snippet, each only when it, a header that it includes or a rule changed.
 
-    clang_tidy.py <repository> <build folder with compile_commands.json>
+    clang_tidy.py <repository> <build folder>
 
-Nearly all of its time goes into the headers of the standard library, so sources of one module are checked as one: a
-source that includes them all takes hardly longer than one of them (13 sources of studies/cost: 7 s, not 87 s). When such
-a source has a finding, or names of two files clash, its halves are checked, down to single files: what is reported is
-always of a file by itself. A clean file leaves an empty file named after the hash of everything that could change the
+Nearly all of its time goes into the headers of the standard library, so sources that the build compiles as one
+(cmake/unity.cmake) are checked as one: a source that includes them all takes hardly longer than one of them (13 sources
+of studies/cost: 7 s, not 87 s). When such a source has a finding, its halves are checked, down to single files: what is
+reported is always of a file by itself. A clean file leaves an empty file named after the hash of everything that could change the
 answer, in <build>/clang-tidy/clean/. Headers are checked through the sources that include them (HeaderFilterRegex).
 """
 import concurrent.futures
@@ -19,15 +19,28 @@ import shutil
 import subprocess
 import sys
 
-MOST_SOURCES = 24  # of one check: two checks at a time stay below 2 GB
 INCLUDE = re.compile(rb'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # clang cannot read the precompiled headers of g++.
 PRECOMPILED = re.compile(r"-Winvalid-pch -include \S+/cmake_pch\.hxx ")
-# The commands are for g++: clang does not know each of its optimisation flags.
-GCC_ONLY = ["--extra-arg=-Wno-ignored-optimization-argument", "--extra-arg=-Wno-unused-command-line-argument"]
-# What an unnamed namespace of ours defines, at the left margin: a function, a constant, a type.
-LOCAL = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
-DEFINED = re.compile(r"^(?!using |namespace )[A-Za-z].*?\b([A-Za-z_]\w*)\s*[({=;\[]", re.MULTILINE)
+# The commands are for g++: clang does not know each of its flags.
+GCC_ONLY = [f"--extra-arg=-Wno-{name}" for name in
+            ("ignored-optimization-argument", "unused-command-line-argument", "unknown-warning-option")]
+
+
+def configured(root, folder):
+    """Compile commands of a build in which sources are compiled as one, whatever the preset of the build at hand."""
+    subprocess.run(["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DORBS_UNITY=ON"], check=True, stdout=subprocess.DEVNULL)
+    return json.loads(PRECOMPILED.sub("", (folder / "compile_commands.json").read_text()))
+
+
+def by_source(commands):
+    """An entry for each source, with the file that the build compiles it by as its group."""
+    for entry in commands:
+        file = pathlib.Path(entry["file"])
+        together = file.parent.name == "Unity"
+        for source in [name.decode() for name in INCLUDE.findall(file.read_bytes())] if together else [entry["file"]]:
+            yield {**entry, "file": source, "group": entry["file"]}
 
 
 def own_headers(file, src, known):
@@ -46,7 +59,7 @@ def own_headers(file, src, known):
 
 
 def fingerprint(entry, src, rules, known):
-    digest = hashlib.sha256(rules + entry["command"].encode())
+    digest = hashlib.sha256(rules + flags(entry).encode())
     for file in own_headers(pathlib.Path(entry["file"]), src, known):
         digest.update(os.path.relpath(file, src.parent).encode() + b"\0" + file.read_bytes() + b"\0")
     return digest.hexdigest()
@@ -57,25 +70,12 @@ def flags(entry):
     return entry["command"].split(" -o ")[0]
 
 
-def local_names(entry):
-    text = pathlib.Path(entry["file"]).read_text()
-    return {name for part in LOCAL.findall(text) for name in DEFINED.findall(part)}
-
-
 def batches(entries):
-    """Entries of one module, compiled alike, without two that define the same local name."""
+    """Entries that are compiled as one; the largest first."""
     found = {}
     for entry in entries:
-        names = local_names(entry)
-        there = found.setdefault(flags(entry), [])
-        for taken, batch in there:
-            if len(batch) < MOST_SOURCES and not taken & names:
-                taken |= names
-                batch.append(entry)
-                break
-        else:
-            there.append((names, [entry]))
-    return sorted((batch for there in found.values() for _, batch in there), key=len, reverse=True)
+        found.setdefault(entry["group"], []).append(entry)
+    return sorted(found.values(), key=len, reverse=True)
 
 
 def check(tool, folder, batch):
@@ -110,9 +110,10 @@ def main(root, build):
     src, folder = root / "src", build / "clang-tidy"
     (folder / "clean").mkdir(parents=True, exist_ok=True)
     rules = (root / ".clang-tidy").read_bytes() + subprocess.check_output([tool, "--version"])
-    commands = json.loads(PRECOMPILED.sub("", (build / "compile_commands.json").read_text()))
     # A snippet's own source, written by tests/CMakeLists.txt, is the only one that sees all of them.
-    entries = [e for e in commands if e["file"].startswith(f"{src}/") or e["file"].endswith("_alone.cpp")]
+    # What a test compiles again is checked once.
+    entries = {e["file"]: e for e in by_source(configured(root, folder / "commands"))
+               if e["file"].startswith(f"{src}/") or e["file"].endswith("_alone.cpp")}.values()
     known = {}
     for entry in entries:
         entry["mark"] = fingerprint(entry, src, rules, known)

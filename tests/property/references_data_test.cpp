@@ -8,7 +8,7 @@
 #include "references/references.h"
 #include "registry/cases.h"
 #include "results/image_hashes.h"
-#include "run/plan/load_scenes.h"
+#include "run/plan/scenes.h"
 #include "scene/load/load_scene.h"
 #include "structure/source_files.h"
 
