@@ -7,8 +7,8 @@
 #include "cli/program.h"
 #include "json/writer.h"
 #include "registry/cases.h"
-#include "run/renderer_version.h"
 #include "run/plan/choose_renderers.h"
+#include "run/renderer_version.h"
 
 #include <optional>
 #include <set>

@@ -1,3 +1,4 @@
+#include "adapters/export.h"
 #include "base/error.h"
 #include "base/terminal.h"
 #include "cli/options.h"
@@ -9,6 +10,7 @@
 #include "run/run_file.h"
 
 #include <map>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -24,22 +26,26 @@ struct Options {
 };
 
 // "orbs" is what a user calls the format that the configuration calls "orbs-scene".
-const std::map<std::string, std::string> kFormats{
-    {"mitsuba", "mitsuba"}, {"pbrt", "pbrt"}, {"povray", "povray"}, {"orbs", registry::kNeutralFormat}};
+std::map<std::string, std::string> named_formats() {
+  std::map<std::string, std::string> formats;
+  for (const std::string format : adapters::exporters() | std::views::transform(&adapters::Exporter::format))
+    formats[format == registry::kNeutralFormat ? "orbs" : format] = format;
+  return formats;
+}
 
 // The first renderer that reads the format, unless one is named.
 std::string renderer_of(const registry::Configuration& configuration, const std::string& format) {
   for (const auto& renderer : configuration.renderers)
-    if (renderer.format.name == kFormats.at(format)) return renderer.name;
+    if (renderer.format.name == named_formats().at(format)) return renderer.name;
   throw InputError(fmt::format("{}: no renderer has the scene_format {}; 'orbs renderer add' makes an entry",
-                               configuration.file.string(), kFormats.at(format)));
+                               configuration.file.string(), named_formats().at(format)));
 }
 
 void check_format(const run::Plan& plan, const std::string& format) {
   for (const auto& renderer : plan.renderers)
-    if (renderer.entry.format.name != kFormats.at(format))
+    if (renderer.entry.format.name != named_formats().at(format))
       throw InputError(fmt::format("{} reads {}, not {}", registry::entry_name(renderer.entry),
-                                   renderer.entry.format.name, kFormats.at(format)));
+                                   renderer.entry.format.name, named_formats().at(format)));
 }
 
 int export_scenes(const command_line::Command& command,
@@ -66,7 +72,7 @@ void add_export_command(const command_line::Command& command, const Program& pro
   const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<Options>();
   std::vector<std::string> formats;
-  for (const auto& [name, word] : kFormats) formats.push_back(name);
+  for (const auto& [name, word] : named_formats()) formats.push_back(name);
   command.add_option("--format", options->format, "Scene format to write")
       .value_name("FORMAT")
       .required()

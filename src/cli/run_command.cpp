@@ -17,9 +17,9 @@
 #include "run/plan/make_plan.h"
 #include "run/plan/plan.h"
 #include "run/plan/plan_file.h"
+#include "run/plan/plan_text.h"
 #include "run/run.h"
 #include "run/run_file.h"
-#include "run/plan/plan_text.h"
 
 #include <algorithm>
 

@@ -78,13 +78,28 @@ scene::Scene scene_for(const Options& options) {
   return scene;
 }
 
+// The smallest trial renders 65,536 camera paths. An image of a sixteenth of that cannot win them back,
+// whatever they show.
+bool is_worth_a_trial(const Options& options, const scene::Scene& scene) {
+  constexpr double kFewestPaths = 4096;
+  return double{1} * scene.camera.width_px * scene.camera.height_px * options.render.samples_per_pixel >=
+         kFewestPaths;
+}
+
+void without_trials(const Options& options, tracer::World& world) {
+  if (options.light_selection == "auto") world.light_bvh = {};
+  if (options.light_paths == "auto") world.caustic_casters = {};
+}
+
 // With the algorithms that trial renderings show to be better.
 tracer::World world_for(const Options& options, const scene::Scene& scene) {
   auto world = tracer::make_world(scene, world_settings(options, scene));
   const int threads = options.render.threads;
-  if (options.light_selection == "auto") tracer::choose_light_selection(world, threads);
-  if (options.light_paths == "auto") tracer::choose_light_paths(world, threads);
-  if (options.light_connections == "auto") tracer::choose_light_connections(world, threads);
+  const bool tries = is_worth_a_trial(options, scene);
+  if (!tries) without_trials(options, world);
+  if (tries && options.light_selection == "auto") tracer::choose_light_selection(world, threads);
+  if (tries && options.light_paths == "auto") tracer::choose_light_paths(world, threads);
+  if (tries && options.light_connections == "auto") tracer::choose_light_connections(world, threads);
   if (options.light_connections == "always")
     world.connects_light_vertices = tracer::supports_light_connections(world);
   // What the trial renderings met is no part of the image.

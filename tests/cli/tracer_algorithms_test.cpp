@@ -69,6 +69,20 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   EXPECT_EQ(headers["orbs-no-mirrored-light"]["orbs.mirrored_light"], "no");
 }
 
+// A trial takes 65,536 camera paths, which an image of few does not win back.
+TEST(TracerAlgorithms, AnImageOfFewPathsIsNotWorthATrial) {
+  const Sandbox sandbox;
+  const auto selection_at = [&](int width_px) {
+    const auto answer =
+        sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " + kScene +
+                      " -o out.exr --spp 1 --replicates 1 --height 64 --width " + std::to_string(width_px));
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    return image::read_image(sandbox.folder() / "out.exr").attributes["orbs.light_selection"];
+  };
+  EXPECT_EQ(selection_at(64), "bvh");
+  EXPECT_EQ(selection_at(63), "power");
+}
+
 // Each takes at least as many samples as independent blocks, also where only the fixed cost is measured.
 TEST(TracerAlgorithms, TheirCostCanBeMeasured) {
   const Sandbox sandbox;

@@ -35,6 +35,12 @@ export async function open(
 ): Promise<{ page: Page; errors: string[] }> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
   page.setDefaultTimeout(15000);
+  // A page that asks again and again may have a request on its way, whose answer would find the page gone.
+  const close = page.close.bind(page);
+  page.close = async (): Promise<void> => {
+    await page.unrouteAll({ behavior: "ignoreErrors" });
+    await close();
+  };
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("console", (message) => {

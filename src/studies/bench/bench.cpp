@@ -7,12 +7,12 @@
 #include "metrics/seeds.h"
 #include "run/execute.h"
 #include "run/host.h"
+#include "run/plan/choose_renderers.h"
 #include "run/render.h"
 #include "run/renderer_version.h"
 #include "scene/load/load_scene.h"
 #include "studies/bench/overhead.h"
 #include "studies/seed_statistics.h"
-#include "run/plan/choose_renderers.h"
 
 #include <algorithm>
 #include <array>

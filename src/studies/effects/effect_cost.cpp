@@ -6,10 +6,10 @@
 #include "registry/cases.h"
 #include "run/execute.h"
 #include "run/host.h"
+#include "run/plan/choose_renderers.h"
 #include "run/render.h"
 #include "scene/effects/effects.h"
 #include "scene/load/load_scene.h"
-#include "run/plan/choose_renderers.h"
 
 #include <algorithm>
 #include <set>
