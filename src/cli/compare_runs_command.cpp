@@ -1,6 +1,6 @@
 #include "base/terminal.h"
 #include "cli/program.h"
-#include "history/compare_runs.h"
+#include "history/comparison_text.h"
 #include "results/run_folder.h"
 
 #include <string>
@@ -43,8 +43,8 @@ void add_compare_runs_command(const command_line::Command& command,
       command.add_flag("--markdown", options->as_markdown, "Print Markdown for a pull request");
   command.add_flag("--json", options->as_json, "Print everything as JSON, for programs").excludes(markdown);
   command.footer(
-      "Exit status: 0 if nothing is worse, 1 if a verdict, an error or a time is worse, 2 if the runs cannot be "
-      "compared.");
+      "Exit status: 0 if nothing is worse; 1 if a verdict, a mean, an error or a time is worse, or a target of the "
+      "earlier run vanished, was not rendered or cannot be compared any more; 2 if the runs cannot be compared.");
   command.callback([=, &action] { action = [=] { return compare(*options); }; });
 }
 

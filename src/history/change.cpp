@@ -1,6 +1,7 @@
 #include "history/change.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -31,6 +32,20 @@ std::string direction_name(Direction direction) {
       return "better";
   }
   return {};
+}
+
+void describe_light(char channel, double before, double after, Change& change) {
+  constexpr double kPercent = 100;
+  constexpr double kLeft = 0.5;
+  const double was = std::fabs(before);
+  const double is = std::fabs(after);
+  const bool is_other_sign = (before < 0) != (after < 0) && std::min(was, is) > kLeastLight;
+  change.quantity = Quantity::Light;
+  change.direction = is > was ? Direction::Worse : Direction::Better;
+  if (is_other_sign) change.direction = is < kLeft * was ? Direction::Neither : Direction::Worse;
+  change.before = fmt::format("mean of {} {:+.3f} %", channel, kPercent * before);
+  change.after = fmt::format("{:+.3f} %{}", kPercent * after, is_other_sign ? " (other sign)" : "");
+  change.size = std::fabs(after - before);
 }
 
 std::string chance_text(const Change& change) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "results/least_change.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -13,8 +15,8 @@ inline constexpr double kFalseAlarms = 0.01;
 
 /// Smaller changes are not reported, however certain they are: of the mean of a channel, of the mean squared
 /// error, of the time.
-inline constexpr double kLeastLight = 0.001;
-inline constexpr double kLeastError = 0.05;
+using results::kLeastError;
+using results::kLeastLight;
 inline constexpr double kLeastTime = 0.05;
 
 enum class Quantity { Verdict, Light, Error, Time };
@@ -41,6 +43,11 @@ struct Change {
   std::string reason{};  // of the verdict in the second run
   std::string since{};   // of a step in many runs: the first run after it, with its date
 };
+
+/// Fills the change of a mean, 'R', 'G' or 'B', that was off by `before` and is off by `after`: worse where
+/// it is off by more. An error of the other sign is another one, and is called so: worse, or neither where
+/// less than half of it is left, as after a mend that went too far. What is within kLeastLight has no sign.
+void describe_light(char channel, double before, double after, Change& change);
 
 /// "1 in 340": how often equal programs differ so much; "" for a verdict. Below 1e-9 "< 1 in 1e9", since no
 /// distribution is known so far out.

@@ -10,12 +10,27 @@
 
 namespace orbs::history {
 
+/// Why nothing can be said of a target.
+enum class Loss { Vanished, NotRendered, NotComparable };
+
+/// "vanished", "not rendered", "no longer comparable".
+std::string loss_name(Loss loss);
+
+/// A target of the earlier run that cannot be compared. NotComparable: its numbers, since its samples or its
+/// reference are others; its verdicts are compared all the same.
+struct LostTarget {
+  Loss loss;
+  std::string target;  // "cycles 101"
+  std::string reason;  // "" for one that vanished
+};
+
 struct RunComparison {
   std::string before;  // names of the runs
   std::string after;
-  std::size_t targets = 0;         // that both have
-  std::size_t tests = 0;           // of numbers
-  std::vector<Change> changes;     // the worst first
+  std::size_t targets = 0;      // that both have
+  std::size_t tests = 0;        // of numbers
+  std::vector<Change> changes;  // the worst first
+  std::vector<LostTarget> lost;
   std::vector<std::string> notes;  // what was not compared, and why
 };
 
@@ -29,24 +44,14 @@ RunComparison compare_pairs(const RunPair& pair,
                             std::vector<Change> verdicts,
                             std::vector<std::vector<Candidate>> numbers);
 
-/// 1 if anything is worse, else 0.
+/// 1 if anything is worse or lost, else 0.
 int exit_status(const RunComparison& comparison);
 
-/// A line on what was compared, a table of all changes, and what was not compared.
-std::string comparison_text(const RunComparison& comparison, int width);
-
-/// The same for a pull request.
-std::string comparison_markdown(const RunComparison& comparison);
-
-/// The same for programs (format "orbs-comparison/1").
-std::string comparison_json(const RunComparison& comparison);
+/// How many of its changes go into that direction.
+std::size_t count_of(const RunComparison& comparison, Direction direction);
 
 /// The variants of one renderer in a run, each compared with the first of them by verdicts and by numbers
 /// beyond chance, as runs are, see kFalseAlarms. Times are not compared.
 std::vector<RunComparison> compare_variants(const results::RunRecord& run);
-
-/// A line for each comparison, and below it what differs, the worst first: "gpu against cpu: 41 targets, the
-/// same but for noise". "" if there is none.
-std::string variants_text(const std::vector<RunComparison>& comparisons);
 
 }  // namespace orbs::history

@@ -26,6 +26,8 @@ constexpr double kOutsideLight = kOutsideBias / 3;
 
 constexpr std::array kChannels{'r', 'g', 'b'};
 
+char upper(char channel) { return static_cast<char>(channel - 'a' + 'A'); }
+
 const Measure* measure_of(const TargetRecord& target, const std::string& name) {
   for (const auto& measure : target.measures)
     if (measure.name == name && std::isfinite(measure.value)) return &measure;
@@ -62,19 +64,8 @@ Change change_of(const TargetPair& pair, Quantity quantity) {
   return change;
 }
 
-// A mean that is nearer to the reference's is a better one.
-void describe_light(char channel, double before, double after, Change& change) {
-  constexpr double kPercent = 100;
-  change.direction = std::fabs(after) > std::fabs(before) ? Direction::Worse : Direction::Better;
-  change.size = std::fabs(after - before);
-  change.before =
-      fmt::format("mean of {} {:+.3f} %", static_cast<char>(channel - 'a' + 'A'), kPercent * before);
-  change.after = fmt::format("{:+.3f} %", kPercent * after);
-}
-
 bool is_compared(const TargetPair& pair) {
-  const auto has_image = [](const TargetRecord& target) { return !target.measures.empty(); };
-  return pair.not_compared.empty() && has_image(*pair.before) && has_image(*pair.after);
+  return pair.not_compared.empty() && has_numbers(*pair.before) && has_numbers(*pair.after);
 }
 
 // A scene that several cases judge has the same numbers in each.
@@ -106,11 +97,10 @@ void pool(const Estimate& before, const Estimate& after, Pooled& pooled) {
 
 Candidate pooled_candidate(const std::string& renderer, char channel, const Pooled& pooled) {
   Candidate candidate;
-  candidate.change.quantity = Quantity::Light;
   candidate.change.renderer = renderer;
   const double before = pooled.before / pooled.weights;
   const double after = pooled.after / pooled.weights;
-  describe_light(channel, before, after, candidate.change);
+  describe_light(upper(channel), before, after, candidate.change);
   if (std::fabs(after - before) > kLeastLight)
     candidate.probability = normal_tail((after - before) * std::sqrt(pooled.weights));
   return candidate;
@@ -147,7 +137,7 @@ std::vector<Candidate> light_candidates(const RunPair& pair) {
       if (!before || !after) continue;
       if (one.after->jobs.size() == 1) pool(*before, *after, renderers[{one.after->renderer, channel}]);
       Candidate candidate{change_of(one, Quantity::Light)};
-      describe_light(channel, before->value, after->value, candidate.change);
+      describe_light(upper(channel), before->value, after->value, candidate.change);
       if (candidate.change.size > kLeastLight) candidate.probability = probability_of(*before, *after);
       candidates.push_back(std::move(candidate));
     }

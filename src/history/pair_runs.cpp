@@ -17,6 +17,13 @@ using results::JobsById;
 using results::RunRecord;
 using results::TargetRecord;
 
+/// One of the two runs.
+struct Side {
+  explicit Side(const RunRecord& the_run) : run(&the_run), jobs(jobs_by_id(the_run)) {}
+  const RunRecord* run;
+  JobsById jobs;
+};
+
 std::string samples_of(const TargetRecord& target, const JobsById& jobs) {
   std::string text;
   for (const auto& id : target.jobs)
@@ -25,15 +32,39 @@ std::string samples_of(const TargetRecord& target, const JobsById& jobs) {
   return text;
 }
 
-std::string why_no_numbers(const TargetRecord& before,
-                           const TargetRecord& after,
-                           const JobsById& jobs_before,
-                           const JobsById& jobs_after) {
-  const auto spp_before = samples_of(before, jobs_before);
-  const auto spp_after = samples_of(after, jobs_after);
-  if (spp_before != spp_after) return fmt::format("{} spp before, {} now", spp_before, spp_after);
-  if (before.reference_provenance != after.reference_provenance) return "the reference is another one";
+bool is_reached(const TargetRecord& target) { return target.verdict != results::Verdict::Skipped; }
+
+std::string why_not_reached(const RunRecord& run) {
+  return run.finished ? "the run was interrupted" : "the run is going on, or was killed";
+}
+
+// "" if both were rendered.
+std::string why_not_rendered(const TargetPair& pair, const Side& before, const Side& after) {
+  if (!is_reached(*pair.after)) return why_not_reached(*after.run);
+  if (!is_reached(*pair.before))
+    return fmt::format("in {}: {}", before.run->name, why_not_reached(*before.run));
   return "";
+}
+
+// What has no image has neither samples nor a reference to be compared; its verdict says why.
+std::string why_no_numbers(const TargetPair& pair, const Side& before, const Side& after) {
+  if (!has_numbers(*pair.before) || !has_numbers(*pair.after)) return "";
+  const auto spp_before = samples_of(*pair.before, before.jobs);
+  const auto spp_after = samples_of(*pair.after, after.jobs);
+  if (spp_before != spp_after) return fmt::format("{} spp before, {} now", spp_before, spp_after);
+  if (pair.before->reference_provenance != pair.after->reference_provenance)
+    return "the reference is another one";
+  return "";
+}
+
+TargetPair pair_of(const TargetRecord& of_before,
+                   const TargetRecord& of_after,
+                   const Side& before,
+                   const Side& after) {
+  TargetPair pair{&of_before, &of_after, "", ""};
+  pair.not_rendered = why_not_rendered(pair, before, after);
+  pair.not_compared = why_no_numbers(pair, before, after);
+  return pair;
 }
 
 std::string why_no_times(const JobRecord& before, const JobRecord& after) {
@@ -49,6 +80,11 @@ std::string why_no_times(const JobRecord& before, const JobRecord& after) {
 
 std::string name_of(const TargetRecord& target) { return target.renderer + " " + target.target; }
 
+std::string name_with_failure(const TargetRecord& target) {
+  if (!counts_as_failure(target.verdict, target.expectation)) return name_of(target);
+  return fmt::format("{} ({})", name_of(target), state_name(target));
+}
+
 }  // namespace
 
 RunPair pair_runs(const RunRecord& before, const RunRecord& after) {
@@ -60,17 +96,16 @@ RunPair pair_runs(const RunRecord& before, const RunRecord& after) {
   std::map<Key, const TargetRecord*> earlier;
   for (const auto& target : before.targets)
     earlier[{target.case_name, target.target, target.renderer}] = &target;
-  const auto jobs_before = jobs_by_id(before);
-  const auto jobs_after = jobs_by_id(after);
+  const Side side_before(before);
+  const Side side_after(after);
   RunPair pair;
   for (const auto& target : after.targets) {
     const auto found = earlier.find({target.case_name, target.target, target.renderer});
     if (found == earlier.end()) {
-      pair.only_after.push_back(name_of(target));
+      pair.only_after.push_back(name_with_failure(target));
       continue;
     }
-    pair.targets.push_back(
-        {found->second, &target, why_no_numbers(*found->second, target, jobs_before, jobs_after)});
+    pair.targets.push_back(pair_of(*found->second, target, side_before, side_after));
     earlier.erase(found);
   }
   for (const auto& [key, target] : earlier) pair.only_before.push_back(name_of(*target));
@@ -90,12 +125,12 @@ RunPair pair_renderers(const RunRecord& run, const std::string& before, const st
   std::map<std::pair<std::string, std::string>, const TargetRecord*> first;
   for (const auto& target : run.targets)
     if (target.renderer == before) first[{target.case_name, target.target}] = &target;
-  const auto jobs = jobs_by_id(run);
+  const Side side(run);
   RunPair pair;
   for (const auto& target : run.targets)
     if (const auto found = first.find({target.case_name, target.target});
         target.renderer == after && found != first.end())
-      pair.targets.push_back({found->second, &target, why_no_numbers(*found->second, target, jobs, jobs)});
+      pair.targets.push_back(pair_of(*found->second, target, side, side));
   return pair;
 }
 

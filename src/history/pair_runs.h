@@ -11,7 +11,9 @@ namespace orbs::history {
 struct TargetPair {
   const results::TargetRecord* before;
   const results::TargetRecord* after;
-  std::string not_compared;  // why numbers are not compared ("64 spp before, 128 now"); "" if they are
+  std::string not_rendered;  // why there is nothing to compare; "" if both were rendered
+  std::string not_compared;  // why numbers of two images are not compared ("64 spp before, 128 now"); "" if
+                             // they are, or there are not two
 };
 
 /// One render in two runs, both of which left an image. Points into both records.
@@ -25,8 +27,11 @@ struct RunPair {
   std::vector<TargetPair> targets;
   std::vector<JobPair> jobs;
   std::vector<std::string> only_before;  // "cycles 101": targets that only one run has
-  std::vector<std::string> only_after;
+  std::vector<std::string> only_after;   // "cycles 101 (fail)": with the state if it is a failure
 };
+
+/// Whether the target has an image that was compared with its reference.
+inline bool has_numbers(const results::TargetRecord& target) { return !target.measures.empty(); }
 
 /// Pairs by case, target and renderer, and renders by scene and renderer. InputError if the runs are of
 /// different suites or sizes, or have no target in common.

@@ -71,12 +71,8 @@ void add_candidate(const Values& values,
   candidates.push_back({std::move(change), is_large ? split.probability : 1});
 }
 
-bool describe_light(char channel, double before, double after, Change& change) {
-  change.quantity = Quantity::Light;
-  change.direction = std::fabs(after) > std::fabs(before) ? Direction::Worse : Direction::Better;
-  change.before = fmt::format("mean of {} {:+.3f} %", channel, 100 * before);
-  change.after = fmt::format("{:+.3f} %", 100 * after);
-  change.size = std::fabs(after - before);
+bool is_large_light(char channel, double before, double after, Change& change) {
+  describe_light(channel, before, after, change);
   return change.size > kLeastLight;
 }
 
@@ -188,7 +184,7 @@ void add_renderers(const History& history,
       add_candidate(
           whole_renderer(history, series, [&](const Point& p) { return weighted_light(p, channel); }),
           history, change,
-          [&](double a, double b, Change& c) { return describe_light("RGB"[channel], a, b, c); },
+          [&](double a, double b, Change& c) { return is_large_light("RGB"[channel], a, b, c); },
           candidates.light);
   }
 }
@@ -201,7 +197,7 @@ void add_target(const History& history, const Series& series, Candidates& candid
   for (std::size_t channel = 0; channel < 3; ++channel)
     add_candidate(
         light_of(series, channel), history, change,
-        [&](double a, double b, Change& c) { return describe_light("RGB"[channel], a, b, c); },
+        [&](double a, double b, Change& c) { return is_large_light("RGB"[channel], a, b, c); },
         candidates.light);
   const auto describe = [](Quantity quantity) {
     return [quantity](double a, double b, Change& c) { return describe_ratio(quantity, a, b, c); };

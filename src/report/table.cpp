@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
-#include "history/compare_runs.h"
+#include "history/comparison_text.h"
 #include "report/hints.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "base/files.h"
 #include "fuzz/feed.h"
-#include "history/compare_runs.h"
+#include "history/comparison_text.h"
 #include "history/history_text.h"
 #include "history/steps.h"
 #include "json/document.h"

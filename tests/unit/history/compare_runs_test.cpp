@@ -1,7 +1,6 @@
 // Two runs compared: what is found, and how often something is found where nothing is.
-#include "history/compare_runs.h"
-
 #include "base/error.h"
+#include "history/comparison_text.h"
 #include "unit/history/made_up_run.h"
 
 #include <algorithm>
@@ -108,7 +107,60 @@ TEST(CompareRuns, OtherSamplesMakeOtherNumbers) {
   for (auto& job : after.jobs) job.identity.spp = 128;
   const auto comparison = history::compare_runs(made_up::run(1), after);
   EXPECT_TRUE(comparison.changes.empty());
-  EXPECT_EQ(comparison.notes.size(), 2U);
+  ASSERT_EQ(comparison.notes.size(), 2U);
+  EXPECT_EQ(
+      comparison.notes[0],
+      "120 targets no longer comparable: 64 spp before, 128 now (r0 s0, r0 s1, r0 s2, r0 s3, r0 s4, r0 s5, "
+      "r0 s6, r0 s7, ...)");
+  EXPECT_EQ(history::exit_status(comparison), 1);
+}
+
+TEST(CompareRuns, AnotherReferenceMakesATargetNoLongerComparable) {
+  auto after = made_up::run(1);
+  after.targets[3].reference_provenance["spp"] = "1024";
+  const auto comparison = history::compare_runs(made_up::run(1), after);
+  ASSERT_EQ(comparison.lost.size(), 1U);
+  EXPECT_EQ(history::loss_name(comparison.lost[0].loss), "no longer comparable");
+  EXPECT_EQ(comparison.lost[0].reason, "the reference is another one");
+  EXPECT_EQ(history::exit_status(comparison), 1);
+}
+
+// As a run leaves a target that it did not reach: without samples, reference or numbers.
+TEST(CompareRuns, ATargetThatAnInterruptedRunDidNotReachIsCalledSo) {
+  auto before = made_up::run(1);
+  for (auto& target : before.targets) target.reference_provenance["spp"] = "1024";
+  auto after = before;
+  after.interrupted = true;
+  auto& target = after.targets[3];
+  target.verdict = results::Verdict::Skipped;
+  target.reference_provenance.clear();
+  target.measures.clear();
+  const auto comparison = history::compare_runs(before, after);
+  EXPECT_TRUE(comparison.changes.empty());
+  ASSERT_EQ(comparison.notes.size(), 1U);
+  EXPECT_EQ(comparison.notes[0], "1 target not rendered: the run was interrupted (r0 s3)");
+  EXPECT_EQ(history::exit_status(comparison), 1);
+  EXPECT_NE(history::comparison_text(comparison, 200).find("0 changed otherwise, 1 not rendered"),
+            std::string::npos);
+  EXPECT_NE(history::comparison_json(comparison).find("\"loss\": \"not rendered\""), std::string::npos);
+  const auto back = history::compare_runs(after, before);
+  ASSERT_EQ(back.notes.size(), 1U);
+  EXPECT_EQ(back.notes[0], "1 target not rendered: in run-1: the run was interrupted (r0 s3)");
+  EXPECT_EQ(history::exit_status(back), 1);
+}
+
+// A crash has no reference record either: the verdict says all.
+TEST(CompareRuns, ACrashIsWorseAndItsReferenceIsNoOther) {
+  auto before = made_up::run(1);
+  for (auto& target : before.targets) target.reference_provenance["spp"] = "1024";
+  auto after = before;
+  after.targets[3].verdict = results::Verdict::Crash;
+  after.targets[3].reference_provenance.clear();
+  after.targets[3].measures.clear();
+  const auto comparison = history::compare_runs(before, after);
+  EXPECT_EQ(comparison.changes.size(), 1U);
+  EXPECT_TRUE(comparison.lost.empty());
+  EXPECT_TRUE(comparison.notes.empty());
 }
 
 TEST(CompareRuns, VerdictsAreFactsAndTheWorstComesFirst) {
@@ -125,17 +177,64 @@ TEST(CompareRuns, VerdictsAreFactsAndTheWorstComesFirst) {
   std::vector<std::string> texts;
   for (const auto& change : comparison.changes)
     texts.push_back(history::direction_name(change.direction) + " " + change.target + " " + change.after);
-  EXPECT_EQ(texts, (std::vector<std::string>{"worse s1 crash", "worse s0 fail", "changed s5 known",
+  EXPECT_EQ(texts, (std::vector<std::string>{"worse s1 crash", "worse s0 fail", "worse s5 known",
                                              "changed s2 inconclusive", "better s3 pass"}));
   EXPECT_EQ(history::exit_status(comparison), 1);
 }
 
-TEST(CompareRuns, TargetsOfOneRunAloneAreNamed) {
+TEST(CompareRuns, ATargetThatVanishedIsNamedAndRed) {
   auto after = made_up::run(2);
   after.targets.pop_back();
   const auto comparison = history::compare_runs(made_up::run(1), after);
   ASSERT_EQ(comparison.notes.size(), 1U);
-  EXPECT_EQ(comparison.notes[0], "1 targets are only in run-1: r3 s29");
+  EXPECT_EQ(comparison.notes[0], "1 target only in run-1: r3 s29");
+  EXPECT_EQ(history::exit_status(comparison), 1);
+  EXPECT_NE(history::comparison_text(comparison, 200).find(", 1 vanished"), std::string::npos);
+}
+
+TEST(CompareRuns, ANewTargetIsNamedWithItsFailure) {
+  auto before = made_up::run(1);
+  before.targets.pop_back();
+  auto after = made_up::run(2);
+  after.targets.back().verdict = results::Verdict::Fail;
+  const auto comparison = history::compare_runs(before, after);
+  ASSERT_EQ(comparison.notes.size(), 1U);
+  EXPECT_EQ(comparison.notes[0], "1 target only in run-2: r3 s29 (fail)");
+  EXPECT_EQ(history::exit_status(comparison), 0);
+}
+
+// From 5.1 % too much light to 4.9 % too little.
+TEST(CompareRuns, AMeanThatChangesItsSignIsNotBetter) {
+  auto before = made_up::run(1);
+  auto after = before;
+  const auto set_light = [](results::TargetRecord& target, double light) {
+    for (auto& measure : target.measures)
+      if (measure.name == "mean_ratio_r") measure.value = light;
+  };
+  set_light(before.targets[0], 0.051);
+  set_light(after.targets[0], -0.049);
+  set_light(before.targets[1], 0.051);
+  set_light(after.targets[1], -0.011);
+  const auto comparison = history::compare_runs(before, after);
+  EXPECT_TRUE(has_change(comparison, Quantity::Light, Direction::Worse, "r0", "s0"));
+  EXPECT_TRUE(has_change(comparison, Quantity::Light, Direction::Neither, "r0", "s1"));
+  EXPECT_EQ(history::exit_status(comparison), 1);
+  const auto text = history::comparison_text(comparison, 300);
+  EXPECT_NE(text.find("-4.900 % (other sign)"), std::string::npos) << text;
+  EXPECT_EQ(history::count_of(comparison, Direction::Better), 0U);
+}
+
+TEST(CompareRuns, AKnownFailureThatIsAnotherOneNowIsWorse) {
+  auto before = made_up::run(1);
+  before.targets[0].verdict = results::Verdict::Fail;
+  before.targets[0].expectation = results::Expectation::Known;
+  auto after = before;
+  after.targets[0].verdict = results::Verdict::Crash;
+  const auto comparison = history::compare_runs(before, after);
+  ASSERT_EQ(comparison.changes.size(), 1U);
+  EXPECT_EQ(comparison.changes[0].direction, Direction::Worse);
+  EXPECT_EQ(comparison.changes[0].before, "known (fail)");
+  EXPECT_EQ(comparison.changes[0].after, "known (crash)");
 }
 
 TEST(CompareRuns, RunsOfOtherSuitesAreRefused) {
