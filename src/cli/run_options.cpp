@@ -167,8 +167,10 @@ void add_run_options(const command_line::Command& command, RunOptions& options) 
                         .value_name("FILE")
                         .not_empty("a file");
   command
-      .add_option("--accept-failures", options.accept_failures,
-                  "Write what fails in this run into the configuration as known failures, with this reason")
+      .add_option(
+          "--accept-failures", options.accept_failures,
+          "Write what fails in this run into the configuration as known failures of its suite and size, "
+          "with this reason")
       .value_name("REASON")
       .excludes(command.option("--dry-run"))
       .not_empty("a reason");

@@ -71,7 +71,9 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
                   configuration.renderers);
   std::vector<std::string> names;
   for (const auto& renderer : configuration.renderers) names.push_back(renderer.name);
-  check_expected(in, names, read.expected);
+  std::vector<std::string> suite_names;
+  for (const auto& suite : configuration.suites) suite_names.push_back(suite.name);
+  check_expected(in, names, suite_names, read.expected);
   configuration.expected = std::move(read.expected);
   check_slurm(in, read.slurm);
   configuration.slurm = read.slurm;

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "json/field_writer.h"
 #include "json/locate.h"
-#include "json/writer.h"
 #include "registry/filters.h"
 
 #include <algorithm>
@@ -108,30 +108,29 @@ void refuse_unknown_renderers(ObjectReader& in,
                                       closest(pattern, {renderers.begin(), renderers.end()})));
 }
 
+void refuse_unknown_suite(ObjectReader& in,
+                          const std::string& suite,
+                          const std::vector<std::string>& suites) {
+  if (std::find(suites.begin(), suites.end(), suite) == suites.end())
+    in.fail("suite",
+            fmt::format("there is no suite '{}'{}", suite, closest(suite, {suites.begin(), suites.end()})));
+}
+
 std::string entry_text(const ExpectedFailure& entry) {
   json::Writer out;
-  out.begin_object().member("renderer", entry.renderer);
-  if (!entry.version.text.empty()) out.member("version", entry.version.text);
-  out.member("scene", entry.scene).member("verdict", entry.verdict).member("reason", entry.reason);
-  if (!entry.measure.empty()) {
-    out.key("measure").begin_object();
-    for (const auto& [check, number] : entry.measure) {
-      out.key(check);
-      if (number) {
-        out.value(*number);
-      } else {
-        out.null();
-      }
-    }
-    out.end_object();
-  }
-  return std::string(trim(out.end_object().text()));
+  json::write_record(out, entry);
+  return std::string(trim(out.text()));
+}
+
+bool is_expired(const ExpectedFailure& entry, const std::string& day) {
+  return entry.until && entry.until->text < day;
 }
 
 }  // namespace
 
 void check_expected(ObjectReader& in,
                     const std::vector<std::string>& renderers,
+                    const std::vector<std::string>& suites,
                     std::vector<ExpectedFailure>& expected) {
   auto entries = in.objects_or_none("expected");
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -140,32 +139,43 @@ void check_expected(ObjectReader& in,
     check_patterns(entries[i], "renderer", failure.renderer);
     refuse_unknown_renderers(entries[i], failure.renderer, renderers);
     check_patterns(entries[i], "scene", failure.scene);
+    if (failure.suite) refuse_unknown_suite(entries[i], *failure.suite, suites);
     if (trim(failure.reason).empty()) entries[i].fail("reason", "must say why the failure is accepted");
   }
 }
 
-const ExpectedFailure* find_expected(const std::vector<ExpectedFailure>& expected,
-                                     const std::string& renderer,
-                                     const std::string& version,
-                                     const std::string& target) {
-  const auto found = std::find_if(expected.rbegin(), expected.rend(), [&](const ExpectedFailure& entry) {
-    return matches_any(patterns_of(entry.renderer), renderer) &&
-           matches_any(patterns_of(entry.scene), target) && is_in_range(entry.version, version);
-  });
-  return found == expected.rend() ? nullptr : &*found;
+FoundExpected find_expected(const std::vector<ExpectedFailure>& expected,
+                            const std::string& renderer,
+                            const std::string& version,
+                            const std::string& target,
+                            const RunKind& run) {
+  FoundExpected found;
+  for (const auto& entry : expected) {
+    const bool is_of_run = entry.suite.value_or(run.suite) == run.suite &&
+                           entry.size.value_or(run.size) == run.size && is_in_range(entry.version, version);
+    if (!is_of_run || !matches_any(patterns_of(entry.renderer), renderer) ||
+        !matches_any(patterns_of(entry.scene), target))
+      continue;
+    (is_expired(entry, run.day) ? found.expired : found.counting) = &entry;
+  }
+  if (found.counting != nullptr) found.expired = nullptr;
+  return found;
 }
 
 std::string with_expected(const std::string& text,
                           const std::vector<ExpectedFailure>& present,
-                          const std::vector<ExpectedFailure>& added) {
+                          const std::vector<ExpectedFailure>& added,
+                          const std::string& day) {
   auto out = text;
   bool has_array = json::has_value(text, "/expected");
   for (auto entry : added) {
     const auto same = std::find_if(present.begin(), present.end(), [&](const ExpectedFailure& other) {
-      return other.renderer == entry.renderer && other.scene == entry.scene;
+      return other.renderer == entry.renderer && other.scene == entry.scene && other.suite == entry.suite &&
+             other.size == entry.size;
     });
     if (same != present.end()) {
       entry.version = same->version;
+      if (!is_expired(*same, day)) entry.until = same->until;
       out = json::with_value(out, fmt::format("/expected/{}", same - present.begin()), entry_text(entry));
     } else if (has_array) {
       out = json::with_element(out, "/expected", entry_text(entry));

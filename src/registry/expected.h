@@ -1,6 +1,8 @@
 #pragma once
 
 #include "json/fields.h"
+#include "registry/day.h"
+#include "registry/image_size.h"
 
 #include <map>
 #include <optional>
@@ -25,6 +27,7 @@ VersionRange parse_version_range(const std::string& text);
 
 inline const std::string& to_text(const VersionRange& range) { return range.text; }
 inline void from_text(const std::string& text, VersionRange& range) { range = parse_version_range(text); }
+inline bool is_absent(const VersionRange& range) { return range.text.empty(); }
 
 /// Whether the first number of `version` ("Blender 3.4.1") lies in the range; parts that one of the two lacks
 /// count as 0, so 3.4 equals 3.4.0. A text without a number lies in no range that has a bound.
@@ -37,10 +40,13 @@ struct ExpectedFailure {
   std::string renderer{};  // comma-separated patterns
   VersionRange version{};  // of the renderer
   std::string scene{};     // comma-separated patterns: names of targets
-  std::string verdict{};   // "fail", "crash", ...
+  std::optional<std::string> suite{};
+  std::optional<SizeDivisor> size{};
+  std::string verdict{};  // "fail", "crash", ...
   std::string reason{};
-  /// The checks that were not met with their numbers, as they were when the failure was accepted; a check on
-  /// no number has none. Empty: any failure is expected.
+  std::optional<Day> until{};  // the last day on which it counts
+  /// The checks that were not met with their numbers, sign and all, as they were when the failure was
+  /// accepted; a check on no number has none. Empty: any failure is expected.
   std::map<std::string, std::optional<double>> measure{};
 };
 
@@ -52,31 +58,53 @@ void fields(Visitor& visit, Record& failure) {
          .unset = "every version"});
   visit.required("scene", failure.scene,
                  {.help = "Names or patterns of scenes and differences, separated by commas"});
+  visit("suite", failure.suite, {.help = "The suite of the scenes", .unset = "every suite"});
+  visit("size", failure.size, {.help = "The size of the run", .unset = "every size"});
   visit.required("verdict", failure.verdict, {.help = "The verdict that is expected"});
   visit.required("reason", failure.reason, {.help = "Why the failure is accepted"});
+  visit("until", failure.until,
+        {.help =
+             "The last day on which it is accepted, such as `2026-11-25`; the day of a run is that on which "
+             "it was started",
+         .unset = "it does not expire"});
   visit("measure", failure.measure,
         {.help = "The failed checks with their numbers, null for a check on no number",
          .unset = "whatever fails is expected"});
 }
 
 /// Checks the entries that were read from "expected" of the object `in`, and notes their places. InputError
-/// with file, line and key, also for a renderer that is none of `renderers`. Verdicts and scenes are checked
-/// where they are known.
+/// with file, line and key, also for a renderer or a suite that is none of these. Verdicts and scenes are
+/// checked where they are known.
 void check_expected(json::ObjectReader& in,
                     const std::vector<std::string>& renderers,
+                    const std::vector<std::string>& suites,
                     std::vector<ExpectedFailure>& expected);
 
-/// The entry that counts for a target of a renderer in this version: the last one that matches. nullptr if
-/// there is none.
-const ExpectedFailure* find_expected(const std::vector<ExpectedFailure>& expected,
-                                     const std::string& renderer,
-                                     const std::string& version,
-                                     const std::string& target);
+/// What of a run decides whether an entry is for it.
+struct RunKind {
+  std::string suite;
+  SizeDivisor size = FullSize;
+  std::string day;  // on which it was started, "2026-11-25"
+};
+
+/// The entries of a target. Both are nullptr if there is none.
+struct FoundExpected {
+  const ExpectedFailure* counting = nullptr;  // the last one that matches and has not expired
+  const ExpectedFailure* expired = nullptr;   // if none counts: the last one that matches
+};
+
+FoundExpected find_expected(const std::vector<ExpectedFailure>& expected,
+                            const std::string& renderer,
+                            const std::string& version,
+                            const std::string& target,
+                            const RunKind& run);
 
 /// The text of a configuration file with these entries under "expected". An entry that names the same
-/// renderer and scene, without patterns, is replaced and keeps its version; every other byte stays as it is.
+/// renderer, scene, suite and size, without patterns, is replaced and keeps its version, and its last day
+/// unless it is before `day`; every other byte stays as it is.
 std::string with_expected(const std::string& text,
                           const std::vector<ExpectedFailure>& present,
-                          const std::vector<ExpectedFailure>& added);
+                          const std::vector<ExpectedFailure>& added,
+                          const std::string& day);
 
 }  // namespace orbs::registry

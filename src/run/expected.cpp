@@ -6,11 +6,12 @@
 #include "registry/cases.h"
 #include "registry/filters.h"
 #include "results/record.h"
+#include "run/accepted_number.h"
 #include "run/summary.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -58,34 +59,31 @@ std::vector<std::string> unknown_scenes(const ExpectedFailure& entry, const std:
   return unknown;
 }
 
-const Measure* measure_of(const TargetRecord& target, const std::string& check) {
-  const auto found = std::find_if(target.measures.begin(), target.measures.end(),
-                                  [&](const Measure& measure) { return measure.name == check; });
-  return found == target.measures.end() ? nullptr : &*found;
-}
-
-// How far a number is from a perfect one, see kMuchWorse.
-double error_of(double value, const std::string& unit, const Check& check) {
-  if (unit == "dB") return std::pow(10, -value / 10);
-  if (check.min && check.max) return std::fabs(value - (*check.min + *check.max) / 2);
-  return check.max ? std::fabs(value) : std::fabs(1 - value);
-}
-
-// The least error that the interval of the number allows.
-double least_error(const Measure& measure, const Check& check) {
-  const double low = measure.low.value_or(measure.value);
-  const double high = measure.high.value_or(measure.value);
-  const double of_low = error_of(low, measure.unit, check);
-  const double of_high = error_of(high, measure.unit, check);
-  const double middle = check.min && check.max ? (*check.min + *check.max) / 2 : check.max ? 0 : 1;
-  if (measure.unit != "dB" && low < middle && middle < high) return 0;
-  return std::min(of_low, of_high);
-}
-
 bool is_failed(const Check& check) { return check.measured && check.decided && !check.passed; }
 
 // What noise left undecided once may be decided in a run of another seed: it belongs to the failure, too.
 bool is_not_met(const Check& check) { return check.measured && !check.passed; }
+
+// What is news about a check that is not met and has the number `accepted` in the entry; "" if nothing is.
+std::string news_of_number(double accepted,
+                           const Check& check,
+                           const TargetRecord& target,
+                           const std::string& place) {
+  const auto* measure = measure_of(target, check.what);
+  if (measure == nullptr) return "";
+  const auto is = fmt::format("{} is {}", check.what, number_text(measure->value, check));
+  const auto had = number_text(accepted, check);
+  switch (compare_with_accepted(accepted, check, target)) {
+    case AcceptedChange::Within:
+    case AcceptedChange::Better:
+      return "";
+    case AcceptedChange::Worse:
+      return fmt::format("{}, worse than the {} that {} has", is, had, place);
+    case AcceptedChange::OtherSide:
+      return fmt::format("{}, wrong to the other side than the {} that {} has", is, had, place);
+  }
+  return "";
+}
 
 // What is news about a target that has the expected verdict; "" if nothing is.
 std::string news_of_checks(const TargetRecord& target, const ExpectedFailure& entry) {
@@ -95,19 +93,35 @@ std::string news_of_checks(const TargetRecord& target, const ExpectedFailure& en
                        entry.place);
   if (entry.measure.empty()) return "";
   for (const auto& check : target.checks) {
-    if (!is_failed(check)) continue;
+    if (!is_not_met(check)) continue;
     const auto recorded = entry.measure.find(check.what);
-    if (recorded == entry.measure.end())
+    if (recorded == entry.measure.end()) {
+      if (!is_failed(check)) continue;
       return fmt::format("it fails by {}, which is not among the failed checks of {}", check.what,
                          entry.place);
-    const auto* measure = measure_of(target, check.what);
-    if (measure == nullptr || !recorded->second) continue;
-    // Also where there is no number to be compared.
-    if (!(least_error(*measure, check) <= kMuchWorse * error_of(*recorded->second, measure->unit, check)))
-      return fmt::format("{} is {:.5g}, much worse than the {:.5g} that {} has", check.what, measure->value,
-                         *recorded->second, entry.place);
+    }
+    if (!recorded->second) continue;
+    if (auto news = news_of_number(*recorded->second, check, target, entry.place); !news.empty()) return news;
   }
   return "";
+}
+
+// "psnr_srgb8 is 34.2, was 30; pixels [0,0,1,1] is met": what is better than accepted by more than noise.
+std::string better_checks(const TargetRecord& target, const ExpectedFailure& entry) {
+  std::vector<std::string> better;
+  for (const auto& check : target.checks) {
+    const auto recorded = entry.measure.find(check.what);
+    if (!check.measured || recorded == entry.measure.end()) continue;
+    const auto* measure = measure_of(target, check.what);
+    if (recorded->second && measure != nullptr) {
+      if (compare_with_accepted(*recorded->second, check, target) == AcceptedChange::Better)
+        better.push_back(fmt::format("{} is {}, was {}", check.what, number_text(measure->value, check),
+                                     number_text(*recorded->second, check)));
+    } else if (check.passed) {
+      better.push_back(fmt::format("{} is met", check.what));
+    }
+  }
+  return fmt::format("{}", fmt::join(better, "; "));
 }
 
 void set_news(TargetRecord& target, const std::string& text) {
@@ -120,29 +134,44 @@ void set_news(TargetRecord& target, const std::string& text) {
 void refuse_unknown_expected(const registry::Configuration& configuration,
                              const registry::Suite& suite,
                              const std::vector<registry::Case>& cases) {
-  std::set<std::string> targets;
-  add_targets(cases, targets);
-  bool has_all = false;
+  // Cases of other suites are read only if they are needed.
+  std::map<std::string, std::set<std::string>> targets;
+  add_targets(cases, targets[suite.name]);
   for (const auto& entry : configuration.expected) {
     refuse_unknown_verdict(entry);
-    // Cases of other suites are read only if they are needed.
-    if (!has_all && !unknown_scenes(entry, targets).empty()) {
-      for (const auto& other : configuration.suites)
-        if (other.name != suite.name) add_targets(registry::load_cases(other), targets);
-      has_all = true;
+    std::set<std::string> known;
+    if (entry.suite.value_or(suite.name) == suite.name) known = targets[suite.name];
+    for (const auto& other : configuration.suites) {
+      if (entry.suite.value_or(other.name) != other.name || unknown_scenes(entry, known).empty()) continue;
+      if (const auto [names, is_new] = targets.try_emplace(other.name); is_new)
+        add_targets(registry::load_cases(other), names->second);
+      known.insert(targets[other.name].begin(), targets[other.name].end());
     }
-    if (const auto unknown = unknown_scenes(entry, targets); !unknown.empty())
-      throw InputError(fmt::format("{}: no scene of any suite matches '{}'{}", entry.place, unknown.front(),
-                                   closest(unknown.front(), targets)));
+    if (const auto unknown = unknown_scenes(entry, known); !unknown.empty())
+      throw InputError(fmt::format("{}: no scene of {} matches '{}'{}", entry.place,
+                                   entry.suite ? fmt::format("the suite '{}'", *entry.suite) : "any suite",
+                                   unknown.front(), closest(unknown.front(), known)));
   }
 }
 
 namespace {
 
-void mark_target(const ExpectedFailure* entry, TargetRecord& target) {
+// "psnr_srgb8 is 34.2, was 30: better than accepted; accept it anew".
+std::string known_text(const TargetRecord& target, const ExpectedFailure& entry) {
+  const auto better = better_checks(target, entry);
+  if (better.empty()) return entry.reason;
+  return fmt::format("{}; better than {} accepts ({}): accept it anew", entry.reason, entry.place, better);
+}
+
+void mark_target(const registry::FoundExpected& found, TargetRecord& target) {
   target.expectation = Expectation::None;
   target.expected.clear();
-  if (entry == nullptr || !target.declared) return;
+  if (!target.declared) return;
+  if (const auto* expired = found.expired; expired != nullptr && can_be_expected(target.verdict))
+    set_news(target, fmt::format("{} accepted it until {} and has expired ({})", expired->place,
+                                 expired->until->text, expired->reason));
+  const auto* entry = found.counting;
+  if (entry == nullptr) return;
   if (target.verdict == Verdict::Pass) {
     set_news(target, fmt::format("it passes, but {} expects '{}' ({}): remove the entry", entry->place,
                                  entry->verdict, entry->reason));
@@ -154,49 +183,93 @@ void mark_target(const ExpectedFailure* entry, TargetRecord& target) {
     set_news(target, news);
   } else {
     target.expectation = Expectation::Known;
-    target.expected = entry->reason;
+    target.expected = known_text(target, *entry);
   }
+}
+
+registry::RunKind kind_of(const results::RunRecord& run) {
+  return {run.suite, registry::size_divisor(run.size), registry::day_of(run.started)};
+}
+
+std::string version_of(const Versions& versions, const std::string& renderer) {
+  const auto version = versions.find(renderer);
+  return version == versions.end() ? "" : version->second;
+}
+
+Versions versions_of(const results::RunRecord& run) {
+  Versions versions;
+  for (const auto& renderer : run.renderers) versions[renderer.name] = renderer.version;
+  return versions;
 }
 
 }  // namespace
 
 void mark_expected(const std::vector<ExpectedFailure>& expected,
+                   const registry::RunKind& run,
                    const Versions& versions,
                    std::vector<TargetRecord>& targets) {
   std::set<std::pair<std::string, std::string>> failing;
   for (const auto& target : targets)
     if (can_be_expected(target.verdict)) failing.emplace(target.renderer, target.target);
   for (auto& target : targets) {
-    const auto version = versions.find(target.renderer);
-    const auto* entry = registry::find_expected(
-        expected, target.renderer, version == versions.end() ? "" : version->second, target.target);
     const bool fails_elsewhere =
         target.verdict == Verdict::Pass && failing.contains({target.renderer, target.target});
-    mark_target(fails_elsewhere ? nullptr : entry, target);
+    mark_target(fails_elsewhere
+                    ? registry::FoundExpected{}
+                    : registry::find_expected(expected, target.renderer,
+                                              version_of(versions, target.renderer), target.target, run),
+                target);
   }
 }
 
 void mark_expected(const std::vector<ExpectedFailure>& expected, results::RunRecord& run) {
-  Versions versions;
-  for (const auto& renderer : run.renderers) versions[renderer.name] = renderer.version;
-  mark_expected(expected, versions, run.targets);
+  mark_expected(expected, kind_of(run), versions_of(run), run.targets);
 }
 
-std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run, const std::string& reason) {
+namespace {
+
+ExpectedFailure accepted_failure(const TargetRecord& target, const results::RunRecord& run) {
+  ExpectedFailure entry;
+  entry.renderer = target.renderer;
+  entry.scene = target.target;
+  entry.suite = run.suite;
+  entry.size = registry::size_divisor(run.size);
+  entry.verdict = results::verdict_name(target.verdict);
+  for (const auto& check : target.checks) {
+    if (!is_not_met(check)) continue;
+    const auto* measure = measure_of(target, check.what);
+    const bool has_number = measure != nullptr && std::isfinite(measure->value);
+    entry.measure[check.what] = has_number ? std::optional<double>(measure->value) : std::nullopt;
+  }
+  return entry;
+}
+
+// The reason of the entry that a known failure is better than; nothing for one that is as it was accepted.
+std::optional<std::string> reason_if_better(const TargetRecord& target,
+                                            const std::vector<ExpectedFailure>& present,
+                                            const results::RunRecord& run) {
+  const auto* entry =
+      registry::find_expected(present, target.renderer, version_of(versions_of(run), target.renderer),
+                              target.target, kind_of(run))
+          .counting;
+  if (entry == nullptr || better_checks(target, *entry).empty()) return std::nullopt;
+  return entry->reason;
+}
+
+}  // namespace
+
+std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run,
+                                               const std::vector<ExpectedFailure>& present,
+                                               const std::string& reason) {
   std::vector<ExpectedFailure> accepted;
   for (const auto& target : run.targets) {
-    if (!target.declared || !can_be_expected(target.verdict) || target.expectation == Expectation::Known)
-      continue;
-    ExpectedFailure entry;
-    entry.renderer = target.renderer;
-    entry.scene = target.target;
-    entry.verdict = results::verdict_name(target.verdict);
+    if (!target.declared || !can_be_expected(target.verdict)) continue;
+    auto entry = accepted_failure(target, run);
     entry.reason = reason;
-    for (const auto& check : target.checks) {
-      if (!is_not_met(check)) continue;
-      const auto* measure = measure_of(target, check.what);
-      const bool has_number = measure != nullptr && std::isfinite(measure->value);
-      entry.measure[check.what] = has_number ? std::optional<double>(measure->value) : std::nullopt;
+    if (target.expectation == Expectation::Known) {
+      const auto kept = reason_if_better(target, present, run);
+      if (!kept) continue;
+      entry.reason = *kept;
     }
     // A target that several cases judge has one entry, with the failed checks of all.
     const auto same = std::find_if(accepted.begin(), accepted.end(), [&](const ExpectedFailure& other) {
@@ -214,24 +287,28 @@ std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run, co
 std::size_t accept_failures(const std::filesystem::path& configuration,
                             const std::string& reason,
                             results::RunRecord& run) {
-  const auto accepted = accepted_failures(run, reason);
-  if (accepted.empty()) return 0;
   // Through a symbolic link, which is to stay one.
   const auto file = std::filesystem::canonical(configuration);
-  // It may have been edited while the run went on.
-  const auto text = read_file(file);
+  std::size_t count = 0;
   const auto read =
       with_note(fmt::format("accepting failures; {} is as it was", configuration.string()), [&] {
-        const auto present = registry::parse_configuration(configuration, text);
-        const auto changed = registry::with_expected(text, present.expected, accepted);
+        // It may have been edited while the run went on.
+        const auto text = read_file(file);
+        auto present = registry::parse_configuration(configuration, text);
+        const auto accepted = accepted_failures(run, present.expected, reason);
+        count = accepted.size();
+        if (count == 0) return present;
+        const auto changed =
+            registry::with_expected(text, present.expected, accepted, registry::day_of(run.started));
         auto parsed = registry::parse_configuration(configuration, changed);
         write_file(file, changed);
         return parsed;
       });
+  if (count == 0) return 0;
   mark_expected(read.expected, run);
   summarise(run);
   write_file(std::filesystem::path(run.folder) / "results.json", results::run_json(run));
-  return accepted.size();
+  return count;
 }
 
 }  // namespace orbs::run

@@ -14,14 +14,8 @@
 /// Failures that the configuration expects.
 namespace orbs::run {
 
-/// How many times as large the error of a known failure may become before it is news. Where the number has an
-/// interval, all of the interval must lie beyond. An error of a PSNR is the mean squared error, so twice is 3
-/// dB; of a number between two limits its distance from their middle; of one with a least value only, such as
-/// SSIM, its distance from 1.
-inline constexpr double kMuchWorse = 2;
-
 /// InputError with file and line for an entry whose verdict no failure can have, or whose scenes are targets
-/// of no suite. `cases`: those of the plan's suite, chosen or not.
+/// of no suite, or not of the one that it names. `cases`: those of the plan's suite, chosen or not.
 void refuse_unknown_expected(const registry::Configuration& configuration,
                              const registry::Suite& suite,
                              const std::vector<registry::Case>& cases);
@@ -29,20 +23,26 @@ void refuse_unknown_expected(const registry::Configuration& configuration,
 /// Versions by name of the renderer.
 using Versions = std::map<std::string, std::string>;
 
-/// Compares the verdicts of targets with what is expected of them in these versions of their renderers, and
-/// notes the result in each. `targets` holds all records of each target: one that several cases judge passes
-/// unexpectedly only if it passes for all of them.
+/// Compares the verdicts of targets with what is expected of them in a run of this kind and in these versions
+/// of their renderers, and notes the result in each; numbers by compare_with_accepted. A failure that is
+/// better than the accepted one stays known, and says so. One whose entry has expired is not known, and says
+/// so. `targets` holds all records of each target: one that several cases judge passes unexpectedly only if
+/// it passes for all of them.
 void mark_expected(const std::vector<registry::ExpectedFailure>& expected,
+                   const registry::RunKind& run,
                    const Versions& versions,
                    std::vector<results::TargetRecord>& targets);
 
-/// By the versions that the run has recorded of its renderers.
+/// By what the run has recorded of itself and of its renderers.
 void mark_expected(const std::vector<registry::ExpectedFailure>& expected, results::RunRecord& run);
 
-/// Entries for all failures of the run that count: what `--accept-failures` writes. Skipped targets and
-/// missing references are left out, since they say nothing of the renderer.
-std::vector<registry::ExpectedFailure> accepted_failures(const results::RunRecord& run,
-                                                         const std::string& reason);
+/// Entries for all failures of the run that count, of its suite and size: what `--accept-failures` writes.
+/// Known failures that are better than their entry among `present` have one, too, with the reason of that
+/// entry. Skipped targets and missing references are left out, since they say nothing of the renderer.
+std::vector<registry::ExpectedFailure> accepted_failures(
+    const results::RunRecord& run,
+    const std::vector<registry::ExpectedFailure>& present,
+    const std::string& reason);
 
 /// Writes an entry under "expected" in the file `configuration` for each failure of the run that counts,
 /// with `reason`, and leaves every other byte as it is. The new text is read as any configuration before it

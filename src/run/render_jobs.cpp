@@ -137,7 +137,9 @@ JudgedJob judged(Session& session, std::size_t index, Execution execution) {
   record.hashes.image = image_hash(record, folders.unfinished);
   make_folder(folders.unfinished / job.folder);
   auto targets = judge_scene(session.plan, index, execution, folders);
-  mark_expected(session.plan.expected, {{record.identity.renderer, record.program.version}}, targets);
+  const auto& plan = session.plan;
+  mark_expected(plan.expected, {plan.suite.name, plan.settings.size_divisor, session.context.day},
+                {{record.identity.renderer, record.program.version}}, targets);
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(record, targets));
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
   const std::lock_guard lock(session.mutex);

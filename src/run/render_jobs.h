@@ -22,6 +22,7 @@ using Started = std::function<void(const results::JobIdentity&)>;
 
 struct RenderContext {
   std::string orbs_version;
+  std::string day{};  // of the run's start, "2026-11-25", by which known failures expire; run() sets it
   const std::atomic<bool>* stop = nullptr;  // set when the user interrupts
   Started started = {};
   Progress progress;                                 // not called for jobs that an earlier run has finished

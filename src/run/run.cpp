@@ -138,7 +138,9 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   auto record = record_at_start(plan, versions, folder, context);
   write_file(folder / "results.json", results::run_json(record));
   ProgramWatch programs(plan);
-  auto judged = render_jobs(plan, versions, folders, context.rendering, programs);
+  auto rendering = context.rendering;
+  rendering.day = registry::day_of(context.file.started);
+  auto judged = render_jobs(plan, versions, folders, rendering, programs);
   record.jobs.clear();
   for (auto& job : judged) record.jobs.push_back(std::move(job.job));
   record.targets = all_targets(plan, judged, record.jobs, folders);

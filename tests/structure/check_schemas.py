@@ -69,7 +69,7 @@ CONFIGURATION = {
     "defaults": {"suite": "orbs", "jobs": 1},
     "suites": [{"name": "orbs", "cases": "data/cases/orbs", "references": "data/references/orbs"}],
     "renderers": [{"name": "r", "executable": "r", "declares": "G1", "command": ["{executable}", "{scene}", "{output}", "{plugin}"], "plugins": ["{build}/p.so"]}],
-    "expected": [{"renderer": "r*", "version": ">=3.4 <4", "scene": "a,b", "verdict": "fail", "reason": "t", "measure": {"psnr_srgb8": 30.5, "pixels [0,0,1,1]": None}}],
+    "expected": [{"renderer": "r*", "version": ">=3.4 <4", "scene": "a,b", "suite": "orbs", "size": "1/4", "verdict": "fail", "reason": "t", "until": "2026-11-25", "measure": {"psnr_srgb8": 30.5, "pixels [0,0,1,1]": None}}],
 }
 RENDER_TIMES = {
     "format": "orbs-render-times/1",
@@ -168,6 +168,8 @@ WRONG = [
     (CONFIGURATION, ["renderers", 0, "command"], "r scene"),
     (CONFIGURATION, ["expected", 0, "verdict"], "pass"),
     (CONFIGURATION, ["expected", 0, "version"], "4.0"),
+    (CONFIGURATION, ["expected", 0, "size"], "1/3"),
+    (CONFIGURATION, ["expected", 0, "until"], "tomorrow"),
     (CONFIGURATION, ["expected", 0, "reason"], None),
     (CONFIGURATION, ["expected", 0, "measure", "psnr_srgb8"], "30"),
     (RENDER_TIMES, ["size"], "1/3"),

@@ -59,6 +59,7 @@ const std::map<std::string, const char*> kDemands{
      R"({"items": {"if": {"properties": {"scene_format": {"const": "native"}}, "required": ["scene_format"]}, "then": {"required": ["native_scenes"]}}})"},
     {"options", R"({"items": {"type": "string", "pattern": "^-"}})"},
     {"version", R"({"pattern": "^\\s*(<|<=|=|>=|>)\\d+(\\.\\d+)*(\\s+(<|<=|=|>=|>)\\d+(\\.\\d+)*)*\\s*$"})"},
+    {"until", R"({"pattern": "^\\d{4}-\\d{2}-\\d{2}$"})"},
     {"verdict",
      R"({"enum": ["inconclusive", "fail", "constant image", "invalid pixels", "wrong channels", "wrong size", "stale", "unreadable", "no output", "timeout", "out of memory", "crash"]})"}};
 

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "registry/configuration.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -42,6 +43,15 @@ ExpectedFailure entry(const std::string& scene, const std::string& reason) {
   return made;
 }
 
+const registry::RunKind kRun{"s", registry::FullSize, "2026-11-25"};
+
+// The reasons of the entries that are found for cycles 3.4 and the scene 101: "counting/expired".
+std::string reasons_of(const std::vector<ExpectedFailure>& expected, const registry::RunKind& run) {
+  const auto found = registry::find_expected(expected, "cycles", "3.4", "101", run);
+  const auto reason = [](const ExpectedFailure* entry) { return entry == nullptr ? "" : entry->reason; };
+  return reason(found.counting) + "/" + reason(found.expired);
+}
+
 bool matches(const std::string& range, const std::string& version) {
   return registry::is_in_range(registry::parse_version_range(range), version);
 }
@@ -69,13 +79,47 @@ TEST(ExpectedFailures, TheLastEntryThatMatchesCounts) {
     {"renderer": "c*", "scene": "*", "verdict": "fail", "reason": "all"},
     {"renderer": "cycles", "version": "<4.0", "scene": "101,1?3", "verdict": "crash", "reason": "some"} ])"));
   const auto reason = [&](const std::string& version, const std::string& scene) {
-    const auto* found = registry::find_expected(expected, "cycles", version, scene);
+    const auto* found = registry::find_expected(expected, "cycles", version, scene, kRun).counting;
     return found == nullptr ? "none" : found->reason;
   };
   EXPECT_EQ(reason("3.4", "123"), "some");
   EXPECT_EQ(reason("3.4", "201"), "all");
   EXPECT_EQ(reason("4.0", "101"), "all");
-  EXPECT_EQ(registry::find_expected(expected, "pbrt", "3.4", "101"), nullptr);
+  EXPECT_EQ(registry::find_expected(expected, "pbrt", "3.4", "101", kRun).counting, nullptr);
+}
+
+TEST(ExpectedFailures, AreOfTheirSuiteAndSize) {
+  const auto expected = read(configuration_text(R"(, "expected": [
+    {"renderer": "cycles", "scene": "101", "verdict": "fail", "reason": "any"},
+    {"renderer": "cycles", "scene": "101", "suite": "s", "size": "1/4", "verdict": "fail", "reason": "small"} ])"));
+  EXPECT_EQ(reasons_of(expected, {"s", registry::QuarterSize, "2026-11-25"}), "small/");
+  EXPECT_EQ(reasons_of(expected, {"s", registry::FullSize, "2026-11-25"}), "any/");
+  EXPECT_EQ(reasons_of(expected, {"other", registry::QuarterSize, "2026-11-25"}), "any/");
+}
+
+// On its last day an entry still counts; what it expires for is named, unless an earlier entry counts.
+TEST(ExpectedFailures, ExpireAfterTheirLastDay) {
+  const std::string entries = R"(
+    {"renderer": "cycles", "scene": "101", "until": "2026-11-25", "verdict": "fail", "reason": "for now"} ])";
+  const auto expected = read(configuration_text(R"(, "expected": [)" + entries));
+  EXPECT_EQ(reasons_of(expected, {"s", registry::FullSize, "2026-11-25"}), "for now/");
+  EXPECT_EQ(reasons_of(expected, {"s", registry::FullSize, "2026-11-26"}), "/for now");
+  const auto two = read(configuration_text(
+      R"(, "expected": [ {"renderer": "*", "scene": "*", "verdict": "fail", "reason": "always"}, )" +
+      entries));
+  EXPECT_EQ(reasons_of(two, {"s", registry::FullSize, "2026-11-26"}), "always/");
+}
+
+TEST(ExpectedFailures, ADayThatIsNoneIsRefused) {
+  for (const char* day : {"2026-02-29", "2026-13-01", "26-11-25", "2026-11-25T00:00:00", "2026/11/25", ""})
+    EXPECT_NE(
+        message_of(fmt::format(R"(, "expected": [{{"renderer": "cycles", "scene": "1", "verdict": "fail", )"
+                               R"("reason": "r", "until": "{}"}}])",
+                               day))
+            .find(fmt::format("'{}' is no day", day)),
+        std::string::npos)
+        << day;
+  EXPECT_EQ(registry::parse_day("2028-02-29").text, "2028-02-29");
 }
 
 TEST(ExpectedFailures, MistakesAreRefusedWithTheirPlace) {
@@ -91,18 +135,29 @@ TEST(ExpectedFailures, MistakesAreRefusedWithTheirPlace) {
       message_of(R"(, "expected": [{"renderer": "cycles", "scene": "1", "verdict": "fail", "reason": " "}])")
           .find("must say why"),
       std::string::npos);
+  EXPECT_NE(
+      message_of(
+          R"(, "expected": [{"renderer": "cycles", "scene": "1", "suite": "t", "verdict": "fail", "reason": "r"}])")
+          .find("there is no suite 't'"),
+      std::string::npos);
+  EXPECT_NE(
+      message_of(
+          R"(, "expected": [{"renderer": "cycles", "scene": "1", "size": "1/3", "verdict": "fail", "reason": "r"}])")
+          .find("/expected/0/size"),
+      std::string::npos);
 }
 
 TEST(ExpectedFailures, AreAddedWithEveryOtherByteAsItWas) {
   const auto before = configuration_text("");
-  const auto once = registry::with_expected(before, {}, {entry("101", "first")});
+  const auto once = registry::with_expected(before, {}, {entry("101", "first")}, kRun.day);
   const auto end = before.rfind(']') + 1;
   EXPECT_EQ(once.substr(0, end), before.substr(0, end));
   EXPECT_EQ(once.substr(once.size() - 3), "\n}\n");
   const auto present = read(once);
   ASSERT_EQ(present.size(), 1U);
   EXPECT_EQ(present[0].measure, entry("", "").measure);
-  const auto twice = registry::with_expected(once, present, {entry("102", "second"), entry("103", "third")});
+  const auto twice =
+      registry::with_expected(once, present, {entry("102", "second"), entry("103", "third")}, kRun.day);
   ASSERT_EQ(read(twice).size(), 3U);
   EXPECT_EQ(read(twice)[2].reason, "third");
 }
@@ -111,10 +166,36 @@ TEST(ExpectedFailures, AnEntryOfTheSameSceneIsReplacedAndKeepsItsVersion) {
   const auto before = configuration_text(R"(, "expected": [
     {"renderer": "cycles", "version": "<4.0", "scene": "101", "verdict": "crash", "reason": "old"},
     {"renderer": "cycles",   "scene": "1*", "verdict": "fail", "reason": "pattern"} ])");
-  const auto after = registry::with_expected(before, read(before), {entry("101", "new")});
+  const auto after = registry::with_expected(before, read(before), {entry("101", "new")}, kRun.day);
   const auto expected = read(after);
   ASSERT_EQ(expected.size(), 2U);
   EXPECT_EQ(expected[0].reason, "new");
   EXPECT_EQ(expected[0].version.text, "<4.0");
   EXPECT_NE(after.find(R"({"renderer": "cycles",   "scene": "1*")"), std::string::npos);
+}
+
+// So a failure at full size and the same one at a quarter of it stand beside each other.
+TEST(ExpectedFailures, AnEntryOfAnotherSizeIsAddedAndNotReplaced) {
+  const auto before = configuration_text(R"(, "expected": [
+    {"renderer": "cycles", "scene": "101", "size": "1/4", "verdict": "fail", "reason": "small"} ])");
+  auto full = entry("101", "full");
+  full.suite = "s";
+  full.size = registry::FullSize;
+  const auto expected = read(registry::with_expected(before, read(before), {full}, kRun.day));
+  ASSERT_EQ(expected.size(), 2U);
+  EXPECT_EQ(expected[0].size, registry::QuarterSize);
+  EXPECT_EQ(expected[1].size, registry::FullSize);
+  EXPECT_EQ(expected[1].suite, "s");
+  EXPECT_EQ(expected[1].measure, full.measure);
+}
+
+TEST(ExpectedFailures, AReplacedEntryKeepsItsLastDayUnlessItHasPassed) {
+  const auto before = configuration_text(R"(, "expected": [
+    {"renderer": "cycles", "scene": "101", "until": "2026-11-25", "verdict": "fail", "reason": "old"} ])");
+  const auto after = [&](const std::string& day) {
+    return read(registry::with_expected(before, read(before), {entry("101", "new")}, day)).at(0);
+  };
+  EXPECT_EQ(after("2026-11-25").until.value_or(registry::Day{"none"}).text, "2026-11-25");
+  EXPECT_FALSE(after("2026-11-26").until.has_value());
+  EXPECT_EQ(after("2026-11-26").reason, "new");
 }
