@@ -59,35 +59,3 @@ TEST(Csv, QuotesWhatWouldBreakARow) {
   const auto text = orbs::report::results_csv(run_of(Verdict::Fail, "a \"b\", c\nd"));
   EXPECT_NE(text.find(",fail,none,,\"a \"\"b\"\", c\nd\",,,41.25"), std::string::npos) << text;
 }
-
-TEST(Junit, EscapesWhatXmlCannotHold) {
-  EXPECT_EQ(orbs::report::xml_text("<a & \"b\" 'c'>"), "&lt;a &amp; &quot;b&quot; &apos;c&apos;&gt;");
-  EXPECT_EQ(orbs::report::xml_text("\x1b[0m\tx"), "\uFFFD[0m\tx");
-  EXPECT_EQ(orbs::report::xml_text("\xc3\xa9 \xc3 \xff \xed\xa0\x80"),
-            "\u00e9 \uFFFD \uFFFD \uFFFD\uFFFD\uFFFD");
-}
-
-TEST(Junit, HasATestCasePerRequirementWithItsVerdict) {
-  const auto text = orbs::report::junit_xml(run_of(Verdict::Fail, "too dark & wrong"));
-  EXPECT_NE(text.find("<testsuite name=\"s.r\" tests=\"1\" failures=\"1\" errors=\"0\" skipped=\"0\""),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("<testcase classname=\"s.r\" name=\"M1 A &amp; B\" time=\"1.500\">"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("<failure message=\"fail: too dark &amp; wrong\"/>"), std::string::npos) << text;
-}
-
-TEST(Junit, HoldsTheRemarks) {
-  auto run = run_of(Verdict::Pass, "fine");
-  run.targets[0].remarks = {"bias: darker"};
-  run.targets[0].diagnosis = "upside down: then 40.0 dB";
-  EXPECT_NE(orbs::report::junit_xml(run).find("101: upside down: then 40.0 dB\n101: bias: darker\n"),
-            std::string::npos);
-}
-
-TEST(Junit, TellsErrorsFromFailuresAndFromWhatIsNotSupported) {
-  EXPECT_NE(orbs::report::junit_xml(run_of(Verdict::Crash, "c")).find("<error message="), std::string::npos);
-  EXPECT_NE(orbs::report::junit_xml(run_of(Verdict::Unsupported, "u")).find("<skipped message="),
-            std::string::npos);
-  EXPECT_EQ(orbs::report::junit_xml(run_of(Verdict::Pass, "p")).find("message="), std::string::npos);
-}
