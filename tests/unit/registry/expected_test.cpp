@@ -177,7 +177,7 @@ TEST(ExpectedFailures, AnEntryOfTheSameSceneIsReplacedAndKeepsItsVersion) {
 // So a failure at full size and the same one at a quarter of it stand beside each other.
 TEST(ExpectedFailures, AnEntryOfAnotherSizeIsAddedAndNotReplaced) {
   const auto before = configuration_text(R"(, "expected": [
-    {"renderer": "cycles", "scene": "101", "size": "1/4", "verdict": "fail", "reason": "small"} ])");
+    {"renderer": "cycles", "scene": "101", "suite": "s", "size": "1/4", "verdict": "fail", "reason": "small"} ])");
   auto full = entry("101", "full");
   full.suite = "s";
   full.size = registry::FullSize;

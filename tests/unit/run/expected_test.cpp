@@ -119,6 +119,7 @@ TEST(ExpectedVerdicts, TheNoiseOfAPsnrIsThatOfItsError) {
   noisy.measures.back().low = 2e-4;
   noisy.measures.back().high = 8e-4;
   EXPECT_EQ(expectation_of(noisy, fails_by_psnr()), Expectation::Known);
+  EXPECT_EQ(expectation_of(failed(29, false), fails_by_psnr()), Expectation::News);
   noisy.measures[0].value = 25;
   EXPECT_EQ(expectation_of(noisy, fails_by_psnr()), Expectation::News);
 }
