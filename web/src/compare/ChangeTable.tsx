@@ -21,13 +21,22 @@ const columnsOf = ({ before, after }: SideNames): Column[] => [
   { label: "Images" },
 ];
 
-export const kKinds: readonly Kind[] = ["worse", "better", "open", "new", "gone", "same"];
+export const kKinds: readonly Kind[] = [
+  "worse",
+  "better",
+  "changed",
+  "open",
+  "new",
+  "gone",
+  "same",
+];
 
 const headingOf = (kind: Kind, { before, after }: SideNames): string => {
   const isRuns = after === "After";
   const headings: Record<Kind, string> = {
     worse: isRuns ? "Became worse" : `${after} is worse`,
     better: isRuns ? "Became better" : `${after} is better`,
+    changed: isRuns ? "Changed otherwise" : "Different, neither is better",
     open: isRuns ? "Not rendered before or after" : `Not rendered by ${before} or ${after}`,
     new: isRuns ? "New" : `Only ${after}`,
     gone: isRuns ? "Removed" : `Only ${before}`,

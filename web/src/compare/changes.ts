@@ -3,7 +3,7 @@ import { isOpen } from "../common/states";
 import type { Overview } from "../data/generated";
 
 /** "open" means not rendered before or not rendered after, so that nothing can be compared. */
-export type Kind = "worse" | "better" | "open" | "new" | "gone" | "same";
+export type Kind = "worse" | "better" | "changed" | "open" | "new" | "gone" | "same";
 
 export interface Change {
   kind: Kind;
@@ -12,23 +12,55 @@ export interface Change {
   after: number;
 }
 
-const rankOf = (overview: Overview, cell: number): number => overview.cells.state[cell] ?? 0;
-
 const valueOf = (overview: Overview, metric: string, cell: number): number | undefined =>
   isInfinite(overview, metric, cell) ? Infinity : (overview.measures[metric]?.[cell] ?? undefined);
 
+const passes = (state: string): boolean => state === "pass" || state === "unexpected pass";
+
+// What another state means, as `orbs compare-runs` has it (src/history/verdict_change.h). Which verdict a known
+// failure has is not said here. `step` is above 0 where the later verdict is the worse one.
+function kindOfStates(before: string, after: string, step: number): Kind {
+  if (before === after) return "same";
+  if (passes(before) && passes(after)) return "changed";
+  if (after === "unsupported" || after === "missing reference") return "worse";
+  if (passes(after)) return before === "inconclusive" ? "changed" : "better";
+  if (after === "inconclusive")
+    return before === "unsupported" || before === "known" ? "worse" : "changed";
+  if (after === "known") return passes(before) || before === "inconclusive" ? "worse" : "changed";
+  if (before === "known" || passes(before)) return "worse";
+  return step > 0 ? "worse" : "better";
+}
+
+// An error of the other sign is another error: worse, unless less than half of it is left.
+function kindOfSigned(old: number, now: number): Kind | undefined {
+  if (old * now >= 0) return undefined;
+  return Math.abs(now) < Math.abs(old) / 2 ? "changed" : "worse";
+}
+
 // A relative change of 1 % or less counts as none: another seed or machine causes as much.
 function kindOf(a: Overview, before: number, b: Overview, after: number, metric: string): Kind {
-  if (isOpen(stateOf(a, before)) || isOpen(stateOf(b, after))) return "open";
-  const step = rankOf(b, after) - rankOf(a, before);
-  if (step !== 0) return step > 0 ? "worse" : "better";
-  const known = b.metrics.find((one) => one.name === metric);
-  const sized = (value: number | undefined) =>
-    known?.signed && value !== undefined ? Math.abs(value) : value;
-  const [old, now] = [sized(valueOf(a, metric, before)), sized(valueOf(b, metric, after))];
-  if (old === undefined || now === undefined || old === now) return "same";
-  if (Number.isFinite(old) && Math.abs(now - old) <= 0.01 * Math.abs(old)) return "same";
-  return now > old === (known?.lower_is_better ?? false) ? "worse" : "better";
+  const [old, now] = [stateOf(a, before), stateOf(b, after)];
+  if (!old || !now || isOpen(old) || isOpen(now)) return "open";
+  const step = (b.cells.state[after] ?? 0) - (a.cells.state[before] ?? 0);
+  const kind = kindOfStates(old.name, now.name, step);
+  return kind === "same"
+    ? kindOfValues(b, metric, valueOf(a, metric, before), valueOf(b, metric, after))
+    : kind;
+}
+
+function kindOfValues(
+  overview: Overview,
+  metric: string,
+  before: number | undefined,
+  after: number | undefined,
+): Kind {
+  if (before === undefined || after === undefined || before === after) return "same";
+  const known = overview.metrics.find((one) => one.name === metric);
+  const [old, now] = known?.signed ? [Math.abs(before), Math.abs(after)] : [before, after];
+  const limit = 0.01 * Math.abs(old);
+  if (Number.isFinite(old) && Math.abs(after - before) <= limit) return "same";
+  const other = known?.signed ? kindOfSigned(before, after) : undefined;
+  return other ?? (now > old === (known?.lower_is_better ?? false) ? "worse" : "better");
 }
 
 function byKey(

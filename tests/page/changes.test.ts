@@ -1,0 +1,60 @@
+// What the comparison of two runs says of a target, without a browser.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { changesOf, type Kind } from "../../web/src/compare/changes";
+import type { Overview } from "../../web/src/data/generated";
+
+const kStates = [
+  "pass",
+  "unsupported",
+  "inconclusive",
+  "fail",
+  "crash",
+  "known",
+  "unexpected pass",
+];
+
+/** A run of one target, in this state and with this error of its mean. */
+const runOf = (state: string, light: number): Overview =>
+  ({
+    cases: [{ name: "m1" }],
+    targets: ["101"],
+    renderers: [{ name: "r" }],
+    states: kStates.map((name) => ({ name, failure: false })),
+    metrics: [{ name: "mean_ratio_r", lower_is_better: true, signed: true }],
+    measures: { mean_ratio_r: [light] },
+    infinite: {},
+    cells: { case: [0], target: [0], renderer: [0], state: [kStates.indexOf(state)] },
+  }) as unknown as Overview;
+
+const kindOf = (before: Overview, after: Overview): Kind | undefined =>
+  changesOf(
+    { overview: before, renderer: "" },
+    { overview: after, renderer: "" },
+    "mean_ratio_r",
+  )[0]?.kind;
+
+const kindOfStates = (before: string, after: string) => kindOf(runOf(before, 0), runOf(after, 0));
+const kindOfLight = (before: number, after: number) =>
+  kindOf(runOf("fail", before), runOf("fail", after));
+
+test("a pass that is a known failure now is worse, and so is a known failure that is none", () => {
+  assert.equal(kindOfStates("pass", "known"), "worse");
+  assert.equal(kindOfStates("unexpected pass", "known"), "worse");
+  assert.equal(kindOfStates("known", "fail"), "worse");
+  assert.equal(kindOfStates("fail", "unsupported"), "worse");
+  assert.equal(kindOfStates("fail", "crash"), "worse");
+  assert.equal(kindOfStates("crash", "known"), "changed");
+  assert.equal(kindOfStates("pass", "inconclusive"), "changed");
+  assert.equal(kindOfStates("pass", "unexpected pass"), "changed");
+  assert.equal(kindOfStates("known", "unexpected pass"), "better");
+  assert.equal(kindOfStates("crash", "fail"), "better");
+});
+
+test("an error of the other sign is not better", () => {
+  assert.equal(kindOfLight(0.051, -0.049), "worse");
+  assert.equal(kindOfLight(0.051, -0.011), "changed");
+  assert.equal(kindOfLight(0.051, 0.011), "better");
+  assert.equal(kindOfLight(0.051, 0.08), "worse");
+  assert.equal(kindOfLight(0.051, 0.051), "same");
+});
