@@ -15,6 +15,7 @@
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticities.h>
+#include <OpenEXR/ImfEnvmap.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
@@ -159,6 +160,13 @@ void check_chromaticities(const Imf::Header& header) {
                       fmt::join(found, " "), fmt::join(rec709, " ")));
 }
 
+// Six faces below each other are no picture that texture coordinates or pixels could mean.
+void check_environment(const Imf::Header& header) {
+  if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
+    throw InputError(
+        "is a cube map by its attribute envmap; expected a flat image, such as one of its faces");
+}
+
 Window window_of(const Imath::Box2i& box) {
   return {box.min.x, box.min.y, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
 }
@@ -213,6 +221,7 @@ Image decoded_exr(const std::string& name, std::string_view bytes, Wanted wanted
   const auto channels = sorted_channels(header.channels());
   check_channels(header.channels(), channels);
   check_chromaticities(header);
+  check_environment(header);
   if (header.pixelAspectRatio() != 1)
     throw InputError(
         fmt::format("its pixelAspectRatio is {}, expected square pixels (1)", header.pixelAspectRatio()));

@@ -171,17 +171,6 @@ void check_range_of_half(const Image& image) {
   }
 }
 
-// 1 or 3. Alpha has its place behind the colours.
-std::size_t colour_count(const Image& image) {
-  const auto most = std::min<std::size_t>(image.channel_count(), 3);
-  std::size_t count = 1;
-  while (count < most && image.channels[count] != "A") ++count;
-  if (count == 2)
-    throw InputError(fmt::format("has the channels {}; expected one colour or three, and alpha as 'A'",
-                                 fmt::join(image.channels, ", ")));
-  return count;
-}
-
 }  // namespace
 
 Image read_image(const std::filesystem::path& file) { return contents_of(file, Wanted::Pixels).image; }
@@ -196,14 +185,32 @@ Image read_exr(const std::string& name, std::string_view bytes) {
   return guarded(name, [&] { return decoded_exr(name, bytes, Wanted::Pixels); });
 }
 
+std::array<std::size_t, 3> texture_channels(const Image& image) {
+  const auto place = [&](const char* name) { return channel_index(image, name); };
+  const std::array colours{place("R"), place("G"), place("B")};
+  if (std::all_of(colours.begin(), colours.end(), [](int at) { return at >= 0; }))
+    return {static_cast<std::size_t>(colours[0]), static_cast<std::size_t>(colours[1]),
+            static_cast<std::size_t>(colours[2])};
+  // Beside a Y of positions or of luminance and chroma, there are others.
+  const bool is_grey = std::all_of(image.channels.begin(), image.channels.end(), [](const auto& name) {
+    return name == "Y" || name == "A" || name.find('.') != std::string::npos;
+  });
+  const int grey = place("Y");
+  if (grey < 0 || !is_grey)
+    throw InputError(fmt::format("has the channels {}; expected R, G and B, or Y alone, and alpha as A",
+                                 fmt::join(image.channels, ", ")));
+  const auto at = static_cast<std::size_t>(grey);
+  return {at, at, at};
+}
+
 Image read_linear_rgb(const std::filesystem::path& file) {
   const auto [image, is_encoded] = contents_of(file, Wanted::Pixels);
-  const bool is_grey = guarded(file, [&image = image] { return colour_count(image); }) == 1;
+  const auto channels = guarded(file, [&image = image] { return texture_channels(image); });
   Image linear = make_image(image.width, image.height, {"R", "G", "B"});
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) {
-        const float value = image.at(x, y, is_grey ? 0 : c);
+        const float value = image.at(x, y, channels.at(c));
         linear.at(x, y, c) = is_encoded ? srgb_decode(value) : value;
       }
   return linear;
@@ -224,6 +231,11 @@ void write_png(const Image& image, const std::filesystem::path& file) {
 
 std::string png_bytes(const Image& image) {
   return guarded("image.png", [&] { return encoded_png(image); });
+}
+
+bool is_float_format(const std::filesystem::path& file) {
+  const auto format = format_of(file);
+  return format == "exr" || format == "hdr" || format == "pfm";
 }
 
 bool is_ldr_file(const std::filesystem::path& file) { return contents_of(file, Wanted::Header).is_ldr; }

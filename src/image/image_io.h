@@ -2,6 +2,8 @@
 
 #include "image/image.h"
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -42,10 +44,18 @@ void write_png(const Image& image, const std::filesystem::path& file);
 /// The bytes of the PNG that write_png writes. InputError for NaN.
 std::string png_bytes(const Image& image);
 
+/// Where an image that serves as a texture has R, G and B; of a grey one, whose only colour is "Y", three
+/// times that. Alpha ("A") is left out, as is all that stands beside R, G and B. InputError with the names
+/// found for anything else, such as normals or depths.
+std::array<std::size_t, 3> texture_channels(const Image& image);
+
 /// An image that serves as a texture, as channels R, G, B in linear values: 8- and 16-bit files are sRGB and
-/// decoded per pixel, float files are linear already; an image of one channel, with or without
-/// alpha ("A"), is grey. InputError as read_image, and for two colours.
+/// decoded per pixel, float files are linear already. InputError as read_image and texture_channels.
 Image read_linear_rgb(const std::filesystem::path& file);
+
+/// Whether files of this ending hold floats, whose values may be any. InputError for an ending that is not
+/// known.
+bool is_float_format(const std::filesystem::path& file);
 
 /// True for a file whose numbers are display-encoded (sRGB): 8- and 16-bit integer pixels. InputError as
 /// read_image.

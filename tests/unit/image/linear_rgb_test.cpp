@@ -40,8 +40,24 @@ TEST(LinearRgb, OneColourWithOrWithoutAlphaIsGrey) {
   EXPECT_EQ(read_linear_rgb(image_of(folder, {"R", "G", "B"})).pixels, (std::vector{0.25F, 0.5F, 0.75F}));
 }
 
-TEST(LinearRgb, TwoColoursAreNeitherGreyNorRgb) {
-  EXPECT_EQ(error_for({"R", "G"}), "has the channels R, G; expected one colour or three, and alpha as 'A'");
-  EXPECT_EQ(error_for({"R", "G", "A"}),
-            "has the channels R, G, A; expected one colour or three, and alpha as 'A'");
+TEST(LinearRgb, WhatStandsBesideTheColoursIsLeftOut) {
+  const TestFolder folder("linear-rgb-beside");
+  for (const auto& channels : {std::vector<std::string>{"R", "G", "B", "A"},
+                               {"R", "G", "B", "Z"},
+                               {"R", "G", "B", "variance.R", "X"}})
+    EXPECT_EQ(read_linear_rgb(image_of(folder, channels)).pixels, (std::vector{0.25F, 0.5F, 0.75F}));
+  EXPECT_EQ(read_linear_rgb(image_of(folder, {"Y", "variance.Y"})).pixels,
+            (std::vector{0.25F, 0.25F, 0.25F}));
+}
+
+TEST(LinearRgb, ChannelsThatAreNoColoursAreNamed) {
+  const std::string expected = "; expected R, G and B, or Y alone, and alpha as A";
+  EXPECT_EQ(error_for({"R", "G"}), "has the channels R, G" + expected);
+  EXPECT_EQ(error_for({"R", "G", "A"}), "has the channels R, G, A" + expected);
+  EXPECT_EQ(error_for({"Z", "N.X", "N.Y"}), "has the channels Z, N.X, N.Y" + expected);
+  EXPECT_EQ(error_for({"X", "Y", "Z"}), "has the channels X, Y, Z" + expected);
+  EXPECT_EQ(error_for({"Y", "RY", "BY"}), "has the channels Y, BY, RY" + expected);
+  EXPECT_EQ(error_for({"Z"}), "has the channels Z" + expected);
+  EXPECT_EQ(error_for({"diffuse.R", "diffuse.G", "diffuse.B"}),
+            "has the channels diffuse.R, diffuse.G, diffuse.B" + expected);
 }
