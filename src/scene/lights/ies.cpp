@@ -3,11 +3,14 @@
 #include "base/error.h"
 #include "base/nth.h"
 #include "base/text.h"
+#include "scene/text_lines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -66,28 +69,47 @@ class NumberStream {
 
 struct Header {
   bool old_ballast_factor = false;  // 1986 and 1991: the second factor of the ballast line multiplies
-  std::string_view tilt;
+  std::string tilt;                 // in capitals, unless it names a file
   std::string_view rest;
 };
 
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return capitals;
+}
+
+// What a line says of the tilt, if it does: "TILT=NONE", which programs write in small letters and with
+// blanks, too.
+std::optional<std::string_view> tilt_of(std::string_view line) {
+  constexpr std::string_view kKey = "TILT";
+  if (in_capitals(line.substr(0, kKey.size())) != kKey) return std::nullopt;
+  const auto rest = trim(line.substr(kKey.size()));
+  if (!rest.starts_with('=')) return std::nullopt;
+  return trim(rest.substr(1));
+}
+
 Header read_header(const std::string& name, std::string_view text) {
+  take_byte_order_mark(text);
   Header header;
-  bool first = true;
-  while (!text.empty()) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const auto line = trim(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (first) header.old_ballast_factor = !line.starts_with("IESNA:LM-63") && !line.starts_with("IES:LM-63");
-    first = false;
-    if (!line.starts_with("TILT=")) continue;
-    header.tilt = trim(line.substr(5));
+  for (bool is_first = true; !text.empty(); is_first = false) {
+    const auto line = trim(take_line(text));
+    if (is_first) {
+      const auto version = in_capitals(line.substr(0, 16));
+      header.old_ballast_factor = !version.starts_with("IESNA:LM-63") && !version.starts_with("IES:LM-63");
+    }
+    const auto tilt = tilt_of(line);
+    if (!tilt) continue;
+    const auto capitals = in_capitals(*tilt);
+    const bool is_word = capitals == "NONE" || capitals == "INCLUDE";
+    header.tilt = is_word ? capitals : std::string(*tilt);
     header.rest = text;
     return header;
   }
   throw InputError(fmt::format("{}: not a usable LM-63 file: there is no line that starts with TILT=", name));
 }
 
-double read_tilt_factor(NumberStream& in, std::string_view tilt) {
+double read_tilt_factor(NumberStream& in, const std::string& tilt) {
   if (tilt == "NONE") return 1;
   if (tilt != "INCLUDE") in.fail(fmt::format("TILT={}: only NONE and INCLUDE are supported", tilt));
   in.count("lamp geometry", 3);
@@ -109,6 +131,21 @@ std::vector<double> azimuths_of(double plane, double first, double last) {
   if (last == 90) return {plane, 180 - plane, 180 + plane, 360 - plane};
   if (last == 180) return {plane, 360 - plane};
   return {plane};
+}
+
+// LM-63-2002 has the ranges whose symmetry azimuths_of() knows. LM-63-1995 had all that end above 180,
+// without symmetry: such planes go around the circle if what is left of it is no wider than the steps before.
+bool is_known_range(const std::vector<double>& planes) {
+  const double first = planes.front();
+  const double last = planes.back();
+  if (first == 90) return last == 270;
+  if (first != 0 || last > 360) return false;
+  if (last == 0 || last == 90 || last == 180) return true;
+  double widest_step = 0;
+  for (std::size_t i = 1; i < planes.size(); ++i)
+    widest_step = std::max(widest_step, planes[i] - planes[i - 1]);
+  constexpr double kRounding_deg = 1e-6;  // of steps like 7.2
+  return last > 180 && 360 - last <= widest_step + kRounding_deg;
 }
 
 double interpolate(const std::vector<double>& at, double x, std::size_t& low) {
@@ -177,9 +214,11 @@ IesProfile parse_ies(const std::string& name, std::string_view text) {
   auto vertical = in.angles(n_vertical, "vertical angle");
   const auto horizontal = in.angles(n_horizontal, "horizontal angle");
   if (vertical.front() < 0 || vertical.back() > 180) in.fail("vertical angles of type C lie in [0, 180]");
-  const bool starts_right = horizontal.front() == 0 || (horizontal.front() == 90 && horizontal.back() == 270);
-  if (!starts_right || horizontal.back() > 360)
-    in.fail("horizontal angles of type C start at 0 (or run from 90 to 270) and end by 360");
+  if (!is_known_range(horizontal))
+    in.fail(fmt::format(
+        "horizontal angles of type C run from 0 to 0, 90, 180 or 360, or from 90 to 270, and these from {} to "
+        "{}; others say nothing of the rest of the circle",
+        horizontal.front(), horizontal.back()));
   auto candela = in.list(n_vertical * n_horizontal, "candela value");
   const double factor = multiplier * ballast * tilt * (header.old_ballast_factor ? ballast_lamp : 1.0);
   for (double& value : candela) value *= factor;

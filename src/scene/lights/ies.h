@@ -38,7 +38,8 @@ struct IesUse {
 /// Reads an IES LM-63 photometric file (1986 to 2002, type C) with the symmetry of its horizontal range
 /// unfolded to 0..360. Candela include the multiplier, the ballast factor and the tilt factor at level
 /// mounting; lamp lumens do not multiply. InputError naming the file for type A or B, external TILT files,
-/// missing or superfluous numbers, angles that do not ascend.
+/// missing or superfluous numbers, angles that do not ascend, planes that end where no symmetry says what
+/// the rest of the circle has.
 IesProfile parse_ies(const std::string& name, std::string_view text);
 
 /// Candela towards (vertical, horizontal) in degrees, bilinear; 0 outside the stored vertical range.

@@ -2,10 +2,12 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/text.h"
 
 #include <filesystem>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace {
@@ -78,10 +80,78 @@ TEST(Ies, HalvesThatMeetWithoutAPlaneAreJoinedByTheirNeighbours) {
   EXPECT_DOUBLE_EQ(scene::candela_at(half, 45, 315), 21.5);
 }
 
+namespace {
+
+// One candela value a plane, straight down.
+std::string planes_file(const std::string& planes, int count) {
+  std::string candela;
+  for (int i = 0; i < count; ++i) candela += fmt::format("{} {}\n", 10 + i, 10 + i);
+  return small_file(fmt::format("1 1 1 2 {} 1 2 0 0 0 1 1 1\n0 90\n{}\n{}", count, planes, candela));
+}
+
+std::string refusal_of_planes(const std::string& planes, int count) {
+  try {
+    scene::parse_ies("x.ies", planes_file(planes, count));
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Ies, PlanesThatStopWhereNoSymmetryBeginsAreRefused) {
+  for (const char* right :
+       {"0 90", "0 45 90", "0 180", "0 90 180", "0 180 360", "90 270", "0 120 240", "0 90 180 270"}) {
+    const auto count = static_cast<int>(words_of(right).size());
+    EXPECT_EQ(refusal_of_planes(right, count), "") << right;
+  }
+  const auto refused = refusal_of_planes("0 60", 2);
+  EXPECT_NE(refused.find("x.ies: not a usable LM-63 file: horizontal angles of type C run from 0 to 0, 90, "
+                         "180 or 360, or from 90 to 270, and these from 0 to 60"),
+            std::string::npos)
+      << refused;
+  for (const char* wrong : {"0 45", "0 30 60", "0 22.5 45", "0 30 135", "0 90 181", "0 90 200", "0 180 361",
+                            "90 180", "45 90", "180 270"}) {
+    const auto count = static_cast<int>(words_of(wrong).size());
+    EXPECT_NE(refusal_of_planes(wrong, count), "") << wrong;
+  }
+}
+
+TEST(Ies, PlanesThatGoAroundWithoutTheLastOneCloseTheCircle) {
+  const auto profile = scene::parse_ies("x", planes_file("0 90 180 270", 4));
+  EXPECT_DOUBLE_EQ(scene::candela_at(profile, 0, 315), 11.5);
+}
+
+// Text files of the world: the keyword in any case and with blanks, and line ends of three systems.
+TEST(Ies, TheTiltLineIsFoundHoweverItIsWritten) {
+  const std::string numbers = "1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 4\n";
+  for (const char* line : {"TILT=NONE", "Tilt=none", "TILT = NONE", " tilt\t= None ", "TILT=none"}) {
+    const auto text = std::string("IESNA:LM-63-2002\n[TEST] x\n") + line + "\n" + numbers;
+    EXPECT_DOUBLE_EQ(scene::parse_ies("x", text).max_candela, 8) << line;
+    for (const char* end : {"\r", "\r\n"}) {
+      std::string other;
+      for (const char c : text) other += c == '\n' ? std::string(end) : std::string(1, c);
+      EXPECT_EQ(scene::parse_ies("x", other), scene::parse_ies("x", text)) << line;
+    }
+  }
+  const auto included =
+      scene::parse_ies("x", "IESNA:LM-63-2002\nTilt = Include\n1\n2\n0 90\n0.5 1\n" + numbers);
+  EXPECT_DOUBLE_EQ(included.max_candela, 4);
+}
+
+// Whether the third factor of the ballast line multiplies depends on what the first line says.
+TEST(Ies, TheVersionIsFoundHoweverItIsWritten) {
+  const std::string rest = "\nTILT=NONE\n1 1 1 2 1 1 2 0 0 0 1 0.5 1\n0 90\n0\n8 4\n";
+  for (const char* version : {"IESNA:LM-63-2002", "iesna:lm-63-2002", "\xEF\xBB\xBFIESNA:LM-63-1995"})
+    EXPECT_DOUBLE_EQ(scene::parse_ies("x", version + rest).max_candela, 8) << version;
+  EXPECT_DOUBLE_EQ(scene::parse_ies("x", "IESNA91" + rest).max_candela, 4);
+}
+
 // 100 million numbers would be 800 MB.
 TEST(Ies, NumbersThatCannotBeInTheFileAskForNoMemory) {
   std::string angles;
-  for (int i = 0; i < 10000; ++i) angles += std::to_string(i * 0.018) + "\n";
+  for (int i = 0; i < 10000; ++i) angles += std::to_string(i * 180.0 / 9999) + "\n";
   try {
     scene::parse_ies("x", small_file("1 1 1 10000 10000 1 2 0 0 0 1 1 1\n" + angles + angles));
     FAIL() << "no error";
