@@ -1,6 +1,6 @@
 #include "fuzz/feed.h"
 #include "fuzz/mesh_promises.h"
-#include "scene/geometry/mesh_file.h"
+#include "scene/geometry/obj.h"
 
 namespace orbs::fuzz {
 

@@ -91,16 +91,21 @@ class Splitter {
 
 }  // namespace
 
-void compute_normals(Mesh& mesh, double crease_deg) {
+void compute_normals(Mesh& mesh, double crease_deg, GivenNormals given) {
   // Planes that are turned by the angle itself differ in the last digits of their cosine.
   const double least_cosine = std::cos(crease_deg * std::numbers::pi / 180) - 1e-9;
   std::vector<Face> faces;
   for (const auto& corners : mesh.triangles) faces.push_back(face_of(mesh, corners));
-  mesh.normals.assign(mesh.positions.size(), {0, 1, 0});  // of vertices that no triangle has
+  std::vector<bool> keeps(mesh.positions.size(), false);
+  for (std::size_t i = 0; i < keeps.size(); ++i) {
+    keeps[i] = given == GivenNormals::Keep && is_direction(mesh.normals[i]);
+    if (!keeps[i]) mesh.normals[i] = {0, 1, 0};  // for vertices that no triangle has
+  }
   Splitter splitter(mesh);
   for (const auto& [position, around] : corners_by_position(mesh))
     for (const auto& [triangle, place] : around)
-      splitter.set(mesh.triangles[triangle][place], normal_at(faces, around, faces[triangle], least_cosine));
+      if (std::uint32_t& corner = mesh.triangles[triangle][place]; !keeps[corner])
+        splitter.set(corner, normal_at(faces, around, faces[triangle], least_cosine));
 }
 
 }  // namespace orbs::scene

@@ -30,6 +30,9 @@ inline std::uint32_t vertex_count(const Mesh& mesh) {
   return static_cast<std::uint32_t>(mesh.positions.size());
 }
 
+/// Whether a normal can be used as given.
+inline bool is_direction(Vec3f normal) { return is_finite(normal) && dot(normal, normal) != 0; }
+
 /// Appends a vertex with tangent zero and returns its index.
 inline std::uint32_t add_vertex(Mesh& mesh, Vec3d position, Vec3d normal, Vec2d uv) {
   mesh.positions.push_back(cast<float>(position));

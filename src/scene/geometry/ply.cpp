@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "scene/geometry/corner_uvs.h"
+#include "scene/geometry/ply_header.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::scene {
 
@@ -19,29 +22,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "binary PLY is written without swapping bytes, and read with swapping those of big-endian");
-
-enum class Encoding { Ascii, LittleEndian, BigEndian };
-
-struct Property {
-  std::string name;
-  std::string type;
-  std::string count_type;  // of lists, else empty
-};
-
-struct Element {
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Property> properties;
-};
-
-std::size_t bytes_of(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes{
-      {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
-      {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
-      {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-  const auto found = sizes.find(type);
-  return found == sizes.end() ? 0 : found->second;
-}
 
 template <typename T>
 double as_number(const char* bytes) {
@@ -61,26 +41,44 @@ double number_from_bytes(const char* bytes, const std::string& type) {
   return as_number<float>(bytes);
 }
 
+// Texture coordinates of vertices by the names that programs give them; where a file has several pairs, the
+// first of these. tx and ty with tz are tangents.
+using NamePair = std::pair<const char*, const char*>;
+constexpr std::array<NamePair, 10> kUvNames{{{"u", "v"},
+                                             {"s", "t"},
+                                             {"texture_u", "texture_v"},
+                                             {"texture_s", "texture_t"},
+                                             {"u0", "v0"},
+                                             {"s0", "t0"},
+                                             {"texcoord_u", "texcoord_v"},
+                                             {"tex_u", "tex_v"},
+                                             {"tu", "tv"},
+                                             {"tx", "ty"}}};
+
+// Empty names where there are none.
+NamePair uv_names(const PlyElement& vertices) {
+  for (const auto& [u, v] : kUvNames)
+    if (has_property(vertices, u) && has_property(vertices, v) &&
+        (std::string_view(u) != "tx" || !has_property(vertices, "tz")))
+      return {u, v};
+  return {"", ""};
+}
+
 class PlyReader {
  public:
   PlyReader(const std::string& name, std::string_view bytes, FileNormals normals)
-      : name_(name), text_(bytes), normals_(normals) {}
+      : name_(name), text_(bytes), normals_(normals), header_(parse_ply_header(name, bytes)) {}
 
   MeshFile read() {
-    read_header();
-    // Without this check a row would take no byte, and a short file could claim more rows than can be read in
-    // a lifetime.
-    for (const auto& element : elements_)
-      if (element.properties.empty()) fail(fmt::format("element '{}' has no property", element.name));
-    for (const auto& element : elements_) {
-      if (element.name == "vertex")
-        read_vertices(element);
-      else if (element.name == "face")
-        read_faces(element);
-      else
-        for (std::size_t i = 0; i < element.count; ++i) read_row(element);
-    }
-    if (out_.mesh.triangles.empty()) fail("there is no face in the file");
+    at_ = header_.bytes;
+    for (const auto& element : header_.elements) read_element(element);
+    element_.clear();
+    if (faces_.sizes.empty()) fail(no_faces_problem());
+    check_corners();
+    split_by_uvs(corner_uvs_, faces_.corners, places_, out_.mesh);
+    place_vertices(places_, out_);
+    add_triangles(
+        faces_, [this](std::size_t i) { return place("face", i, face_at_[i]); }, out_);
     out_.names_are_slots = true;
     return std::move(out_);
   }
@@ -88,68 +86,42 @@ class PlyReader {
  private:
   using Row = std::map<std::string, std::vector<double>>;
 
-  std::string_view header_line() {
-    const auto end = text_.find('\n', at_);
-    if (end == std::string::npos) fail("the header has no end_header");
-    const auto line = trim(text_.substr(at_, end - at_));
-    at_ = end + 1;
-    return line;
-  }
-
-  void read_header() {
-    if (header_line() != "ply") fail("the file does not start with 'ply'");
-    for (auto line = header_line(); line != "end_header"; line = header_line())
-      read_header_words(words_of(line));
-    if (!has_format_) fail("the header names no format");
-  }
-
-  void read_header_words(const std::vector<std::string>& words) {
-    if (words.empty()) fail("a line of the header is empty");
-    if (words[0] == "format" && words.size() == 3) {
-      const auto found = encodings().find(words[1]);
-      if (found == encodings().end())
-        fail(fmt::format("format {} is not supported: use ascii, binary_little_endian or binary_big_endian",
-                         words[1]));
-      encoding_ = found->second;
-      has_format_ = true;
-    } else if (words[0] == "element" && words.size() == 3) {
-      const auto count = to_integer(words[2]);
-      // A row takes at least one byte, so a count larger than the file is wrong and must not allocate memory.
-      if (!count || *count < 0 || static_cast<std::size_t>(*count) > text_.size())
-        fail(fmt::format("element count '{}' is impossible", words[2]));
-      elements_.push_back({words[1], static_cast<std::size_t>(*count), {}});
-    } else if (words[0] == "property" && !elements_.empty() &&
-               (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
-      const bool list = words.size() == 5;
-      for (std::size_t i = list ? 2 : 1; i + 1 < words.size(); ++i)
-        if (bytes_of(words[i]) == 0) fail(fmt::format("property type '{}' is unknown", words[i]));
-      elements_.back().properties.push_back({words.back(), words[words.size() - 2], list ? words[2] : ""});
-    } else if (words[0] != "comment" && words[0] != "obj_info") {
-      fail(fmt::format("header line that starts with '{}' is not understood", words[0]));
+  void read_element(const PlyElement& element) {
+    values_.clear();
+    element_.clear();
+    if (element.name == "vertex") start_vertices(element);
+    if (element.name == "face") start_faces(element);
+    element_ = element.name;
+    for (row_ = 0; row_ < element.count; ++row_) {
+      row_at_ = at_;
+      read_row(element);
+      if (element.name == "vertex") read_vertex();
+      if (element.name == "face") read_face();
     }
   }
 
-  static const std::map<std::string, Encoding>& encodings() {
-    static const std::map<std::string, Encoding> kEncodings{{"ascii", Encoding::Ascii},
-                                                            {"binary_little_endian", Encoding::LittleEndian},
-                                                            {"binary_big_endian", Encoding::BigEndian}};
-    return kEncodings;
+  std::string no_faces_problem() const {
+    std::vector<std::string> names;
+    for (const auto& element : header_.elements) names.push_back(element.name);
+    const bool has_strips = std::find(names.begin(), names.end(), "tristrips") != names.end();
+    return fmt::format("there is no face in the file; its elements are: {}{}", fmt::join(names, ", "),
+                       has_strips ? ". Triangle strips (tristrips) are not read: write faces" : "");
   }
 
   double next_binary_number(const std::string& type) {
-    const std::size_t size = bytes_of(type);
+    const std::size_t size = ply_bytes_of(type);
     if (at_ + size > text_.size()) fail("the file ends within its data");
     std::array<char, 8> bytes{};  // the largest type has eight
     for (std::size_t i = 0; i < size && i < bytes.size(); ++i)
-      bytes[i] = text_[at_ + (encoding_ == Encoding::BigEndian ? size - 1 - i : i)];
+      bytes[i] = text_[at_ + (header_.encoding == PlyEncoding::BigEndian ? size - 1 - i : i)];
     at_ += size;
     return number_from_bytes(bytes.data(), type);
   }
 
   double next_number(const std::string& type) {
-    if (encoding_ != Encoding::Ascii) return next_binary_number(type);
-    at_ = text_.find_first_not_of(" \t\r\n", at_);
-    if (at_ == std::string::npos) fail("the file ends within its data");
+    if (header_.encoding != PlyEncoding::Ascii) return next_binary_number(type);
+    at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
+    if (at_ == text_.size()) fail("the file ends within its data");
     const auto end = std::min(text_.find_first_of(" \t\r\n", at_), text_.size());
     const auto value = to_number(text_.substr(at_, end - at_));
     if (!value) fail(fmt::format("'{}' is not a number", text_.substr(at_, end - at_)));
@@ -157,59 +129,69 @@ class PlyReader {
     return *value;
   }
 
-  const Row& read_row(const Element& element) {
+  void read_row(const PlyElement& element) {
     for (const auto& property : element.properties) {
       double count = property.count_type.empty() ? 1 : next_number(property.count_type);
-      auto& values = row_[property.name];
+      auto& values = values_[property.name];
       values.clear();
       for (; count > 0; --count) values.push_back(next_number(property.type));
     }
-    return row_;
   }
 
-  double value(const Row& row, std::initializer_list<const char*> names, bool is_required) const {
-    for (const char* name : names)
-      if (const auto found = row.find(name); found != row.end() && !found->second.empty())
-        return found->second.front();
-    if (is_required)
-      fail(fmt::format("vertices lack the property '{}'{}", *names.begin(),
-                       std::string_view(*names.begin()).starts_with('n')
-                           ? "; \"crease_angle\" in the scene has normals computed"
-                           : ""));
-    return 0;
+  // 0 where vertices have no such property.
+  double value(const char* name) const {
+    const auto found = values_.find(name);
+    if (found == values_.end()) return 0;
+    if (found->second.empty()) fail(fmt::format("the list '{}' is empty, expected a number", name));
+    return found->second.front();
   }
 
-  void read_vertices(const Element& element) {
+  Vec3f rounded(const char* x, const char* y, const char* z) const {
+    return cast<float>(Vec3d{value(x), value(y), value(z)});
+  }
+
+  void start_vertices(const PlyElement& element) {
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
+      const bool is_normal = *name == 'n';
+      if (has_property(element, name) || (is_normal && normals_ == FileNormals::MayLack)) continue;
+      fail(fmt::format("vertices lack the property '{}'{}", name,
+                       is_normal ? "; \"crease_angle\" in the scene has normals computed" : ""));
+    }
+    uv_names_ = uv_names(element);
+    has_tangents_ = std::string_view(uv_names_.first) != "tx";
+  }
+
+  void read_vertex() {
     Mesh& mesh = out_.mesh;
-    row_.clear();
-    const bool has_normals = std::any_of(element.properties.begin(), element.properties.end(),
-                                         [](const Property& property) { return property.name == "nx"; });
-    out_.lacks_normals = !has_normals && normals_ == FileNormals::MayLack;
-    std::vector<Vec3d> positions;
-    for (std::size_t i = 0; i < element.count; ++i) {
-      const Row& row = read_row(element);
-      const auto rounded = [&](std::initializer_list<const char*> names, bool is_required) {
-        return static_cast<float>(value(row, names, is_required));
-      };
-      positions.push_back({value(row, {"x"}, true), value(row, {"y"}, true), value(row, {"z"}, true)});
-      const bool needs = !out_.lacks_normals;
-      mesh.normals.push_back({rounded({"nx"}, needs), rounded({"ny"}, needs), rounded({"nz"}, needs)});
-      mesh.tangents.push_back({rounded({"tx"}, false), rounded({"ty"}, false), rounded({"tz"}, false)});
-      mesh.uvs.push_back({rounded({"u", "s"}, false), rounded({"v", "t"}, false)});
-    }
-    place_vertices(positions, out_);
+    places_.push_back({value("x"), value("y"), value("z")});
+    mesh.normals.push_back(rounded("nx", "ny", "nz"));
+    mesh.tangents.push_back(has_tangents_ ? rounded("tx", "ty", "tz") : Vec3f{});
+    mesh.uvs.push_back(
+        {static_cast<float>(value(uv_names_.first)), static_cast<float>(value(uv_names_.second))});
+    if (const Vec3f n = mesh.normals.back(); normals_ == FileNormals::Required && !is_direction(n))
+      fail(fmt::format(
+          "the normal is ({}, {}, {}), must be finite and not zero; \"crease_angle\" in the scene "
+          "has normals computed",
+          n.x, n.y, n.z));
   }
 
-  void read_faces(const Element& element) {
-    row_.clear();
-    for (std::size_t i = 0; i < element.count; ++i) {
-      const Row& row = read_row(element);
-      auto found = row.find("vertex_indices");
-      if (found == row.end()) found = row.find("vertex_index");
-      if (found == row.end()) fail("faces lack the list 'vertex_indices'");
-      const auto material = row.find("material");
-      add_face(found->second, material == row.end() ? -1 : slot(material->second));
-    }
+  void start_faces(const PlyElement& element) {
+    indices_ = has_property(element, "vertex_indices") ? "vertex_indices" : "vertex_index";
+    if (!has_property(element, indices_)) fail("faces lack the list 'vertex_indices'");
+  }
+
+  void read_face() {
+    const auto& corners = values_.at(indices_);
+    const auto material = values_.find("material");
+    for (const double corner : corners)
+      if (!(corner >= 0 && corner < 4294967296.0 && corner == std::floor(corner)))
+        fail(fmt::format("vertex index {} is out of range or no whole number", corner));
+    if (corners.size() < 3) fail(fmt::format("a face needs at least three corners, has {}", corners.size()));
+    for (const double corner : corners) faces_.corners.push_back(static_cast<std::uint32_t>(corner));
+    faces_.sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    faces_.materials.push_back(material == values_.end() ? -1 : slot(material->second));
+    face_at_.push_back(row_at_);
+    add_corner_uvs(corners.size());
   }
 
   int slot(const std::vector<double>& numbers) const {
@@ -220,31 +202,63 @@ class PlyReader {
     return static_cast<int>(number);
   }
 
-  void add_face(const std::vector<double>& corners, int material) {
-    for (const double corner : corners)
-      if (!(corner >= 0 && corner < 4294967296.0 && corner == std::floor(corner)))
-        fail(fmt::format("vertex index {} is out of range or no whole number", corner));
-    if (corners.size() < 3) fail("a face needs at least three corners");
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      out_.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]),
-                                     static_cast<std::uint32_t>(corners[i - 1]),
-                                     static_cast<std::uint32_t>(corners[i])});
-      out_.mesh.triangle_materials.push_back(material);
-    }
+  // "texcoord" as MeshLab writes it: u and v of each corner, or nothing.
+  void add_corner_uvs(std::size_t corners) {
+    const auto found = values_.find("texcoord");
+    if (found == values_.end() || found->second.empty()) return;
+    const auto& numbers = found->second;
+    if (numbers.size() != 2 * corners)
+      fail(fmt::format("the list 'texcoord' has {} numbers, expected u and v of {} corners", numbers.size(),
+                       corners));
+    corner_uvs_.resize(faces_.corners.size() - corners);
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+      corner_uvs_.push_back(Vec2f{static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])});
+  }
+
+  // Faces may stand before the vertices.
+  void check_corners() {
+    element_ = "face";
+    const std::uint32_t* corner = faces_.corners.data();
+    for (row_ = 0; row_ < faces_.sizes.size(); ++row_)
+      for (std::uint32_t k = 0; k < faces_.sizes[row_]; ++k, ++corner) {
+        row_at_ = face_at_[row_];
+        if (*corner >= places_.size())
+          fail(fmt::format("vertex index {} is out of range: there are {}, counted from 0", *corner,
+                           places_.size()));
+      }
+  }
+
+  // "mesh.ply:15: face 3", rows counted from 0 as PLY does; binary files have no lines.
+  std::string place(const std::string& element, std::size_t row, std::size_t at) const {
+    if (header_.encoding != PlyEncoding::Ascii) return fmt::format("{}: {} {}", name_, element, row);
+    at = std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
+    const auto before = text_.substr(0, at);
+    const char end = before.find('\n') == std::string_view::npos ? '\r' : '\n';
+    return fmt::format("{}:{}: {} {}", name_, 1 + std::count(before.begin(), before.end(), end), element,
+                       row);
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}: {}", name_, problem));
+    throw InputError(
+        fmt::format("{}: {}", element_.empty() ? name_ : place(element_, row_, row_at_), problem));
   }
 
   std::string name_;
   std::string_view text_;
-  std::size_t at_ = 0;
   FileNormals normals_;
-  Encoding encoding_ = Encoding::Ascii;
-  bool has_format_ = false;
-  std::vector<Element> elements_;
-  Row row_;
+  PlyHeader header_;
+  std::size_t at_ = 0;
+  std::string element_;  // of which a row is read; empty between elements
+  std::size_t row_ = 0;
+  std::size_t row_at_ = 0;  // where the row begins
+  Row values_;              // of the row, by the names of properties
+  NamePair uv_names_;
+  bool has_tangents_ = true;
+  std::string indices_;
+  std::vector<Vec3d> places_;  // of the vertices
+  Polygons faces_;
+  std::vector<std::size_t> face_at_;  // where each face begins
+  CornerUvs corner_uvs_;
   MeshFile out_;
 };
 

@@ -8,8 +8,10 @@
 
 namespace orbs::scene {
 
-/// PLY, ASCII or binary: vertex x y z nx ny nz and optionally tx ty tz, u v (or s t); face
-/// vertex_indices (or vertex_index) and optionally an integer `material`. InputError naming what is missing.
+/// PLY, ASCII or binary: vertex x y z nx ny nz and optionally tx ty tz and texture coordinates by any of
+/// their usual names (u v, s t, texture_u texture_v, ...); face vertex_indices (or vertex_index) and
+/// optionally an integer `material` and a list `texcoord` with u and v of each corner, which replace those of
+/// the vertices. InputError with file, element, row, and of ASCII the line, that says what is missing.
 MeshFile read_ply(const std::filesystem::path& file, FileNormals normals = FileNormals::Required);
 MeshFile parse_ply(const std::string& name,
                    std::string_view bytes,

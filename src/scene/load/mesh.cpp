@@ -5,10 +5,13 @@
 #include "scene/geometry/crease_normals.h"
 #include "scene/geometry/generators.h"
 #include "scene/geometry/mesh_file.h"
+#include "scene/geometry/obj.h"
 #include "scene/geometry/ply.h"
 #include "scene/geometry/subdivision/entry.h"
 #include "scene/load/entry.h"
 #include "scene/scene.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -119,13 +122,17 @@ MeshFile mesh_of_file(json::ObjectReader& in, const DataFolders& folders) {
                    [&] { return extension == ".obj" ? read_obj(file, normals) : read_ply(file, normals); });
 }
 
-// Normals of a file that has none, by the angle that the scene gives.
+// Normals of a file by the angle that the scene gives: all, or those that the file lacks.
 void add_normals(json::ObjectReader& in, MeshFile& file) {
   const double crease_deg = in.number("crease_angle", {0, 180});
-  if (!file.lacks_normals)
-    in.fail("crease_angle", "the file has normals, which are used as given: leave the key out");
+  const bool keeps = in.one_of_or("given_normals", "replace", {"replace", "keep"}) == "keep";
   if (const auto problem = index_problem(file.mesh); !problem.empty()) in.fail("file", problem);
-  compute_normals(file.mesh, crease_deg);
+  const auto& normals = file.mesh.normals;
+  if (keeps && std::all_of(normals.begin(), normals.end(), is_direction))
+    in.fail("given_normals",
+            "the file has all normals: leave the key out to replace them, or \"crease_angle\", "
+            "too, to use them as given");
+  compute_normals(file.mesh, crease_deg, keeps ? GivenNormals::Keep : GivenNormals::Replace);
 }
 
 void assign_runs(json::ObjectReader& in, const Names& materials, Mesh& mesh) {
@@ -151,13 +158,22 @@ void assign_file_materials(json::ObjectReader& in, const Names& materials, MeshF
     for (std::size_t i = 0; i < names.size(); ++i)
       scene_material.push_back(materials.find_at(in, "materials", i, names[i]));
   } else {
-    for (const auto& name : file.material_names) {
+    for (std::size_t i = 0; i < file.material_names.size(); ++i) {
+      const auto& name = file.material_names[i];
       scene_material.push_back(materials.lookup(name));
-      if (scene_material.back() < 0) in.fail("file", "usemtl: " + materials.unknown(name));
+      if (scene_material.back() < 0)
+        in.fail("file",
+                fmt::format("line {} of it, usemtl: {}", file.material_lines[i], materials.unknown(name)));
     }
   }
   for (int& material : file.mesh.triangle_materials) {
-    if (material < 0 || material >= static_cast<int>(scene_material.size()))
+    if (material < 0)
+      in.fail("file",
+              file.names_are_slots
+                  ? "faces of it have no property 'material': give \"material\" in the scene"
+                  : "a face of it stands before the first usemtl, or after one without a name: give it "
+                    "a material by usemtl, or all faces by \"material\" in the scene");
+    if (material >= static_cast<int>(scene_material.size()))
       in.fail(file.names_are_slots ? "materials" : "file",
               fmt::format("a triangle has material {}, which is not in the list of {}; or give \"material\"",
                           material, scene_material.size()));
@@ -213,7 +229,10 @@ MeshFile load_source(json::ObjectReader& in,
   else
     in.fail("", "needs one of: generator, file, positions, parts, subdivision");
   if (!in.has("generator")) spend(in, "", "triangles", file.mesh.triangles.size(), left.triangles);
-  if (from_file && in.has("crease_angle")) add_normals(in, file);
+  if (from_file && in.has("crease_angle"))
+    add_normals(in, file);
+  else if (in.has("given_normals"))
+    in.fail("given_normals", "goes with the \"crease_angle\" of a file");
   assign_materials(in, materials, file, from_file);
   return file;
 }
@@ -231,7 +250,9 @@ MeshFile load_mesh(json::ObjectReader in,
     for (auto& part : in.objects("parts")) {
       if (part.has("subdivision")) part.fail("subdivision", "cannot be a part: make it a separate mesh");
       const Mat4 matrix = load_matrix(part, "matrix");
-      append_moved(file.mesh, places, load_source(part, folders, materials, left), matrix);
+      const auto loaded = load_source(part, folders, materials, left);
+      append_moved(file.mesh, places, loaded, matrix);
+      file.warnings.insert(file.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
       part.finish();
     }
     place_vertices(places, file);
@@ -264,7 +285,7 @@ std::string mesh_problem(const Mesh& mesh) {
     if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
     if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))
       return fmt::format("texture coordinate {} is not finite", i);
-    if (!is_finite(mesh.normals[i]) || dot(mesh.normals[i], mesh.normals[i]) == 0)
+    if (!is_direction(mesh.normals[i]))
       return fmt::format("normal {} must be finite and not zero: normals are used as given", i);
   }
   return index_problem(mesh);

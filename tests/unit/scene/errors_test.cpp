@@ -2,7 +2,7 @@
 // would be right.
 #include "base/error.h"
 #include "base/files.h"
-#include "scene/geometry/mesh_file.h"
+#include "scene/geometry/obj.h"
 #include "scene/geometry/ply.h"
 #include "scene/load/load_scene.h"
 

@@ -1,7 +1,7 @@
 // Mesh files without normals, and PLY in big-endian.
 #include "base/error.h"
 #include "scene/geometry/crease_normals.h"
-#include "scene/geometry/mesh_file.h"
+#include "scene/geometry/obj.h"
 #include "scene/geometry/ply.h"
 #include "scene/load/load_scene.h"
 #include "structure/source_files.h"
@@ -114,17 +114,76 @@ TEST(CreaseNormals, VerticesWithSeveralNormalsAreSplit) {
 TEST(CreaseNormals, TheSceneSaysWhetherTheyAreComputed) {
   const structure::TestFolder folder("normals");
   folder.write("roof.obj", roof_obj(0.5F));
-  folder.write("with.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
-  folder.write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 3\n");
+  folder.write("with.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1//1 2//1 3//1\n");
+  folder.write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1 2 3\n");
   const auto expect_part = [&](const std::string& mesh, const std::string& part) {
     const auto text = refusal(mesh, folder.path());
-    EXPECT_NE(text.find(part), std::string::npos) << text;
+    EXPECT_NE(text.find(part), std::string::npos) << mesh << ": " << text;
   };
-  EXPECT_EQ(refusal(R"("file": "roof.obj", "crease_angle": 30)", folder.path()), "no error");
+  for (const char* file : {"roof.obj", "with.obj", "mixed.obj"})
+    EXPECT_EQ(refusal(fmt::format(R"("file": "{}", "crease_angle": 30)", file), folder.path()), "no error");
   expect_part(R"("file": "roof.obj")", "\"crease_angle\" in the scene has them computed");
-  expect_part(R"("file": "with.obj", "crease_angle": 30)",
-              "crease_angle: the file has normals, which are used as given: leave the key out");
-  expect_part(R"("file": "mixed.obj", "crease_angle": 30)",
-              "some corners have a normal and others have none");
+  expect_part(R"("file": "mixed.obj")", "mixed.obj:6: each corner needs a normal");
+  expect_part(R"("file": "with.obj", "crease_angle": 30, "given_normals": "keep")",
+              "given_normals: the file has all normals");
+  expect_part(R"("file": "with.obj", "given_normals": "keep")",
+              "given_normals: goes with the \"crease_angle\" of a file");
   expect_part(R"("file": "roof.obj", "crease_angle": 181)", "must lie in [0, 180]");
+}
+
+namespace {
+
+scene::Mesh mesh_of(const std::string& file, const std::string& text, const std::string& keys) {
+  const structure::TestFolder folder("given-normals");
+  folder.write(file, text);
+  const auto scene = scene::load_scene_text(
+      "scene.json", scene_text(fmt::format(R"("file": "{}", {})", file, keys)), folder.path());
+  return scene.meshes.at(0);
+}
+
+// A triangle and one without area, whose normals programs write as zero; one corner has no normal.
+const std::string kDegenerate =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nvn 0 0.6 0.8\nvn 0 0 0\nvn nan 0 1\n"
+    "f 1//1 2//1 3\nf 4//2 4//2 1//1\nf 1//3 2//1 3//1\n";
+
+}  // namespace
+
+TEST(CreaseNormals, ReplaceAllNormalsOfAFile) {
+  const auto mesh = mesh_of("a.obj", kDegenerate, R"("crease_angle": 30)");
+  for (const Vec3f normal : mesh.normals) EXPECT_EQ(normal, (Vec3f{0, 0, 1}));
+}
+
+TEST(CreaseNormals, OrFillInThoseThatCannotBeUsed) {
+  const auto mesh = mesh_of("a.obj", kDegenerate, R"("crease_angle": 30, "given_normals": "keep")");
+  const auto normal = [&](std::size_t triangle, std::size_t corner) {
+    return mesh.normals[mesh.triangles[triangle][corner]];
+  };
+  EXPECT_EQ(normal(0, 0), (Vec3f{0, 0.6F, 0.8F}));
+  EXPECT_EQ(normal(0, 1), (Vec3f{0, 0.6F, 0.8F}));
+  EXPECT_EQ(normal(0, 2), (Vec3f{0, 0, 1})) << "absent";
+  EXPECT_EQ(normal(1, 0), (Vec3f{0, 0, 1})) << "zero";
+  EXPECT_EQ(normal(1, 2), (Vec3f{0, 0.6F, 0.8F}));
+  EXPECT_EQ(normal(2, 0), (Vec3f{0, 0, 1})) << "not finite";
+}
+
+TEST(CreaseNormals, AreMissedWhereTheCornerStands) {
+  const auto error = [](const std::string& file, const std::string& text) -> std::string {
+    try {
+      mesh_of(file, text, R"("wrong_key": 0)");
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n";
+  const std::string hint = "must be finite and not zero; \"crease_angle\" in the scene has normals computed";
+  const auto of_obj = error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 0\nf 1//1 2//2 3//1\n");
+  EXPECT_NE(of_obj.find("a.obj:6: normal 2 is (0, 0, 0), " + hint), std::string::npos) << of_obj;
+  const auto of_ply = error("a.ply", ply);
+  EXPECT_NE(of_ply.find("a.ply:14: vertex 1: the normal is (0, 0, 0), " + hint), std::string::npos) << of_ply;
+  EXPECT_EQ(mesh_of("a.ply", ply, R"("crease_angle": 30)").normals[1], (Vec3f{0, 0, 1}));
 }
