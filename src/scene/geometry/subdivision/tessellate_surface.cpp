@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "scene/geometry/subdivision/subdivide.h"
 #include "scene/geometry/subdivision/vertex_ring.h"
+#include "scene/geometry/triangulate.h"
 #include "scene/shapes/expression.h"
 
 #include <algorithm>
@@ -87,11 +88,14 @@ Limit limit_surface(const HalfEdges& refined) {
   return out;
 }
 
-void add_triangles(const HalfEdges& refined, Limit& limit) {
+// Where the vertices lie at the end: a quadrilateral that is concave there is cut along its other diagonal.
+void cut_quadrilaterals(const HalfEdges& refined, Limit& limit) {
+  std::vector<Vec3d> places(4);
   for (std::size_t h = 0; h < refined.from.size(); h += 4) {
     const auto at = [&](std::size_t k) { return limit.vertex_of_half[h + k]; };
-    limit.mesh.triangles.push_back({at(0), at(1), at(2)});
-    limit.mesh.triangles.push_back({at(0), at(2), at(3)});
+    for (std::size_t k = 0; k < 4; ++k) places[k] = limit.mesh.places_m[at(k)];
+    for (const auto& [a, b, c] : triangulate(places).triangles)
+      limit.mesh.triangles.push_back({at(a), at(b), at(c)});
   }
 }
 
@@ -161,11 +165,9 @@ SurfaceMesh tessellate(const SubdivisionSurface& surface) {
   HalfEdges refined = connect(surface.cage);
   for (int level = 0; level < surface.levels; ++level) refined = subdivide(refined);
   Limit limit = limit_surface(refined);
-  add_triangles(refined, limit);
-  if (surface.displacement) {
-    move_points(*surface.displacement, limit);
-    set_triangle_normals(limit.mesh);
-  }
+  if (surface.displacement) move_points(*surface.displacement, limit);
+  cut_quadrilaterals(refined, limit);
+  if (surface.displacement) set_triangle_normals(limit.mesh);
   return std::move(limit.mesh);
 }
 

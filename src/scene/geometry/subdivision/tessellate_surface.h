@@ -20,7 +20,8 @@ constexpr int kMostLevels = 10;
 /// How many triangles tessellate() makes.
 std::size_t triangle_count(const SubdivisionSurface& surface);
 
-/// `levels` steps, 1 to kMostLevels, then all points moved to the limit. Each quadrilateral is two triangles.
+/// `levels` steps, 1 to kMostLevels, then all points moved to the limit. Each quadrilateral is two triangles,
+/// as triangulate() makes them.
 /// Between the vertices the triangles deviate from the surface by about (edge length)^2 / 8 times its
 /// curvature, which falls fourfold with each level.
 ///
