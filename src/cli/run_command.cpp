@@ -22,6 +22,8 @@
 #include "run/run_file.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,6 +51,10 @@ void announce(const run::Plan& plan, const RecordedTimes& times, const std::file
               amount_text(plan, times));
   for (const auto& left : plan.left_out)
     print_clean(stderr, "left out: {}: {}\n", left.renderer, left.reason);
+  std::set<std::string> warnings;  // several targets may have one scene
+  for (const auto& scene : plan.scenes)
+    warnings.insert(scene.scene->notes.warnings.begin(), scene.scene->notes.warnings.end());
+  for (const auto& warning : warnings) print_clean(stderr, "warning: {}\n", warning);
   print_clean(stderr, "results: {}\n", folder.string());
 }
 

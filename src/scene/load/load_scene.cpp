@@ -8,6 +8,7 @@
 #include "scene/load/instance.h"
 #include "scene/load/mesh.h"
 #include "scene/load/spectra.h"
+#include "scene/load/texture_checks.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -184,6 +185,11 @@ void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& 
       readers[i].fail("", problem);
 }
 
+void check_textures(const Scene& scene, const std::vector<json::ObjectReader>& readers) {
+  for (std::size_t i = 0; i < readers.size(); ++i)
+    if (const auto problem = texture_problem(scene, i); !problem.empty()) readers[i].fail("file", problem);
+}
+
 void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
   if (!std::holds_alternative<IrradianceCache>(scene.integrator)) return;
   const auto found = effects(scene);
@@ -219,6 +225,10 @@ void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& i
   }
 }
 
+void append(std::vector<std::string>& all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 Scene load_document(const json::Document& document,
                     const DataFolders& folders,
                     SceneBudget left,
@@ -232,7 +242,8 @@ Scene load_document(const json::Document& document,
   for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
   load_environment(in, data, scene);
   Names textures("texture");
-  for (auto& entry : in.objects_or_none("textures")) {
+  auto texture_readers = in.objects_or_none("textures");
+  for (auto& entry : texture_readers) {
     textures.add(entry, "name");
     scene.textures.push_back(load_texture(entry, folders));
   }
@@ -244,11 +255,14 @@ Scene load_document(const json::Document& document,
   }
   Names meshes("mesh");
   std::vector<Vec3d> origins;
+  std::vector<std::string> mesh_places;
   for (auto& entry : in.objects_or_none("meshes")) {
     meshes.add(entry, "name");
     auto file = load_mesh(entry, folders, materials, left);
     scene.meshes.push_back(std::move(file.mesh));
     origins.push_back(file.origin_m);
+    mesh_places.push_back(entry.place("name"));
+    append(data.warnings, file.warnings);
   }
   for (auto& entry : in.objects_or_none("instances"))
     load_instances(entry, meshes, materials, left, scene.instances);
@@ -262,8 +276,10 @@ Scene load_document(const json::Document& document,
     if (!reason.empty() && scene.outputs != Outputs{}) in.fail("outputs", reason);
   }
   in.finish();
+  append(data.warnings, flat_texture_warnings(scene, mesh_places));
   scene.spectra = std::move(data.spectra);
   scene.notes = {std::move(data.files), std::move(data.warnings), camera};
+  check_textures(scene, texture_readers);
   check_materials(scene, material_readers);
   check_irradiance_cache(scene, in);
   return scene;
