@@ -9,10 +9,11 @@ namespace {
 
 using namespace orbs;
 
+// From the vertex of a corner by that of an edge to that of the face, which follow each other in this order.
 bool is_fan(const scene::Mesh& mesh, std::size_t quadrilateral) {
   const auto& [a, b, c] = mesh.triangles[2 * quadrilateral];
   const auto& [d, e, f] = mesh.triangles[2 * quadrilateral + 1];
-  return a == d && c == e;
+  return a == d && c == e && a < b && b < c && c > f;
 }
 
 double area(const scene::SurfaceMesh& mesh, const std::array<std::uint32_t, 3>& t) {
