@@ -142,7 +142,7 @@ Document parse(std::string name, std::string text) {
     refuse(name, text, refusal.offset.value_or(here), refusal.problem);
   }
   auto shared = std::make_shared<const nlohmann::json>(std::move(root));
-  return {std::move(name), std::move(text), std::move(shared)};
+  return {std::move(name), std::move(text), std::move(shared), std::make_shared<TextIndex>()};
 }
 
 Document parse_file(const std::filesystem::path& path) { return parse(path.string(), read_file(path)); }

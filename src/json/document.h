@@ -1,5 +1,7 @@
 #pragma once
 
+#include "json/text_index.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,11 +10,13 @@
 
 namespace orbs::json {
 
-/// A parsed text that remembers its name, so that every later complaint can say file, line and column.
+/// A parsed text that remembers its name, so that every later complaint can say file, line and column. One
+/// thread reads it at a time.
 struct Document {
   std::string name;
   std::string text;
   std::shared_ptr<const nlohmann::json> root;
+  std::shared_ptr<TextIndex> index;  // of the text
 };
 
 /// InputError with line, column and excerpt on syntax errors, on a key given twice and on nesting beyond 64

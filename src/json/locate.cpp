@@ -3,14 +3,19 @@
 #include "json/writer.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include <nlohmann/json.hpp>
 namespace orbs::json {
 namespace {
+std::atomic<std::size_t> stepped_over{0};
 // Steps over one JSON token stream. The text is known to be valid, so no error handling.
 class Scanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit Scanner(std::string_view text, std::size_t begin = 0) : text_(text), begin_(begin), at_(begin) {}
+  ~Scanner() { stepped_over += at_ - begin_; }
+  Scanner(const Scanner&) = delete;
+  Scanner& operator=(const Scanner&) = delete;
   std::size_t offset() {
     skip_space();
     return at_;
@@ -86,7 +91,8 @@ class Scanner {
  private:
   void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size() - 1); }
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t begin_;
+  std::size_t at_;
 };
 // The parts of a JSON pointer, the last one first.
 std::vector<std::string> keys_of(std::string_view pointer) {
@@ -144,6 +150,27 @@ TextPosition locate(std::string_view text, std::string_view pointer) {
   Scanner scanner(text);
   return position_of_offset(text, enter_path(scanner, pointer));
 }
+std::map<std::string, std::size_t> child_offsets(std::string_view text, std::size_t offset) {
+  Scanner scanner(text, offset);
+  std::map<std::string, std::size_t> offsets;
+  if (scanner.consume('{')) {
+    if (scanner.consume('}')) return offsets;
+    do {
+      const auto name = scanner.string();
+      scanner.consume(':');
+      offsets[name] = scanner.offset();
+      scanner.value();
+    } while (scanner.consume(','));
+  } else if (scanner.consume('[')) {
+    if (scanner.consume(']')) return offsets;
+    do {
+      offsets[std::to_string(offsets.size())] = scanner.offset();
+      scanner.value();
+    } while (scanner.consume(','));
+  }
+  return offsets;
+}
+std::size_t bytes_stepped_over() { return stepped_over; }
 bool has_value(std::string_view text, std::string_view pointer) {
   Scanner scanner(text);
   const auto keys = keys_of(pointer);

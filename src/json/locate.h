@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 namespace orbs::json {
@@ -11,6 +12,12 @@ TextPosition position_of_offset(std::string_view text, std::size_t offset);
 /// Where the value with this JSON pointer starts in `text`. `text` must be valid JSON.
 /// Only used to write error messages, so it rescans from the start (cost: one pass).
 TextPosition locate(std::string_view text, std::string_view pointer);
+/// Where the members of the object, or the elements of the array, that starts at `offset` start themselves:
+/// by key, or by number ("0", "1", ...). None of any other value.
+std::map<std::string, std::size_t> child_offsets(std::string_view text, std::size_t offset);
+/// Bytes of all texts that the functions here have stepped over since the program started: what tests count
+/// to see that a reader does not step over the same text again and again.
+std::size_t bytes_stepped_over();
 /// `text` with one more element, itself JSON, at the end of the array with this JSON pointer: on lines of its
 /// own, indented like the element before it. Every other byte stays. `text` must be valid JSON and hold the
 /// array.

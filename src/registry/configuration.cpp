@@ -34,11 +34,13 @@ void refuse_doubles(std::vector<ObjectReader> entries) {
       entry.fail("name", fmt::format("'{}' is the name of an earlier entry", name));
 }
 
-void add_renderers(ObjectReader& in, std::vector<Renderer> added, std::vector<Renderer>& renderers) {
+// `names`: of the renderers.
+void add_renderers(ObjectReader& in,
+                   std::vector<Renderer> added,
+                   std::vector<Renderer>& renderers,
+                   std::set<std::string>& names) {
   for (std::size_t i = 0; i < added.size(); ++i) {
-    const bool is_taken = std::any_of(renderers.begin(), renderers.end(),
-                                      [&](const auto& earlier) { return earlier.name == added[i].name; });
-    if (is_taken) {
+    if (!names.insert(added[i].name).second) {
       const auto problem = fmt::format("'{}' is the name of an earlier renderer", added[i].name);
       if (added[i].variant_of.empty()) in.fail("name", problem);
       in.objects("variants")[i].fail("name", problem);
@@ -66,14 +68,13 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
   apply(read.limits, limits);
   refuse_doubles(in.objects("renderers"));
   auto entries = in.objects("renderers");
+  std::set<std::string> renderer_names;
   for (std::size_t i = 0; i < entries.size(); ++i)
     add_renderers(entries[i], renderers_of(entries[i], std::move(read.renderers[i]), limits),
-                  configuration.renderers);
-  std::vector<std::string> names;
-  for (const auto& renderer : configuration.renderers) names.push_back(renderer.name);
+                  configuration.renderers, renderer_names);
   std::vector<std::string> suite_names;
   for (const auto& suite : configuration.suites) suite_names.push_back(suite.name);
-  check_expected(in, names, suite_names, read.expected);
+  check_expected(in, {renderer_names.begin(), renderer_names.end()}, suite_names, read.expected);
   configuration.expected = std::move(read.expected);
   check_slurm(in, read.slurm);
   configuration.slurm = read.slurm;
