@@ -3,6 +3,7 @@
 #include "image/image_io.h"
 #include "scene/load/load_scene.h"
 #include "tracer/choose_light.h"
+#include "tracer/plugins/plugin_library.h"
 #include "tracer/render.h"
 #include "tracer/render/rendering.h"
 #include "tracer/world/build_world.h"
@@ -12,6 +13,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
@@ -68,6 +70,22 @@ void ProgressLine::finish() const {
 std::atomic<bool> stop{false};
 
 extern "C" void request_stop(int) { stop = true; }
+
+// True as long as plug-ins may run: only they call exit() then.
+std::atomic<bool> is_rendering{false};
+
+// At the end of the program, and so whenever exit() is called: its status would say that all is well.
+extern "C" void refuse_exit() {
+  if (!is_rendering) return;
+  const auto file = tracer::plugin_being_opened();
+  const auto who =
+      file.empty() ? std::string("a plug-in") : fmt::format("the initialiser of plug-in {}", file);
+  print_clean(stderr, "orbs-tracer: {} has called exit(), which would end the program as if all was well\n",
+              who);
+  std::fflush(nullptr);
+  constexpr int kBadInput = 2;
+  std::_Exit(kBadInput);
+}
 
 scene::Scene scene_for(const Options& options) {
   auto scene = scene::load_scene(options.scene, {}, options.camera);
@@ -131,7 +149,17 @@ void warn_of_plugin_faults(const tracer::World& world) {
                 faults.count, faults.what);
 }
 
+struct PluginsAllowed {
+  PluginsAllowed() { is_rendering = true; }
+  ~PluginsAllowed() { is_rendering = false; }
+  PluginsAllowed(const PluginsAllowed&) = delete;
+  PluginsAllowed& operator=(const PluginsAllowed&) = delete;
+};
+
 int run(const Options& options) {
+  std::atexit(refuse_exit);
+  std::at_quick_exit(refuse_exit);
+  const PluginsAllowed guard;
   const auto scene = scene_for(options);
   const auto world = world_for(options, scene);
   std::signal(SIGINT, request_stop);

@@ -5,6 +5,7 @@
 #include "results/record.h"
 
 #include <filesystem>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -99,6 +100,22 @@ TEST(Plugins, OfAnotherVersionEndTheRenderWithTheReason) {
   const auto answer = run_square(sandbox);
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_TRUE(contains(answer.text, "it is built for version 2 of orbs/shape_plugin.h")) << answer.text;
+}
+
+// exit(0) says that all is well. The status and the words are those of the tracer itself.
+TEST(Plugins, ThatEndTheProgramFailTheRender) {
+  for (const auto& [plugin, fault, words] :
+       {std::tuple{"exiting", 0, "the initialiser of plug-in"}, std::tuple{"misbehaving", 13, "a plug-in"}}) {
+    const Sandbox sandbox;
+    write_square(sandbox, fault);
+    write_tracer(sandbox, plugin);
+    const auto answer = run_square(sandbox);
+    EXPECT_EQ(answer.status, 1) << answer.text;
+    EXPECT_EQ(job_of(sandbox).end.outcome, results::JobOutcome::Crash) << answer.text;
+    EXPECT_EQ(job_of(sandbox).end.exit_code, 2);
+    EXPECT_TRUE(contains(sandbox.read("out/tracer/square/log.txt"), words)) << plugin;
+    EXPECT_TRUE(contains(sandbox.read("out/tracer/square/log.txt"), "has called exit()")) << plugin;
+  }
 }
 
 TEST(Plugins, ThatBreakTheirRulesAreCountedInTheImage) {

@@ -26,6 +26,7 @@ enum Fault {
   kInfiniteBounds,
   kTurnedBounds,
   kNoShape,
+  kExit,
 };
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -53,6 +54,7 @@ void orbs_shape_bounds(const orbs_shape* shape, double low[3], double high[3]) {
 
 int orbs_shape_intersect(const orbs_shape* shape, const orbs_shape_ray* ray, orbs_shape_hit* hit) {
   if (shape->fault == kCrash) std::abort();
+  if (shape->fault == kExit) std::exit(0);
   const double t = -ray->origin[1] / ray->direction[1];
   const double x = ray->origin[0] + t * ray->direction[0];
   const double z = ray->origin[2] + t * ray->direction[2];

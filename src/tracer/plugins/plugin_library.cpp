@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "tracer/plugins/elf_file.h"
 
+#include <atomic>
 #include <cfenv>
 #include <set>
 #include <string_view>
@@ -39,6 +41,9 @@ void require(const PluginLibrary& library, const char* name, Function& function)
                     library.file.string(), name));
 }
 
+// No std::string: when the program ends, it would be gone before the last who asks.
+std::atomic<const char*> being_opened{nullptr};
+
 std::unique_ptr<void, CloseLibrary> open_library(const fs::path& file) {
   // A library that was linked with -ffast-math has an initialiser that makes the processor flush small
   // numbers to zero from then on, for the thread that opens it and all that it starts: images would depend on
@@ -46,7 +51,10 @@ std::unique_ptr<void, CloseLibrary> open_library(const fs::path& file) {
   std::fenv_t environment;
   std::fegetenv(&environment);
   // By an absolute path no other folder is searched. RTLD_LOCAL: all plug-ins define the same names.
-  std::unique_ptr<void, CloseLibrary> handle(::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL));
+  const auto path = fs::absolute(file);
+  being_opened = path.c_str();
+  std::unique_ptr<void, CloseLibrary> handle(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
+  being_opened = nullptr;
   std::fesetenv(&environment);
   return handle;
 }
@@ -80,6 +88,11 @@ fs::path file_of(const std::string& name, const PluginSources& sources) {
 
 void CloseLibrary::operator()(void* handle) const { ::dlclose(handle); }
 
+std::string plugin_being_opened() {
+  const char* file = being_opened;
+  return file == nullptr ? "" : file;
+}
+
 std::string plugin_name(const fs::path& file) {
   constexpr std::string_view kPrefix = "lib";
   auto name = file.stem().string();
@@ -100,6 +113,8 @@ void check_plugin_names(const PluginSources& sources) {
 std::shared_ptr<const PluginLibrary> open_plugin(const fs::path& file) {
   if (const auto problem = no_file_problem(file); !problem.empty())
     throw InputError(fmt::format("plug-in {}: {}", file.string(), problem));
+  if (const auto missing = missing_part(file); !missing.empty())
+    throw InputError(fmt::format("plug-in {}: {}; copy or link it again", file.string(), missing));
   auto library = std::make_shared<PluginLibrary>();
   library->name = plugin_name(file);
   library->file = file;

@@ -45,9 +45,13 @@ std::string plugin_name(const std::filesystem::path& file);
 /// InputError if two files would be the same plug-in.
 void check_plugin_names(const PluginSources& sources);
 
-/// Opens the library, which runs its initialisers. InputError if it is none, is for another version of the
-/// header, or lacks a required function.
+/// Opens the library, which runs its initialisers. InputError if it is none or is cut off, is for another
+/// version of the header, or lacks a required function.
 std::shared_ptr<const PluginLibrary> open_plugin(const std::filesystem::path& file);
+
+/// The file of the library whose initialisers run just now; "" when none do. For whoever wants to say who has
+/// ended the program.
+std::string plugin_being_opened();
 
 /// Opens the plug-ins that shapes of the scene are by, and no others. InputError if one is not found, and as
 /// open_plugin.

@@ -1,5 +1,6 @@
 // Shapes of plug-ins: how libraries are opened and refused, and what becomes of answers that break the rules.
 #include "base/error.h"
+#include "base/files.h"
 #include "structure/source_files.h"
 #include "tracer/plugins/plugin_hit.h"
 
@@ -60,6 +61,22 @@ scene::Scene scene_with(std::vector<scene::Shape> shapes) {
 }
 
 }  // namespace
+
+// The loader maps such a file without a complaint; reading beyond its end is a bus error.
+TEST(PluginLibraries, ThatAreCutOffAreRefused) {
+  const structure::TestFolder folder("plugin");
+  const auto whole = read_file(library("misbehaving"));
+  for (const double share : {0.001, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999}) {
+    folder.write("cut.so",
+                 whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+    expect_part(complaint([&] { tracer::open_plugin(folder.path() / "cut.so"); }),
+                "cut.so: it is cut off: its ");
+  }
+  folder.write("cut.so", whole.substr(0, 40));
+  expect_part(complaint([&] { tracer::open_plugin(folder.path() / "cut.so"); }), "it has 40 bytes");
+  folder.write("cut.so", whole);
+  EXPECT_EQ(complaint([&] { tracer::open_plugin(folder.path() / "cut.so"); }), "no complaint");
+}
 
 TEST(Plugins, AreCalledAsTheirFiles) {
   EXPECT_EQ(tracer::plugin_name("/a/saddle.so"), "saddle");
