@@ -125,30 +125,44 @@ double turn_at(const Ring& ring, std::uint32_t corner) {
   return turn(ring.at[ring.previous[corner]], ring.at[corner], ring.at[ring.next[corner]]);
 }
 
-// Whether `other`, which is no corner of the triangle that `corner` makes with its neighbours, is in its way.
-// One at the place of a neighbour is not: what starts there lies outside, or ends in the triangle with a
-// corner that is in the way. From the place of the corner itself, an edge may run through the triangle.
-bool is_in_the_way(const Ring& ring, std::uint32_t corner, std::uint32_t other) {
+// What may be in the way of the triangle that a corner makes with its neighbours.
+struct EarTriangle {
+  Vec2d a, b, c;  // the corner is b
+  Vec2d low, high;
+};
+
+EarTriangle ear_triangle(const Ring& ring, std::uint32_t corner) {
   const Vec2d a = ring.at[ring.previous[corner]];
   const Vec2d b = ring.at[corner];
   const Vec2d c = ring.at[ring.next[corner]];
+  return {a,
+          b,
+          c,
+          {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+}
+
+// Whether another corner of the ring is in the way of the triangle. One at the place of a neighbour is not:
+// what starts there lies outside, or ends in the triangle with a corner that is in the way. From the place of
+// the corner itself, an edge may run through the triangle.
+bool is_in_the_way(const Ring& ring, const EarTriangle& ear, std::uint32_t other) {
   const Vec2d p = ring.at[other];
-  if (p == a || p == c) return false;
-  const auto is_between = [&](Vec2d to) { return turn(b, c, to) > 0 && turn(a, b, to) > 0; };
-  if (p == b) return is_between(ring.at[ring.next[other]]) || is_between(ring.at[ring.previous[other]]);
-  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  if (p.x < ear.low.x || p.x > ear.high.x || p.y < ear.low.y || p.y > ear.high.y) return false;
+  if (p == ear.a || p == ear.c) return false;
+  const auto is_between = [&](Vec2d to) { return turn(ear.b, ear.c, to) > 0 && turn(ear.a, ear.b, to) > 0; };
+  if (p == ear.b) return is_between(ring.at[ring.next[other]]) || is_between(ring.at[ring.previous[other]]);
+  return turn(ear.a, ear.b, p) >= 0 && turn(ear.b, ear.c, p) >= 0 && turn(ear.c, ear.a, p) >= 0;
 }
 
 Ear ear_at(const Ring& ring, std::uint32_t corner) {
-  const auto before = ring.previous[corner];
-  const Vec2d a = ring.at[before];
-  const Vec2d b = ring.at[corner];
-  const Vec2d c = ring.at[ring.next[corner]];
+  const EarTriangle ear = ear_triangle(ring, corner);
+  const auto& [a, b, c, low, high] = ear;
   const double turned = turn(a, b, c);
   if (turned == 0 && (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) >= 0) return Ear::Tip;
   if (!(turned > 0)) return Ear::No;
+  const auto before = ring.previous[corner];
   for (auto i = ring.next[ring.next[corner]]; i != before; i = ring.next[i])
-    if (is_in_the_way(ring, corner, i)) return Ear::No;
+    if (is_in_the_way(ring, ear, i)) return Ear::No;
   return Ear::Yes;
 }
 

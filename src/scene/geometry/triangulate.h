@@ -15,7 +15,7 @@ struct Triangulation {
   bool crosses_itself = false;                          // then no triangulation is right, and this is the fan
 };
 
-/// Concave polygons of more corners are refused: ear clipping takes quadratic time, here about a second.
+/// Concave polygons of more corners are refused: ear clipping takes quadratic time, three seconds for these.
 constexpr std::size_t kMostConcaveCorners = 16384;
 
 /// Triangles that cover a polygon of three or more corners once and are wound as it is.
