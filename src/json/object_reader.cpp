@@ -50,7 +50,8 @@ void ObjectReader::fail_at(const std::string& key, std::size_t index, const std:
 }
 
 std::string ObjectReader::place(const std::string& key) const {
-  return fmt::format("{}:{}", document_->name, locate(document_->text, pointer_to(key)).line);
+  const auto at = document_->index->locate(document_->text, pointer_to(key));
+  return fmt::format("{}:{}", document_->name, at.line);
 }
 
 bool ObjectReader::has(const std::string& key) {
