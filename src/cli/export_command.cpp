@@ -10,7 +10,6 @@
 #include "run/run_file.h"
 
 #include <map>
-#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -28,8 +27,10 @@ struct Options {
 // "orbs" is what a user calls the format that the configuration calls "orbs-scene".
 std::map<std::string, std::string> named_formats() {
   std::map<std::string, std::string> formats;
-  for (const std::string format : adapters::exporters() | std::views::transform(&adapters::Exporter::format))
+  for (const auto& exporter : adapters::exporters()) {
+    const std::string format = exporter.format;
     formats[format == registry::kNeutralFormat ? "orbs" : format] = format;
+  }
   return formats;
 }
 
