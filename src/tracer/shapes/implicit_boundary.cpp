@@ -235,7 +235,8 @@ Vec3d implicit_normal(const Expression& expression, Vec3d point) {
                                   working_memory<Gradient>(expression));
     return gradient.derivative;
   };
-  const auto is_usable = [](Vec3d g) { return is_finite(g) && dot(g, g) > 0; };
+  // By the largest component: squares of those below 1e-162 are zero in double.
+  const auto is_usable = [](Vec3d g) { return is_finite(g) && largest_magnitude(g) > 0; };
   const Vec3d gradient = gradient_at(point);
   if (is_usable(gradient)) return normalised(gradient / largest_magnitude(gradient));
   // Unequal steps: gradients at opposite points around a node cancel.
