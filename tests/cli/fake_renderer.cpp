@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "image/image_io.h"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -71,14 +72,18 @@ void hang_with_child() {
 
 // One that has left for a session of its own, as a daemon would.
 void leave_child_in_own_session(void (*behave)()) {
+  std::array<int, 2> ready{};  // the child has left its id, before we may end and it is ended with us
+  if (::pipe(ready.data()) != 0) ::_exit(1);
   const pid_t child = ::fork();
   if (child == 0) {
     ::setsid();
     if (::fork() == 0) {
       std::ofstream("child.txt") << ::getpid() << '\n';
+      if (::write(ready[1], "!", 1) != 1) ::_exit(1);
       behave();
     }
-    ::_exit(0);
+    char byte = 0;
+    ::_exit(::read(ready[0], &byte, 1) == 1 ? 0 : 1);
   }
   ::waitpid(child, nullptr, 0);
 }
