@@ -12,7 +12,7 @@
 
 /// What an exporter does with the types of materials and the kinds of lights. It has a writer, an object that
 /// is called with the model of a material or the shape of a light, for each one that it writes, and an object
-/// of limits, for each type of material that it writes in part or refuses for a reason of its own. What the
+/// of limits, for each type of material that it writes in part or refuses for its own reason. What the
 /// writer does not know is refused by its name.
 namespace orbs::adapters {
 

@@ -33,30 +33,21 @@ enum Group : std::size_t {
 
 constexpr Group group_of(State state) {
   using results::Expectation;
-  using results::Verdict;
+  using results::VerdictKind;
   const bool is_known = state.expectation == Expectation::Known;
-  switch (state.verdict) {
-    case Verdict::Pass:
+  switch (results::kind_of(state.verdict)) {
+    case VerdictKind::Pass:
       return state.expectation == Expectation::News ? UnexpectedPass : Pass;
-    case Verdict::Unsupported:
+    case VerdictKind::Unsupported:
       return Unsupported;
-    case Verdict::Skipped:
+    case VerdictKind::Skipped:
       return Skipped;
-    case Verdict::Inconclusive:
+    case VerdictKind::Inconclusive:
       return is_known ? KnownInconclusive : Inconclusive;
-    case Verdict::MissingReference:
+    case VerdictKind::MissingReference:
       return MissingReference;
-    case Verdict::Fail:
-    case Verdict::ConstantImage:
-    case Verdict::InvalidPixels:
-    case Verdict::WrongChannels:
-    case Verdict::WrongSize:
-    case Verdict::Stale:
-    case Verdict::Unreadable:
-    case Verdict::NoOutput:
-    case Verdict::Timeout:
-    case Verdict::OutOfMemory:
-    case Verdict::Crash:
+    case VerdictKind::WrongImage:
+    case VerdictKind::NoImage:
       return is_known ? KnownFailure : Failure;
   }
   return Failure;

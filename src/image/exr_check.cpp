@@ -24,8 +24,8 @@ constexpr std::uint32_t kDeep = 0x800;
 constexpr std::uint32_t kMultipart = 0x1000;
 constexpr std::size_t kLongestName = 255;
 
-// Bytes of an attribute's value by its type. The library reads as many whatever size the file states, and
-// then goes on at another place than we.
+// Bytes of an attribute's value by its type. The library reads as many for every size that the file states,
+// and then goes on at another place than we.
 std::optional<std::size_t> size_of_type(std::string_view type) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), type) != names.end();
@@ -139,7 +139,7 @@ void check_attribute(std::string_view name, std::string_view type, std::string_v
     throw InputError(fmt::format("the EXR attribute '{}' ends inside a number", name));
   if (type == "stringvector") check_string_vector(value);
   if (type == "preview") check_preview(value);
-  // Compressed by a length of its own. Images that we compare need none.
+  // Compressed by its own length. Images that we compare need none.
   if (type == "idmanifest") throw InputError("the EXR file has an id manifest, which is not read");
 }
 

@@ -62,7 +62,7 @@ void fields(Visitor& visit, Record& file) {
   visit.required("suites", file.suites,
                  {.help = "`name`, `cases` and `references`: two folders; optional `data`"});
   visit.required("renderers", file.renderers, {.help = "The entries"});
-  visit("limits", file.limits, {.help = "Those of all renderers, where an entry has none of its own"});
+  visit("limits", file.limits, {.help = "Those of all renderers, where an entry states none"});
   visit("slurm", file.slurm, {.help = "For `orbs submit`: `partition`, `account`, `time`, `options`"});
   visit(
       "expected", file.expected,

@@ -69,7 +69,7 @@ void fields(Visitor& visit, Record& failure) {
          .unset = "it does not expire"});
   visit("measure", failure.measure,
         {.help = "The failed checks with their numbers, null for a check on no number",
-         .unset = "whatever fails is expected"});
+         .unset = "any failure is expected"});
 }
 
 /// Checks the entries that were read from "expected" of the object `in`, and notes their places. InputError

@@ -8,7 +8,7 @@
 namespace orbs::registry {
 
 /// Requirement numbers by group letter: {'M': {1, 2, 3}} are M1 to M3. A group with no numbers is one of
-/// which nothing is fulfilled, which differs from a group that is not mentioned. It is a type of its own, and
+/// which nothing is fulfilled, which differs from a group that is not mentioned. It is its own type, and
 /// no alias, so that the visitors of fields() find its to_text().
 struct FeatureSet : std::map<char, std::set<int>> {
   using map::map;

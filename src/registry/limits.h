@@ -23,7 +23,7 @@ void fields(Visitor& visit, Limits& limits) {
   // Below these the fault would be the limit's, whatever is rendered.
   constexpr json::Range kSeconds{0.01, json::kPositive.max};
   constexpr json::Range kMegabytes{1, 1 << 30};
-  constexpr std::string_view kAdvice = "or no render ends well; leave it out for no limit of its own";
+  constexpr std::string_view kAdvice = "or no render ends well; leave it out for that of all renderers";
   visit("wall_seconds", limits.wall_seconds,
         {.help = "Wall-clock time; then SIGTERM", .range = kSeconds, .advice = kAdvice, .unset = "600"});
   visit("cpu_seconds", limits.cpu_seconds,

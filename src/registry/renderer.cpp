@@ -143,8 +143,9 @@ void check_render_seconds(ObjectReader in, const RenderSeconds& seconds) {
 void check_timing(ObjectReader& in, const Timing& timing) {
   if (in.has("render_seconds")) check_render_seconds(in.object("render_seconds"), timing.render_seconds);
   std::set<std::string> names;
-  for (auto& rung : in.objects_or_none("cost_ladder"))
-    if (!names.insert(plain_name(rung, "name")).second) rung.fail("name", "is the name of an earlier rung");
+  for (auto& setting : in.objects_or_none("cost_sweep"))
+    if (!names.insert(plain_name(setting, "name")).second)
+      setting.fail("name", "is the name of an earlier setting");
 }
 
 Renderer variant_of(ObjectReader in, const Variant& variant, const Renderer& entry) {

@@ -201,23 +201,23 @@ void fields(Visitor& visit, Record& seconds) {
 }
 
 /// One quality of a renderer whose accuracy does not follow from its samples alone.
-struct QualityRung {
+struct SweepSetting {
   std::string name;
   int spp = 1;  // that the renderer gets
   SceneSettings scene_settings;
 };
 
-template <class Visitor, json::RecordOf<QualityRung> Record>
-void fields(Visitor& visit, Record& rung) {
-  visit.required("name", rung.name);
-  visit("spp", rung.spp, {.help = "Samples per pixel that the renderer gets", .range = {1, 1 << 24}});
-  visit("scene_settings", rung.scene_settings, {.help = "In place of those of the entry"});
+template <class Visitor, json::RecordOf<SweepSetting> Record>
+void fields(Visitor& visit, Record& setting) {
+  visit.required("name", setting.name);
+  visit("spp", setting.spp, {.help = "Samples per pixel that the renderer gets", .range = {1, 1 << 24}});
+  visit("scene_settings", setting.scene_settings, {.help = "In place of those of the entry"});
 }
 
 /// How its time is known, and what is rendered to see what accuracy costs.
 struct Timing {
   RenderSeconds render_seconds;
-  std::vector<QualityRung> cost_ladder;  // from cheap to accurate; none: more and more samples
+  std::vector<SweepSetting> cost_sweep;  // from cheap to accurate; none: more and more samples
 };
 
 template <class Visitor, json::RecordOf<Timing> Record>
@@ -225,7 +225,7 @@ void fields(Visitor& visit, Record& timing) {
   visit("render_seconds", timing.render_seconds,
         {.help =
              "Where it says its own render time: a `pattern` for its output, or a `file` and `key` in JSON"});
-  visit("cost_ladder", timing.cost_ladder,
+  visit("cost_sweep", timing.cost_sweep,
         {.help =
              "Qualities that `orbs cost` renders, from cheap to accurate, for a renderer whose accuracy does "
              "not follow from its samples alone: each has a `name`, `spp` and `scene_settings`",
@@ -257,7 +257,7 @@ void fields(Visitor& visit, Record& renderer) {
   fields(visit, renderer.timing);
 }
 
-/// A way to call the same program: a renderer of its own.
+/// A way to call the same program, as another renderer.
 struct Variant {
   std::string name;
   std::vector<std::string> arguments;
@@ -284,9 +284,8 @@ void fields(Visitor& visit, Record& entry) {
   visit("limits", entry.limits,
         {.help = "Of all processes of a render together, in place of those of the file"});
   visit("variants", entry.variants,
-        {.help =
-             "Ways to call the same program, each a renderer of its own in every table: `name`, `arguments`, "
-             "and `biased` in place of the entry's"});
+        {.help = "Ways to call the same program, each another renderer in every table: `name`, `arguments`, "
+                 "and `biased` in place of the entry's"});
 }
 
 /// The renderers that an entry stands for: one for each of its variants, or the entry itself without any.

@@ -10,33 +10,24 @@ namespace {
 
 using results::RunRecord;
 using results::TargetRecord;
-using results::Verdict;
 
 enum class Element { None, Failure, Error, Skipped };
 
 Element element_of(const TargetRecord& target) {
   if (!target.declared || target.expectation == results::Expectation::Known) return Element::Skipped;
   if (state_name(target) == results::kUnexpectedPass) return Element::Failure;
-  switch (target.verdict) {
-    case Verdict::Pass:
+  using results::VerdictKind;
+  switch (results::kind_of(target.verdict)) {
+    case VerdictKind::Pass:
       return Element::None;
-    case Verdict::Unsupported:
-    case Verdict::Skipped:
+    case VerdictKind::Unsupported:
+    case VerdictKind::Skipped:
       return Element::Skipped;
-    case Verdict::Inconclusive:
-    case Verdict::MissingReference:
-    case Verdict::Fail:
-    case Verdict::ConstantImage:
-    case Verdict::InvalidPixels:
-    case Verdict::WrongChannels:
-    case Verdict::WrongSize:
+    case VerdictKind::Inconclusive:
+    case VerdictKind::MissingReference:
+    case VerdictKind::WrongImage:
       return Element::Failure;
-    case Verdict::Stale:
-    case Verdict::Unreadable:
-    case Verdict::NoOutput:
-    case Verdict::Timeout:
-    case Verdict::OutOfMemory:
-    case Verdict::Crash:
+    case VerdictKind::NoImage:
       return Element::Error;
   }
   return Element::Error;

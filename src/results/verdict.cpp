@@ -66,27 +66,7 @@ bool is_decided(Verdict verdict) {
 }
 
 bool counts_as_failure(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Pass:
-    case Verdict::Unsupported:
-      return false;
-    case Verdict::Skipped:
-    case Verdict::Inconclusive:
-    case Verdict::MissingReference:
-    case Verdict::Fail:
-    case Verdict::ConstantImage:
-    case Verdict::InvalidPixels:
-    case Verdict::WrongChannels:
-    case Verdict::WrongSize:
-    case Verdict::Stale:
-    case Verdict::Unreadable:
-    case Verdict::NoOutput:
-    case Verdict::Timeout:
-    case Verdict::OutOfMemory:
-    case Verdict::Crash:
-      return true;
-  }
-  return true;
+  return verdict != Verdict::Pass && verdict != Verdict::Unsupported;
 }
 
 std::string_view expectation_name(Expectation expectation) {

@@ -44,6 +44,38 @@ inline constexpr std::array kVerdicts{Verdict::Pass,
                                       Verdict::OutOfMemory,
                                       Verdict::Crash};
 
+/// What is known after a verdict: of the renderer's image, or why there is none to speak of.
+enum class VerdictKind { Pass, Unsupported, Skipped, Inconclusive, MissingReference, WrongImage, NoImage };
+
+constexpr VerdictKind kind_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return VerdictKind::Pass;
+    case Verdict::Unsupported:
+      return VerdictKind::Unsupported;
+    case Verdict::Skipped:
+      return VerdictKind::Skipped;
+    case Verdict::Inconclusive:
+      return VerdictKind::Inconclusive;
+    case Verdict::MissingReference:
+      return VerdictKind::MissingReference;
+    case Verdict::Fail:
+    case Verdict::ConstantImage:
+    case Verdict::InvalidPixels:
+    case Verdict::WrongChannels:
+    case Verdict::WrongSize:
+      return VerdictKind::WrongImage;
+    case Verdict::Stale:
+    case Verdict::Unreadable:
+    case Verdict::NoOutput:
+    case Verdict::Timeout:
+    case Verdict::OutOfMemory:
+    case Verdict::Crash:
+      return VerdictKind::NoImage;
+  }
+  return VerdictKind::NoImage;
+}
+
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);
 

@@ -54,7 +54,7 @@ Resumption resumption_of(const Plan& plan,
                          const results::JobRecord& now,
                          const WorkFolders& folders);
 
-/// The render that was found, in an unfinished folder of its own, to be judged by what has changed. Nothing
+/// The render that was found, in its own unfinished folder, to be judged by what has changed. Nothing
 /// when its image is gone or cannot be read any more.
 std::optional<Execution> take_over(const results::JobRecord& found,
                                    const std::filesystem::path& folder,

@@ -29,7 +29,7 @@ namespace {
 using results::JobRecord;
 using results::TargetRecord;
 
-// In the order of the plan, whatever order the renders ended in.
+// In the order of the plan, not in that in which the renders ended.
 std::vector<TargetRecord> all_targets(const Plan& plan,
                                       std::vector<JudgedJob>& judged,
                                       const std::vector<JobRecord>& jobs,

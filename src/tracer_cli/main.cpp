@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -99,12 +100,20 @@ scene::Scene scene_for(const Options& options) {
 // The smallest trial renders 65,536 camera paths. An image of a sixteenth of that cannot win them back,
 // whatever they show.
 bool is_worth_a_trial(const Options& options, const scene::Scene& scene) {
-  constexpr double kFewestPaths = 4096;
-  return double{1} * scene.camera.width_px * scene.camera.height_px * options.render.samples_per_pixel >=
+  constexpr std::int64_t kFewestPaths = 4096;
+  const auto& camera = scene.camera;
+  return std::int64_t{1} * camera.width_px * camera.height_px * options.render.samples_per_pixel >=
          kFewestPaths;
 }
 
-void without_trials(const Options& options, tracer::World& world) {
+void choose_by_trials(const Options& options, tracer::World& world) {
+  const int threads = options.render.threads;
+  if (options.light_selection == "auto") tracer::choose_light_selection(world, threads);
+  if (options.light_paths == "auto") tracer::choose_light_paths(world, threads);
+  if (options.light_connections == "auto") tracer::choose_light_connections(world, threads);
+}
+
+void choose_without_trials(const Options& options, tracer::World& world) {
   if (options.light_selection == "auto") world.light_bvh = {};
   if (options.light_paths == "auto") world.caustic_casters = {};
 }
@@ -112,12 +121,10 @@ void without_trials(const Options& options, tracer::World& world) {
 // With the algorithms that trial renderings show to be better.
 tracer::World world_for(const Options& options, const scene::Scene& scene) {
   auto world = tracer::make_world(scene, world_settings(options, scene));
-  const int threads = options.render.threads;
-  const bool tries = is_worth_a_trial(options, scene);
-  if (!tries) without_trials(options, world);
-  if (tries && options.light_selection == "auto") tracer::choose_light_selection(world, threads);
-  if (tries && options.light_paths == "auto") tracer::choose_light_paths(world, threads);
-  if (tries && options.light_connections == "auto") tracer::choose_light_connections(world, threads);
+  if (is_worth_a_trial(options, scene))
+    choose_by_trials(options, world);
+  else
+    choose_without_trials(options, world);
   if (options.light_connections == "always")
     world.connects_light_vertices = tracer::supports_light_connections(world);
   // What the trial renderings met is no part of the image.

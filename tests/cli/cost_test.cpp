@@ -75,7 +75,7 @@ TEST(Cost, RefusesToGoOnOnAnotherMachine) {
 
 TEST(Cost, SweepsTheSettingsThatTheConfigurationLists) {
   const Sandbox sandbox;
-  sandbox.add_to_good(R"(, "cost_ladder": [{"name": "coarse", "spp": 3}, {"name": "fine", "spp": 9}])");
+  sandbox.add_to_good(R"(, "cost_sweep": [{"name": "coarse", "spp": 3}, {"name": "fine", "spp": 9}])");
   const auto answer = sandbox.orbs(cost({"--seeds", "2", "-o", "c"}));
   ASSERT_EQ(answer.status, 0) << answer.text;
   const auto record = record_of(sandbox, "c");

@@ -33,7 +33,7 @@ TEST(Stability, ARendererThatFollowsPasses) {
 }
 
 // The fake renderer's image is the same whatever the scene emits.
-TEST(Stability, ABreakEndsItsLadderAndIsShown) {
+TEST(Stability, ABreakEndsItsSweepAndIsShown) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs(stability({"--relation", "emission_up", "-o", "s"}));
   EXPECT_EQ(answer.status, 1) << answer.text;

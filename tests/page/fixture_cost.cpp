@@ -80,7 +80,7 @@ void add_renders(studies::CostRecord& record, studies::CostRender render, const 
   }
 }
 
-void add_ladder(studies::CostRecord& record, std::size_t t, std::size_t r) {
+void add_sweep(studies::CostRecord& record, std::size_t t, std::size_t r) {
   const auto model = model_of(t, r);
   studies::Sweep sweep{t, r, {}, "", model.bias_squared > 0 ? "block (8, 16) is too bright" : ""};
   studies::CostRender render{.target = t, .renderer = r, .purpose = studies::Purpose::FixedCost};
@@ -125,7 +125,7 @@ studies::CostRecord made_up_record() {
                               fmt::format("images/reference/{}.exr", kTargets.at(t)),
                               {kReferenceNoise, 0.1 * kReferenceNoise, decibels_of(kReferenceNoise)}});
   for (std::size_t t = 0; t < kTargets.size(); ++t)
-    for (std::size_t r = 0; r < kRenderers.size(); ++r) add_ladder(record, t, r);
+    for (std::size_t r = 0; r < kRenderers.size(); ++r) add_sweep(record, t, r);
   return record;
 }
 

@@ -36,7 +36,7 @@ StabilityStep broken_step(double magnitude) {
   return step;
 }
 
-void add_ladders(studies::StabilityRecord& record) {
+void add_sweeps(studies::StabilityRecord& record) {
   for (const auto scene : {kBox, kBlock})
     for (const double magnitude : {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9})
       record.steps.push_back(step_of(scene, kOrbs, kTranslate, magnitude));
@@ -67,7 +67,7 @@ void write_stability_study(const std::filesystem::path& folder) {
   record.relations = {{"translate_matrix", "the world moved, by its matrices", "m", true, false},
                       {"rotate", "world and camera turned", "", false, false},
                       {"ground", "a larger ground, times the other objects", "", true, false}};
-  add_ladders(record);
+  add_sweeps(record);
   for (const auto renderer : {kOrbs, kCycles})
     for (const auto scene : {kBox, kBlock}) {
       record.steps.push_back(step_of(scene, renderer, kRotate, 1));

@@ -1,4 +1,4 @@
-// The built-in tracer follows every relation, as far as tests have time: each at its first and, for ladders,
+// The built-in tracer follows every relation, as far as tests have time: each at its first and, for sweeps,
 // at a hard magnitude.
 #include "studies/effects/paired_difference.h"
 #include "studies/stability/images.h"

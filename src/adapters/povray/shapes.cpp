@@ -198,7 +198,7 @@ std::string quadric_text(const RevolvedQuadric& q) {
       quadric, q.y_high, -q.y_low, -r, q.y_low - 0.001 * r, -r, r, q.y_high + 0.001 * r, r);
 }
 
-// Forms that POV-Ray has a word of its own for.
+// Forms that POV-Ray has its own word for.
 struct OwnText {
   std::string operator()(const SphereForm& f) const {
     return fmt::format("sphere {{ {}, {}", vector(f.centre_m), f.radius_m);

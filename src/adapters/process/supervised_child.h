@@ -56,7 +56,7 @@ struct Pipes {
 /// or, as for test programs, in a folder above.
 std::vector<std::string> supervisor_command(const ProcessRequest& request);
 
-/// Starts that supervisor in a session of its own and closes its ends of the pipes here. Returns errno when
+/// Starts that supervisor in its own session and closes its ends of the pipes here. Returns errno when
 /// it cannot be started, else 0. Makes us a child subreaper (prctl(2)): what a supervisor leaves behind when
 /// it is killed becomes our child.
 int start_supervisor(const ProcessRequest& request, Pipes& pipes, pid_t& pid);

@@ -8,7 +8,7 @@
 namespace orbs::run {
 
 /// Reads everything that the settings choose. `program_folder` is the folder of the orbs program. InputError
-/// for whatever is wrong: files, filters that choose nothing, a gate of an unknown metric, a renderer that is
+/// for all that is wrong: files, filters that choose nothing, a gate of an unknown metric, a renderer that is
 /// named but not installed, an executable that cannot be executed. Nothing need be installed for renderers
 /// that are elsewhere.
 Plan make_plan(const registry::Configuration& configuration,

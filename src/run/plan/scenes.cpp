@@ -195,7 +195,7 @@ std::string why_not_at_size(const Plan& plan,
     if (!planned->size_problem.empty()) return prefix + planned->size_problem;
     if (!command_has_size && !adapters::native_scene(renderer, planned->file, name).empty())
       return fmt::format(
-          "{}the hand-written scene '{}' has a size of its own, as the command does not use "
+          "{}the hand-written scene '{}' sets its own size, as the command does not use "
           "{{width}} and {{height}}",
           prefix, name);
     if (const auto problem = mask_problem(one_case, target, planned->scene->camera); !problem.empty())

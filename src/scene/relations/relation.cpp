@@ -143,6 +143,6 @@ const std::vector<Relation>& relations() {
   return kAll;
 }
 
-bool is_ladder(const std::vector<double>& magnitudes) { return magnitudes != std::vector<double>{1}; }
+bool is_sweep(const std::vector<double>& magnitudes) { return magnitudes != std::vector<double>{1}; }
 
 }  // namespace orbs::scene

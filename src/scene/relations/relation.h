@@ -42,6 +42,6 @@ struct Relation {
 const std::vector<Relation>& relations();
 
 /// A relation with more than one magnitude, or with one that is not 1.
-bool is_ladder(const std::vector<double>& magnitudes);
+bool is_sweep(const std::vector<double>& magnitudes);
 
 }  // namespace orbs::scene

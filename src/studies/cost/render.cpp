@@ -103,7 +103,7 @@ std::vector<CostSubject> load_cost_subjects(const run::Plan& plan, const std::fi
 namespace {
 
 run::ChosenRenderer with_settings(run::ChosenRenderer renderer, const std::string& setting) {
-  for (const auto& quality : renderer.entry.timing.cost_ladder)
+  for (const auto& quality : renderer.entry.timing.cost_sweep)
     if (quality.name == setting)
       for (const auto& [name, value] : quality.scene_settings) renderer.entry.format.settings[name] = value;
   return renderer;
@@ -136,7 +136,7 @@ std::optional<CostRender> measured_render(const CostMeasurement& study,
   const auto folder = study.scratch.path() / "render";
   run::make_way(folder);
   // What settings ask for may cost as much in few pixels as in many, so the fixed cost is that of the first.
-  const auto& listed = chosen.entry.timing.cost_ladder;
+  const auto& listed = chosen.entry.timing.cost_sweep;
   // Some renderers refuse fewer samples than the independent blocks that they are told to make. The 128
   // samples of 4 x 4 px take less than a millisecond.
   constexpr int kFixedSpp = 8;

@@ -179,7 +179,7 @@ void describe_renderers(CostMeasurement& study) {
   for (const auto& chosen : study.plan.renderers)
     study.record.renderers.push_back(
         {chosen.entry.name, run::renderer_version(chosen, study.plan, {.say = study.context.say}),
-         chosen.entry.timing.cost_ladder.empty() ? SweepOf::Samples : SweepOf::Settings,
+         chosen.entry.timing.cost_sweep.empty() ? SweepOf::Samples : SweepOf::Settings,
          chosen.entry.sampling.biased});
 }
 

@@ -157,7 +157,7 @@ namespace {
 
 std::vector<SweepSetting> listed_settings(const registry::Renderer& entry) {
   std::vector<SweepSetting> settings;
-  for (const auto& quality : entry.timing.cost_ladder) settings.push_back({quality.name, quality.spp});
+  for (const auto& quality : entry.timing.cost_sweep) settings.push_back({quality.name, quality.spp});
   return settings;
 }
 

@@ -34,7 +34,7 @@ std::vector<results::Definition> stability_definitions() {
        "above pixels_bound. no image: the renderer ends "
        "without one. inconclusive: the standard error of the mean is above 0.25 %. not applicable: the scene "
        "has nothing that the relation changes"},
-      {"held_to", "of a ladder: the magnitude up to which all scenes held without a break before"},
+      {"held_to", "of a sweep: the magnitude up to which all scenes held without a break before"},
       {"decades", "the absolute logarithm to base ten of held_to"},
   };
 }

@@ -7,15 +7,15 @@ namespace orbs::studies {
 
 namespace {
 
-// Distance of a magnitude from one, in decades: the same for a ladder upwards and one downwards.
+// Distance of a magnitude from one, in decades: the same for a sweep upwards and one downwards.
 double decades_of(double magnitude) { return std::fabs(std::log10(magnitude)); }
 
 bool is_break(const StabilityStep& step) {
   return step.outcome == StepOutcome::Breaks || step.outcome == StepOutcome::NoImage;
 }
 
-// What the steps of one ladder say, which follow each other in the record from the easiest to the hardest.
-struct Ladder {
+// What the steps of one sweep say, which follow each other in the record from the easiest to the hardest.
+struct MagnitudeSweep {
   std::optional<double> held_to;
   std::optional<std::size_t> first_break;
   bool is_measured = false;
@@ -23,33 +23,33 @@ struct Ladder {
   bool is_inconclusive = false;
 };
 
-Ladder ladder_of(const StabilityRecord& record, std::size_t scene, const StabilityCell& cell) {
-  Ladder ladder;
+MagnitudeSweep sweep_of(const StabilityRecord& record, std::size_t scene, const StabilityCell& cell) {
+  MagnitudeSweep sweep;
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
     const auto& step = record.steps[i];
     if (step.scene != scene || step.renderer != cell.renderer || step.relation != cell.relation ||
         step.outcome == StepOutcome::NotApplicable)
       continue;
-    ladder.is_measured = true;
-    ladder.is_bit_equal = ladder.is_bit_equal && step.is_bit_equal;
-    if (step.outcome == StepOutcome::Inconclusive) ladder.is_inconclusive = true;
-    if (is_break(step) && !ladder.first_break) ladder.first_break = i;
-    if (step.outcome == StepOutcome::Holds && !ladder.first_break && !ladder.is_inconclusive)
-      ladder.held_to = step.magnitude;
+    sweep.is_measured = true;
+    sweep.is_bit_equal = sweep.is_bit_equal && step.is_bit_equal;
+    if (step.outcome == StepOutcome::Inconclusive) sweep.is_inconclusive = true;
+    if (is_break(step) && !sweep.first_break) sweep.first_break = i;
+    if (step.outcome == StepOutcome::Holds && !sweep.first_break && !sweep.is_inconclusive)
+      sweep.held_to = step.magnitude;
   }
-  return ladder;
+  return sweep;
 }
 
-void add(const StabilityRecord& record, const Ladder& ladder, StabilityCell& cell) {
-  const bool is_ladder = record.relations[cell.relation].is_ladder;
-  cell.inconclusive += ladder.is_inconclusive && !ladder.first_break ? 1 : 0;
-  const double held = ladder.held_to ? decades_of(*ladder.held_to) : 0;
-  if (is_ladder && (!cell.decades || held < *cell.decades)) {
+void add(const StabilityRecord& record, const MagnitudeSweep& sweep, StabilityCell& cell) {
+  const bool is_sweep = record.relations[cell.relation].is_sweep;
+  cell.inconclusive += sweep.is_inconclusive && !sweep.first_break ? 1 : 0;
+  const double held = sweep.held_to ? decades_of(*sweep.held_to) : 0;
+  if (is_sweep && (!cell.decades || held < *cell.decades)) {
     cell.decades = held;
-    cell.held_to = ladder.held_to;
+    cell.held_to = sweep.held_to;
   }
-  if (!ladder.first_break) return;
-  const auto& step = record.steps[*ladder.first_break];
+  if (!sweep.first_break) return;
+  const auto& step = record.steps[*sweep.first_break];
   if (!cell.first_break || decades_of(step.magnitude) < decades_of(cell.first_break->magnitude))
     cell.first_break = FirstBreak{step.magnitude, record.scenes[step.scene].name, step.outcome,
                                   step.confidence, step.reason};
@@ -68,11 +68,11 @@ std::vector<StabilityCell> stability_cells(const StabilityRecord& record) {
       cell.renderer_name = record.renderers[renderer].name;
       cell.is_bit_equal = true;
       for (std::size_t scene = 0; scene < record.scenes.size(); ++scene) {
-        const auto ladder = ladder_of(record, scene, cell);
-        if (!ladder.is_measured) continue;
+        const auto sweep = sweep_of(record, scene, cell);
+        if (!sweep.is_measured) continue;
         ++cell.scenes;
-        cell.is_bit_equal = cell.is_bit_equal && ladder.is_bit_equal;
-        add(record, ladder, cell);
+        cell.is_bit_equal = cell.is_bit_equal && sweep.is_bit_equal;
+        add(record, sweep, cell);
       }
       cell.is_bit_equal = cell.is_bit_equal && cell.scenes > 0;
       cells.push_back(cell);

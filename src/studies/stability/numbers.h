@@ -34,8 +34,8 @@ struct StabilityCell {
   std::string relation_name;
   std::string renderer_name;
   int scenes = 0;                 // on which it was measured
-  std::optional<double> held_to;  // of a ladder: the magnitude up to which it held on all of them
-  std::optional<double> decades;  // of a ladder: |log10| of that; 0 if the first step broke
+  std::optional<double> held_to;  // of a sweep: the magnitude up to which it held on all of them
+  std::optional<double> decades;  // of a sweep: |log10| of that; 0 if the first step broke
   std::optional<FirstBreak> first_break;
   bool is_bit_equal = false;  // all steps of all scenes are
   int inconclusive = 0;       // scenes whose noise hides what happens

@@ -58,7 +58,7 @@ struct StabilityRelationRecord {
   std::string name;
   std::string change;
   std::string unit;
-  bool is_ladder = false;
+  bool is_sweep = false;
   bool is_exact = false;
 };
 
@@ -67,7 +67,7 @@ void fields(Visitor& visit, Record& relation) {
   visit.required("name", relation.name);
   visit("change", relation.change);
   visit("unit", relation.unit);
-  visit("is_ladder", relation.is_ladder);
+  visit("is_sweep", relation.is_sweep);
   visit("is_exact", relation.is_exact);
 }
 

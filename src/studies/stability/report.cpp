@@ -29,13 +29,13 @@ std::string cell_text(const StabilityRecord& record, const StabilityCell& cell) 
   if (cell.first_break) {
     const auto& step = *cell.first_break;
     const std::string what = step.outcome == StepOutcome::NoImage ? "no image" : "breaks";
-    if (!relation.is_ladder)
+    if (!relation.is_sweep)
       text = what;
     else if (cell.held_to)
       text = fmt::format("to {}; {} at {}", text_of(*cell.held_to), what, text_of(step.magnitude));
     else
       text = fmt::format("{} at {}", what, text_of(step.magnitude));
-  } else if (relation.is_ladder) {
+  } else if (relation.is_sweep) {
     text = cell.held_to ? fmt::format("all, to {}", text_of(*cell.held_to)) : "";
   } else if (cell.inconclusive < cell.scenes) {
     text = "holds";
@@ -62,7 +62,7 @@ std::vector<TableRow> break_rows(const StabilityRecord& record) {
     const auto& first = *cell.first_break;
     const auto& relation = record.relations[cell.relation];
     rows.push_back({cell.renderer_name, relation.name,
-                    relation.is_ladder ? magnitude_text(first.magnitude, relation.unit) : "", first.scene,
+                    relation.is_sweep ? magnitude_text(first.magnitude, relation.unit) : "", first.scene,
                     first.reason});
   }
   return rows;

@@ -165,7 +165,7 @@ bool climb(StabilityMeasurement& study,
       const auto related =
           missing.empty() ? relation.apply(scene, magnitude) : scene::Related{std::string(missing)};
       if (const auto* reason = std::get_if<std::string>(&related)) {
-        // A ladder may end at what the scene format allows; that says nothing of the renderer.
+        // A sweep may end at what the scene format allows; that says nothing of the renderer.
         if (magnitude != relation.magnitudes.front()) return true;
         made.outcome = StepOutcome::NotApplicable;
         made.reason = *reason;
@@ -197,7 +197,7 @@ void describe(StabilityMeasurement& study) {
   for (const auto& relation : study.request.relations) {
     const auto& one = relation.of_scenes;
     record.relations.push_back({std::string(one.name), std::string(one.change), std::string(one.unit),
-                                scene::is_ladder(one.magnitudes), one.is_exact});
+                                scene::is_sweep(one.magnitudes), one.is_exact});
   }
 }
 

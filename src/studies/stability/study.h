@@ -19,7 +19,7 @@ struct StabilityRequest {
 };
 
 /// Renders each scene of the plan and its changed forms with each renderer, in pairs of the same seed. A
-/// ladder ends after two steps in a row that break. Writes the record into the folder as it goes on, scene
+/// sweep ends after two steps in a row that break. Writes the record into the folder as it goes on, scene
 /// files of steps that break, and images of the first. `record` holds what an interrupted study of the same
 /// plan had measured: no step is made twice. is_finished is false when the user interrupts.
 StabilityRecord measure_stability(const run::Plan& plan,

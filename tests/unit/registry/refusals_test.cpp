@@ -88,7 +88,7 @@ TEST(Limits, ThatEveryRenderBreaksAreRefused) {
     for (const char* few : {"0", "1e-9"})
       expect_part(limit_refusal(std::string("\"") + key + "\": " + few),
                   std::string("/renderers/0/limits/") + key +
-                      ": must be at least 1, or no render ends well; leave it out for no limit");
+                      ": must be at least 1, or no render ends well; leave it out for that of all renderers");
   for (const char* key : {"wall_seconds", "cpu_seconds"})
     expect_part(
         limit_refusal(std::string("\"") + key + "\": 1e-300"),

@@ -39,7 +39,7 @@ bool is_sure(const PairedDifference& found) {
   return found.mean.confidence >= kSure || found.largest.confidence >= kSure;
 }
 
-// A ladder of three scenes' steps by one renderer: scene 0 holds, scene 1 breaks at 1e3, scene 2 has nothing.
+// A sweep of three scenes' steps by one renderer: scene 0 holds, scene 1 breaks at 1e3, scene 2 has nothing.
 StabilityRecord made_up() {
   StabilityRecord record;
   record.is_finished = true;
@@ -127,7 +127,7 @@ TEST(StabilityCells, CountTheDecadesOfTheWorstScene) {
   EXPECT_TRUE(cells[1].is_bit_equal);
 }
 
-// A ladder whose noise hides a step cannot count what comes after it.
+// A sweep whose noise hides a step cannot count what comes after it.
 TEST(StabilityCells, StopAtAStepThatIsInconclusive) {
   auto record = made_up();
   for (auto& step : record.steps)

@@ -117,7 +117,7 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
   );
   if (!relation || steps.length === 0) return null;
   const titleOf = (step: StabilityStep): string => {
-    const at = relation.is_ladder ? ` at ${magnitudeText(step.magnitude, relation.unit)}` : "";
+    const at = relation.is_sweep ? ` at ${magnitudeText(step.magnitude, relation.unit)}` : "";
     return `${study.scenes[step.scene]?.name}${at}`;
   };
   return (

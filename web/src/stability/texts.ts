@@ -17,11 +17,11 @@ export function cellText(cell: StabilityCell, relation: StabilityRelationRecord)
   const exact = cell.bit_equal ? ", to the bit" : "";
   if (broken) {
     const what = broken.outcome === "no image" ? "no image" : "breaks";
-    if (!relation.is_ladder) return what;
+    if (!relation.is_sweep) return what;
     return `${held === undefined ? "" : `to ${text(held)}; `}${what} at ${text(broken.magnitude)}`;
   }
   if (cell.inconclusive >= cell.scenes) return "inconclusive";
-  if (!relation.is_ladder) return `holds${exact}`;
+  if (!relation.is_sweep) return `holds${exact}`;
   return held === undefined ? "inconclusive" : `all, to ${text(held)}${exact}`;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t triangle_count(const TreeParameters& p) {
 }
 
 /// A fir with its foot in the origin: an open trunk, then from bottom to top `tiers` closed cones of 4 points
-/// triangles each. Facets are flat: each triangle has vertices of its own. u runs around the trunk or cone, v
+/// triangles each. Facets are flat: triangles share no vertices. u runs around the trunk or cone, v
 /// upwards, both in [0, 1].
 Mesh make_tree(const TreeParameters& parameters);
 
