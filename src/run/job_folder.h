@@ -6,8 +6,8 @@
 namespace orbs::run {
 
 /// Prepares the folder of a render for the files that orbs writes there afterwards, over all that the
-/// renderer has left: removes what is no regular file under a name of ours (a folder called job.json), and makes sure
-/// that the folder exists and can be written to. WriteError when the disk refuses.
+/// renderer has left: removes what is no regular file under a name of ours (a folder called job.json), and
+/// makes sure that the folder exists and can be written to. WriteError when the disk refuses.
 void make_room(const std::filesystem::path& folder);
 
 /// Removes all that is there under this name. InputError if something stays.
