@@ -14,6 +14,8 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -65,7 +67,7 @@ void print_measurement(const metrics::Measurement& measurement, bool definitions
 
 void print_json(const CompareOptions& options,
                 const metrics::Comparison& comparison,
-                const std::string& bias,
+                const std::vector<std::string>& remarks,
                 bool is_within) {
   json::Writer out;
   out.begin_object().member("format", "orbs-comparison/1").member("image", options.first);
@@ -88,7 +90,9 @@ void print_json(const CompareOptions& options,
     out.end_object();
   }
   out.end_array();
-  if (!bias.empty()) out.member("bias", bias);
+  out.key("remarks").begin_array();
+  for (const auto& remark : remarks) out.value(remark);
+  out.end_array();
   if (!options.metric.empty()) out.member("within_tolerance", is_within);
   print_raw(stdout, out.end_object().text());
 }
@@ -118,15 +122,15 @@ int compare_files(CompareOptions options) {
     make_folder(options.maps);
     judge::write_maps(first, comparison, options.maps);
   }
-  const auto bias = metrics::bias_message(pair.noise);
+  const auto remarks = metrics::bias_remarks(pair.noise);
   const bool is_within =
       options.metric.empty() || !is_beyond(options, metrics::value_of(comparison, options.metric));
   if (options.as_json) {
-    print_json(options, comparison, bias, is_within);
+    print_json(options, comparison, remarks, is_within);
     return is_within ? 0 : 1;
   }
   for (const auto& measurement : comparison.measurements) print_measurement(measurement, options.definitions);
-  if (!bias.empty()) print_clean("{}\n", bias);
+  for (const auto& remark : remarks) print_clean("{}\n", remark);
   if (is_within) return 0;
   print_clean("beyond the tolerance: {}{}{}\n", options.metric,
               options.min ? fmt::format(", at least {} is needed", *options.min) : "",

@@ -37,7 +37,7 @@ std::string finished_line(std::size_t done,
       if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
   }
   const auto state = state_name(verdict, expectation);
-  const bool good = state == verdict_name(results::Verdict::Pass);
+  const bool good = results::passes(verdict) && expectation == results::Expectation::None;
   auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
                           fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
                           good && targets.empty() ? "rendered" : state, report::decibels(psnr),

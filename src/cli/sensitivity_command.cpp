@@ -1,3 +1,4 @@
+#include "base/files.h"
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
@@ -5,6 +6,9 @@
 #include "registry/image_size.h"
 #include "run/plan/make_plan.h"
 #include "studies/qualify/reports.h"
+
+#include <filesystem>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -16,22 +20,29 @@ struct SensitivityOptions {
   RunOptions run;
   std::string renderer = "orbs";
   int threads = 0;
+  std::string counts;
   studies::SensitivitySettings study;
 };
 
 void add_options(const command_line::Command& command, SensitivityOptions& options) {
   constexpr int kMostThreads = 1024;
-  constexpr int kMostControls = 10000;
+  constexpr int kMostRenders = 1000;
   add_settings(command, options.run, {"suite", "case", "scene", "size", "sandbox"});
   command.add_option("-r,--renderer", options.renderer, "Renderer of the control images").shows_default();
   command
-      .add_option("--controls", options.study.controls,
-                  "Control images of each scene; the first becomes the mutants")
-      .range(1, kMostControls)
+      .add_option("--renders", options.study.renders,
+                  "Renders of each scene with half its samples; each two of them are a control image")
+      .range(2, kMostRenders)
       .shows_default();
+  command.add_flag("!--no-faults", options.study.faults,
+                   "Judge the control images alone; else the first becomes the slightly wrong images");
   command.add_option("--spp-scale", options.study.spp_scale, "Multiply the samples per pixel of the cases")
       .above_zero()
       .shows_default();
+  command.add_option(
+      "--counts", options.counts,
+      "CSV file that gets a line for each kind of noise: control images judged, inconclusive, called "
+      "wrong");
   command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
 }
 
@@ -45,7 +56,14 @@ int measure(const command_line::Command& command,
   settings.jobs = 1;
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
-  print_clean("{}", studies::sensitivity_text(studies::measure_sensitivity(plan, options.study, context)));
+  const auto images = studies::measure_sensitivity(plan, options.study, context);
+  print_clean("{}", studies::sensitivity_text(images));
+  if (!options.counts.empty() && !is_stopped(context)) {
+    auto text = std::filesystem::exists(options.counts) ? read_file(options.counts)
+                                                        : std::string(studies::kControlsCsvHead);
+    text += studies::controls_csv(plan.suite.name, registry::size_text(plan.settings.size_divisor), images);
+    write_file(options.counts, text);
+  }
   return is_stopped(context) ? kInterrupted : 0;
 }
 

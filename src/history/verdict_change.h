@@ -21,6 +21,7 @@ namespace verdict_change_table {
 /// The rows and columns of the table. Failure: every verdict from fail to crash.
 enum Group : std::size_t {
   Pass,
+  PassWithRemarks,
   UnexpectedPass,
   Unsupported,
   Skipped,
@@ -37,6 +38,7 @@ constexpr Group group_of(State state) {
   const bool is_known = state.expectation == Expectation::Known;
   switch (results::kind_of(state.verdict)) {
     case VerdictKind::Pass:
+      if (state.verdict == results::Verdict::PassWithRemarks) return PassWithRemarks;
       return state.expectation == Expectation::News ? UnexpectedPass : Pass;
     case VerdictKind::Unsupported:
       return Unsupported;
@@ -55,24 +57,24 @@ constexpr Group group_of(State state) {
 
 /// A row for the state before, a column for the state after, in the order of Group.
 ///   =  the same
-///   +  better: it passes now
-///   -  worse: it counts as a failure and did not before, or is known to fail and passed before, or nothing
-///      is said of it any more (unsupported, missing reference)
+///   +  better: it passes now, or has no remarks any more
+///   -  worse: it counts as a failure and did not before, or is known to fail and passed before, or has
+///      remarks now, or nothing is said of it any more (unsupported, missing reference)
 ///   ~  neither: noise decides between pass and inconclusive; a failure that was accepted is the same image;
 ///      whether a pass is unexpected says the configuration
 ///   v  by the order of the verdicts, the later the worse; of one verdict, ~ where it was accepted
 ///   0  not rendered in one of the runs: nothing can be said
-inline constexpr std::array<std::string_view, 9> kTable{
-    // p u n s i m f k K
-    "=~-0~----",  // pass
-    "~=-0~----",  // unexpected pass
-    "++=0---~~",  // unsupported
-    "000000000",  // skipped
-    "~~-0=--~-",  // inconclusive
-    "++-0~=-~~",  // missing reference
-    "++-0~-v~v",  // failure
-    "++-0---=-",  // known, inconclusive
-    "++-0---~v",  // known failure
+inline constexpr std::array<std::string_view, 10> kTable{
+    "=-~-0~----",  // pass
+    "+=~-0~----",  // pass with remarks
+    "~-=-0~----",  // unexpected pass
+    "+++=0---~~",  // unsupported
+    "0000000000",  // skipped
+    "~~~-0=--~-",  // inconclusive
+    "+++-0~=-~~",  // missing reference
+    "+++-0~-v~v",  // failure
+    "+++-0---=-",  // known, inconclusive
+    "+++-0---~v",  // known failure
 };
 
 }  // namespace verdict_change_table

@@ -192,11 +192,26 @@ std::vector<std::string> gate_metrics(const Case& one_case) {
   return names;
 }
 
+// The same where checks alone judge, of which two expect different colours: one colour is then no noise,
+// whatever variances the image states.
+void refuse_constant_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
+  const registry::PixelCheck* first = nullptr;
+  bool expects_several = false;
+  for (const auto& check : one_case.pixel_checks) {
+    if (check.target != record.target || !check.not_measured.empty()) continue;
+    if (first == nullptr) first = &check;
+    expects_several = expects_several || check.expected != first->expected;
+  }
+  if (expects_several && is_constant(image::select_rgb(result, "").pixels))
+    take(record, Verdict::ConstantImage, "every pixel has the same colour, and the checks expect several");
+}
+
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.
 void judge_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
   if (refuse_negative(one_case, metrics::count_faults(result, negatives_of(one_case, record.target)), record))
     return;
   take_worst(check_conditions(one_case, result, record), record);
+  refuse_constant_by_checks(one_case, result, record);
   const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(),
                                        [](const Check& check) { return check.measured; });
   take(record, is_measured ? Verdict::Pass : Verdict::Inconclusive,
@@ -290,6 +305,8 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
   take_worst(std::move(checked), record);
   refuse_constant(pair, record);
   refuse_copy(pair, record);
+  if (record.verdict == Verdict::Pass && !record.remarks.empty())
+    take(record, Verdict::PassWithRemarks, record.remarks.front());
   return comparison;
 }
 

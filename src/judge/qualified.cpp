@@ -26,11 +26,20 @@ struct Largest {
 
 std::string limit_text(const std::optional<double>& limit) { return limit ? fmt::format("{}", *limit) : "-"; }
 
-// Every number of the case that the verdict on this target depends on, one condition a line.
+// Gates that every case has are the program's, like the definitions of its metrics.
+bool is_default(const registry::Gate& gate) {
+  const auto defaults = registry::default_gates();
+  return std::any_of(defaults.begin(), defaults.end(), [&](const registry::Gate& other) {
+    return other.metric == gate.metric && other.min == gate.min && other.max == gate.max;
+  });
+}
+
+// Every number of the case itself that the verdict on this target depends on, one condition a line.
 std::string conditions_text(const registry::Case& one_case, const std::string& target) {
   std::string text;
   for (const auto& gate : one_case.gates)
-    text += fmt::format("gate {} {} {}\n", gate.metric, limit_text(gate.min), limit_text(gate.max));
+    if (!is_default(gate))
+      text += fmt::format("gate {} {} {}\n", gate.metric, limit_text(gate.min), limit_text(gate.max));
   for (const auto& mask : one_case.masks)
     if (mask.target == target)
       for (const auto& rectangle : mask.rectangles)

@@ -10,9 +10,9 @@
 /// What the stored qualification of gates says about a case as it is now.
 namespace orbs::judge {
 
-/// Hash of all that decides the verdict on an image of the target: the gates, masks, pixel checks and path
-/// shares of the case, whether it allows negative values, and the bytes of the target's references. What the
-/// case says in prose is not in it. A missing reference counts as empty.
+/// Hash of all by which the case decides the verdict on an image of the target: its own gates, masks, pixel
+/// checks and path shares, whether it allows negative values, and the bytes of the target's references. What
+/// the case says in prose is not in it. A missing reference counts as empty.
 std::string gate_hash(const registry::Case& one_case,
                       const std::string& target,
                       const std::filesystem::path& references);

@@ -39,8 +39,8 @@ Comparison compare(const ImagePair& pair, const MetricSelection& selection) {
   for (const MetricInfo& metric : kMetrics) {
     if (!is_wanted(metric, selection)) continue;
     MetricResult computed = metric.compute(pair);
-    comparison.measurements.push_back(
-        {&metric, computed.value, computed.where, computed.low, computed.high, computed.absence});
+    comparison.measurements.push_back({&metric, computed.value, computed.where, computed.low, computed.high,
+                                       computed.absence, computed.what});
     if (!metric.map.name.empty() && !has_map(comparison, metric.map.name))
       comparison.maps.push_back({metric.map, std::move(computed.map)});
   }

@@ -73,6 +73,12 @@ std::string residual_text(const SmoothResidual& residual) {
                      100 * std::sqrt(residual.bias_squared.value / residual.reference_squared));
 }
 
+std::string squares_text(const NoiseTest& test) {
+  return fmt::format(
+      "bias: noise explains {:.3g} of the mean squared error, {:.3g} is left ({:.3g} to {:.3g})",
+      test.noise_squared, test.bias_squared.value, test.bias_squared.low, test.bias_squared.high);
+}
+
 std::string correlation_text(const Correlation& correlation) {
   return fmt::format(
       "the errors of pixels ({}, {}) apart are correlated by {:.2g}: a filter wider than a pixel, a denoiser, "
@@ -94,19 +100,18 @@ std::vector<std::string> bias_remarks(const NoiseTest& test) {
   std::vector<std::string> remarks;
   if (mean_error(test))
     remarks.push_back(fmt::format("bias: the means differ by more than noise: {}", ratios_text(test)));
-  if (test.pattern) remarks.push_back(fmt::format("bias: the image is {}", describe(*test.pattern)));
+  if (!test.patterns.empty())
+    remarks.push_back(fmt::format("bias: the image is {}", describe(test.patterns.front())));
   if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
   if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));
   if (test.correlation) remarks.push_back(correlation_text(*test.correlation));
+  if (remarks.empty() && is_square_biased_beyond_edges(test)) remarks.push_back(squares_text(test));
   return remarks;
 }
 
 std::string bias_message(const NoiseTest& test) {
   if (const auto remarks = bias_remarks(test); !remarks.empty()) return remarks.front();
-  if (is_square_biased(test))
-    return fmt::format(
-        "bias: noise explains {:.3g} of the mean squared error, {:.3g} is left ({:.3g} to {:.3g})",
-        test.noise_squared, test.bias_squared.value, test.bias_squared.low, test.bias_squared.high);
+  if (is_square_biased(test)) return squares_text(test);
   return "";
 }
 

@@ -25,8 +25,8 @@ std::string describe(const Measurement& measurement, const Limits& limits);
 std::string lightness_text(const Interval& deviation);
 
 /// What the tests see beyond noise, one text each, the plainest first; empty for an image that is only noisy.
-/// A reader must be told this of an image that passes, too. The squares everywhere are left out: images of
-/// two correct renderers differ at the edges of objects.
+/// A reader must be told this of an image that passes, too. The squares count where
+/// nothing else is said and they are more than antialiasing makes at the edges of objects.
 std::vector<std::string> bias_remarks(const NoiseTest& test);
 
 /// The first of the remarks, or else the squares. "" when no test sees a bias.

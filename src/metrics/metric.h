@@ -25,6 +25,7 @@ struct MetricResult {
   std::optional<double> low = {};       // ends of its interval, where it has one
   std::optional<double> high = {};
   Absence absence = Absence::Undefined;  // where there is no value
+  std::string what = {};                 // what the number is of, in words, where its name does not say it
 };
 
 /// The error map that a metric leaves behind.
@@ -83,6 +84,7 @@ struct Measurement {
   std::optional<double> low = {};
   std::optional<double> high = {};
   Absence absence = Absence::Undefined;
+  std::string what = {};
 };
 
 /// Mean of error(result sample, reference sample) over the three channels of the included pixels, and the

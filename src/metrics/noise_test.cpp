@@ -146,6 +146,20 @@ double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& 
   return sum / static_cast<double>(count);
 }
 
+double edge_square(const PairSamples& samples) {
+  constexpr double kEdge_px = 0.15;
+  double sum = 0;
+  for (int y = 0; y < samples.height; ++y)
+    for (int x = 0; x < samples.width; ++x) {
+      if (samples.included[samples.pixel_at(x, y)] == 0) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double error = kEdge_px * reference_step(samples, x, y, c);
+        sum += error * error;
+      }
+    }
+  return sum / (3 * static_cast<double>(samples.included_count));
+}
+
 void split_by_variances(const PairSamples& samples,
                         const PixelVariances& all,
                         const std::vector<std::uint8_t>& smooth,
@@ -207,6 +221,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
   test.reference_squared = mean_square(samples, samples.included);
+  test.edge_squared = edge_square(samples);
   const auto smooth = smooth_pixels(samples);
   if (test.source == NoiseSource::Scatter) {
     split_by_scatter(samples, test);
@@ -214,7 +229,8 @@ NoiseTest test_noise(const PairSamples& samples) {
     split_by_variances(samples, variances, smooth, test);
   }
   test.blocks = score_blocks(samples, kPerTest);
-  test.pattern = strongest_pattern(samples, kPerTest);
+  test.windows = window_errors(samples);
+  test.patterns = find_patterns(samples, kPerTest);
   test.correlation = strongest_correlation(samples, smooth, kPerTest);
   test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest);
   if (test.source == NoiseSource::Variances) test.pixels = score_pixels(samples);
@@ -239,6 +255,10 @@ std::optional<Interval> mean_error(const NoiseTest& test) {
 
 bool is_square_biased(const NoiseTest& test) {
   return test.bias_squared.low > kNegligible * kNegligible * test.reference_squared;
+}
+
+bool is_square_biased_beyond_edges(const NoiseTest& test) {
+  return is_square_biased(test) && test.bias_squared.low > test.edge_squared;
 }
 
 bool holds_reference_noise(const NoiseTest& test) {

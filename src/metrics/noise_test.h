@@ -7,9 +7,11 @@
 #include "metrics/pair_samples.h"
 #include "metrics/patterns.h"
 #include "metrics/residual.h"
+#include "metrics/window_error.h"
 
 #include <array>
 #include <optional>
+#include <vector>
 
 /// Is an image wrong, or only noisy? Statistics of result - reference in linear Rec.709, from the variances
 /// of the mean that the images carry in "variance.R/G/B".
@@ -57,9 +59,12 @@ struct NoiseTest {
   double noise_squared = 0;              // the MSE that the noise of both images explains
   Interval bias_squared;                 // what is left of the MSE; below zero by chance
   double reference_squared = 0;          // mean square of the reference, the measure of what is negligible
+  double edge_squared = 0;               // mean square of what edges make that lie 0.15 px away
   std::optional<SmoothResidual> smooth;  // by variances only; nothing with fewer than 1000 smooth pixels
   BlockScores blocks;
-  std::optional<PatternFinding> pattern;
+  WindowErrors windows;
+  /// Every pattern whose whole interval lies beyond what is negligible, that which stands out most first.
+  std::vector<PatternFinding> patterns;
   std::optional<Correlation> correlation;
   std::optional<PixelScores> pixels;     // by the result's variances only
   std::optional<Interval> shared_noise;  // share of the reference's own noise that the result holds
@@ -75,6 +80,9 @@ NoiseTest test_noise(const image::Image& result,
 
 /// Whether bias_squared is above zero for sure, and above what is negligible.
 bool is_square_biased(const NoiseTest& test);
+
+/// The same where it is also more than antialiasing on a grid makes at edges, so that a reader is to be told.
+bool is_square_biased_beyond_edges(const NoiseTest& test);
 
 /// The same away from edges, where correct renderers do not differ.
 bool is_residual(const NoiseTest& test);

@@ -1,6 +1,7 @@
 #include "metrics/pair_samples.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -105,6 +106,17 @@ PairSamples pair_samples(const image::Image& result,
   if (samples.result_variance.empty()) samples.noise_source = NoiseSource::Scatter;
   set_variance_ratio(samples);
   return samples;
+}
+
+double reference_step(const PairSamples& samples, int x, int y, std::size_t channel) {
+  const auto value = [&](int u, int v) {
+    const int inside_u = std::clamp(u, 0, samples.width - 1);
+    const int inside_v = std::clamp(v, 0, samples.height - 1);
+    return static_cast<double>(samples.reference[3 * samples.pixel_at(inside_u, inside_v) + channel]);
+  };
+  const double here = value(x, y);
+  return std::max(std::fabs(value(x - 1, y) - here), std::fabs(value(x + 1, y) - here)) +
+         std::max(std::fabs(value(x, y - 1) - here), std::fabs(value(x, y + 1) - here));
 }
 
 bool has_stokes(const image::Image& image) {

@@ -67,53 +67,64 @@ constexpr auto kDegrees = AmplitudeUnit::Degrees;  // the amplitude is in radian
 // and soften edges by a few hundredths of a pixel.
 constexpr double kNegligibleShift_px = 0.05;
 constexpr double kNegligibleShare = 2e-3;
+// 0.6 of 2 % (of 64 px, and of saturation), of one degree, and of half a pixel.
+constexpr double kMostLight = 0.012;
+constexpr double kMostHue = 0.6 * std::numbers::pi / 180;
+constexpr double kMostShift_px = 0.3;
 
 constexpr std::array kRows{
     Row{{"brighter towards the right edge and darker towards the left",
-         "brighter towards the left edge and darker towards the right", kPercent, kNegligibleShare},
+         "brighter towards the left edge and darker towards the right", kPercent, kNegligibleShare,
+         kMostLight},
         [](const Site& s) { return scaled(s.ring, s.x); }},
     Row{{"brighter towards the lower edge and darker towards the upper",
-         "brighter towards the upper edge and darker towards the lower", kPercent, kNegligibleShare},
+         "brighter towards the upper edge and darker towards the lower", kPercent, kNegligibleShare,
+         kMostLight},
         [](const Site& s) { return scaled(s.ring, s.y); }},
-    Row{{"brighter towards the corners", "darker towards the corners", kPercent, kNegligibleShare},
+    Row{{"brighter towards the corners", "darker towards the corners", kPercent, kNegligibleShare,
+         kMostLight},
         [](const Site& s) { return scaled(s.ring, 0.75 * (s.x * s.x + s.y * s.y - 2.0 / 3)); }},
-    Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare},
+    Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare, kMostLight},
         [](const Site& s) { return minus(s.ring, 1); }},
-    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare},
+    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, 2 * kMostLight},
         [](const Site& s) { return scaled(s.ring, std::max(0.0, 1 - 2 * s.luminance)); }},
-    Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare},
+    Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare,
+         2 * kMostLight},
         [](const Site& s) { return scaled(s.ring, s.luminance > 2 ? 1 : 0); }},
-    Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare},
+    Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare,
+         kMostLight / 2},
         [](const Site&) {
           return Rgb{1, 1, 1};
         }},
-    Row{{"of more saturated colours", "of less saturated colours", kPercent, 2 * kNegligibleShare},
+    Row{{"of more saturated colours", "of less saturated colours", kPercent, 2 * kNegligibleShare,
+         kMostLight},
         [](const Site& s) { return minus(s.ring, s.luminance); },
         true},
     Row{{"turned in hue from red towards green", "turned in hue from green towards red", kDegrees,
-         2 * kNegligibleShare},
+         2 * kNegligibleShare, kMostHue},
         [](const Site& s) { return turned_in_hue(s.ring); },
         true},
-    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px},
+    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px, kMostShift_px},
         [](const Site& s) { return s.slope_x; }},
-    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px},
+    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px, kMostShift_px},
         [](const Site& s) { return s.slope_y; }},
-    Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10},
+    Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10, 0,
+         kMostShift_px},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_x, s.slope_y, s.from_centre_y); }},
     Row{{"rotated clockwise about its middle", "rotated anticlockwise about its middle", kDegrees,
-         kNegligibleShare / 10},
+         kNegligibleShare / 10, 0, kMostShift_px},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_y, s.slope_y, -s.from_centre_x); }},
-    Row{{"softer", "sharper", kPercent, 0.05}, [](const Site& s) { return s.bend; }},
-    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare},
+    Row{{"softer", "sharper", kPercent, 0.05, 0.3}, [](const Site& s) { return s.bend; }},
+    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare, kMostLight},
         [](const Site& s) { return times_logarithm(s.ring); }},
     Row{{"striped: every second column is brighter", "striped: every second column is brighter", kPercent,
-         kNegligibleShare},
+         kNegligibleShare, kMostLight},
         [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column)); }},
     Row{{"striped: every second row is brighter", "striped: every second row is brighter", kPercent,
-         kNegligibleShare},
+         kNegligibleShare, kMostLight},
         [](const Site& s) { return scaled(s.ring, sign(s.is_odd_row)); }},
     Row{{"chequered: every second pixel is brighter", "chequered: every second pixel is brighter", kPercent,
-         kNegligibleShare},
+         kNegligibleShare, kMostLight},
         [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column != s.is_odd_row)); }},
 };
 
@@ -198,43 +209,73 @@ AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double
   return sums;
 }
 
-// Sums over blocks of one pattern.
+// The sums of one pattern over all blocks.
 struct Total {
   double product = 0;
   double norm = 0;
-  PooledVariance variance;  // of `product`
+  PooledVariance of_noise;      // of `product` where the amplitude is zero: the blocks' products squared
+  PooledVariance of_remainder;  // of `product` where it is what it is: what the pattern leaves of each block
+
+  double amplitude() const { return product / norm; }
 };
 
-std::optional<PatternFinding> finding_of(const Row& row, const Total& total, double probability) {
-  if (!(total.variance.sum > 0) || !(total.norm > 0)) return std::nullopt;
-  const double deviation = std::sqrt(total.variance.sum);
-  const double reach = student_quantile(probability, total.variance.degrees()) * deviation / total.norm;
-  const double amplitude = total.product / total.norm;
-  if (std::fabs(amplitude) - reach <= row.pattern.negligible) return std::nullopt;
-  return PatternFinding{&row.pattern, amplitude, amplitude - reach, amplitude + reach,
-                        std::fabs(total.product) / deviation};
+Total total_of(const std::vector<AllSums>& blocks, std::size_t row) {
+  Total total;
+  for (const auto& block : blocks) {
+    total.product += block.at(row).product;
+    total.norm += block.at(row).norm;
+  }
+  if (!(total.norm > 0)) return total;
+  for (const auto& block : blocks) {
+    const auto& [product, norm] = block.at(row);
+    const double left = product - total.amplitude() * norm;
+    total.of_noise.add(product * product);
+    total.of_remainder.add(left * left);
+  }
+  return total;
+}
+
+double most_of(const Pattern& pattern, const PairSamples& samples) {
+  return pattern.most > 0 ? pattern.most
+                          : pattern.most_at_edge_px * 2 / std::max(samples.width, samples.height);
+}
+
+// Whether there is a pattern at all is tested by the scatter that the blocks have without one. How large it
+// is follows from what it leaves of each block: the scatter holds the pattern itself, however certain it is.
+std::optional<PatternFinding> finding_of(const Row& row,
+                                         const Total& total,
+                                         double probability,
+                                         const PairSamples& samples) {
+  if (!(total.of_noise.sum > 0) || !(total.norm > 0)) return std::nullopt;
+  const auto reach = [&](const PooledVariance& variance) {
+    return student_quantile(probability, variance.degrees()) * std::sqrt(variance.sum) / total.norm;
+  };
+  const double amplitude = total.amplitude();
+  if (std::fabs(amplitude) - reach(total.of_noise) <= row.pattern.negligible) return std::nullopt;
+  const double of_size = reach(total.of_remainder);
+  const double certain = std::max(0.0, std::fabs(amplitude) - of_size);
+  return PatternFinding{.pattern = &row.pattern,
+                        .amplitude = amplitude,
+                        .low = amplitude - of_size,
+                        .high = amplitude + of_size,
+                        .z = std::fabs(total.product) / std::sqrt(total.of_noise.sum),
+                        .excess = certain / most_of(row.pattern, samples)};
 }
 
 }  // namespace
 
-std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, double false_alarms) {
+std::vector<PatternFinding> find_patterns(const PairSamples& samples, double false_alarms) {
   const double mean = mean_luminance(samples);
-  if (!(mean > 0)) return std::nullopt;  // black, or a difference of images, which has no mean level
-  std::array<Total, kRows.size()> totals{};
-  for (const Rectangle& block : blocks_of(samples)) {
-    const AllSums sums = sums_of_block(samples, block, mean);
-    for (std::size_t i = 0; i < kRows.size(); ++i) {
-      totals.at(i).product += sums.at(i).product;
-      totals.at(i).norm += sums.at(i).norm;
-      totals.at(i).variance.add(sums.at(i).product * sums.at(i).product);
-    }
-  }
-  std::optional<PatternFinding> strongest;
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    const auto finding = finding_of(kRows.at(i), totals.at(i), false_alarms / kRows.size());
-    if (finding && (!strongest || finding->z > strongest->z)) strongest = finding;
-  }
-  return strongest;
+  if (!(mean > 0)) return {};  // black, or a difference of images, which has no mean level
+  std::vector<AllSums> blocks;
+  for (const Rectangle& block : blocks_of(samples)) blocks.push_back(sums_of_block(samples, block, mean));
+  std::vector<PatternFinding> findings;
+  for (std::size_t i = 0; i < kRows.size(); ++i)
+    if (const auto finding =
+            finding_of(kRows.at(i), total_of(blocks, i), false_alarms / kRows.size(), samples))
+      findings.push_back(*finding);
+  std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
+  return findings;
 }
 
 std::string describe(const PatternFinding& finding) {

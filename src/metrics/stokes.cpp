@@ -1,9 +1,12 @@
 #include "metrics/stokes.h"
 
+#include "base/statistics.h"
 #include "image/colour.h"
 #include "metrics/describe.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -33,6 +36,66 @@ double mean_square_of_blocks(const PairSamples& samples,
   return squares / static_cast<double>(samples.included_count);
 }
 
+// Of one parameter and block.
+struct ScaleSums {
+  double product = 0;  // ring x (result - reference)
+  double norm = 0;     // ring x reference
+};
+
+ScaleSums scale_sums(const PairSamples& samples,
+                     const Rectangle& block,
+                     const std::vector<float>& result,
+                     const std::vector<float>& reference) {
+  ScaleSums sums;
+  for (int y = std::max(block.y0, 1); y < std::min(block.y1, samples.height - 1); ++y)
+    for (int x = std::max(block.x0, 1); x < std::min(block.x1, samples.width - 1); ++x) {
+      const auto pixel = samples.pixel_at(x, y);
+      if (samples.included[pixel] == 0) continue;
+      double ring = 0;
+      for (int v = y - 1; v <= y + 1; ++v)
+        for (int u = x - 1; u <= x + 1; ++u)
+          if (u != x || v != y) ring += luminance_of(reference, samples.pixel_at(u, v)) / 8;
+      const double own = luminance_of(reference, pixel);
+      sums.product += ring * (luminance_of(result, pixel) - own);
+      sums.norm += ring * own;
+    }
+  return sums;
+}
+
+// As the amplitude of a pattern (patterns.h): found against the scatter of blocks, sized by what is left of
+// it.
+std::optional<StokesScale> scale_of(const PairSamples& samples,
+                                    const std::vector<float>& result,
+                                    const std::vector<float>& reference) {
+  constexpr double kFirmness = 4;  // the reference's sum over its scatter from block to block
+  constexpr double kFalseAlarms = 1e-4 / 3;
+  std::vector<ScaleSums> blocks;
+  double product = 0;
+  double norm = 0;
+  double norm_squares = 0;
+  for (const Rectangle& block : blocks_of(samples)) {
+    blocks.push_back(scale_sums(samples, block, result, reference));
+    product += blocks.back().product;
+    norm += blocks.back().norm;
+    norm_squares += blocks.back().norm * blocks.back().norm;
+  }
+  if (!(norm > kFirmness * std::sqrt(norm_squares))) return std::nullopt;
+  const double off = product / norm;
+  PooledVariance of_noise;
+  PooledVariance of_remainder;
+  for (const auto& block : blocks) {
+    const double left = block.product - off * block.norm;
+    of_noise.add(block.product * block.product);
+    of_remainder.add(left * left);
+  }
+  const auto reach = [&](const PooledVariance& variance) {
+    return student_quantile(kFalseAlarms, variance.degrees()) * std::sqrt(variance.sum) / norm;
+  };
+  StokesScale scale{.ratio = 1 + off};
+  if (std::fabs(off) > reach(of_noise)) scale.certain = std::max(0.0, std::fabs(off) - reach(of_remainder));
+  return scale;
+}
+
 }  // namespace
 
 std::optional<double> stokes_error(const PairSamples& samples) {
@@ -50,6 +113,18 @@ std::optional<double> stokes_error(const PairSamples& samples) {
   return std::sqrt(squares) / (light / static_cast<double>(samples.included_count));
 }
 
+std::optional<StokesScale> stokes_scale(const PairSamples& samples) {
+  if (!samples.result_stokes || !samples.reference_stokes) return std::nullopt;
+  std::optional<StokesScale> worst;
+  for (std::size_t i = 0; i < samples.reference_stokes->size(); ++i) {
+    auto scale = scale_of(samples, samples.result_stokes->at(i), samples.reference_stokes->at(i));
+    if (!scale || (worst && scale->certain <= worst->certain)) continue;
+    scale->parameter = static_cast<int>(i) + 1;
+    worst = scale;
+  }
+  return worst;
+}
+
 MetricResult compute_stokes_error(const ImagePair& pair) {
   MetricResult result{stokes_error(pair)};
   if (!pair.reference_stokes)
@@ -57,6 +132,20 @@ MetricResult compute_stokes_error(const ImagePair& pair) {
   else if (!pair.result_stokes)
     result.absence = Absence::MissingInResult;
   return result;
+}
+
+MetricResult compute_stokes_scale_error(const ImagePair& pair) {
+  const auto scale = stokes_scale(pair);
+  if (!scale) return {.value = std::nullopt, .absence = Absence::NothingInReference};
+  return {.value = scale->certain,
+          .what = fmt::format("S{} is {:.3g} times what it should be", scale->parameter, scale->ratio)};
+}
+
+std::string describe_stokes_scale_error(const Measurement& measurement, const Limits& limits) {
+  if (!measurement.value) return "no Stokes parameter of the reference stands out from its noise";
+  constexpr double kPercent = 100;
+  return fmt::format("{}, {:.3g} % off or more for certain, {}", measurement.what,
+                     kPercent * *measurement.value, limits_text(limits, kPercent, " %"));
 }
 
 std::string describe_stokes_error(const Measurement& measurement, const Limits& limits) {

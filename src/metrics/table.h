@@ -11,6 +11,7 @@
 #include "metrics/ssim.h"
 #include "metrics/ssim_jeri.h"
 #include "metrics/stokes.h"
+#include "metrics/window_numbers.h"
 #include "metrics/worst_tile.h"
 
 #include <array>
@@ -41,8 +42,13 @@ inline constexpr std::array kMetrics{
     kMeanRatioG,
     kMeanRatioB,
     kLocalBias,
+    kWindowError8,
+    kWindowError16,
+    kWindowError64,
+    kPatternError,
     kEdgeBlur,
     kStokesError,
+    kStokesScaleError,
     kNoiseSquared,
     kBiasSquared,
     kSharedNoise,

@@ -84,7 +84,8 @@ void check_expected(json::ObjectReader& in,
 struct RunKind {
   std::string suite;
   SizeDivisor size = FullSize;
-  std::string day;  // on which it was started, "2026-11-25"
+  std::string day;      // on which it was started, "2026-11-25"
+  bool strict = false;  // it accepts no remarks that are not expected
 };
 
 /// The entries of a target. Both are nullptr if there is none.

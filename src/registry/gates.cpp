@@ -35,12 +35,19 @@ std::vector<Gate> default_gates() {
   constexpr double kMeanRatio = 0.007;
   constexpr double kTileRatio = 0.1;
   constexpr double kEdgeBlur = 0.2;
+  // 0.6 of the errors that are promised to be refused, 5 % and 2 %: noise may hide 0.4 of them.
+  constexpr double kSmallWindow = 0.03;
+  constexpr double kLargeWindow = 0.012;
   return {{"psnr_srgb8", kPsnr_db, {}},
           {"mean_ratio_r", -kMeanRatio, kMeanRatio},
           {"mean_ratio_g", -kMeanRatio, kMeanRatio},
           {"mean_ratio_b", -kMeanRatio, kMeanRatio},
           {"local_bias", {}, kTileRatio},
-          {"edge_blur", -kEdgeBlur, kEdgeBlur}};
+          {"edge_blur", -kEdgeBlur, kEdgeBlur},
+          {"window_error_8px", {}, kSmallWindow},
+          {"window_error_16px", {}, kSmallWindow},
+          {"window_error_64px", {}, kLargeWindow},
+          {"pattern_error", {}, 1}};
 }
 
 std::vector<Gate> load_gates(json::ObjectReader& in) {

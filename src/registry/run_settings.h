@@ -29,6 +29,7 @@ struct RunSettings {
   double spp_scale = 1;
   SizeDivisor size_divisor = FullSize;
   bool log = true;       // keep log.txt of renders that passed, too
+  bool strict = false;   // a pass with remarks makes the run fail
   bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
   bool view = false;  // serve the page at the end and open it in the browser
@@ -78,6 +79,7 @@ void fields(Visitor& visit, Settings& run) {
          .option = "--size SHARE"});
   visit("log", run.log,
         {.help = "Keep `log.txt` of every render, not only of those that fail", .option = "-l,--log"});
+  visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
   visit("sandbox", run.sandbox,
         {.help = "Run renderers under bubblewrap: no network, no references, only their own folder writable",
          .option = "--sandbox"});

@@ -38,10 +38,13 @@ constexpr std::size_t kRunning = kWaiting + 1;
 constexpr std::size_t kKnownFailure = kWaiting + 2;
 constexpr std::size_t kUnexpectedPass = kWaiting + 3;
 
-std::vector<State> all_states() {
+// A pass with remarks is a failure of a strict run only.
+std::vector<State> all_states(bool is_strict) {
   std::vector<State> states;
   for (const auto verdict : results::kVerdicts)
-    states.push_back({results::verdict_name(verdict), results::counts_as_failure(verdict)});
+    states.push_back(
+        {results::verdict_name(verdict),
+         results::counts_as_failure(verdict) || (is_strict && verdict == results::Verdict::PassWithRemarks)});
   states.insert(
       states.end(),
       {{"waiting", false}, {"running", false}, {results::kKnown, false}, {results::kUnexpectedPass, true}});
@@ -221,7 +224,7 @@ Overview overview_of(const RunView& view) {
   Names renderers{renderer_names};
   add_cells(view, overview, cases, renderers);
   overview.run = info_of(view);
-  overview.states = all_states();
+  overview.states = all_states(run.strict);
   for (const auto& name : renderer_names) overview.renderers.push_back(renderer_of(run, name));
   overview.left_out = run.left_out;
   for (const auto& name : case_names) overview.cases.push_back(case_of(run, name));

@@ -30,7 +30,7 @@ using results::Verdict;
 std::string_view ansi_colour(Verdict verdict, Expectation expectation) {
   if (expectation == Expectation::Known) return colour::kGreen;
   if (expectation == Expectation::News) return colour::kRed;
-  if (verdict == Verdict::Pass) return colour::kGreen;
+  if (passes(verdict)) return colour::kGreen;
   if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return colour::kFaint;
   return verdict == Verdict::Inconclusive ? colour::kYellow : colour::kRed;
 }
@@ -179,7 +179,8 @@ bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
 std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   std::vector<SharedVerdict> told;
   for (const auto& target : run.targets) {
-    if (state_name(target) == verdict_name(Verdict::Pass) || target.verdict == Verdict::Skipped) continue;
+    const bool is_fine = passes(target.verdict) && target.expectation == Expectation::None;
+    if (is_fine || target.verdict == Verdict::Skipped) continue;
     if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target); }))
       told.push_back({&target, {target.requirement}, {target.target}});
   }

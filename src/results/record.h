@@ -87,6 +87,7 @@ struct RunRecord {
   std::string suite;
   std::string size = "1";     // of the images: "1/4" for a quarter of the scenes' width and height
   std::string plan;           // id of its plan.json; "" for a run of an orbs that knew no shards
+  bool strict = false;        // a pass with remarks makes it fail
   std::string shard = "1/1";  // the part of the renders that this run does
   std::string folder;         // absolute; not stored, because the folder may be moved
   std::string name;           // of the folder, for people; not stored either
@@ -112,6 +113,7 @@ void fields(Visitor& visit, Record& run) {
   visit("suite", run.suite);
   visit("size", run.size);
   visit("plan", run.plan);
+  visit("strict", run.strict);
   visit("shard", run.shard);
   visit("orbs_version", run.orbs_version);
   visit("command_line", run.command_line);

@@ -12,6 +12,8 @@ std::string_view verdict_name(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:
       return "pass";
+    case Verdict::PassWithRemarks:
+      return "pass with remarks";
     case Verdict::Unsupported:
       return "unsupported";
     case Verdict::Skipped:
@@ -65,9 +67,7 @@ bool is_decided(Verdict verdict) {
          verdict != Verdict::MissingReference;
 }
 
-bool counts_as_failure(Verdict verdict) {
-  return verdict != Verdict::Pass && verdict != Verdict::Unsupported;
-}
+bool counts_as_failure(Verdict verdict) { return !passes(verdict) && verdict != Verdict::Unsupported; }
 
 std::string_view expectation_name(Expectation expectation) {
   switch (expectation) {

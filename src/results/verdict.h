@@ -10,6 +10,7 @@ namespace orbs::results {
 /// verdict among them.
 enum class Verdict {
   Pass,
+  PassWithRemarks,   // every limit is kept, and a test sees an error for certain
   Unsupported,       // the renderer does not declare it, or cannot be given the scene
   Skipped,           // the run ended before its turn
   Inconclusive,      // the gate cannot tell: too much noise, or a reference that does not show its subject
@@ -27,22 +28,12 @@ enum class Verdict {
   Crash,             // could not start, was killed by a signal, or ended with an exit code
 };
 
-inline constexpr std::array kVerdicts{Verdict::Pass,
-                                      Verdict::Unsupported,
-                                      Verdict::Skipped,
-                                      Verdict::Inconclusive,
-                                      Verdict::MissingReference,
-                                      Verdict::Fail,
-                                      Verdict::ConstantImage,
-                                      Verdict::InvalidPixels,
-                                      Verdict::WrongChannels,
-                                      Verdict::WrongSize,
-                                      Verdict::Stale,
-                                      Verdict::Unreadable,
-                                      Verdict::NoOutput,
-                                      Verdict::Timeout,
-                                      Verdict::OutOfMemory,
-                                      Verdict::Crash};
+inline constexpr std::array kVerdicts{
+    Verdict::Pass,          Verdict::PassWithRemarks,  Verdict::Unsupported, Verdict::Skipped,
+    Verdict::Inconclusive,  Verdict::MissingReference, Verdict::Fail,        Verdict::ConstantImage,
+    Verdict::InvalidPixels, Verdict::WrongChannels,    Verdict::WrongSize,   Verdict::Stale,
+    Verdict::Unreadable,    Verdict::NoOutput,         Verdict::Timeout,     Verdict::OutOfMemory,
+    Verdict::Crash};
 
 /// What is known after a verdict: of the renderer's image, or why there is none to speak of.
 enum class VerdictKind { Pass, Unsupported, Skipped, Inconclusive, MissingReference, WrongImage, NoImage };
@@ -50,6 +41,7 @@ enum class VerdictKind { Pass, Unsupported, Skipped, Inconclusive, MissingRefere
 constexpr VerdictKind kind_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:
+    case Verdict::PassWithRemarks:
       return VerdictKind::Pass;
     case Verdict::Unsupported:
       return VerdictKind::Unsupported;
@@ -76,6 +68,9 @@ constexpr VerdictKind kind_of(Verdict verdict) {
   return VerdictKind::NoImage;
 }
 
+/// Whether every gate and check holds, with or without remarks.
+constexpr bool passes(Verdict verdict) { return kind_of(verdict) == VerdictKind::Pass; }
+
 /// "pass", "no output", ...
 std::string_view verdict_name(Verdict verdict);
 
@@ -92,14 +87,15 @@ Verdict worse(Verdict a, Verdict b);
 /// missing reference.
 bool is_decided(Verdict verdict);
 
-/// True for every verdict that makes a run end with status 1: all but pass and unsupported.
+/// True for every verdict that makes a run end with status 1: all but passes and unsupported.
 bool counts_as_failure(Verdict verdict);
 
 /// How a verdict compares with the failures that the configuration expects.
 enum class Expectation {
   None,   // no failure is expected
   Known,  // it is the failure that is expected, which makes no run fail
-  News,   // a failure is expected, but this is another one, a much worse one, or a pass
+  News,   // a failure is expected, but this is another one, a much worse one, or a pass; or the run is strict
+          // and the pass has remarks
 };
 
 inline constexpr std::array kExpectations{Expectation::None, Expectation::Known, Expectation::News};

@@ -30,10 +30,12 @@ using results::Measure;
 using results::TargetRecord;
 using results::Verdict;
 
-// A run that ended early and a reference that is missing say nothing of the renderer.
+// A run that ended early and a reference that is missing say nothing of the renderer. Remarks can be known
+// where a strict run is to accept them.
 bool can_be_expected(Verdict verdict) {
-  return results::counts_as_failure(verdict) && verdict != Verdict::Skipped &&
-         verdict != Verdict::MissingReference;
+  return verdict == Verdict::PassWithRemarks ||
+         (results::counts_as_failure(verdict) && verdict != Verdict::Skipped &&
+          verdict != Verdict::MissingReference);
 }
 
 void refuse_unknown_verdict(const ExpectedFailure& entry) {
@@ -163,7 +165,7 @@ std::string known_text(const TargetRecord& target, const ExpectedFailure& entry)
   return fmt::format("{}; better than {} accepts ({}): accept it anew", entry.reason, entry.place, better);
 }
 
-void mark_target(const registry::FoundExpected& found, TargetRecord& target) {
+void mark_target(const registry::FoundExpected& found, bool is_strict, TargetRecord& target) {
   target.expectation = Expectation::None;
   target.expected.clear();
   if (!target.declared) return;
@@ -171,13 +173,18 @@ void mark_target(const registry::FoundExpected& found, TargetRecord& target) {
     set_news(target, fmt::format("{} accepted it until {} and has expired ({})", expired->place,
                                  expired->until->text, expired->reason));
   const auto* entry = found.counting;
-  if (entry == nullptr) return;
-  if (target.verdict == Verdict::Pass) {
+  if (entry == nullptr) {
+    if (is_strict && target.verdict == Verdict::PassWithRemarks)
+      set_news(target, "a strict run accepts no remarks");
+    return;
+  }
+  const bool is_known = results::verdict_name(target.verdict) == entry->verdict;
+  if (passes(target.verdict) && !is_known) {
     set_news(target, fmt::format("it passes, but {} expects '{}' ({}): remove the entry", entry->place,
                                  entry->verdict, entry->reason));
   } else if (!can_be_expected(target.verdict)) {
     return;
-  } else if (results::verdict_name(target.verdict) != entry->verdict) {
+  } else if (!is_known) {
     set_news(target, fmt::format("{} expects '{}'", entry->place, entry->verdict));
   } else if (const auto news = news_of_checks(target, *entry); !news.empty()) {
     set_news(target, news);
@@ -188,7 +195,7 @@ void mark_target(const registry::FoundExpected& found, TargetRecord& target) {
 }
 
 registry::RunKind kind_of(const results::RunRecord& run) {
-  return {run.suite, registry::size_divisor(run.size), registry::day_of(run.started)};
+  return {run.suite, registry::size_divisor(run.size), registry::day_of(run.started), run.strict};
 }
 
 std::string version_of(const Versions& versions, const std::string& renderer) {
@@ -218,7 +225,7 @@ void mark_expected(const std::vector<ExpectedFailure>& expected,
                     ? registry::FoundExpected{}
                     : registry::find_expected(expected, target.renderer,
                                               version_of(versions, target.renderer), target.target, run),
-                target);
+                run.strict, target);
   }
 }
 
@@ -264,6 +271,7 @@ std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run,
   std::vector<ExpectedFailure> accepted;
   for (const auto& target : run.targets) {
     if (!target.declared || !can_be_expected(target.verdict)) continue;
+    if (target.verdict == Verdict::PassWithRemarks && !run.strict) continue;
     auto entry = accepted_failure(target, run);
     entry.reason = reason;
     if (target.expectation == Expectation::Known) {

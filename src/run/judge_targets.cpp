@@ -92,10 +92,11 @@ struct Judged {
   judge::Reference reference;
 };
 
-// The image judged by another reference that its case accepts, if it passes by one.
+// The image judged by another reference that its case accepts, if it passes by one with a better verdict.
 std::optional<Judged> passed_by_accepted(const Plan& plan,
                                          const PlannedTarget& planned,
                                          const image::Image& result,
+                                         Verdict verdict,
                                          const WorkFolders& folders) {
   const auto& one_case = plan.cases[planned.one_case];
   const auto scene = std::find_if(one_case.scenes.begin(), one_case.scenes.end(),
@@ -108,7 +109,7 @@ std::optional<Judged> passed_by_accepted(const Plan& plan,
     if (!judged.reference.image) continue;
     auto& record = judged.record;
     judge::judge_image(one_case, result, judged.reference, judge_settings(plan, planned), record);
-    if (record.verdict != Verdict::Pass) continue;
+    if (!passes(record.verdict) || record.verdict >= verdict) continue;
     record.remarks.push_back(fmt::format("judged by the reference of '{}', which is accepted, too: {}",
                                          accepted.reference, accepted.reason));
     record.reference_image =
@@ -130,8 +131,9 @@ void judge_target(const Plan& plan,
   auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
                                          plan.reference_hashes, folders.references);
   if (!judge::judge_image(one_case, result, reference, judge_settings(plan, planned), record)) return;
-  if (auto judged = record.verdict == Verdict::Pass ? std::nullopt
-                                                    : passed_by_accepted(plan, planned, result, folders)) {
+  if (auto judged = record.verdict == Verdict::Pass
+                        ? std::nullopt
+                        : passed_by_accepted(plan, planned, result, record.verdict, folders)) {
     judged->record.image = record.image;
     record = std::move(judged->record);
     reference = std::move(judged->reference);

@@ -138,7 +138,8 @@ JudgedJob judged(Session& session, std::size_t index, Execution execution) {
   make_folder(folders.unfinished / job.folder);
   auto targets = judge_scene(session.plan, index, execution, folders);
   const auto& plan = session.plan;
-  mark_expected(plan.expected, {plan.suite.name, plan.settings.size_divisor, session.context.day},
+  mark_expected(plan.expected,
+                {plan.suite.name, plan.settings.size_divisor, session.context.day, plan.settings.strict},
                 {{record.identity.renderer, record.program.version}}, targets);
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(record, targets));
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);

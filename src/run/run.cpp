@@ -81,6 +81,7 @@ results::RunRecord record_at_start(const Plan& plan,
   results::RunRecord record;
   record.suite = plan.suite.name;
   record.size = registry::size_text(plan.settings.size_divisor);
+  record.strict = plan.settings.strict;
   record.plan = plan.id;
   record.shard = registry::shard_text(context.file.shard);
   record.folder = folder.string();

@@ -69,7 +69,7 @@ std::string measured_features(const std::vector<results::RequirementRecord>& req
       continue;
     }
     auto& levels = measured[code.group];
-    if (cell->second.verdict == Verdict::Pass) levels.insert(code.level);
+    if (passes(cell->second.verdict)) levels.insert(code.level);
   }
   return registry::format_features(measured, undecided);
 }

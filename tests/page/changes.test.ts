@@ -6,6 +6,7 @@ import type { Overview } from "../../web/src/data/generated";
 
 const kStates = [
   "pass",
+  "pass with remarks",
   "unsupported",
   "inconclusive",
   "fail",
@@ -49,6 +50,10 @@ test("a pass that is a known failure now is worse, and so is a known failure tha
   assert.equal(kindOfStates("pass", "unexpected pass"), "changed");
   assert.equal(kindOfStates("known", "unexpected pass"), "better");
   assert.equal(kindOfStates("crash", "fail"), "better");
+  assert.equal(kindOfStates("pass", "pass with remarks"), "worse");
+  assert.equal(kindOfStates("pass with remarks", "pass"), "better");
+  assert.equal(kindOfStates("pass with remarks", "inconclusive"), "changed");
+  assert.equal(kindOfStates("pass with remarks", "fail"), "worse");
 });
 
 test("an error of the other sign is not better", () => {

@@ -170,7 +170,7 @@ void judge_last_settings(CostMeasurement& study) {
     if (entry.sampling.is_noise_free) settings.result_noise = metrics::ResultNoise::NoiseFree;
     judge::judge_image(*subject.one_case, image::read_image(file), {{}, subject.reference, ""}, settings,
                        judged);
-    sweep.finding = judged.verdict == results::Verdict::Pass ? "" : judged.reason;
+    sweep.finding = results::passes(judged.verdict) ? "" : judged.reason;
     for (const auto& remark : judged.remarks) sweep.finding += (sweep.finding.empty() ? "" : "; ") + remark;
   }
 }

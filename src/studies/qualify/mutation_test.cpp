@@ -124,7 +124,7 @@ GateRecord mutation_test(const MutationSubject& subject) {
   gate.case_name = subject.one_case.name;
   gate.target = subject.target;
   const auto control = judged(subject, subject.control);
-  gate.accepts_control = control.verdict == Verdict::Pass;
+  gate.accepts_control = results::passes(control.verdict);
   gate.control_reason = fmt::format("{}: {}{}{}", results::verdict_name(control.verdict), control.reason,
                                     control.remarks.empty() ? "" : "; ", fmt::join(control.remarks, "; "));
   const auto& reference = *subject.reference.image;

@@ -106,13 +106,17 @@ TableRow row_of(const std::string& name, const ByKnowledge& counts) {
   return row;
 }
 
+int called_wrong(const Counts& counts) {
+  return nth(counts.of, Answer::Rejected) + nth(counts.of, Answer::Remarked);
+}
+
 std::string controls_line(const ByKnowledge& controls) {
   int all = 0;
   int wrong = 0;
   int inconclusive = 0;
   for (const auto& one : controls) {
     all += one.all;
-    wrong += nth(one.of, Answer::Rejected) + nth(one.of, Answer::Remarked);
+    wrong += called_wrong(one);
     inconclusive += nth(one.of, Answer::Inconclusive);
   }
   return fmt::format("{} of {} control images were called wrong, {} inconclusive\n", wrong, all,
@@ -130,8 +134,8 @@ std::string sensitivity_text(const std::vector<JudgedImage>& images) {
     if (image.fault.empty()) {
       add(image, controls);
       if (image.answer == Answer::Rejected || image.answer == Answer::Remarked)
-        silent += fmt::format("{} {} seed {}: a control image: {}\n", image.target, name_of(image.knowledge),
-                              image.seed, image.reason);
+        silent += fmt::format("{} {} seeds {} and {}: a control image: {}\n", image.target,
+                              name_of(image.knowledge), image.seed, image.second, image.reason);
       continue;
     }
     if (!faults.contains(image.fault)) order.push_back(image.fault);
@@ -146,6 +150,21 @@ std::string sensitivity_text(const std::vector<JudgedImage>& images) {
   for (const auto& name : order) rows.push_back(row_of(name, faults.at(name)));
   rows.push_back(row_of("(control image)", controls));
   return text_table(rows, {}) + "\n" + silent + controls_line(controls);
+}
+
+std::string controls_csv(const std::string& suite,
+                         const std::string& size,
+                         const std::vector<JudgedImage>& images) {
+  ByKnowledge controls{};
+  for (const auto& image : images)
+    if (image.fault.empty()) add(image, controls);
+  std::string text;
+  for (int i = 0; i < kKnowledges; ++i) {
+    const auto& counts = nth(controls, i);
+    text += fmt::format("{},{},{},{},{},{}\n", suite, size, name_of(static_cast<NoiseKnowledge>(i)),
+                        counts.all, nth(counts.of, Answer::Inconclusive), called_wrong(counts));
+  }
+  return text;
 }
 
 }  // namespace orbs::studies

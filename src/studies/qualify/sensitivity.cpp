@@ -33,18 +33,22 @@ struct Subject {
   judge::Reference reference;
 };
 
-// Two renders of one scene with different seeds, each of half the samples.
-struct Renders {
+// Two renders of one scene with different seeds, each of half the samples: any two of those that there are.
+struct Render {
   int seed = 0;
-  Image first, second;
+  Image image;
+};
+struct Renders {
+  const Render& first;
+  const Render& second;
 };
 
 // The mean of two images, and the variance of that mean by the images' own.
 Image mean_of_both(const Renders& renders) {
-  Image mean = renders.first;
+  Image mean = renders.first.image;
   for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
     const bool is_variance = image::is_variance(mean.channels[i % mean.channel_count()]);
-    mean.pixels[i] = (mean.pixels[i] + renders.second.pixels[i]) / (is_variance ? 4.0F : 2.0F);
+    mean.pixels[i] = (mean.pixels[i] + renders.second.image.pixels[i]) / (is_variance ? 4.0F : 2.0F);
   }
   return mean;
 }
@@ -86,7 +90,7 @@ Pair pair_for(const Subject& subject, const Renders& renders, NoiseKnowledge kno
     case NoiseKnowledge::Variances:
       return {mean_of_both(renders), subject.reference};
     case NoiseKnowledge::TwoSeeds:
-      return {metrics::mean_and_variance_of({renders.first, renders.second}), subject.reference};
+      return {metrics::mean_and_variance_of({renders.first.image, renders.second.image}), subject.reference};
     case NoiseKnowledge::OneSeed:
       return {judge::without_variances(mean_of_both(renders)), subject.reference};
     case NoiseKnowledge::NoiseFree:
@@ -100,8 +104,8 @@ Pair pair_for(const Subject& subject, const Renders& renders, NoiseKnowledge kno
 
 Answer answer_of(const results::TargetRecord& record) {
   if (record.verdict == results::Verdict::Inconclusive) return Answer::Inconclusive;
-  if (record.verdict != results::Verdict::Pass) return Answer::Rejected;
-  if (!record.remarks.empty()) return Answer::Remarked;
+  if (!results::passes(record.verdict)) return Answer::Rejected;
+  if (record.verdict == results::Verdict::PassWithRemarks) return Answer::Remarked;
   return record.hidden.empty() ? Answer::Silent : Answer::Hidden;
 }
 
@@ -125,10 +129,11 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
                                        const run::Plan& plan,
                                        const StudyContext& context) {
   struct Task {
-    std::size_t knowledge;
+    std::size_t pair;
     const faults::Row* fault;  // nullptr: the control image
   };
   std::vector<Pair> pairs;
+  std::vector<NoiseKnowledge> of_pair;
   std::vector<Task> tasks;
   const auto& reference = *subject.reference.image;
   std::vector<faults::Row> rows;
@@ -138,20 +143,24 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
     return image::has_same_colours(faults::applied(row, reference), reference);
   });
   for (const auto knowledge : kAllKnowledge) {
+    // A computed reference is exact as it is: no noise is to be drawn for an image without any.
+    if (knowledge == NoiseKnowledge::NoiseFree && image::channel_index(reference, "variance.R") < 0) continue;
     pairs.push_back(pair_for(subject, renders, knowledge));
+    of_pair.push_back(knowledge);
     tasks.push_back({pairs.size() - 1, nullptr});
     for (const auto& row : rows) tasks.push_back({pairs.size() - 1, &row});
   }
   std::vector<JudgedImage> images(tasks.size());
   for_each_index(static_cast<int>(tasks.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
-    const auto& [knowledge, fault] = nth(tasks, index);
-    const Pair& pair = pairs[knowledge];
+    const auto& [at, fault] = nth(tasks, index);
+    const Pair& pair = pairs[at];
     auto& image = nth(images, index);
     image = judged(subject, pair, fault != nullptr ? faults::applied(*fault, pair.control) : pair.control);
-    image.knowledge = kAllKnowledge.at(knowledge);
+    image.knowledge = of_pair[at];
     image.fault = fault != nullptr ? fault->name : "";
-    image.seed = renders.seed;
+    image.seed = renders.first.seed;
+    image.second = renders.second.seed;
   });
   return images;
 }
@@ -163,7 +172,6 @@ Subject subject_of(const run::Plan& plan, const run::PlannedScene& scene) {
     Subject subject{&one_case, scene.name,
                     judge::load_reference(one_case, scene.name, plan.suite.references, plan.reference_hashes,
                                           {}, plan.settings.size_divisor)};
-    if (!subject.reference.image) throw InputError(subject.reference.problem);
     return subject;
   }
   return {};  // part of a difference alone
@@ -194,19 +202,26 @@ std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
     }
     const Subject subject = subject_of(plan, scene);
     if (subject.one_case == nullptr) continue;
+    if (!subject.reference.image) {
+      context.say(fmt::format("{}: left out, {}", scene.name, subject.reference.problem));
+      continue;
+    }
     const auto prepared =
         run::prepare_render(plan.renderers.front(), plan, *scene.scene, scratch.path() / scene.name);
     const int spp = adapters::scaled_spp(scene.spp, 0.5, settings.spp_scale);
-    for (int i = 0; i < settings.controls; ++i) {
-      const int seed = kFirstSeed + 2 * i;
-      auto first = run::render_once(prepared, {spp, seed, plan.threads}, context.stop);
-      auto second = run::render_once(prepared, {spp, seed + 1, plan.threads}, context.stop);
-      if (!first || !second) return images;
-      const auto found = judge_renders(subject, {seed, std::move(first->image), std::move(second->image)},
-                                       i == 0, plan, context);
-      if (is_stopped(context)) return images;
-      images.insert(images.end(), found.begin(), found.end());
+    std::vector<Render> renders;
+    for (int i = 0; i < settings.renders; ++i) {
+      auto render = run::render_once(prepared, {spp, kFirstSeed + i, plan.threads}, context.stop);
+      if (!render) return images;
+      renders.push_back({kFirstSeed + i, std::move(render->image)});
     }
+    for (std::size_t i = 0; i < renders.size(); ++i)
+      for (std::size_t k = i + 1; k < renders.size(); ++k) {
+        const bool with_mutants = settings.faults && i == 0 && k == 1;
+        const auto found = judge_renders(subject, {renders[i], renders[k]}, with_mutants, plan, context);
+        if (is_stopped(context)) return images;
+        images.insert(images.end(), found.begin(), found.end());
+      }
     context.say(fmt::format("{}: judged", scene.name));
   }
   return images;

@@ -26,19 +26,21 @@ struct JudgedImage {
   std::string target;
   NoiseKnowledge knowledge = NoiseKnowledge::Variances;
   std::string fault;  // "" for a control image
-  int seed = 0;
+  int seed = 0;       // of the first of the two renders that it is made from
+  int second = 0;     // of the second
   Answer answer = Answer::Silent;
   std::string reason;  // of the verdict, and the remarks
 };
 
 struct SensitivitySettings {
-  int controls = 1;      // control images of each scene and knowledge; the first becomes the mutants
+  int renders = 2;       // of each scene, with half its samples; each two of them are a control image
+  bool faults = true;    // the first control image becomes the mutants
   double spp_scale = 1;  // factor of the samples of the cases
 };
 
 /// Renders each scene of the plan by its first renderer, with seeds that no reference has, and judges the
-/// control images and their mutants with the gates of the scene's first case. Fewer when the user interrupts.
-/// InputError when a scene has no reference, or its renderer fails.
+/// control images and their mutants with the gates of the scene's first case. Fewer when the user interrupts;
+/// a scene without a reference is left out. InputError when the renderer fails.
 std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
                                              const SensitivitySettings& settings,
                                              const StudyContext& context);

@@ -53,37 +53,38 @@ std::string name_of(State state) {
 bool counts(State state) { return results::counts_as_failure(state.verdict, state.expectation); }
 
 // One letter for each state after, in the order of all_states():
-// pass, unsupported, skipped, inconclusive, missing reference; fail to crash; unexpected pass; known:
-// inconclusive, fail to crash.
-const std::map<std::string, std::string> kExpected{{"pass", ".W0nWWWWWWWWWWWWnWWWWWWWWWWWW"},
-                                                   {"unsupported", "B.0WWWWWWWWWWWWWBnnnnnnnnnnnn"},
-                                                   {"skipped", "00000000000000000000000000000"},
-                                                   {"inconclusive", "nW0.WWWWWWWWWWWWnnWWWWWWWWWWW"},
-                                                   {"missing reference", "BW0n.WWWWWWWWWWWBnnnnnnnnnnnn"},
-                                                   {"fail", "BW0nW.WWWWWWWWWWBnnWWWWWWWWWW"},
-                                                   {"constant image", "BW0nWB.WWWWWWWWWBnBnWWWWWWWWW"},
-                                                   {"invalid pixels", "BW0nWBB.WWWWWWWWBnBBnWWWWWWWW"},
-                                                   {"wrong channels", "BW0nWBBB.WWWWWWWBnBBBnWWWWWWW"},
-                                                   {"wrong size", "BW0nWBBBB.WWWWWWBnBBBBnWWWWWW"},
-                                                   {"stale", "BW0nWBBBBB.WWWWWBnBBBBBnWWWWW"},
-                                                   {"unreadable", "BW0nWBBBBBB.WWWWBnBBBBBBnWWWW"},
-                                                   {"no output", "BW0nWBBBBBBB.WWWBnBBBBBBBnWWW"},
-                                                   {"timeout", "BW0nWBBBBBBBB.WWBnBBBBBBBBnWW"},
-                                                   {"out of memory", "BW0nWBBBBBBBBB.WBnBBBBBBBBBnW"},
-                                                   {"crash", "BW0nWBBBBBBBBBB.BnBBBBBBBBBBn"},
-                                                   {"unexpected pass", "nW0nWWWWWWWWWWWW.WWWWWWWWWWWW"},
-                                                   {"known inconclusive", "BW0WWWWWWWWWWWWWB.WWWWWWWWWWW"},
-                                                   {"known fail", "BW0WWWWWWWWWWWWWBn.WWWWWWWWWW"},
-                                                   {"known constant image", "BW0WWWWWWWWWWWWWBnB.WWWWWWWWW"},
-                                                   {"known invalid pixels", "BW0WWWWWWWWWWWWWBnBB.WWWWWWWW"},
-                                                   {"known wrong channels", "BW0WWWWWWWWWWWWWBnBBB.WWWWWWW"},
-                                                   {"known wrong size", "BW0WWWWWWWWWWWWWBnBBBB.WWWWWW"},
-                                                   {"known stale", "BW0WWWWWWWWWWWWWBnBBBBB.WWWWW"},
-                                                   {"known unreadable", "BW0WWWWWWWWWWWWWBnBBBBBB.WWWW"},
-                                                   {"known no output", "BW0WWWWWWWWWWWWWBnBBBBBBB.WWW"},
-                                                   {"known timeout", "BW0WWWWWWWWWWWWWBnBBBBBBBB.WW"},
-                                                   {"known out of memory", "BW0WWWWWWWWWWWWWBnBBBBBBBBB.W"},
-                                                   {"known crash", "BW0WWWWWWWWWWWWWBnBBBBBBBBBB."}};
+// pass, pass with remarks, unsupported, skipped, inconclusive, missing reference; fail to crash; unexpected
+// pass; known: inconclusive, fail to crash.
+const std::map<std::string, std::string> kExpected{{"pass", ".WW0nWWWWWWWWWWWWnWWWWWWWWWWWW"},
+                                                   {"pass with remarks", "B.W0nWWWWWWWWWWWWnWWWWWWWWWWWW"},
+                                                   {"unsupported", "BB.0WWWWWWWWWWWWWBnnnnnnnnnnnn"},
+                                                   {"skipped", "000000000000000000000000000000"},
+                                                   {"inconclusive", "nnW0.WWWWWWWWWWWWnnWWWWWWWWWWW"},
+                                                   {"missing reference", "BBW0n.WWWWWWWWWWWBnnnnnnnnnnnn"},
+                                                   {"fail", "BBW0nW.WWWWWWWWWWBnnWWWWWWWWWW"},
+                                                   {"constant image", "BBW0nWB.WWWWWWWWWBnBnWWWWWWWWW"},
+                                                   {"invalid pixels", "BBW0nWBB.WWWWWWWWBnBBnWWWWWWWW"},
+                                                   {"wrong channels", "BBW0nWBBB.WWWWWWWBnBBBnWWWWWWW"},
+                                                   {"wrong size", "BBW0nWBBBB.WWWWWWBnBBBBnWWWWWW"},
+                                                   {"stale", "BBW0nWBBBBB.WWWWWBnBBBBBnWWWWW"},
+                                                   {"unreadable", "BBW0nWBBBBBB.WWWWBnBBBBBBnWWWW"},
+                                                   {"no output", "BBW0nWBBBBBBB.WWWBnBBBBBBBnWWW"},
+                                                   {"timeout", "BBW0nWBBBBBBBB.WWBnBBBBBBBBnWW"},
+                                                   {"out of memory", "BBW0nWBBBBBBBBB.WBnBBBBBBBBBnW"},
+                                                   {"crash", "BBW0nWBBBBBBBBBB.BnBBBBBBBBBBn"},
+                                                   {"unexpected pass", "nWW0nWWWWWWWWWWWW.WWWWWWWWWWWW"},
+                                                   {"known inconclusive", "BBW0WWWWWWWWWWWWWB.WWWWWWWWWWW"},
+                                                   {"known fail", "BBW0WWWWWWWWWWWWWBn.WWWWWWWWWW"},
+                                                   {"known constant image", "BBW0WWWWWWWWWWWWWBnB.WWWWWWWWW"},
+                                                   {"known invalid pixels", "BBW0WWWWWWWWWWWWWBnBB.WWWWWWWW"},
+                                                   {"known wrong channels", "BBW0WWWWWWWWWWWWWBnBBB.WWWWWWW"},
+                                                   {"known wrong size", "BBW0WWWWWWWWWWWWWBnBBBB.WWWWWW"},
+                                                   {"known stale", "BBW0WWWWWWWWWWWWWBnBBBBB.WWWWW"},
+                                                   {"known unreadable", "BBW0WWWWWWWWWWWWWBnBBBBBB.WWWW"},
+                                                   {"known no output", "BBW0WWWWWWWWWWWWWBnBBBBBBB.WWW"},
+                                                   {"known timeout", "BBW0WWWWWWWWWWWWWBnBBBBBBBB.WW"},
+                                                   {"known out of memory", "BBW0WWWWWWWWWWWWWBnBBBBBBBBB.W"},
+                                                   {"known crash", "BBW0WWWWWWWWWWWWWBnBBBBBBBBBB."}};
 
 }  // namespace
 
@@ -114,10 +115,10 @@ TEST(VerdictChange, NothingThatStartsToCountAsAFailureIsBetterOrTheSame) {
     for (const auto after : all_states()) {
       const auto change = history::verdict_change(before, after);
       const auto names = name_of(before) + " -> " + name_of(after);
-      const bool is_by_noise = before.verdict == Verdict::Pass &&
+      const bool is_by_noise = results::passes(before.verdict) &&
                                (after.verdict == Verdict::Inconclusive || after.verdict == Verdict::Pass);
       const bool is_better = change == VerdictChange::Better;
-      const bool has_passed = is_better && after.verdict == Verdict::Pass;
+      const bool has_passed = is_better && results::passes(after.verdict);
       const bool is_news = !counts(before) && counts(after) && !is_by_noise && !has_passed;
       EXPECT_FALSE(is_news && change != VerdictChange::Worse && change != VerdictChange::NotRendered)
           << names;

@@ -53,6 +53,16 @@ TEST(JudgeChecks, NoiseIsToldFromErrors) {
   EXPECT_EQ(judged_alone(case_with_check(0.5, 0.05, 4), grey(0.54F)).verdict, Verdict::Pass);
 }
 
+// A black image whose variances are zero, too, claims that no sample has met light; where another check
+// expects black, it is one colour where there are two.
+TEST(JudgeChecks, OneColourIsRefusedWhereTwoAreExpected) {
+  auto two = case_with_check(0.5, 0.01, 4);
+  two.pixel_checks[0].region = {0, 0, 8, 12};
+  EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::Inconclusive);
+  two.pixel_checks.push_back({"a", {8, 0, 16, 12}, {0, 0, 0}, 0, "the umbra", "", 0});
+  EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::ConstantImage);
+}
+
 TEST(JudgeChecks, AZeroIsAZero) {
   EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), grey(0)).verdict, Verdict::Pass);
   auto leak = grey(0);

@@ -32,7 +32,7 @@ TEST(Verdicts, AreOrderedFromBestToWorst) {
 
 TEST(Verdicts, OnlyAPassAndWhatWasNeverPromisedAreNoFailure) {
   for (const auto verdict : kVerdicts)
-    EXPECT_EQ(counts_as_failure(verdict), verdict != Verdict::Pass && verdict != Verdict::Unsupported)
+    EXPECT_EQ(counts_as_failure(verdict), !passes(verdict) && verdict != Verdict::Unsupported)
         << verdict_name(verdict);
 }
 

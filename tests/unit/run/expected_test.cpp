@@ -167,3 +167,25 @@ TEST(ExpectedVerdicts, FailuresAreAcceptedForTheirSuiteAndSizeAndBetterOnesAnew)
   run::mark_expected(accepted, run);
   EXPECT_TRUE(run::accepted_failures(run, accepted, "why").empty());
 }
+
+// A strict run accepts no remarks but those that its configuration expects.
+TEST(StrictRuns, RemarksAreNews) {
+  const auto marked = [](bool is_strict, const std::string& expected) {
+    std::vector<results::TargetRecord> targets(1);
+    targets[0].renderer = "r";
+    targets[0].target = "a";
+    targets[0].declared = true;
+    targets[0].verdict = results::Verdict::PassWithRemarks;
+    std::vector<registry::ExpectedFailure> entries;
+    if (!expected.empty())
+      entries.push_back(
+          {.place = "c:1", .renderer = "r", .scene = "a", .verdict = expected, .reason = "why"});
+    run::mark_expected(entries, {"suite", kSize, "2026-01-01", is_strict}, {{"r", "1"}}, targets);
+    return results::counts_as_failure(targets[0].verdict, targets[0].expectation);
+  };
+  EXPECT_FALSE(marked(false, ""));
+  EXPECT_TRUE(marked(true, ""));
+  EXPECT_FALSE(marked(true, "pass with remarks"));
+  // An expected failure that passes is news, with remarks or without.
+  EXPECT_TRUE(marked(false, "fail"));
+}

@@ -9,6 +9,7 @@ export interface Look {
 // States that have a symbol. The appearance of any other follows from `failure` alone.
 const known: Record<string, Look> = {
   pass: { symbol: "✓", tone: "good" },
+  "pass with remarks": { symbol: "!", tone: "good" },
   known: { symbol: "≈", tone: "good" },
   unsupported: { symbol: "–", tone: "quiet" },
   skipped: { symbol: "○", tone: "quiet" },

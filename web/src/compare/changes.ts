@@ -15,12 +15,16 @@ export interface Change {
 const valueOf = (overview: Overview, metric: string, cell: number): number | undefined =>
   isInfinite(overview, metric, cell) ? Infinity : (overview.measures[metric]?.[cell] ?? undefined);
 
-const passes = (state: string): boolean => state === "pass" || state === "unexpected pass";
+const kRemarks = "pass with remarks";
+const passes = (state: string): boolean =>
+  state === "pass" || state === kRemarks || state === "unexpected pass";
 
 // What another state means, as `orbs compare-runs` has it (src/history/verdict_change.h). Which verdict a known
 // failure has is not said here. `step` is above 0 where the later verdict is the worse one.
 function kindOfStates(before: string, after: string, step: number): Kind {
   if (before === after) return "same";
+  if (passes(before) && after === kRemarks) return "worse";
+  if (before === kRemarks && after === "pass") return "better";
   if (passes(before) && passes(after)) return "changed";
   if (after === "unsupported" || after === "missing reference") return "worse";
   if (passes(after)) return before === "inconclusive" ? "changed" : "better";
