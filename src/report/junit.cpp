@@ -15,11 +15,10 @@ enum class Element { None, Failure, Error, Skipped };
 
 Element element_of(const TargetRecord& target) {
   if (!target.declared || target.expectation == results::Expectation::Known) return Element::Skipped;
-  if (state_name(target) == results::kUnexpectedPass) return Element::Failure;
   using results::VerdictKind;
   switch (results::kind_of(target.verdict)) {
-    case VerdictKind::Pass:
-      return Element::None;
+    case VerdictKind::Pass:  // a failure where it is unexpected, or has remarks in a strict run
+      return counts_as_failure(target.verdict, target.expectation) ? Element::Failure : Element::None;
     case VerdictKind::Unsupported:
     case VerdictKind::Skipped:
       return Element::Skipped;

@@ -115,3 +115,12 @@ TEST(Junit, TellsErrorsFromFailuresAndFromWhatIsNotSupported) {
   passed.expectation = Expectation::News;
   EXPECT_EQ(count_of(junit_xml(run_of({passed})), "<failure type=\"unexpected pass\" message="), 1);
 }
+
+// A CI server shows the remark of a test that passed; in a strict run it is a failure.
+TEST(Junit, APassWithRemarksIsAFailureOfAStrictRunAlone) {
+  auto target = target_of("101", Verdict::PassWithRemarks, "bias: brighter");
+  EXPECT_EQ(count_of(junit_xml(run_of({target})), "<system-out>bias: brighter"), 1);
+  EXPECT_EQ(count_of(junit_xml(run_of({target})), "<failure"), 0);
+  target.expectation = Expectation::News;
+  EXPECT_EQ(count_of(junit_xml(run_of({target})), "<failure type=\"pass with remarks\""), 1);
+}
