@@ -67,16 +67,28 @@ std::vector<std::string> filled_words(const std::vector<std::string>& words,
   return out;
 }
 
+std::vector<std::filesystem::path> resolved(const std::vector<std::string>& names,
+                                            const std::filesystem::path& root,
+                                            const std::filesystem::path& build) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& name : names)
+    paths.push_back(resolve_path(
+        root, registry::fill_placeholders(name, {{"root", root.string()}, {"build", build.string()}})));
+  return paths;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> plugin_files(const registry::Renderer& renderer,
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& build) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& plugin : renderer.command.plugins)
-    files.push_back(resolve_path(
-        root, registry::fill_placeholders(plugin, {{"root", root.string()}, {"build", build.string()}})));
-  return files;
+  return resolved(renderer.command.plugins, root, build);
+}
+
+std::vector<std::filesystem::path> readable_places(const registry::Renderer& renderer,
+                                                   const std::filesystem::path& root,
+                                                   const std::filesystem::path& build) {
+  return resolved(renderer.command.readable, root, build);
 }
 
 Job make_job(const registry::Renderer& renderer,

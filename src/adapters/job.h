@@ -49,6 +49,11 @@ std::vector<std::filesystem::path> plugin_files(const registry::Renderer& render
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& build);
 
+/// Likewise the files and folders that it may read in a sandbox beside what is found out.
+std::vector<std::filesystem::path> readable_places(const registry::Renderer& renderer,
+                                                   const std::filesystem::path& root,
+                                                   const std::filesystem::path& build);
+
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
 /// renderer's seed_stride; exporters add placeholders of their formats. Arguments of the renderer's variant

@@ -126,6 +126,8 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
       run::Plan places;
       places.root = read.root;
       places.build = program.folder;
+      places.settings.sandbox = read.defaults.sandbox;
+      refuse_without_sandbox(places.settings.sandbox);
       const auto scenes = scene_names(read);
       std::vector<Examined> all;
       for (const auto& renderer : read.renderers) {

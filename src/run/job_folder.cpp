@@ -35,16 +35,35 @@ void make_way(const fs::path& path) {
                                  path.string(), failed.message()));
 }
 
-void make_room(const fs::path& folder) {
+bool make_own_folder(const fs::path& within, const fs::path& folder) {
+  bool is_replaced = false;
   try {
-    if (fs::symlink_status(folder).type() != fs::file_type::directory) fs::remove(folder);
-    fs::create_directories(folder);
+    fs::create_directories(within);
+    auto part = within;
+    for (const auto& name : folder.lexically_relative(within)) {
+      part /= name;
+      const auto type = fs::symlink_status(part).type();
+      if (type == fs::file_type::directory) continue;
+      is_replaced = is_replaced || type != fs::file_type::not_found;
+      fs::remove(part);
+      fs::create_directory(part);
+    }
+  } catch (const fs::filesystem_error& e) {
+    throw WriteError(fmt::format("{}: the folder cannot be made: {}", folder.string(), e.code().message()));
+  }
+  return is_replaced;
+}
+
+bool make_room(const fs::path& within, const fs::path& folder) {
+  const bool is_replaced = make_own_folder(within, folder);
+  try {
     fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
     for (const auto& path : in_the_way(folder)) make_way(path);
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
                                  folder.string(), e.code().message()));
   }
+  return is_replaced;
 }
 
 std::string named_within(const std::filesystem::path& folder, std::string text) {

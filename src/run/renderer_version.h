@@ -17,7 +17,7 @@ struct VersionRequest {
 
 /// What the version command prints: the group of version_pattern in the first line that matches it, or the
 /// first line that is not empty. "unknown" with the reason when there is none, "" when the renderer has no
-/// such command.
+/// such command. In a sandbox if the plan's settings say so.
 std::string renderer_version(const ChosenRenderer& renderer,
                              const Plan& plan,
                              const VersionRequest& request = {});
