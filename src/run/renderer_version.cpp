@@ -17,8 +17,14 @@ namespace {
 
 std::string how_it_ended(const adapters::ProcessResult& process) {
   if (!process.start_error.empty()) return fmt::format("cannot be started: {}", process.start_error);
+  return fmt::format("ended with exit code {}", process.exit_code);
+}
+
+std::string how_it_was_cut_off(const adapters::ProcessResult& process, const VersionRequest& request) {
+  if (process.cause == supervisor::Cause::WallTime)
+    return fmt::format("did not end within {} s", request.second_seconds);
   return process.signal != 0 ? fmt::format("was killed by {}", adapters::signal_name(process.signal))
-                             : fmt::format("ended with exit code {}", process.exit_code);
+                             : "was ended before it answered";
 }
 
 // "" where the line says no version.
@@ -65,11 +71,15 @@ std::string renderer_version(const ChosenRenderer& renderer,
     command.folder = scratch.path();
   }
   const auto process = answer_of(command, renderer.entry.name, program->string(), request);
-  if (process.cause == supervisor::Cause::WallTime)
-    return fmt::format("unknown: '{}' did not end within {} s", program->string(), request.second_seconds);
+  if (process.cause != supervisor::Cause::Nothing || process.signal != 0) {
+    if (request.say)
+      request.say(fmt::format("{}: its version is not known: '{}' {}", renderer.entry.name, program->string(),
+                              how_it_was_cut_off(process, request)));
+    return "";
+  }
   // Some programs have no such command and say their version in a complaint: then the pattern recognises it.
   const auto& pattern = renderer.entry.command.version_pattern;
-  const bool has_failed = process.signal != 0 || process.exit_code != 0 || !process.start_error.empty();
+  const bool has_failed = process.exit_code != 0 || !process.start_error.empty();
   for (const auto& line : split(has_failed && pattern.empty() ? "" : process.output, '\n'))
     if (const auto version = version_in(std::string(trim(line)), pattern); !version.empty())
       return clean_text(version);
@@ -77,6 +87,13 @@ std::string renderer_version(const ChosenRenderer& renderer,
   return pattern.empty()
              ? "unknown: its version command prints nothing"
              : fmt::format("unknown: its version command prints no line that matches '{}'", pattern);
+}
+
+bool is_other_version(const std::string& one, const std::string& other) {
+  const auto is_known = [](const std::string& version) {
+    return !version.empty() && !version.starts_with("unknown: ");
+  };
+  return is_known(one) && is_known(other) && one != other;
 }
 
 }  // namespace orbs::run
