@@ -102,13 +102,15 @@ Job make_job(const registry::Renderer& renderer,
   job.image = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
+  job.spp = settings.spp;
+  job.seed = strided_seed(renderer, settings.seed);
   if (settings.scene_file.empty()) job.channels = image_channels(renderer.format.name, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},
                                 {"output", job.image.string()},
                                 {"folder", folder.string()},
                                 {"spp", std::to_string(settings.spp)},
-                                {"seed", std::to_string(strided_seed(renderer, settings.seed))},
+                                {"seed", std::to_string(job.seed)},
                                 {"threads", std::to_string(settings.threads)},
                                 {"width", std::to_string(job.width_px)},
                                 {"height", std::to_string(job.height_px)},

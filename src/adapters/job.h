@@ -5,6 +5,7 @@
 #include "registry/placeholders.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Job {
   std::filesystem::path image;
   int width_px = 0;
   int height_px = 0;
+  int spp = 0;
+  std::int64_t seed = 0;                     // as the renderer gets it
   bool may_be_negative = false;              // its pixels
   ImageChannels channels = kColourChannels;  // of its image, which hold R, G and B
   // Proof that an image belongs to this render; an empty member is not checked.
