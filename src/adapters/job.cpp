@@ -67,16 +67,28 @@ std::vector<std::string> filled_words(const std::vector<std::string>& words,
   return out;
 }
 
+std::vector<std::filesystem::path> resolved(const std::vector<std::string>& names,
+                                            const std::filesystem::path& root,
+                                            const std::filesystem::path& build) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& name : names)
+    paths.push_back(resolve_path(
+        root, registry::fill_placeholders(name, {{"root", root.string()}, {"build", build.string()}})));
+  return paths;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> plugin_files(const registry::Renderer& renderer,
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& build) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& plugin : renderer.command.plugins)
-    files.push_back(resolve_path(
-        root, registry::fill_placeholders(plugin, {{"root", root.string()}, {"build", build.string()}})));
-  return files;
+  return resolved(renderer.command.plugins, root, build);
+}
+
+std::vector<std::filesystem::path> readable_places(const registry::Renderer& renderer,
+                                                   const std::filesystem::path& root,
+                                                   const std::filesystem::path& build) {
+  return resolved(renderer.command.readable, root, build);
 }
 
 Job make_job(const registry::Renderer& renderer,
@@ -90,13 +102,15 @@ Job make_job(const registry::Renderer& renderer,
   job.image = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
+  job.spp = settings.spp;
+  job.seed = strided_seed(renderer, settings.seed);
   if (settings.scene_file.empty()) job.channels = image_channels(renderer.format.name, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},
                                 {"output", job.image.string()},
                                 {"folder", folder.string()},
                                 {"spp", std::to_string(settings.spp)},
-                                {"seed", std::to_string(strided_seed(renderer, settings.seed))},
+                                {"seed", std::to_string(job.seed)},
                                 {"threads", std::to_string(settings.threads)},
                                 {"width", std::to_string(job.width_px)},
                                 {"height", std::to_string(job.height_px)},

@@ -5,6 +5,7 @@
 #include "registry/placeholders.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Job {
   std::filesystem::path image;
   int width_px = 0;
   int height_px = 0;
+  int spp = 0;
+  std::int64_t seed = 0;                     // as the renderer gets it
   bool may_be_negative = false;              // its pixels
   ImageChannels channels = kColourChannels;  // of its image, which hold R, G and B
   // Proof that an image belongs to this render; an empty member is not checked.
@@ -48,6 +51,11 @@ int scaled_spp(int spp, double renderer_scale, double run_scale);
 std::vector<std::filesystem::path> plugin_files(const registry::Renderer& renderer,
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& build);
+
+/// Likewise the files and folders that it may read in a sandbox beside what is found out.
+std::vector<std::filesystem::path> readable_places(const registry::Renderer& renderer,
+                                                   const std::filesystem::path& root,
+                                                   const std::filesystem::path& build);
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the

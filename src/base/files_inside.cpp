@@ -53,6 +53,11 @@ bool leads_inside(const std::filesystem::path& path) {
   return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
 }
 
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto differ = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return differ.first == folder.end();
+}
+
 std::optional<OpenFile> open_inside(const std::filesystem::path& folder, std::string_view relative) {
   if (relative.empty() || relative.find('\0') != std::string_view::npos) return std::nullopt;
   int at = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);

@@ -50,6 +50,10 @@ class OpenFolder {
 /// not looked at.
 bool leads_inside(const std::filesystem::path& path);
 
+/// Whether `path` is the folder or lies in it, by the words of both, which must be normal (lexically_normal).
+/// Symbolic links are not looked at.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// Opens folder/relative. Each part of `relative` is opened within the one before, and none may be a symlink,
 /// so nothing outside the folder can be reached, even if folders are renamed meanwhile. std::nullopt if there
 /// is no such regular file.

@@ -41,6 +41,7 @@ void add_options(const command_line::Command& command, BenchOptions& options) {
 }
 
 int bench(const registry::Configuration& configuration, BenchOptions options, const Program& program) {
+  refuse_without_sandbox(configuration.defaults.sandbox);
   check_output_file(options.output);
   options.bench.only = joined_list(options.only);
   const auto record = studies::run_bench(configuration, options.bench, study_context(program, stderr));

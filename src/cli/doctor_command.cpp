@@ -7,9 +7,11 @@
 #include "cli/program.h"
 #include "json/writer.h"
 #include "registry/cases.h"
+#include "registry/renderer_variants.h"
 #include "run/plan/choose_renderers.h"
 #include "run/renderer_version.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -67,7 +69,21 @@ Examined examine(const registry::Renderer& renderer,
   return found;
 }
 
-void print(const Examined& found) {
+// One line each, and what is wrong with an entry.
+void print_overview(const std::vector<Examined>& all) {
+  std::vector<TableRow> rows;
+  for (const auto& found : all) {
+    const auto version = found.version.empty() ? "installed" : found.version;
+    rows.push_back({found.entry->name, found.executable ? version : "not installed: " + found.problem,
+                    found.entry->format.name, registry::format_features(found.entry->support.declares)});
+  }
+  print_clean("{}", text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}}));
+  for (const auto& found : all)
+    for (const auto& scene : found.unknown_scenes) print_clean("warning: {}: {}\n", found.entry->name, scene);
+  print_clean("orbs doctor -r NAME shows the program of a renderer, and what it cannot do\n");
+}
+
+void print_details(const Examined& found) {
   const auto& renderer = *found.entry;
   print_clean("{}\n", renderer.name);
   std::vector<TableRow> rows;
@@ -117,6 +133,10 @@ void print_json(const std::filesystem::path& configuration, const std::vector<Ex
 
 void add_doctor_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto configuration = add_configuration_option(command);
+  const auto chosen = std::make_shared<std::string>();
+  command.add_option("-r,--renderer", *chosen, "Only these renderers, with program, needs and known limits")
+      .value_name("NAMES")
+      .not_empty("a name");
   const auto as_json = std::make_shared<bool>(false);
   command.add_flag("--json", *as_json, "Print everything as JSON, for programs");
   command.callback([=, &program, &action] {
@@ -126,13 +146,21 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
       run::Plan places;
       places.root = read.root;
       places.build = program.folder;
+      places.settings.sandbox = read.defaults.sandbox;
+      refuse_without_sandbox(places.settings.sandbox);
       const auto scenes = scene_names(read);
       std::vector<Examined> all;
-      for (const auto& renderer : read.renderers) {
-        all.push_back(examine(renderer, places, scenes));
-        if (!*as_json) print(all.back());
+      const auto names = registry::chosen_renderers(read, chosen->empty() ? "*" : *chosen);
+      for (const auto& renderer : read.renderers)
+        if (std::find(names.begin(), names.end(), renderer.name) != names.end())
+          all.push_back(examine(renderer, places, scenes));
+      if (*as_json) {
+        print_json(read.file, all);
+      } else if (chosen->empty()) {
+        print_overview(all);
+      } else {
+        for (const auto& found : all) print_details(found);
       }
-      if (*as_json) print_json(read.file, all);
       return 0;
     };
   });

@@ -1,3 +1,4 @@
+#include "base/files.h"
 #include "base/local_time.h"
 #include "base/terminal.h"
 #include "base/text.h"
@@ -19,9 +20,17 @@ struct Options {
   std::string output;
 };
 
+// Where the plan was made, or, when its folder is on another machine, the nearest.
+std::string configuration_of(const run::FiledPlan& filed, const std::string& named, const Program& program) {
+  std::error_code ignored;
+  const auto cases = resolve_path(filed.root, filed.suite.cases);
+  if (!named.empty() || std::filesystem::is_directory(cases, ignored)) return named;
+  return read_configuration("", program).file.string();
+}
+
 int judge(const Options& options, const std::string& configuration, const Program& program) {
   auto filed = run::read_plan(std::filesystem::path(options.folder) / run::kPlanFile);
-  take_configuration(configuration, filed);
+  take_configuration(configuration_of(filed, configuration, program), filed);
   auto loaded = run::load_plan(filed, program.folder, program.version);
   // Images may be judged by gates of today, but must be of the scenes of today.
   run::refuse_changes(loaded, {run::PlanPart::Scene});

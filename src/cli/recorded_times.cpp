@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "registry/image_size.h"
-#include "results/record.h"
+#include "results/run_folder.h"
 #include "run/plan/render_seconds.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The newest first: their names hold the date and time.
-std::vector<fs::path> earlier_runs(const fs::path& folder, const fs::path& resumed) {
+std::vector<fs::path> earlier_runs(const fs::path& folder, const std::vector<fs::path>& resumed) {
   constexpr std::size_t kMost = 8;  // each takes some milliseconds to read
   std::vector<fs::path> runs;
   std::error_code failed;
@@ -26,21 +26,22 @@ std::vector<fs::path> earlier_runs(const fs::path& folder, const fs::path& resum
     if (entry->path().filename().string().starts_with("outputs-")) runs.push_back(entry->path());
   std::sort(runs.rbegin(), runs.rend());
   if (runs.size() > kMost) runs.resize(kMost);
-  if (!resumed.empty()) runs.insert(runs.begin(), resumed);
+  runs.insert(runs.begin(), resumed.begin(), resumed.end());
   return runs;
 }
 
-void take_times(const results::RunRecord& run,
-                const run::Plan& plan,
-                std::map<std::string, double>& seconds) {
+void take_times(const results::RunRecord& run, const run::Plan& plan, RecordedTimes& times) {
   for (const auto& job : run.jobs) {
     const auto& was = job.identity;
     if (run.size != registry::size_text(plan.settings.size_divisor)) return;
     if (!has_image(job) || was.spp <= 0 || was.suite != plan.suite.name) continue;
     for (const auto& planned : plan.jobs)
       if (plan.scenes[planned.scene].name == was.scene &&
-          plan.renderers[planned.renderer].entry.name == was.renderer)
-        seconds.emplace(planned.id, job.cost.wall_seconds * planned.spp / was.spp);
+          plan.renderers[planned.renderer].entry.name == was.renderer) {
+        times.seconds.emplace(planned.id, job.cost.wall_seconds * planned.spp / was.spp);
+        if (job.program.threads >= plan.threads && job.cost.peak_rss_bytes > 0)
+          times.peak_rss_bytes.emplace(planned.id, job.cost.peak_rss_bytes);
+      }
   }
 }
 
@@ -53,14 +54,16 @@ void take_shipped_times(const run::Plan& plan, RecordedTimes& times) {
 
 }  // namespace
 
-RecordedTimes recorded_times(const run::Plan& plan, const fs::path& folder, const fs::path& resumed) {
+RecordedTimes recorded_times(const run::Plan& plan,
+                             const fs::path& folder,
+                             const std::vector<fs::path>& resumed) {
   RecordedTimes times;
   for (const auto& run : earlier_runs(folder, resumed)) {
-    if (times.seconds.size() == plan.jobs.size()) break;
+    if (times.peak_rss_bytes.size() == plan.jobs.size()) break;
     std::error_code ignored;
     if (!fs::exists(run / "results.json", ignored)) continue;
     try {
-      take_times(results::read_results_file(run / "results.json"), plan, times.seconds);
+      take_times(results::read_run_folder(run).run, plan, times);
     } catch (const InputError&) {
       continue;  // it has no times that could be used, and this is no place to complain about it
     }

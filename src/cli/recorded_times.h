@@ -5,22 +5,25 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace orbs::cli {
 
-/// Seconds that the jobs of a plan are expected to take. What was never timed has no entry.
+/// Seconds that the jobs of a plan are expected to take, and the most memory that they took. What was never
+/// measured has no entry.
 struct RecordedTimes {
-  std::map<std::string, double> seconds;  // by job id
-  std::size_t from_elsewhere = 0;         // so many of them were timed on another machine
+  std::map<std::string, double> seconds;              // by job id
+  std::size_t from_elsewhere = 0;                     // so many of them were timed on another machine
+  std::map<std::string, std::size_t> peak_rss_bytes;  // by job id; with as many threads, or more
 };
 
-/// As far as earlier runs tell: those in `folder` whose name starts with "outputs-", and the run in `resumed`
-/// if it is not "". Times of other sample counts are scaled; runs with images of another size tell nothing,
-/// nor do those that cannot be read. For the rest, the times that come with the program (data/bench): CPU
-/// seconds of another machine, shared by the threads of a job.
+/// As far as earlier runs tell: those in `folder` whose name starts with "outputs-", and the runs in
+/// `resumed`, finished or not, which come first. Times of other sample counts are scaled; runs with images of
+/// another size tell nothing, nor do those that cannot be read. For the rest, the times that come with the
+/// program (data/bench): CPU seconds of another machine, shared by the threads of a job.
 RecordedTimes recorded_times(const run::Plan& plan,
                              const std::filesystem::path& folder,
-                             const std::filesystem::path& resumed);
+                             const std::vector<std::filesystem::path>& resumed);
 
 /// "45 s", "12 min", "5.2 h".
 std::string duration_text(double seconds);

@@ -107,8 +107,8 @@ int run_plan(const Planned& planned, const Program& program, const RunOptions& o
   run::RunContext context;
   context.file = planned.file;
   context.whole_plan = planned.whole;
-  const auto times =
-      recorded_times(plan, std::filesystem::current_path(), is_resumed ? folder : std::filesystem::path());
+  const auto times = recorded_times(plan, std::filesystem::current_path(),
+                                    is_resumed ? std::vector{folder} : std::vector<std::filesystem::path>{});
   announce(plan, times, folder);
   context.rendering.orbs_version = program.version;
   context.command_line = program.command_line;

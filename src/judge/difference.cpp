@@ -1,5 +1,6 @@
 #include "judge/difference.h"
 
+#include "base/text.h"
 #include "image/colour.h"
 #include "image/false_colour.h"
 #include "image/image_io.h"
@@ -25,6 +26,17 @@ bool have_same_samples(const image::Image& a, const image::Image& b) {
          is_same("settings");  // of the passes of a reference; an image of one pass has none
 }
 
+// What is missing in either of them is missing in their difference.
+void add_bad_samples(const image::Image& minus, image::Image& out) {
+  const auto more = minus.attributes.find("orbs.bad_samples");
+  if (more == minus.attributes.end()) return;
+  auto& text = out.attributes["orbs.bad_samples"];
+  const auto of_out = to_integer(text.empty() ? "0" : text);
+  const auto of_minus = to_integer(more->second);
+  // What is no number stays for the check to complain of.
+  text = of_out && of_minus ? std::to_string(*of_out + *of_minus) : of_out ? more->second : text;
+}
+
 }  // namespace
 
 image::Image difference_of(const image::Image& of, const image::Image& minus) {
@@ -34,6 +46,7 @@ image::Image difference_of(const image::Image& of, const image::Image& minus) {
   if (has_variance) channels.insert(channels.end(), {"variance.R", "variance.G", "variance.B"});
   auto out = image::make_image(of.width, of.height, channels);
   out.attributes = of.attributes;
+  add_bad_samples(minus, out);
   const auto put = [&](const std::string& prefix, std::size_t first, const auto& combine) {
     const auto a = image::select_rgb(of, prefix);
     const auto b = image::select_rgb(minus, prefix);

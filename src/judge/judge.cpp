@@ -1,6 +1,7 @@
 #include "judge/judge.h"
 
 #include "base/text.h"
+#include "judge/bad_samples.h"
 #include "judge/gate.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"
@@ -96,6 +97,7 @@ std::vector<GateResult> check_conditions(const Case& one_case,
     // Not the renderer's fault: the case does not show what it is about.
     if (!record.checks.back().passed) results.push_back({Verdict::Inconclusive, record.checks.back().reason});
   }
+  if (auto refused = check_bad_samples(result, record)) results.push_back(std::move(*refused));
   return results;
 }
 

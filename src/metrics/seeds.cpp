@@ -1,8 +1,12 @@
 #include "metrics/seeds.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -31,6 +35,24 @@ void check_seeds(const std::vector<image::Image>& colours) {
         "has no noise");
 }
 
+// Those of one render are not those of their mean: it has the samples of all of them, where each says how
+// many these are.
+void take_sample_counts(const std::vector<image::Image>& images,
+                        std::map<std::string, std::string>& attributes) {
+  for (const char* name : {"orbs.spp", "orbs.bad_samples"}) {
+    long long sum = 0;
+    bool is_known = true;
+    for (const auto& image : images) {
+      const auto stated = image.attributes.find(name);
+      const auto count = stated == image.attributes.end() ? std::nullopt : to_integer(stated->second);
+      is_known = is_known && count;
+      sum += count.value_or(0);
+    }
+    attributes.erase(name);
+    if (is_known) attributes[name] = std::to_string(sum);
+  }
+}
+
 }  // namespace
 
 bool are_equal(const std::vector<image::Image>& images) {
@@ -53,7 +75,7 @@ image::Image mean_and_variance_of(const std::vector<image::Image>& images) {
   auto out = image::make_image(colours.front().width, colours.front().height,
                                {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   out.attributes = images.front().attributes;
-  out.attributes.erase("orbs.spp");  // of one render, not of their mean
+  take_sample_counts(images, out.attributes);
   for (std::size_t i = 0; i < colours.front().pixels.size(); ++i) {
     const double mean = mean_at(colours, i);
     double squares = 0;

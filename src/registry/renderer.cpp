@@ -51,6 +51,7 @@ void check_command(ObjectReader& in, const Command& command) {
     in.fail("plugins",
             "needs a word with {plugin} in the command, such as \"--plugin={plugin}\", or the renderer "
             "cannot know them");
+  check_words(in, "readable", command.readable, places, "one file or folder; leave it out for none");
   for (std::size_t i = 0; i < command.environment.size(); ++i)
     if (command.environment[i].empty() || command.environment[i].front() == '=')
       in.fail_at("environment", i, "must be NAME or NAME=value");

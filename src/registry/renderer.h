@@ -27,6 +27,7 @@ struct Command {
   std::vector<std::string> arguments;  // of the variant, in the place of {arguments} in the words
   std::vector<std::string> plugins{};  // with {root} and {build}, relative to the folder of the configuration
   std::vector<std::string> environment;
+  std::vector<std::string> readable{};  // in a sandbox; as plugins
   std::vector<std::string> version_command;
   std::string version_pattern;                  // "" for the whole first line
   std::vector<std::string> double_precision{};  // none: it has no double precision
@@ -44,6 +45,11 @@ void fields(Visitor& visit, Record& command) {
         {.help = "Files of plug-ins, relative to `configuration.json`; they may begin with `{root}` or "
                  "`{build}`. The command needs a word with `{plugin}`, which stands there once for each"});
   visit("environment", command.environment, {.help = "`NAME`, passed on from the caller, or `NAME=value`"});
+  visit(
+      "readable", command.readable,
+      {.help = "Files and folders that it reads under `--sandbox` beside what its command and `environment` "
+               "name, relative to `configuration.json`; they may begin with `{root}` or `{build}`",
+       .changes_image = false});
   visit("version_command", command.version_command,
         {.help =
              "Prints its version: it must end within 5 s, and with exit status 0 unless the pattern matches",

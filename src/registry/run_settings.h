@@ -80,9 +80,12 @@ void fields(Visitor& visit, Settings& run) {
   visit("log", run.log,
         {.help = "Keep `log.txt` of every render, not only of those that fail", .option = "-l,--log"});
   visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
-  visit("sandbox", run.sandbox,
-        {.help = "Run renderers under bubblewrap: no network, no references, only their own folder writable",
-         .option = "--sandbox"});
+  visit(
+      "sandbox", run.sandbox,
+      {.help =
+           "Run renderers under bubblewrap: alone with their programs, the scene and what the command names; "
+           "no network, no references, only their own folder writable",
+       .option = "--sandbox"});
   visit("dry_run", run.dry_run,
         {.help = "Print the renders and their commands, and start nothing", .option = "--dry-run"});
   visit("view", run.view,

@@ -5,6 +5,7 @@
 #include "base/local_time.h"
 #include "base/text.h"
 #include "run/host.h"
+#include "run/isolate.h"
 #include "run/job_folder.h"
 #include "run/prepare.h"
 #include "run/render.h"
@@ -27,10 +28,10 @@ using results::JobRecord;
 std::vector<adapters::Job> prepare_replicas(const Plan& plan,
                                             const PlannedJob& planned,
                                             const scene::Scene& prepared,
-                                            const std::filesystem::path& folder) {
-  auto replicas = replicas_of(plan, planned, folder);
+                                            const WorkFolders& folders) {
+  auto replicas = replicas_of(plan, planned, folders.unfinished);
   const auto& first = replicas.front();
-  make_folder(first.folder);
+  make_own_folder(folders.run, first.folder);
   write_job_scene(plan, planned, prepared, first);
   const auto scene_file_hash = hash_text(content_hash(read_file(first.scene_file)));
   // By the clock of that disk, as the image will be.
@@ -42,6 +43,26 @@ std::vector<adapters::Job> prepare_replicas(const Plan& plan,
     job.may_be_negative = planned.may_be_negative;
   }
   return replicas;
+}
+
+RenderJob render_job(const Plan& plan,
+                     const PlannedJob& planned,
+                     const scene::Scene& prepared,
+                     const WorkFolders& folders) {
+  const auto& renderer = plan.renderers[planned.renderer];
+  const auto& scene = plan.scenes[planned.scene];
+  RenderJob job{renderer.entry, prepare_replicas(plan, planned, prepared, folders)};
+  job.renderer.limits = limits_of(plan, planned);
+  job.within = folders.run;
+  if (plan.settings.sandbox)
+    job.isolation = isolation_of(plan, renderer, *scene.scene, job.replicas, folders.run);
+  if (!plan.images.empty()) {
+    job.came_back = plan.images / planned.folder;
+  } else {
+    job.inputs = files_of(*scene.scene);
+    job.inputs.insert(job.inputs.end(), {scene.file, job.replicas.front().scene_file});
+  }
+  return job;
 }
 
 // How the last process ended, and the cost of all of them.
@@ -106,12 +127,8 @@ Execution execute(const Plan& plan,
     record.end.reason = *reason;
     return execution;
   }
-  RenderJob job{chosen.entry,
-                prepare_replicas(plan, planned, std::get<scene::Scene>(prepared), folders.unfinished)};
+  const auto job = render_job(plan, planned, std::get<scene::Scene>(prepared), folders);
   const auto folder = job.replicas.front().folder;
-  job.renderer.limits = limits_of(plan, planned);
-  if (plan.settings.sandbox) job.isolation = isolation_of(plan, chosen, folder, folders.run);
-  if (!plan.images.empty()) job.came_back = plan.images / planned.folder;
   note_command(job.replicas, planned.folder, environment_of(chosen.entry, job.replicas.front()), record);
   if (job.came_back.empty()) {
     record.cost.started = local_time_now();

@@ -4,10 +4,14 @@
 #include "base/files.h"
 
 #include <cctype>
+#include <cerrno>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace orbs::run {
 
@@ -27,6 +31,33 @@ std::vector<fs::path> in_the_way(const fs::path& folder) {
   return found;
 }
 
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+// Renders that start together make the folders that they share at the same time: what is there is looked at
+// only after mkdir(2) has found it, and unlink(2) leaves what another render has made a folder meanwhile.
+std::error_code make_one(const fs::path& folder, bool& is_replaced) {
+  if (::mkdir(folder.c_str(), S_IRWXU | S_IRWXG | S_IRWXO) == 0) return {};
+  if (errno != EEXIST) return last_error();
+  std::error_code failed;
+  const auto type = fs::symlink_status(folder, failed).type();
+  if (type == fs::file_type::directory) return {};
+  if (type == fs::file_type::none) return failed;
+  if (::unlink(folder.c_str()) == 0) is_replaced = true;
+  return ::mkdir(folder.c_str(), S_IRWXU | S_IRWXG | S_IRWXO) == 0 ? std::error_code() : last_error();
+}
+
+std::error_code make_each(const fs::path& within, const fs::path& folder, bool& is_replaced) {
+  std::error_code failed;
+  fs::create_directories(within, failed);
+  auto part = within;
+  for (const auto& name : folder.lexically_relative(within)) {
+    if (failed) return failed;
+    part /= name;
+    failed = make_one(part, is_replaced);
+  }
+  return failed;
+}
+
 }  // namespace
 
 void make_way(const fs::path& path) {
@@ -35,16 +66,32 @@ void make_way(const fs::path& path) {
                                  path.string(), failed.message()));
 }
 
-void make_room(const fs::path& folder) {
+bool make_own_folder(const fs::path& within, const fs::path& folder) {
+  // What another renderer of this run does to the folders above can undo a part; none goes on for ever.
+  constexpr int kTries = 16;
+  bool is_replaced = false;
+  std::error_code failed;
+  for (int i = 0; i < kTries; ++i) {
+    failed = make_each(within, folder, is_replaced);
+    if (failed != std::errc::no_such_file_or_directory && failed != std::errc::not_a_directory &&
+        failed != std::errc::file_exists)
+      break;
+  }
+  if (failed)
+    throw WriteError(fmt::format("{}: the folder cannot be made: {}", folder.string(), failed.message()));
+  return is_replaced;
+}
+
+bool make_room(const fs::path& within, const fs::path& folder) {
+  const bool is_replaced = make_own_folder(within, folder);
   try {
-    if (fs::symlink_status(folder).type() != fs::file_type::directory) fs::remove(folder);
-    fs::create_directories(folder);
     fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
     for (const auto& path : in_the_way(folder)) make_way(path);
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
                                  folder.string(), e.code().message()));
   }
+  return is_replaced;
 }
 
 std::string named_within(const std::filesystem::path& folder, std::string text) {

@@ -117,6 +117,14 @@ std::string signal_message(const adapters::ProcessResult& process, const Process
   return text;
 }
 
+// A shell, and bubblewrap, ends with 128 and the signal that has ended its command.
+std::string exit_message(int code) {
+  constexpr int kShell = 128;
+  const bool is_signal = code > kShell && code < kShell + SIGRTMIN;
+  return fmt::format("ended with exit code {}{}", code,
+                     is_signal ? fmt::format(", as after {}", adapters::signal_name(code - kShell)) : "");
+}
+
 Outcome process_outcome(const adapters::ProcessResult& process,
                         const fs::path& folder,
                         const ProcessLimits& limits) {
@@ -128,7 +136,7 @@ Outcome process_outcome(const adapters::ProcessResult& process,
   if (process.cause == Cause::Nothing && process.signal != 0)
     outcome = {JobOutcome::Crash, signal_message(process, limits), {}};
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
-    outcome = {JobOutcome::Crash, fmt::format("ended with exit code {}", process.exit_code), {}};
+    outcome = {JobOutcome::Crash, exit_message(process.exit_code), {}};
   if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)
     if (const auto words = last_words(process.output, folder); !words.empty())
       outcome.reason += fmt::format("; its last words: {}", words);

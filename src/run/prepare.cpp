@@ -111,19 +111,4 @@ std::vector<adapters::Job> replicas_of(const Plan& plan,
   return replicas_of(renderer.entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder);
 }
 
-adapters::Isolation isolation_of(const Plan& plan,
-                                 const ChosenRenderer& renderer,
-                                 const std::filesystem::path& folder,
-                                 const std::filesystem::path& run_folder) {
-  adapters::Isolation isolation{folder,
-                                {plan.root, plan.build, renderer.executable.parent_path()},
-                                {plan.suite.references, run_folder}};
-  std::error_code ignored;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::absolute(run_folder).parent_path(), ignored))
-    if (std::filesystem::exists(entry.path() / "results.json", ignored))
-      isolation.hidden.push_back(entry.path());
-  return isolation;
-}
-
 }  // namespace orbs::run

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "adapters/job.h"
-#include "adapters/process/isolation.h"
 #include "run/plan/plan.h"
 #include "scene/scene.h"
 
@@ -48,12 +47,5 @@ std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
 std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const PlannedJob& job,
                                        const std::filesystem::path& run_folder);
-
-/// What a renderer of the plan sees in a sandbox: `folder` is its own; it sees no reference of the suite, and
-/// no run beside that in `run_folder`, since these hold copies of references.
-adapters::Isolation isolation_of(const Plan& plan,
-                                 const ChosenRenderer& renderer,
-                                 const std::filesystem::path& folder,
-                                 const std::filesystem::path& run_folder);
 
 }  // namespace orbs::run

@@ -9,9 +9,11 @@
 #include "json/document.h"
 #include "json/object_reader.h"
 #include "metrics/seeds.h"
+#include "run/isolate.h"
 #include "run/job_folder.h"
 #include "run/plan/render_seconds.h"
 #include "run/prepare.h"
+#include "run/program_hash.h"
 
 #include <fmt/format.h>
 
@@ -58,8 +60,9 @@ PreparedRender prepare_render(const ChosenRenderer& renderer,
   std::error_code ignored;
   subject.is_built_in = std::filesystem::equivalent(renderer.executable, plan.build / "orbs-tracer", ignored);
   make_folder(folder);
-  if (plan.settings.sandbox) subject.isolation = isolation_of(plan, renderer, folder, folder.parent_path());
   const auto job = adapters::make_job(renderer.entry, scene, subject.settings, folder);
+  if (plan.settings.sandbox)
+    subject.isolation = isolation_of(plan, renderer, scene, {job}, folder.parent_path());
   adapters::export_scene(renderer.entry, std::get<scene::Scene>(prepared), job.scene_file);
   return subject;
 }
@@ -72,7 +75,9 @@ RenderJob job_of(const PreparedRender& prepared, const RenderSettings& settings)
   of_job.spp = settings.spp;
   of_job.seed = (settings.seed - 1) * entry.sampling.seeds + 1;
   of_job.threads = settings.threads;
-  RenderJob job{entry, replicas_of(entry, prepared.scene, of_job, prepared.folder), prepared.isolation};
+  RenderJob job{entry, replicas_of(entry, prepared.scene, of_job, prepared.folder), prepared.isolation,
+                prepared.folder.parent_path(), files_of(prepared.scene)};
+  job.inputs.push_back(job.replicas.front().scene_file);
   make_way(prepared.folder / "log.txt");
   for (auto& replica : job.replicas) {
     replica.may_be_negative = settings.may_be_negative;
@@ -162,21 +167,58 @@ std::vector<std::string> environment_of(const registry::Renderer& renderer, cons
   return adapters::child_environment(allowed);
 }
 
+namespace {
+
+// The first of the inputs that is another than at the start; "" when none is.
+std::string changed_input(const RenderJob& job,
+                          const std::vector<std::string>& at_start,
+                          FileHashes& hashes) {
+  for (std::size_t i = 0; i < job.inputs.size(); ++i)
+    if (hashes.of(job.inputs[i]) != at_start[i])
+      return named_within(job.replicas.front().folder, job.inputs[i].string());
+  return "";
+}
+
+// The outcome of one process, and the folder ready for what we write into it.
+Outcome outcome_of(const RenderJob& job,
+                   const adapters::Job& replica,
+                   const adapters::ProcessResult& process) {
+  const bool is_replaced = make_room(job.within, replica.folder);
+  // The file of the log is where the renderer has moved the folder.
+  const auto log = replica.folder / "log.txt";
+  if (!no_file_problem(log).empty()) write_file(log, process.output);
+  auto outcome = classify(process, replica, job.renderer.limits);
+  if (is_replaced)
+    outcome.reason += "; it has put something else in the place of its folder, or of one above";
+  return outcome;
+}
+
+}  // namespace
+
 Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
   Rendered rendered;
   std::vector<image::Image> images;
+  FileHashes hashes;
+  std::vector<std::string> at_start;
+  for (const auto& file : job.inputs) at_start.push_back(hashes.of(file));
   for (const auto& replica : job.replicas) {
     forget_render_seconds(job.renderer.timing.render_seconds, replica.folder);
     rendered.image = replica.image;
     rendered.processes.push_back(job.came_back.empty() ? start(job, replica, stop)
                                                        : take_image(replica, job.came_back));
     const auto& process = rendered.processes.back();
-    make_room(replica.folder);
+    rendered.outcome = outcome_of(job, replica, process);
     if (const auto seconds =
             render_seconds(job.renderer.timing.render_seconds, process.output, replica.folder))
       rendered.render_seconds = rendered.render_seconds.value_or(0) + *seconds;
-    rendered.outcome = classify(process, replica, job.renderer.limits);
     if (rendered.outcome.kind != JobOutcome::Image) return rendered;
+    if (const auto file = changed_input(job, at_start, hashes); !file.empty()) {
+      rendered.outcome = {
+          JobOutcome::Stale,
+          fmt::format("{}, which its scene is made of, has changed while it was rendered", file),
+          {}};
+      return rendered;
+    }
     if (job.replicas.size() > 1) {
       images.push_back(std::move(*rendered.outcome.image));
     } else if (replica.channels != adapters::kColourChannels) {

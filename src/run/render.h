@@ -72,6 +72,8 @@ struct RenderJob {
   registry::Renderer renderer;          // with the limits of this render
   std::vector<adapters::Job> replicas;  // one process each; the first one's folder holds the scene
   std::optional<adapters::Isolation> isolation{};
+  std::filesystem::path within{};  // ours; between it and the folder of the replicas, renderers write, too
+  std::vector<std::filesystem::path> inputs{};  // that the renders of one scene must not change
   std::filesystem::path came_back{};  // holds the images that were rendered elsewhere; "": they are rendered
 };
 
@@ -83,7 +85,8 @@ struct Rendered {
 };
 
 /// Starts one process after the other, until one leaves no usable image, and classifies the outcome. Touches
-/// only the folder of the replicas, which exists. Several images become one with their mean and variance.
+/// only the folder of the replicas, which exists, and those between it and `within`. An image is Stale when
+/// one of the inputs has changed meanwhile. Several images become one with their mean and variance.
 Rendered render(const RenderJob& job, const std::atomic<bool>* stop);
 
 /// The variables that the renderer gets for the job.

@@ -7,6 +7,7 @@
 #include "results/record.h"
 #include "run/expected.h"
 #include "run/host.h"
+#include "run/job_folder.h"
 #include "run/judge_targets.h"
 #include "run/resume.h"
 
@@ -135,13 +136,14 @@ JudgedJob judged(Session& session, std::size_t index, Execution execution) {
   record.hashes.program = program;
   record.hashes.files = files_hash(session.plan, job, record, folders.unfinished);
   record.hashes.image = image_hash(record, folders.unfinished);
-  make_folder(folders.unfinished / job.folder);
+  make_own_folder(folders.run, folders.unfinished / job.folder);
   auto targets = judge_scene(session.plan, index, execution, folders);
   const auto& plan = session.plan;
   mark_expected(plan.expected,
                 {plan.suite.name, plan.settings.size_divisor, session.context.day, plan.settings.strict},
                 {{record.identity.renderer, record.program.version}}, targets);
   write_file(folders.unfinished / job.folder / "job.json", results::job_json(record, targets));
+  make_own_folder(folders.run, (folders.run / job.folder).parent_path());
   put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
   const std::lock_guard lock(session.mutex);
   ++session.done;

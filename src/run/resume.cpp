@@ -7,6 +7,7 @@
 #include "json/field_writer.h"
 #include "run/job_folder.h"
 #include "run/prepare.h"
+#include "run/renderer_version.h"
 
 #include <algorithm>
 #include <vector>
@@ -138,7 +139,7 @@ bool is_worth_another_try(JobOutcome outcome) {
 std::optional<std::string> why_outdated(const JobRecord& found, const JobRecord& now) {
   if (found.identity.id != now.identity.id) return "its samples or its seed have changed";
   if (found.hashes.scene != now.hashes.scene) return "its scene has changed";
-  if (found.program.version != now.program.version)
+  if (is_other_version(found.program.version, now.program.version))
     return fmt::format("it was rendered by '{}', now there is '{}'", found.program.version,
                        now.program.version);
   if (found.hashes.settings != now.hashes.settings) return "its command, environment or threads have changed";

@@ -18,6 +18,9 @@ std::string verdicts(const Sandbox& sandbox, const std::string& folder) {
   return text.substr(begin, text.find("\n  \"jobs\": [") - begin);
 }
 
+// The other machine says which program it is.
+const std::string kProgram = "RENDERER=" ORBS_BINARY_DIR "/orbs-fake-renderer ";
+
 }  // namespace
 
 TEST(Export, WhatIsRenderedElsewhereGetsTheSameVerdictsAsThroughTheAdapter) {
@@ -27,10 +30,11 @@ TEST(Export, WhatIsRenderedElsewhereGetsTheSameVerdictsAsThroughTheAdapter) {
     const auto exported = sandbox.orbs({"export", "--format", "orbs", "-r", name, "-o", "for-" + name});
     EXPECT_EQ(exported.status, 0) << exported.text;
     EXPECT_TRUE(contains(exported.text, "3 renders written to")) << exported.text;
-    EXPECT_EQ(
-        sandbox.shell("mv for-" + name + " elsewhere-" + name + " && sh elsewhere-" + name + "/render.sh")
-            .status,
-        0);
+    EXPECT_EQ(sandbox
+                  .shell("mv for-" + name + " elsewhere-" + name + " && " + kProgram + "sh elsewhere-" +
+                         name + "/render.sh")
+                  .status,
+              0);
     const auto judged = sandbox.orbs({"judge", "elsewhere-" + name, "-o", "judged-" + name});
     const auto local = sandbox.orbs({"run", "-r", name, "-o", "local-" + name});
     EXPECT_EQ(judged.status, local.status) << judged.text;
@@ -71,11 +75,67 @@ TEST(Export, ARendererThatIsNotInstalledIsExportedForAllTheSame) {
   EXPECT_FALSE(contains(script, sandbox.folder().string())) << script;
 }
 
+// Scripts and plug-ins come along, with what the scripts import.
+TEST(Export, NamesNoFolderOfThisMachine) {
+  const Sandbox sandbox;
+  sandbox.write("adapter/start.sh", "#!/bin/sh\n. \"$(dirname \"$0\")/more.sh\"\n");
+  sandbox.write("adapter/more.sh", "shift\nexec \"$@\"\n");
+  sandbox.write("adapter/notes.txt", "not of the program");
+  replace_in(sandbox, "configuration.json", R"("command": ["{executable}", "--mode", "good")",
+             R"("command": ["sh", "{root}/adapter/start.sh", "--", "{executable}", "--mode", "good")");
+  const auto exported = sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "-o", "out"});
+  ASSERT_EQ(exported.status, 0) << exported.text;
+  const auto found =
+      sandbox.shell("grep -rlF -e " + sandbox.folder().string() + " -e " ORBS_BINARY_DIR " out");
+  EXPECT_EQ(found.text, "") << sandbox.read("out/render.sh");
+  EXPECT_TRUE(sandbox.has("out/programs/good/more.sh"));
+  EXPECT_FALSE(sandbox.has("out/programs/good/notes.txt"));
+  EXPECT_EQ(sandbox.shell("mv adapter gone; " + kProgram + "sh out/render.sh").status, 0);
+  EXPECT_TRUE(sandbox.has("out/good/grey/result.exr"));
+}
+
+TEST(Export, ListsTheImagesForProgramsThatReadNoScript) {
+  const Sandbox sandbox;
+  sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "--seed", "3", "-o", "out"});
+  EXPECT_EQ(sandbox.read("out/export.json"), R"({
+  "format": "orbs-export/1",
+  "suite": "t",
+  "size": "1",
+  "images": [
+    {
+      "image": "good/grey/result.exr",
+      "scene_file": "good/grey/scene.json",
+      "scene": "grey",
+      "renderer": "good",
+      "width_px": 12,
+      "height_px": 8,
+      "spp": 8,
+      "seed": 3,
+      "trace_depth": 5
+    }
+  ]
+}
+)");
+}
+
+// The folder may come back to a machine that has the suite somewhere else.
+TEST(Export, IsJudgedWhereverTheSuiteIs) {
+  const Sandbox sandbox;
+  sandbox.shell("mkdir here there && mv cases references configuration.json here");
+  const auto exported =
+      sandbox.shell("cd here && " ORBS_BINARY_DIR "/orbs export --format orbs -r good -s grey -o ../out");
+  ASSERT_EQ(exported.status, 0) << exported.text;
+  sandbox.shell("mv here there/suite && " + kProgram + "sh out/render.sh");
+  const auto judged =
+      sandbox.shell("cd there/suite && " ORBS_BINARY_DIR "/orbs judge ../../out -o ../../judged");
+  EXPECT_EQ(judged.status, 0) << judged.text;
+}
+
 TEST(Export, AVariableOfTheEnvironmentMayHoldBlanks) {
   const Sandbox sandbox;
   sandbox.add_to_good(R"(, "environment": ["OPTIONS=slow and sure"])");
   sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "-o", "out"});
-  const auto script = sandbox.shell("sh out/render.sh");
+  const auto script = sandbox.shell(kProgram + "sh out/render.sh");
   EXPECT_EQ(script.status, 0) << script.text;
   EXPECT_TRUE(sandbox.has("out/good/grey/result.exr")) << script.text;
 }

@@ -1,50 +1,177 @@
-// A renderer that looks for what it must not see, with --sandbox and without.
+// A renderer that looks for what it must not see, with --sandbox and without, as root and as another user.
+#include "base/files.h"
 #include "cli/sandbox.h"
+
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/ipc.h>
+#include <sys/shm.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+using orbs::ScratchFolder;
 using orbs::cli_tests::Answer;
+using orbs::cli_tests::contains;
 using orbs::cli_tests::Sandbox;
 
 namespace {
 
-// Renders as the one that it stands for, and says in its log what it could do beside.
-void write_curious_renderer(const Sandbox& sandbox) {
-  sandbox.write(
-      "curious",
-      fmt::format("#!/bin/sh\n"
-                  "cat {0}/references/*.exr ../references/*.exr ../../references/*.exr > found 2>&1\n"
-                  "test -n \"$(find found -size +1k)\" && echo it reads references\n"
-                  "(echo x > {0}/mark) 2> /dev/null && echo it writes elsewhere\n"
-                  "grep -q 'eth\\|ens\\|enp' /proc/net/dev && echo it has a network\n"
-                  "exec {1}/orbs-fake-renderer \"$@\"\n",
-                  sandbox.folder().string(), ORBS_BINARY_DIR));
+namespace fs = std::filesystem;
+
+// What the machine of a run holds beside the run: a file that nobody named, a System V segment, a file in
+// memory. They are gone with the object.
+struct Surroundings {
+  ScratchFolder folder{"orbs-private"};
+  int segment = ::shmget(IPC_PRIVATE, 4096, 0600);
+  fs::path shared = fmt::format("/dev/shm/orbs-test-{}", ::getpid());
+
+  Surroundings() {
+    orbs::write_file(folder.path() / "key", "secret");
+    orbs::write_file(shared, "secret");
+    for (const auto& path : {folder.path(), folder.path() / "key", shared}) ::chmod(path.c_str(), 0755);
+  }
+  ~Surroundings() {
+    ::shmctl(segment, IPC_RMID, nullptr);
+    std::error_code ignored;
+    fs::remove(shared, ignored);
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+};
+
+constexpr const char* kCurious = R"sh(#!/bin/sh
+say() {{ echo "curious: $*"; (echo "$*" >> {0}/said) 2> /dev/null; }}
+cat {0}/references/*.exr ../references/*.exr ../../references/*.exr > found 2> /dev/null
+test -n "$(find found -size +1k)" && say it reads references
+cat /proc/[0-9]*/root{0}/references/*.exr > found 2> /dev/null
+test -n "$(find found -size +1k)" && say it reads references through other processes
+test -r {1}/key && say it reads what nobody named
+test -r /etc/shadow && say it reads passwords
+(echo x > {0}/mark) 2> /dev/null && say it writes elsewhere
+for root in /proc/[0-9]*/root; do (echo x > $root{0}/mark) 2> /dev/null && say it writes through other processes; done
+test -e {2} && say it sees files in memory
+test "$(grep -c . /proc/sysvipc/shm)" -gt 1 && say it sees memory of others
+kill -0 {3} 2> /dev/null && say it can signal others
+test "$(ls -d /proc/[0-9]* | wc -l)" -gt 8 && say it sees other processes
+for name in pid={4} ipc={5} uts={6} net={7} mnt={8}; do
+  test "$(readlink /proc/self/ns/${{name%%=*}})" = "${{name#*=}}" && say it shares the namespace ${{name%%=*}}
+done
+(: >> /proc/sys/kernel/core_pattern) 2> /dev/null && say it sets the kernel
+grep -q 'CapEff:.*[1-9a-f]' /proc/self/status && say it has rights of root
+grep -q 'eth\|ens\|enp' /proc/net/dev && say it has a network
+case "$1" in --version) echo 7;; *) exec {9}/orbs-fake-renderer "$@";; esac
+)sh";
+
+// Renders as the one that it stands for, or says its version, and says in `said` what it could do beside: on
+// its output, and where the disk lets it.
+void write_curious_renderer(const Sandbox& sandbox, const Surroundings& around) {
+  const auto space = [](const char* name) { return fs::read_symlink(fmt::format("/proc/self/ns/{}", name)); };
+  sandbox.write("curious", fmt::format(kCurious, sandbox.folder().string(), around.folder.path().string(),
+                                       around.shared.string(), ::getpid(), space("pid").string(),
+                                       space("ipc").string(), space("uts").string(), space("net").string(),
+                                       space("mnt").string(), ORBS_BINARY_DIR));
   ::chmod((sandbox.folder() / "curious").c_str(), 0755);
+  // The program that the script starts lies where nobody would look for it.
+  sandbox.add_to_good(R"(, "readable": ["{build}"])");
 }
 
-std::string log_of(const Sandbox& sandbox, const std::string& run) {
-  return sandbox.read(run + "/good/grey/log.txt");
+// Everybody may write into the sandbox's folder then.
+Answer orbs_as(const Sandbox& sandbox, const std::string& user, const std::string& arguments) {
+  sandbox.shell("chmod -R a+rwX . && chmod a+rx curious");
+  return sandbox.shell(fmt::format("{} {}/orbs {}",
+                                   user.empty() ? "" : "setpriv --reuid=65534 --regid=65534 --clear-groups",
+                                   ORBS_BINARY_DIR, arguments));
 }
+
+std::string said(const Sandbox& sandbox) { return sandbox.has("said") ? sandbox.read("said") : ""; }
+
+// As whom the test can run: root can be anybody.
+std::vector<std::string> users() {
+  return ::geteuid() == 0 ? std::vector<std::string>{"", "nobody"} : std::vector<std::string>{""};
+}
+
+bool refuses_namespaces(const Answer& answer) { return contains(answer.text, "bwrap says"); }
+
+constexpr const char* kRun = "run -r good -s grey -e ./curious -o ";
 
 }  // namespace
 
-TEST(Isolation, ARendererSeesNoReferencesAndWritesNowhereElse) {
-  const Sandbox sandbox;
-  write_curious_renderer(sandbox);
-  EXPECT_EQ(sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./curious", "-o", "open"}).status, 0);
-  EXPECT_NE(log_of(sandbox, "open").find("it reads references"), std::string::npos);
-  EXPECT_NE(log_of(sandbox, "open").find("it writes elsewhere"), std::string::npos);
+TEST(Isolation, ARendererSeesNothingButWhatItNeeds) {
+  for (const auto& user : users()) {
+    const Surroundings around;
+    const Sandbox sandbox;
+    write_curious_renderer(sandbox, around);
+    const auto open = orbs_as(sandbox, user, std::string(kRun) + "open");
+    EXPECT_EQ(open.status, 0) << open.text;
+    for (const char* part :
+         {"it reads references", "it reads what nobody named", "it writes elsewhere",
+          "it sees files in memory", "it sees other processes", "it shares the namespace pid",
+          "it shares the namespace ipc", "it shares the namespace uts"})
+      EXPECT_TRUE(contains(said(sandbox), part)) << part << ", without a sandbox: " << said(sandbox);
 
-  const Answer answer =
-      sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./curious", "--sandbox", "-o", "shut"});
-  if (answer.text.find("bwrap says") != std::string::npos)
-    GTEST_SKIP() << "the kernel or container refuses namespaces: " << answer.text;
-  EXPECT_EQ(answer.status, 0) << answer.text;
-  EXPECT_EQ(log_of(sandbox, "shut").find("it reads"), std::string::npos) << log_of(sandbox, "shut");
-  EXPECT_EQ(log_of(sandbox, "shut").find("it writes"), std::string::npos) << log_of(sandbox, "shut");
-  EXPECT_EQ(log_of(sandbox, "shut").find("it has a network"), std::string::npos) << log_of(sandbox, "shut");
+    fs::remove(sandbox.folder() / "said");
+    fs::remove(sandbox.folder() / "mark");
+    const auto shut = orbs_as(sandbox, user, std::string(kRun) + "shut --sandbox");
+    if (refuses_namespaces(shut)) GTEST_SKIP() << "the kernel or container refuses namespaces: " << shut.text;
+    EXPECT_EQ(shut.status, 0) << shut.text;
+    EXPECT_FALSE(sandbox.has("said")) << user << ": " << said(sandbox);
+    EXPECT_FALSE(sandbox.has("mark"));
+    EXPECT_FALSE(contains(sandbox.read("shut/good/grey/log.txt"), "curious: "))
+        << user << ": " << sandbox.read("shut/good/grey/log.txt");
+  }
+}
+
+// Version commands and studies start the same programs.
+TEST(Isolation, HoldsForVersionCommandsAndStudies) {
+  for (const char* command :
+       {"run --dry-run", "probe -r good -s grey", "stability -r good -s grey --relation rotate -o study"}) {
+    const Surroundings around;
+    const Sandbox sandbox;
+    write_curious_renderer(sandbox, around);
+    replace_in(sandbox, "configuration.json",
+               R"("executable": "{build}/orbs-fake-renderer", "version_command")",
+               R"("executable": "{root}/curious", "version_command")");
+    const bool is_run = std::string(command).starts_with("run");
+    const auto words = is_run ? std::string(kRun) + "out" : std::string(command);
+    const auto answer = orbs_as(sandbox, "", words + " --sandbox");
+    if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
+    EXPECT_FALSE(sandbox.has("said")) << command << ": " << said(sandbox) << answer.text;
+    EXPECT_FALSE(sandbox.has("mark")) << command;
+    EXPECT_FALSE(sandbox.has("found")) << command << ": the version command writes where orbs was started";
+    fs::remove_all(sandbox.folder() / "study");
+    orbs_as(sandbox, "", is_run ? std::string(kRun) + "open" : std::string(command));
+    EXPECT_TRUE(sandbox.has("said")) << command << " starts it";
+  }
+}
+
+// A limit of memory holds for what lies in the folders in memory that the sandbox brings.
+TEST(Isolation, FoldersInMemoryAreLimited) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "readable": ["{build}"], "limits": {"memory_megabytes": 50})");
+  orbs::cli_tests::replace_in(sandbox, "configuration.json", R"("limits": {}, )", "");
+  sandbox.write("hoarder", fmt::format("#!/bin/sh\nhead -c 80M /dev/zero > /dev/shm/x || exit 7\n"
+                                       "exec {}/orbs-fake-renderer \"$@\"\n",
+                                       ORBS_BINARY_DIR));
+  ::chmod((sandbox.folder() / "hoarder").c_str(), 0755);
+  const auto answer =
+      sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./hoarder", "--sandbox", "-o", "out"});
+  if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_TRUE(contains(sandbox.read("out/good/grey/log.txt"), "No space left on device")) << answer.text;
+}
+
+TEST(Isolation, LimitsEndWhatRunsInIt) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-r", "good,hang-with-child,ignore-term,leak,burn,segfault", "-s",
+                                    "grey", "-c", "m1_grey", "--sandbox", "-o", "out"});
+  if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
+  for (const char* reason :
+       {"was ended after its time limit of 4 s", "was ended after its time limit of 0.3 s",
+        "was ended because it took more than its 200 MB of memory",
+        "was ended after 0.3 s of processor time, its limit", "ended with exit code 139, as after SIGSEGV"})
+    EXPECT_TRUE(contains(sandbox.read("out/results.csv"), reason)) << reason << answer.text;
 }
 
 TEST(Isolation, WithoutBubblewrapTheRunIsRefused) {

@@ -1,7 +1,11 @@
 #include "cli/sandbox.h"
 #include "image/image_io.h"
+#include "json/document.h"
+#include "json/object_reader.h"
 
+#include <algorithm>
 #include <limits>
+#include <regex>
 
 #include <gtest/gtest.h>
 
@@ -46,13 +50,32 @@ TEST(Plan, SaysWhatEachSceneCallsForAndWhy) {
   EXPECT_EQ(sandbox.orbs({"effects", "no-such-scene"}).status, 2);
 }
 
-TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
+TEST(Doctor, SaysInALineOfEachWhatIsThereAndWhatIsNot) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"doctor"});
   EXPECT_EQ(answer.status, 0);
+  const auto entries = json::parse("doctor", sandbox.orbs({"doctor", "--json"}).text);
+  json::ObjectReader report(entries);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(answer.text.begin(), answer.text.end(), '\n')),
+            report.objects("renderers").size() + 2)
+      << answer.text;
+  EXPECT_TRUE(std::regex_search(answer.text, std::regex("\ngood +fake renderer 7.8 +orbs-scene +G5")))
+      << answer.text;
+  EXPECT_TRUE(contains(answer.text, "not installed: '/nowhere/at/all' was not found")) << answer.text;
+}
+
+TEST(Doctor, SaysAllOfTheRenderersThatAreNamed) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"doctor", "-r", "good,absent"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_TRUE(contains(answer.text, "good\n  program   ")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "version   fake renderer 7.8")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "absent\n  program   not installed: '/nowhere/at/all' was not found"))
       << answer.text;
+  EXPECT_FALSE(contains(answer.text, "noisy")) << answer.text;
+  const auto wrong = sandbox.orbs({"doctor", "-r", "god"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(contains(wrong.text, "no renderer matches 'god' (did you mean 'good'?)")) << wrong.text;
 }
 
 TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
@@ -60,10 +83,10 @@ TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
   sandbox.add_to_good(R"(, "spp_scale_of_scenes": {"gray": 3, "mirror": 2},)"
                       R"( "scene_settings_of_scenes": {"miror": {}})");
   const auto answer = sandbox.orbs({"doctor"});
-  EXPECT_TRUE(contains(answer.text,
-                       "  warning   spp_scale_of_scenes: no suite has a scene 'gray' (did you mean 'grey'?)"))
+  EXPECT_TRUE(contains(
+      answer.text, "warning: good: spp_scale_of_scenes: no suite has a scene 'gray' (did you mean 'grey'?)"))
       << answer.text;
-  EXPECT_TRUE(contains(answer.text, "  warning   scene_settings_of_scenes: no suite has a scene 'miror'"))
+  EXPECT_TRUE(contains(answer.text, "warning: good: scene_settings_of_scenes: no suite has a scene 'miror'"))
       << answer.text;
   EXPECT_FALSE(contains(answer.text, "scene 'mirror'")) << answer.text;
 }

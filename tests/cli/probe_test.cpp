@@ -1,6 +1,8 @@
 // orbs probe with the built-in tracer, as it is and behind a converter that makes a mistake.
 #include "cli/sandbox.h"
 
+#include <regex>
+
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -50,6 +52,24 @@ TEST(ProbeCommand, AsksNoDeclarationOfEmission) {
   const auto answer = sandbox.orbs({"probe", "-s", "101", "--size", "64"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("texture coordinates not checked: "), std::string::npos) << answer.text;
+}
+
+// Textures that reflect show them, too.
+TEST(ProbeCommand, ChecksTextureCoordinatesWithoutTexturedEmission) {
+  for (const bool are_exchanged : {false, true}) {
+    const Sandbox sandbox;
+    sandbox.write(
+        "exchange.sed",
+        are_exchanged ? R"(/"ramp"/,/}/s/"matrix": .*/"matrix": [0,1,0,0, 1,0,0,0, 0,0,1,0, 0,0,0,1]/)" : "");
+    auto text = configuration_with_mistake("sed -f " + (sandbox.folder() / "exchange.sed").string());
+    text.replace(text.find("G5/M8/L4/A4"), 11, "G5/M5");
+    sandbox.write("configuration.json", text);
+    const auto answer = sandbox.orbs({"probe", "-s", "113", "--size", "64"});
+    EXPECT_EQ(answer.status, are_exchanged ? 1 : 0) << answer.text;
+    const std::regex right("ok, [0-9]+ pixels.*, texture coordinates in [1-9][0-9]{2,}");
+    EXPECT_EQ(std::regex_search(answer.text, right), !are_exchanged) << answer.text;
+    EXPECT_EQ(cli_tests::contains(answer.text, "texture coordinates differ: "), are_exchanged) << answer.text;
+  }
 }
 
 TEST(ProbeCommand, NothingCheckedIsNothingRight) {

@@ -27,6 +27,7 @@ SCENE = """{"format": "orbs-scene/1", "name": "s", "camera": {"position": [0,4,1
  "meshes": [{"name": "p", "generator": "plane", "half_size": 1, "material": "m"}], "instances": [{"mesh": "p"}],
  "lights": [], "environment": [1,1,1]}"""
 NAMES = ["a", "b", "c", "d"]
+CLUSTER = "100%job"  # Slurm replaces %j in the names of the files of output
 
 
 def program(name):
@@ -164,28 +165,40 @@ def test(folder, build):
     local = orbs("run", "--threads", "1", "-o", "local")
     assert local.returncode == 0, local.stdout + local.stderr
     (folder / "block").touch()
+    configuration = folder / "configuration.json"
     with Slurm(folder) as slurm:
-        submitted = orbs("submit", "--slurm", "--threads", "1", "--shards", "2", "-o", "cluster")
+        # What Slurm refuses is mended in the configuration and resumed.
+        right = configuration.read_text()
+        configuration.write_text(right.replace('"partition": "main"', '"partition": "nowhere"'))
+        refused = orbs("submit", "--slurm", "--threads", "1", "--shards", "2", "-o", "refused")
+        assert refused.returncode == 2 and "--resume" in refused.stderr, refused.stdout + refused.stderr
+        configuration.write_text(right)
+        mended = orbs("submit", "--slurm", "--resume", "refused", "--dry-run")
+        assert "--partition=main" in mended.stdout and "--array=1-2" in mended.stdout, mended.stdout + mended.stderr
+        submitted = orbs("submit", "--slurm", "--threads", "1", "--shards", "2", "-o", CLUSTER)
         assert submitted.returncode == 0, submitted.stdout + submitted.stderr
         array = re.search(r"array (\d+) of 2 shards", submitted.stdout).group(1)
         until("the second task renders scene c", (folder / "blocked").exists)
+        # The array of which a task renders is not submitted again.
+        waiting = orbs("submit", "--slurm", "--resume", CLUSTER + "/")
+        assert "not submitted again" in waiting.stdout, waiting.stdout + waiting.stderr
         until("the other task ends", lambda: "RUNNING" not in slurm.ask("squeue", "-h", "-j", f"{array}_2", "-o", "%T"))
         slurm.ask("scancel", f"{array}_1")
         slurm.wait_for_all()
-        merge = (folder / "cluster/merge.log").read_text()
+        merge = (folder / CLUSTER / "merge.log").read_text()
         assert "the runs lack" in merge and "good c: not rendered" in merge, merge
-        assert not (folder / "cluster/merged").exists()
+        assert not (folder / CLUSTER / "merged").exists()
         (folder / "block").unlink()
-        again = orbs("submit", "--slurm", "--resume", "cluster")
+        again = orbs("submit", "--slurm", "--resume", CLUSTER)
         assert "of 1 shards" in again.stdout, again.stdout + again.stderr
         slurm.wait_for_all()
-        merge = (folder / "cluster/merge.log").read_text()
-        assert (folder / "cluster/merged/results.json").exists(), merge
-        assert "are complete" in orbs("submit", "--slurm", "--resume", "cluster").stdout
-    merged, local = without_times(folder / "cluster/merged"), without_times(folder / "local")
+        merge = (folder / CLUSTER / "merge.log").read_text()
+        assert (folder / CLUSTER / "merged/results.json").exists(), merge
+        assert "are complete" in orbs("submit", "--slurm", "--resume", CLUSTER).stdout
+    merged, local = without_times(folder / CLUSTER / "merged"), without_times(folder / "local")
     assert merged == local, "\n".join(difflib.unified_diff(local.splitlines(), merged.splitlines(), "local", "merged", n=1))
     for image in (folder / "local").rglob("*.exr"):
-        other = folder / "cluster/merged" / image.relative_to(folder / "local")
+        other = folder / CLUSTER / "merged" / image.relative_to(folder / "local")
         assert image.read_bytes() == other.read_bytes(), image
 
 

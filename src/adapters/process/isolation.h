@@ -1,17 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace orbs::adapters {
 
-/// What a command sees under bubblewrap: all files read-only, `folder` writable, /tmp empty and its own,
-/// `hidden` folders empty, no network. `readable` folders are seen even if they lie in /tmp.
+/// What a command sees under bubblewrap beside the folders of the system (/usr and what programs need of
+/// /etc): nothing but what is named here. Its processes, System V memory, host name, network, /proc, /dev,
+/// /tmp, /dev/shm and home folder are its own, the last three empty at the start, and it has no rights of
+/// root over the rest.
 struct Isolation {
-  std::filesystem::path folder;
-  std::vector<std::filesystem::path> readable;
-  std::vector<std::filesystem::path> hidden;
+  std::filesystem::path folder;                 // writable; where it starts
+  std::vector<std::filesystem::path> readable;  // folders and files
+  std::vector<std::filesystem::path> hidden;    // folders that are empty where they lie in what is readable
+  std::vector<std::filesystem::path> inputs;    // files that it reads, also in hidden folders
+  std::optional<std::size_t> memory_bytes;      // most that /tmp, /dev/shm and home may hold, each; nothing:
+                                                // half of the machine's memory
 };
 
 /// The command line that runs `argv` so; argv[0] is absolute. Paths that are not there are left out.

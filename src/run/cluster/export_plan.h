@@ -17,7 +17,7 @@ struct ExportedPlan {
 
 /// Writes into the new folder `folder` what the jobs of the plan need, each in <renderer>/<scene>/: the scene
 /// with all its files, no path of which leads out of its folder. render.sh has the command of each job with
-/// samples, seed and size; RENDERER in its environment is the program.
+/// samples, seed and size; RENDERER in its environment is the program. export.json lists the images.
 ExportedPlan export_plan(const Plan& plan, const std::filesystem::path& folder);
 
 }  // namespace orbs::run

@@ -7,6 +7,7 @@
 #include "results/run_folder.h"
 #include "run/judge_targets.h"
 #include "run/plan/plan_file.h"
+#include "run/renderer_version.h"
 #include "run/run_file.h"
 #include "run/summary.h"
 
@@ -66,7 +67,7 @@ void compare_programs(const std::vector<RunRecord>& runs, std::vector<std::strin
                                            run.orbs_version, first.folder, first.orbs_version));
     for (const auto& renderer : run.renderers)
       if (const auto known = versions.find(renderer.name);
-          known != versions.end() && known->second != renderer.version)
+          known != versions.end() && is_other_version(known->second, renderer.version))
         contradictions.push_back(fmt::format("{} has {} '{}', {} has '{}'", run.folder, renderer.name,
                                              renderer.version, first.folder, known->second));
   }

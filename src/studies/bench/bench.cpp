@@ -49,6 +49,7 @@ run::Plan plan_of(const registry::Configuration& configuration,
   run::Plan plan;
   plan.root = configuration.root;
   plan.build = context.build;
+  plan.settings.sandbox = configuration.defaults.sandbox;
   plan.settings.renderers = settings.only.empty() ? names_to_choose(configuration, plan) : settings.only;
   run::choose_renderers(configuration, plan);
   return plan;

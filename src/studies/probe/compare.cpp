@@ -263,14 +263,27 @@ ProbeFindings compare_id_pass(const ProbeScene& probe,
   return findings;
 }
 
+image::Image ratios_to_blue(const image::Image& image) {
+  constexpr float kLeast = 0.02F;  // of the light of the environment; the rest is noise, or rounding
+  auto ratios = image::select_rgb(image, "");
+  for (std::size_t i = 0; i < ratios.pixels.size(); i += 3) {
+    const float blue = ratios.pixels[i + 2];
+    const bool is_lit = blue >= kLeast;
+    for (std::size_t c = 0; c < 3; ++c) ratios.pixels[i + c] = is_lit ? ratios.pixels[i + c] / blue : 0;
+  }
+  return ratios;
+}
+
 ProbeFindings compare_uv_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
-                              const image::Image& image) {
+                              const image::Image& image,
+                              Ramp ramp) {
   const int materials = static_cast<int>(probe.scene.materials.size());
   std::vector<UvPixel> compared;
   for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
     const auto object = only_object(here);
     if (!object || *object == kNoObject || *object >= materials) return;
+    if (ramp == Ramp::Reflected && colour[2] != 1) return;
     const auto u = fraction(here, &VisibleSurface::u);
     const auto v = fraction(here, &VisibleSurface::v);
     if (u && v) compared.push_back({{x, y}, *object, *u, *v, colour});
@@ -279,8 +292,9 @@ ProbeFindings compare_uv_pass(const ProbeScene& probe,
   findings.compared = static_cast<int>(compared.size());
   constexpr double kBearable =
       0.05;  // of the ramp's length: exchanged or mirrored coordinates differ by more
-  // Red and green differ between the points of a pixel, blue is 1 at all of them.
-  const double noise = noise_at(image, compared, "B");
+  // Red and green differ between the points of a pixel, blue is 1 at all of them. Of ratios blue is 1
+  // whatever the noise, and a channel that has noise of its own shows it there.
+  const double noise = noise_at(image, compared, ramp == Ramp::Emitted ? "B" : "RG");
   if (noise > kBearable) {
     findings.needed_samples = times_the_samples(noise, kBearable);
     return findings;

@@ -33,10 +33,19 @@ ProbeFindings compare_id_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
                               const image::Image& image);
 
+/// What the surfaces of a uv pass show of the ramp: itself, or its ratios to blue, see ratios_to_blue.
+enum class Ramp { Emitted, Reflected };
+
+/// Red and green in units of blue, which is then 1: coordinates, from the image of a reflecting uv pass, in
+/// which blue is 1 on the ramp. Black where there is next to no light to divide by.
+image::Image ratios_to_blue(const image::Image& image);
+
 /// Compares the image of the uv pass. A pixel counts if its coordinates stay within one period of the ramp
 /// and change slowly enough that the texture filter does not matter.
+/// Of a reflecting pass, a pixel without light does not count.
 ProbeFindings compare_uv_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
-                              const image::Image& image);
+                              const image::Image& image,
+                              Ramp ramp = Ramp::Emitted);
 
 }  // namespace orbs::studies

@@ -34,8 +34,11 @@ run::ChosenRenderer with_emission(run::ChosenRenderer renderer) {
   return renderer;
 }
 
-// With the variances that the renderer writes, or else with those that two seeds give. Nothing when stopped.
-std::optional<image::Image> render_with_noise(const ProbeInputs& inputs, const run::PreparedRender& subject) {
+// With the variances that the renderer writes, or else with those that two seeds give; those of ratios are
+// known by two seeds alone. Nothing when stopped.
+std::optional<image::Image> render_with_noise(const ProbeInputs& inputs,
+                                              const run::PreparedRender& subject,
+                                              Ramp ramp) {
   std::vector<image::Image> replicas;
   const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command.words, "seed");
   for (const int seed : {1, 2}) {
@@ -47,8 +50,8 @@ std::optional<image::Image> render_with_noise(const ProbeInputs& inputs, const r
                                         .may_be_negative = true},
                                        inputs.context.stop);
     if (!made) return std::nullopt;
-    replicas.push_back(made->image);
-    if (!has_seed || image::channel_index(made->image, "variance.R") >= 0) break;
+    replicas.push_back(ramp == Ramp::Reflected ? ratios_to_blue(made->image) : made->image);
+    if (!has_seed || image::channel_index(replicas.back(), "variance.R") >= 0) break;
   }
   return replicas.size() == 1 || metrics::are_equal(replicas) ? replicas.front()
                                                               : metrics::mean_and_variance_of(replicas);
@@ -58,6 +61,7 @@ template <typename Compare>
 ProbeImage render_pass(const ProbeInputs& inputs,
                        const run::ChosenRenderer& renderer,
                        const scene::Scene& scene,
+                       Ramp ramp,
                        Compare compare) {
   ProbeImage taken;
   const auto prepared = adapters::prepare_scene(renderer.entry, scene);
@@ -69,7 +73,7 @@ ProbeImage render_pass(const ProbeInputs& inputs,
     const auto folder = inputs.scratch / renderer.entry.name;
     run::make_way(folder);
     const auto subject = run::prepare_render(renderer, inputs.plan, scene, folder);
-    const auto image = render_with_noise(inputs, subject);
+    const auto image = render_with_noise(inputs, subject, ramp);
     if (!image) {
       taken.no_image = "was stopped";
       return taken;
@@ -78,6 +82,26 @@ ProbeImage render_pass(const ProbeInputs& inputs,
   } catch (const InputError& e) {
     taken.no_image = split(e.what(), '\n').front();
   }
+  return taken;
+}
+
+// By textured emission, or else by textures that reflect: many renderers have these alone.
+ProbeImage uv_pass(const ProbeInputs& inputs,
+                   const run::ChosenRenderer& renderer,
+                   const ProbeScene& probe,
+                   const std::vector<VisibleSurface>& surfaces) {
+  const auto file = inputs.scratch / "ramp.exr";
+  const auto compared = [&](Ramp ramp) {
+    return [&, ramp](const image::Image& image) { return compare_uv_pass(probe, surfaces, image, ramp); };
+  };
+  auto taken =
+      render_pass(inputs, renderer, make_uv_pass(probe, file), Ramp::Emitted, compared(Ramp::Emitted));
+  if (taken.unsupported.empty()) return taken;
+  taken = render_pass(inputs, renderer, make_reflecting_uv_pass(probe, file), Ramp::Reflected,
+                      compared(Ramp::Reflected));
+  if (taken.unsupported.empty() && taken.no_image.empty() && taken.findings.compared == 0)
+    taken.unsupported =
+        "its emission has no textures (M6), and no light of an environment reaches a textured pixel";
   return taken;
 }
 
@@ -90,7 +114,6 @@ void probe_scene(const ProbeInputs& inputs,
                  std::vector<ProbeRecord>& records) {
   const auto probe = make_id_pass(*planned.scene, inputs.settings.most_px);
   const auto surfaces = primary_visibility(probe.scene, {}, inputs.settings.threads);
-  const auto uv_scene = make_uv_pass(probe, inputs.scratch / "ramp.exr");
   for (const auto& chosen : inputs.plan.renderers) {
     if (is_stopped(inputs.context)) return;
     const auto renderer = with_emission(chosen);
@@ -102,13 +125,10 @@ void probe_scene(const ProbeInputs& inputs,
       records.push_back(std::move(record));
       continue;
     }
-    record.id_pass = render_pass(inputs, renderer, probe.scene, [&](const image::Image& image) {
-      return compare_id_pass(probe, surfaces, image);
-    });
-    if (record.id_pass.unsupported.empty())
-      record.uv_pass = render_pass(inputs, renderer, uv_scene, [&](const image::Image& image) {
-        return compare_uv_pass(probe, surfaces, image);
-      });
+    record.id_pass =
+        render_pass(inputs, renderer, probe.scene, Ramp::Emitted,
+                    [&](const image::Image& image) { return compare_id_pass(probe, surfaces, image); });
+    if (record.id_pass.unsupported.empty()) record.uv_pass = uv_pass(inputs, renderer, probe, surfaces);
     if (is_stopped(inputs.context)) return;
     say_record(inputs, record);
     records.push_back(std::move(record));

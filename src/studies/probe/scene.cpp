@@ -149,4 +149,11 @@ scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& 
   return out;
 }
 
+scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {
+  auto out = make_uv_pass(probe, ramp);
+  for (auto& material : out.materials) material.model = scene::Lambert{{1, 1, 1}, scene::TextureUse{0, {}}};
+  out.environment = {1, 1, 1};
+  return out;
+}
+
 }  // namespace orbs::studies

@@ -41,4 +41,8 @@ void write_ramp(const std::filesystem::path& file);
 /// u, green that of v. Lights are black.
 scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp);
 
+/// The same for renderers whose emission has no textures: the surfaces reflect the ramp diffusely, in a white
+/// environment alone. How much of it a point sees is the same for all channels.
+scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp);
+
 }  // namespace orbs::studies

@@ -11,12 +11,15 @@ namespace orbs::tracer {
 
 namespace {
 
-inline Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit) {
+// Of the unit normals that `of_vertex` makes of those of the mesh. A matrix that stretches comes first: a
+// mesh looks the same then, whether it is an instance or was copied to its place.
+template <typename OfVertex>
+Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit, OfVertex of_vertex) {
   const auto& corners = mesh.triangles[hit.primitive];
   const float b1 = hit.barycentric.x;
   const float b2 = hit.barycentric.y;
-  return mesh.normals[corners[0]] * (1 - b1 - b2) + mesh.normals[corners[1]] * b1 +
-         mesh.normals[corners[2]] * b2;
+  return of_vertex(mesh.normals[corners[0]]) * (1 - b1 - b2) + of_vertex(mesh.normals[corners[1]]) * b1 +
+         of_vertex(mesh.normals[corners[2]]) * b2;
 }
 
 // Opposite vertex normals can cancel in between; the geometric normal then replaces them.
@@ -42,8 +45,12 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   const Vec3f e2 = apply_to_direction(object.to_world, triangle.edge2);
   out.position = p0 + e1 * hit.barycentric.x + e2 * hit.barycentric.y;
   out.geometric_normal = normalised(cross(e1, e2));
-  const Vec3f normal = triangle.has_one_normal ? triangle.shading_normal : interpolated_normal(mesh, hit);
-  out.shading_normal = unit_or(apply_to_direction(object.normal_to_world, normal), out.geometric_normal);
+  const auto in_world = [&](Vec3f normal) { return apply_to_direction(object.normal_to_world, normal); };
+  out.shading_normal = unit_or(
+      triangle.has_one_normal
+          ? in_world(triangle.shading_normal)
+          : interpolated_normal(mesh, hit, [&](Vec3f normal) { return normalised(in_world(normal)); }),
+      out.geometric_normal);
   out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
                                                      largest_magnitude(p0 + e2)});
   return out;
@@ -157,7 +164,8 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   out.geometric_normal = triangle.geometric_normal;
   out.shading_normal = triangle.has_one_normal
                            ? triangle.shading_normal
-                           : unit_or(interpolated_normal(mesh, hit), triangle.geometric_normal);
+                           : unit_or(interpolated_normal(mesh, hit, [](Vec3f normal) { return normal; }),
+                                     triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
   if (mesh.is_vast) place_by_ray(mesh, ray, hit, out);
   return out;

@@ -448,7 +448,11 @@ TEST(Seeds, GiveTheMeanAndTheVarianceOfTheMean) {
     renders.push_back(orbs::image::make_image(2, 1, {"R", "G", "B"}));
     renders.back().pixels.assign(6, value);
   }
+  for (auto& render : renders) render.attributes = {{"orbs.spp", "8"}, {"orbs.bad_samples", "2"}};
+  renders.back().attributes.erase("orbs.bad_samples");
   const Image mean = mean_and_variance_of(renders);
+  EXPECT_EQ(mean.attributes.at("orbs.spp"), "24");
+  EXPECT_FALSE(mean.attributes.contains("orbs.bad_samples")) << "one of them does not say";
   EXPECT_EQ(mean.at(0, 0, 0), 3.0F);
   // Squared distances 4 + 1 + 9 = 14, by n - 1 = 2, by n = 3.
   EXPECT_FLOAT_EQ(mean.at(1, 0, 3), 14.0F / 6);

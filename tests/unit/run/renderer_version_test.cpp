@@ -56,3 +56,31 @@ TEST(RendererVersion, IsAskedForOnceMoreWhereNoAnswerCame) {
   EXPECT_EQ(said, std::vector<std::string>{
                       "mine: '/bin/sh' did not say its version within 2 s; waiting for up to 60 s"});
 }
+
+// A node that Slurm stops kills it: the run that is resumed, and the others that it is merged with, would be
+// of another version than itself.
+TEST(RendererVersion, IsNoTextOfAQueryThatWasKilled) {
+  run::ChosenRenderer renderer;
+  renderer.executable = "/bin/sh";
+  renderer.entry.name = "mine";
+  for (const char* pattern : {"", "(version .)"}) {
+    renderer.entry.command.version_command = {"{executable}", "-c", "echo version 7; kill -9 $$"};
+    renderer.entry.command.version_pattern = pattern;
+    std::vector<std::string> said;
+    const run::VersionRequest request{
+        .first_seconds = 0.2, .second_seconds = 0.3, .say = [&](const auto& line) { said.push_back(line); }};
+    EXPECT_EQ(run::renderer_version(renderer, {}, request), "");
+    EXPECT_EQ(said,
+              std::vector<std::string>{"mine: its version is not known: '/bin/sh' was killed by SIGKILL"});
+    renderer.entry.command.version_command = {"{executable}", "-c", "echo version 7; exec tail -f /dev/null"};
+    EXPECT_EQ(run::renderer_version(renderer, {}, request), "");
+    EXPECT_EQ(said.back(), "mine: its version is not known: '/bin/sh' did not end within 0.3 s");
+  }
+}
+
+TEST(RendererVersion, DiffersFromAnotherKnownOneAlone) {
+  EXPECT_TRUE(run::is_other_version("1", "2"));
+  EXPECT_FALSE(run::is_other_version("1", "1"));
+  EXPECT_FALSE(run::is_other_version("1", ""));
+  EXPECT_FALSE(run::is_other_version("unknown: 'x' ended with exit code 1", "2"));
+}

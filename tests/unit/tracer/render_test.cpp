@@ -251,6 +251,34 @@ TEST(TracerInstances, CopiesAndInstancesShowTheSameImage) {
   EXPECT_NEAR(mean_of_channel(copied.image, 0), mean_of_channel(instanced.image, 0), 4 * noise);
 }
 
+// Vertex normals are mapped before they are interpolated: a matrix that stretches turns them against each
+// other.
+TEST(TracerInstances, AStretchedMeshIsShadedAsItsCopyInPlace) {
+  const auto scene = scene::load_scene_text(
+      "test.json",
+      scene_text("[0, 0, 6]", "[0, 0, 0]", 32, 1,
+                 R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}],
+                    "meshes": [{"name": "s", "generator": "sphere", "radius": 1, "segments": 8, "material": "m"}],
+                    "instances": [{"mesh": "s", "matrix": [{"translate": [-1.2, 0, 0]}, {"scale": [0.3, 1, 1]}]},
+                                  {"mesh": "s", "matrix": [{"translate": [1.2, 0, 0]}, {"scale": [0.3, 1, 1]}]}],
+                    "lights": [{"type": "sphere", "radius": 0.1, "radiance": [300, 300, 300],
+                                "matrix": [{"translate": [0, 3, 4]}]}])",
+                 "40"),
+      ".");
+  const std::atomic<bool> never{false};
+  const auto silent = [](const tracer::Progress&) {};
+  const tracer::RenderSettings settings{.samples_per_pixel = 16};
+  const auto copied = tracer::render(tracer::make_world(scene), settings, never, silent).image;
+  const auto instanced =
+      tracer::render(tracer::make_world(scene, {.most_copied_triangles = 0}), settings, never, silent).image;
+  double difference = 0;
+  for (int y = 0; y < copied.height; ++y)
+    for (int x = 0; x < copied.width; ++x)
+      difference += std::fabs(double{copied.at(x, y, 0)} - double{instanced.at(x, y, 0)});
+  const double pixels = double{1} * copied.width * copied.height;
+  EXPECT_LT(difference / pixels, 1e-4 * mean_of_channel(copied, 0));
+}
+
 TEST(TracerStop, KeepsThePassesThatWereFinished) {
   const std::atomic<bool> at_once{true};
   const auto world = tracer::make_world(scene::load_scene_text("test.json", kBusyScene, "."));
