@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -67,6 +68,13 @@ constexpr auto kDegrees = AmplitudeUnit::Degrees;  // the amplitude is in radian
 // and soften edges by a few hundredths of a pixel.
 constexpr double kNegligibleShift_px = 0.05;
 constexpr double kNegligibleShare = 2e-3;
+constexpr double kAny = std::numeric_limits<double>::infinity();  // the pattern is exact
+// Differences of neighbours tell how an edge moves by as much as they are apart.
+constexpr double kLargestShift_px = 1;
+// What moves a corner 128 px from the middle by a few pixels.
+constexpr double kLargestScale = 0.03;
+constexpr double kLargestTurn = 0.35;     // of hue: the sine is its argument to 2 %
+constexpr double kLargestExponent = 0.3;  // x^(1 + a) is x + a x log x to a tenth, for x of 1/4 to 4
 
 constexpr std::array kRows{
     Row{{"brighter towards the right edge and darker towards the left",
@@ -79,11 +87,11 @@ constexpr std::array kRows{
         [](const Site& s) { return scaled(s.ring, 0.75 * (s.x * s.x + s.y * s.y - 2.0 / 3)); }},
     Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare},
         [](const Site& s) { return minus(s.ring, 1); }},
-    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare},
+    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, kAny},
         [](const Site& s) { return scaled(s.ring, std::max(0.0, 1 - 2 * s.luminance)); }},
-    Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare},
+    Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare, kAny},
         [](const Site& s) { return scaled(s.ring, s.luminance > 2 ? 1 : 0); }},
-    Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare},
+    Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare, kAny},
         [](const Site&) {
           return Rgb{1, 1, 1};
         }},
@@ -91,20 +99,21 @@ constexpr std::array kRows{
         [](const Site& s) { return minus(s.ring, s.luminance); },
         true},
     Row{{"turned in hue from red towards green", "turned in hue from green towards red", kDegrees,
-         2 * kNegligibleShare},
+         2 * kNegligibleShare, kLargestTurn},
         [](const Site& s) { return turned_in_hue(s.ring); },
         true},
-    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px},
+    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px, kLargestShift_px},
         [](const Site& s) { return s.slope_x; }},
-    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px},
+    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px, kLargestShift_px},
         [](const Site& s) { return s.slope_y; }},
-    Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10},
+    Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10,
+         kLargestScale},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_x, s.slope_y, s.from_centre_y); }},
     Row{{"rotated clockwise about its middle", "rotated anticlockwise about its middle", kDegrees,
-         kNegligibleShare / 10},
+         kNegligibleShare / 10, kLargestScale},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_y, s.slope_y, -s.from_centre_x); }},
     Row{{"softer", "sharper", kPercent, 0.05}, [](const Site& s) { return s.bend; }},
-    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare},
+    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare, kLargestExponent},
         [](const Site& s) { return times_logarithm(s.ring); }},
     Row{{"striped: every second column is brighter", "striped: every second column is brighter", kPercent,
          kNegligibleShare},
@@ -235,6 +244,10 @@ std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, doub
     if (finding && (!strongest || finding->z > strongest->z)) strongest = finding;
   }
   return strongest;
+}
+
+bool is_within_range(const PatternFinding& finding) {
+  return std::max(std::fabs(finding.low), std::fabs(finding.high)) <= finding.pattern->largest;
 }
 
 std::string describe(const PatternFinding& finding) {

@@ -18,6 +18,7 @@ struct Pattern {
   std::string_view less;
   AmplitudeUnit unit = AmplitudeUnit::Percent;
   double negligible = 0;  // an amplitude that is never called an error
+  double largest = 1;     // beyond it the pattern, a fault's first order, is no longer what the fault does
 };
 
 struct PatternFinding {
@@ -38,6 +39,10 @@ struct PatternFinding {
 /// has tails below those of Student's distribution even where the noise has not (B. Efron, "Student's t-test
 /// under symmetry conditions", J. Am. Stat. Assoc. 64, 1969).
 std::optional<PatternFinding> strongest_pattern(const PairSamples& samples, double false_alarms);
+
+/// Whether the whole interval lies where the pattern describes its fault. A mirrored image is no image "of a
+/// lower gamma by 68.7 % (5.65 to 132)", however well that fits.
+bool is_within_range(const PatternFinding& finding);
 
 /// "shifted to the right by 0.25 px (0.22 to 0.27)".
 std::string describe(const PatternFinding& finding);
