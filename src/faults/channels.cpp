@@ -2,6 +2,7 @@
 
 #include "faults/pixels.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -115,6 +116,33 @@ Image LightPaths::apply(const Image& image) const {
 std::string LightPaths::text() const {
   if (is_direct_left) return "direct light only";
   return fmt::format("without the light paths {}", fmt::join(missing, ", "));
+}
+
+Image EmittersOnly::apply(const Image& image) const {
+  Image out = image;
+  const auto count = image.channel_count();
+  for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+    if (lit[pixel] == 0)
+      std::fill_n(out.pixels.begin() + static_cast<std::ptrdiff_t>(pixel * count), count, 0.0F);
+  return out;
+}
+
+std::string EmittersOnly::text() const {
+  return "emitters alone: no surface reflects their light, as with a trace depth of 0";
+}
+
+Image NoMisWeight::apply(const Image& image) const {
+  Image out = image;
+  for (std::size_t c = 0; c < image.channel_count(); ++c)
+    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+      if (emitters[pixel] == 0)
+        out.pixels[pixel * image.channel_count() + c] *= image::is_variance(image.channels[c]) ? 4.0F : 2.0F;
+  return out;
+}
+
+std::string NoMisWeight::text() const {
+  return "right at emitters and twice as bright elsewhere: light sampling and BSDF sampling both count in full "
+         "(no MIS weight)";
 }
 
 std::string OtherImage::text() const { return fmt::format("the image of '{}'", name); }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,20 @@ struct Alpha {
 struct LightPaths {
   std::vector<std::string> missing;
   bool is_direct_left = false;  // as the only light
+  image::Image apply(const image::Image& image) const;
+  std::string text() const;
+};
+
+/// What shines by itself, and nothing that it lights: black where the image is not `lit`.
+struct EmittersOnly {
+  std::vector<std::uint8_t> lit;  // by pixel
+  image::Image apply(const image::Image& image) const;
+  std::string text() const;
+};
+
+/// Emitters as they are and all other light twice: light sampling and BSDF sampling both count in full.
+struct NoMisWeight {
+  std::vector<std::uint8_t> emitters;  // by pixel
   image::Image apply(const image::Image& image) const;
   std::string text() const;
 };

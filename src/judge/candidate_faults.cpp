@@ -155,6 +155,36 @@ void add_channels(const Search& search) {
     search.add(faults::ChannelOrder{from});
 }
 
+double brightness(const Image& image, std::size_t pixel) {
+  const float* rgb = &image.pixels[3 * pixel];
+  return static_cast<double>(rgb[0]) + static_cast<double>(rgb[1]) + static_cast<double>(rgb[2]);
+}
+
+// 1 where the result is not black.
+std::vector<std::uint8_t> lit_pixels(const Image& result) {
+  std::vector<std::uint8_t> lit(result.pixel_count());
+  for (std::size_t pixel = 0; pixel < lit.size(); ++pixel)
+    lit[pixel] = result.pixels[3 * pixel] != 0 || result.pixels[3 * pixel + 1] != 0 ||
+                         result.pixels[3 * pixel + 2] != 0
+                     ? 1
+                     : 0;
+  return lit;
+}
+
+// Whether more than half of the light of the reference is exactly black in the result. No factor, constant or
+// curve does that; a small factor only comes near.
+bool is_mostly_black(const Search& search) {
+  const auto lit = lit_pixels(search.result);
+  std::size_t light = 0;
+  std::size_t black = 0;
+  for (std::size_t pixel = 0; pixel < lit.size(); ++pixel) {
+    if (search.included[pixel] == 0 || !(brightness(search.reference, pixel) > 0)) continue;
+    ++light;
+    if (lit[pixel] == 0) ++black;
+  }
+  return 2 * black > light;
+}
+
 void add_factor_and_offset(const Search& search) {
   const auto sums = products_of(search);
   if (sums.ff > 0 && sums.rf > 0) search.add_undone(faults::Factor{sums.rf / sums.ff});
@@ -194,12 +224,36 @@ void add_magnifications(const Search& search) {
     if (percent != 0) search.add_averaging(faults::Magnification{1 + percent / 100.0});
 }
 
-void add_crop(const Search& search) {
+// Emitters are what is brightest: half of what is lit is brighter in the reference than all but a hundredth
+// of the rest. Their edges are darker, and some highlights brighter.
+bool are_emitters(const Search& search, const std::vector<std::uint8_t>& lit) {
+  std::vector<double> shown;
+  std::vector<double> missing;
+  for (std::size_t pixel = 0; pixel < lit.size(); ++pixel)
+    if (search.included[pixel] != 0)
+      (lit[pixel] != 0 ? shown : missing).push_back(brightness(search.reference, pixel));
+  if (shown.empty() || missing.empty()) return false;
+  const auto quantile = [](std::vector<double>& values, std::size_t at) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(at);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  return quantile(shown, shown.size() / 2) > quantile(missing, missing.size() - 1 - missing.size() / 100);
+}
+
+// Beside black, an image without reflected light looks cropped to its lamp. A crop cuts through what it
+// shows.
+void add_crop_or_emitters(const Search& search) {
   const Image& result = search.result;
+  auto lit_pixel = lit_pixels(result);
+  if (are_emitters(search, lit_pixel)) {
+    search.add(faults::EmittersOnly{std::move(lit_pixel)});
+    return;
+  }
   Rectangle lit{result.width, result.height, 0, 0};
   for (int y = 0; y < result.height; ++y)
     for (int x = 0; x < result.width; ++x)
-      if (result.at(x, y, 0) != 0 || result.at(x, y, 1) != 0 || result.at(x, y, 2) != 0)
+      if (lit_pixel[pixel_at(result, x, y)] != 0)
         lit = {std::min(lit.x0, x), std::min(lit.y0, y), std::max(lit.x1, x + 1), std::max(lit.y1, y + 1)};
   if (lit.x1 <= lit.x0 || (lit.x1 - lit.x0 == result.width && lit.y1 - lit.y0 == result.height)) return;
   search.add(faults::Crop{lit});
@@ -235,6 +289,29 @@ void add_light_paths(const Search& search) {
     search.visit(search.candidate(indirect, search.subject.reference));
 }
 
+// Emitters are what is brightest in the reference; the fault leaves them as they are. Where none is seen, all
+// is doubled, which is a factor.
+void add_no_mis_weight(const Search& search) {
+  constexpr double kBright = 0.5;  // of the brightest
+  constexpr double kNear = 0.3;    // of the reference: far from twice of it
+  constexpr double kMostAre = 0.8;
+  double most = 0;
+  for (std::size_t pixel = 0; pixel < search.included.size(); ++pixel)
+    if (search.included[pixel] != 0) most = std::max(most, brightness(search.reference, pixel));
+  faults::NoMisWeight fault{std::vector<std::uint8_t>(search.included.size())};
+  int bright = 0;
+  int right = 0;
+  for (std::size_t pixel = 0; pixel < search.included.size(); ++pixel) {
+    const double wanted = brightness(search.reference, pixel);
+    if (search.included[pixel] == 0 || wanted < kBright * most) continue;
+    ++bright;
+    if (std::fabs(brightness(search.result, pixel) - wanted) > kNear * wanted) continue;
+    ++right;
+    fault.emitters[pixel] = 1;
+  }
+  if (right > 0 && right >= kMostAre * bright) search.add(fault);
+}
+
 void add_other_targets(const Search& search) {
   for (const auto& [name, other] : search.subject.other_targets)
     if (other.width == search.result.width && other.height == search.result.height)
@@ -250,14 +327,17 @@ void for_each_candidate(const FaultSubject& subject, const std::function<void(Ca
   add_shifts(search);
   add_turns(search);
   add_channels(search);
-  add_factor_and_offset(search);
-  add_curves(search);
+  if (!is_mostly_black(search)) {
+    add_factor_and_offset(search);
+    add_curves(search);
+  }
   add_clamp(search);
   add_filters(search);
   add_magnifications(search);
-  add_crop(search);
+  add_crop_or_emitters(search);
   add_alpha(search);
   add_light_paths(search);
+  add_no_mis_weight(search);
   add_other_targets(search);
 }
 

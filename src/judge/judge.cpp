@@ -300,7 +300,7 @@ std::optional<metrics::Comparison> judge_image(const Case& one_case,
   auto comparison = metrics::compare(
       pair, {.no_others = settings.measured == Measured::ForTheVerdict, .also = gate_metrics(one_case)});
   add_measures(comparison, record);
-  for (auto& remark : metrics::bias_remarks(pair.noise)) record.remarks.push_back(std::move(remark));
+  for (const auto& remark : comparison.bias_remarks) record.remarks.push_back(remark);
   record.hidden = metrics::hidden_by_noise(pair.noise);
   auto checked = check_gates(one_case, pair, comparison, record);
   for (auto& condition : check_conditions(one_case, usable, record)) checked.push_back(std::move(condition));

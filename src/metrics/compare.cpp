@@ -1,5 +1,6 @@
 #include "metrics/compare.h"
 
+#include "metrics/describe.h"
 #include "metrics/table.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ Comparison compare(const ImagePair& pair, const MetricSelection& selection) {
     if (!metric.map.name.empty() && !has_map(comparison, metric.map.name))
       comparison.maps.push_back({metric.map, std::move(computed.map)});
   }
+  comparison.bias_remarks = bias_remarks(pair.noise);
   comparison.maps.push_back({kSignedMap, signed_difference(pair)});
   return comparison;
 }

@@ -24,6 +24,7 @@ struct Comparison {
   AlignmentReport alignment;
   std::size_t pixels_counted = 0;         // pixels that the mask leaves
   std::vector<Measurement> measurements;  // of the metrics that were computed, in the order of kMetrics
+  std::vector<std::string> bias_remarks;  // of describe.h
   std::vector<ErrorMap> maps;             // those of the metrics, each name once, and the signed difference
 };
 

@@ -100,7 +100,7 @@ std::vector<std::string> bias_remarks(const NoiseTest& test) {
   std::vector<std::string> remarks;
   if (mean_error(test))
     remarks.push_back(fmt::format("bias: the means differ by more than noise: {}", ratios_text(test)));
-  if (!test.patterns.empty())
+  if (!test.patterns.empty() && is_within_range(test.patterns.front()))
     remarks.push_back(fmt::format("bias: the image is {}", describe(test.patterns.front())));
   if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
   if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));

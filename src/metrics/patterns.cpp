@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -71,6 +72,13 @@ constexpr double kNegligibleShare = 2e-3;
 constexpr double kMostLight = 0.012;
 constexpr double kMostHue = 0.6 * std::numbers::pi / 180;
 constexpr double kMostShift_px = 0.3;
+constexpr double kAny = std::numeric_limits<double>::infinity();  // the pattern is exact
+// Differences of neighbours tell how an edge moves by as much as they are apart.
+constexpr double kLargestShift_px = 1;
+// What moves a corner 128 px from the middle by a few pixels.
+constexpr double kLargestScale = 0.03;
+constexpr double kLargestTurn = 0.35;     // of hue: the sine is its argument to 2 %
+constexpr double kLargestExponent = 0.3;  // x^(1 + a) is x + a x log x to a tenth, for x of 1/4 to 4
 
 constexpr std::array kRows{
     Row{{"brighter towards the right edge and darker towards the left",
@@ -86,13 +94,14 @@ constexpr std::array kRows{
         [](const Site& s) { return scaled(s.ring, 0.75 * (s.x * s.x + s.y * s.y - 2.0 / 3)); }},
     Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare, kMostLight},
         [](const Site& s) { return minus(s.ring, 1); }},
-    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, 2 * kMostLight},
+    Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, 2 * kMostLight,
+         0, kAny},
         [](const Site& s) { return scaled(s.ring, std::max(0.0, 1 - 2 * s.luminance)); }},
     Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare,
-         2 * kMostLight},
+         2 * kMostLight, 0, kAny},
         [](const Site& s) { return scaled(s.ring, s.luminance > 2 ? 1 : 0); }},
     Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare,
-         kMostLight / 2},
+         kMostLight / 2, 0, kAny},
         [](const Site&) {
           return Rgb{1, 1, 1};
         }},
@@ -101,21 +110,23 @@ constexpr std::array kRows{
         [](const Site& s) { return minus(s.ring, s.luminance); },
         true},
     Row{{"turned in hue from red towards green", "turned in hue from green towards red", kDegrees,
-         2 * kNegligibleShare, kMostHue},
+         2 * kNegligibleShare, kMostHue, 0, kLargestTurn},
         [](const Site& s) { return turned_in_hue(s.ring); },
         true},
-    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px, kMostShift_px},
+    Row{{"shifted to the left", "shifted to the right", kPixels, kNegligibleShift_px, kMostShift_px, 0,
+         kLargestShift_px},
         [](const Site& s) { return s.slope_x; }},
-    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px, kMostShift_px},
+    Row{{"shifted up", "shifted down", kPixels, kNegligibleShift_px, kMostShift_px, 0, kLargestShift_px},
         [](const Site& s) { return s.slope_y; }},
     Row{{"scaled down about its middle", "scaled up about its middle", kPercent, kNegligibleShare / 10, 0,
-         kMostShift_px},
+         kMostShift_px, kLargestScale},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_x, s.slope_y, s.from_centre_y); }},
     Row{{"rotated clockwise about its middle", "rotated anticlockwise about its middle", kDegrees,
-         kNegligibleShare / 10, 0, kMostShift_px},
+         kNegligibleShare / 10, 0, kMostShift_px, kLargestScale},
         [](const Site& s) { return sum_of(s.slope_x, s.from_centre_y, s.slope_y, -s.from_centre_x); }},
     Row{{"softer", "sharper", kPercent, 0.05, 0.3}, [](const Site& s) { return s.bend; }},
-    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare, kMostLight},
+    Row{{"of a higher gamma", "of a lower gamma", kPercent, kNegligibleShare, kMostLight, 0,
+         kLargestExponent},
         [](const Site& s) { return times_logarithm(s.ring); }},
     Row{{"striped: every second column is brighter", "striped: every second column is brighter", kPercent,
          kNegligibleShare, kMostLight},
@@ -276,6 +287,10 @@ std::vector<PatternFinding> find_patterns(const PairSamples& samples, double fal
       findings.push_back(*finding);
   std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
   return findings;
+}
+
+bool is_within_range(const PatternFinding& finding) {
+  return std::max(std::fabs(finding.low), std::fabs(finding.high)) <= finding.pattern->largest;
 }
 
 std::string describe(const PatternFinding& finding) {

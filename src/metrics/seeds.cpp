@@ -4,9 +4,13 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -53,6 +57,54 @@ void take_sample_counts(const std::vector<image::Image>& images,
   }
 }
 
+// A channel of the mean, and the channel of each render that it is made of.
+struct Layer {
+  std::string name;
+  std::vector<std::size_t> index_in;
+  bool holds_variance = false;
+};
+
+std::vector<std::size_t> indices_of(const std::vector<image::Image>& images, const std::string& channel) {
+  std::vector<std::size_t> indices;
+  for (const auto& image : images) {
+    const int index = image::channel_index(image, channel);
+    if (index < 0)
+      throw InputError(
+          fmt::format("renders of one scene differ in their channels: '{}' is not in all of them", channel));
+    indices.push_back(static_cast<std::size_t>(index));
+  }
+  return indices;
+}
+
+bool is_stokes(std::string_view channel) {
+  return channel.starts_with("S1.") || channel.starts_with("S2.") || channel.starts_with("S3.");
+}
+
+// R, G, B and their variances first, then all other channels in the order of the first render. Variances
+// that the renders state are left out: the scatter tells.
+std::vector<Layer> layers_of(const std::vector<image::Image>& images) {
+  constexpr std::array kColours{"R", "G", "B"};
+  std::vector<Layer> layers;
+  const auto add = [&](const std::string& channel, bool holds_variance) {
+    layers.push_back(
+        {(holds_variance ? "variance." : "") + channel, indices_of(images, channel), holds_variance});
+  };
+  for (const bool holds_variance : {false, true})
+    for (const auto* colour : kColours) add(colour, holds_variance);
+  const auto is_left = [&](const std::string& channel) {
+    return !image::is_variance(channel) &&
+           std::find(kColours.begin(), kColours.end(), channel) == kColours.end();
+  };
+  for (const auto& image : images)
+    for (const auto& channel : image.channels)
+      if (is_left(channel)) indices_of(images, channel);  // refuses what is not in all
+  for (const auto& channel : images.front().channels)
+    if (is_left(channel)) add(channel, false);
+  for (const auto& channel : images.front().channels)
+    if (is_stokes(channel)) add(channel, true);
+  return layers;
+}
+
 }  // namespace
 
 bool are_equal(const std::vector<image::Image>& images) {
@@ -69,24 +121,28 @@ image::Image mean_of(const std::vector<image::Image>& images) {
 }
 
 image::Image mean_and_variance_of(const std::vector<image::Image>& images) {
-  const auto colours = image::colours_of(images);
-  check_seeds(colours);
-  const auto count = static_cast<double>(colours.size());
-  auto out = image::make_image(colours.front().width, colours.front().height,
-                               {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  check_seeds(image::colours_of(images));
+  const auto layers = layers_of(images);
+  std::vector<std::string> channels;
+  for (const auto& layer : layers) channels.push_back(layer.name);
+  auto out = image::make_image(images.front().width, images.front().height, std::move(channels));
   out.attributes = images.front().attributes;
   take_sample_counts(images, out.attributes);
-  for (std::size_t i = 0; i < colours.front().pixels.size(); ++i) {
-    const double mean = mean_at(colours, i);
-    double squares = 0;
-    for (const auto& colour : colours) {
-      const double difference = static_cast<double>(colour.pixels[i]) - mean;
-      squares += difference * difference;
+  const auto count = static_cast<double>(images.size());
+  for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const auto value_in = [&](std::size_t k) {
+        return static_cast<double>(
+            images[k].pixels[pixel * images[k].channel_count() + layers[i].index_in[k]]);
+      };
+      double mean = 0;
+      for (std::size_t k = 0; k < images.size(); ++k) mean += value_in(k);
+      mean /= count;
+      double squares = 0;
+      for (std::size_t k = 0; k < images.size(); ++k) squares += (value_in(k) - mean) * (value_in(k) - mean);
+      out.pixels[pixel * layers.size() + i] =
+          static_cast<float>(layers[i].holds_variance ? squares / (count - 1) / count : mean);
     }
-    const std::size_t at = i / 3 * 6 + i % 3;
-    out.pixels[at] = static_cast<float>(mean);
-    out.pixels[at + 3] = static_cast<float>(squares / (count - 1) / count);
-  }
   return out;
 }
 

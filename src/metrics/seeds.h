@@ -13,12 +13,13 @@ bool are_equal(const std::vector<image::Image>& images);
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& images);
 
-/// The mean of renders of one scene with different seeds, and the variance of that mean in "variance.R/G/B",
-/// from the scatter of the renders: s^2 / n with n - 1 degrees of freedom. With two or three seeds that is
+/// The mean of renders of one scene with different seeds in all their channels, and the variance of that mean
+/// in "variance.R/G/B" and, where they have Stokes parameters, "variance.S1.R" and so on, from the scatter of
+/// the renders: s^2 / n with n - 1 degrees of freedom. With two or three seeds that is
 /// rough in each pixel, yet not biased, and test_noise pools it over blocks and the image. For renderers
 /// that do not know their noise; their images must not be filtered over pixels. Attributes are those of the
-/// first. InputError for less than two images, for different sizes, and for images that are all equal, as
-/// those of a renderer that ignores its seed are.
+/// first. InputError for less than two images, for different sizes or channels, and for images that are all
+/// equal, as those of a renderer that ignores its seed are.
 image::Image mean_and_variance_of(const std::vector<image::Image>& images);
 
 }  // namespace orbs::metrics

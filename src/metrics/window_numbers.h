@@ -52,11 +52,13 @@ inline constexpr MetricInfo kWindowError64{
     GateRule::Value,
     describe_window_error};
 
-/// A difference of images has no mean level, and black has no patterns.
+/// A difference of images has no mean level, and black has no patterns. What lies beyond a pattern's range is
+/// another error, which other gates see.
 inline MetricResult compute_pattern_error(const ImagePair& pair) {
   MetricResult worst{.value = 0};
   for (const auto& finding : pair.noise.patterns)
-    if (finding.excess > *worst.value) worst = {.value = finding.excess, .what = describe(finding)};
+    if (is_within_range(finding) && finding.excess > *worst.value)
+      worst = {.value = finding.excess, .what = describe(finding)};
   return worst;
 }
 

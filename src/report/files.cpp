@@ -92,7 +92,7 @@ std::string results_csv(const RunRecord& run) {
                         csv_field(target.requirement), csv_field(target.case_name), csv_field(target.target),
                         csv_field(target.renderer), target.declared, verdict_name(target.verdict),
                         expectation_name(target.expectation), csv_field(target.expected),
-                        csv_field(target.reason), csv_field(target.diagnosis),
+                        csv_field(led_reason(target)), csv_field(target.diagnosis),
                         csv_field(fmt::format("{}", fmt::join(target.remarks, "; "))));
     for (const auto& metric : metrics) text += fmt::format(",{}", measure_text(target, metric));
     text += fmt::format(",{},{},{}\r\n", cost_fields(cost_of(jobs, target)), csv_field(target.image),

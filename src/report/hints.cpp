@@ -21,7 +21,7 @@ bool may_be_noise(const TargetRecord& target) {
 
 bool fails_by_far(const TargetRecord& target) {
   constexpr double kFar_db = 6;
-  if (target.verdict != results::Verdict::Fail || may_be_noise(target)) return false;
+  if (target.verdict != results::Verdict::Fail || may_be_noise(target) || names_a_fault(target)) return false;
   return std::any_of(target.checks.begin(), target.checks.end(), [&](const auto& check) {
     const auto measure = std::find_if(target.measures.begin(), target.measures.end(),
                                       [&](const auto& one) { return one.name == check.what; });

@@ -46,14 +46,14 @@ std::string tag_of(Element element) {
   return "";
 }
 
-// The reason, the diagnosis and the remarks, and the command that renders it again: GitLab and
+// The reason, which a diagnosis leads, and the remarks, and the command that renders it again: GitLab and
 // dorny/test-reporter show this text alone, Jenkins below the message.
 std::string details(const results::JobsById& jobs, const TargetRecord& target) {
   auto text = reason_text(target);
   const auto add = [&](const std::string& line) {
     if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
   };
-  add(target.diagnosis);
+  if (!names_a_fault(target)) add(target.diagnosis);
   for (const auto& remark : target.remarks) add(remark);
   add(results::command_of(jobs, target));
   return text;

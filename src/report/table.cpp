@@ -213,22 +213,34 @@ std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   return text_table(rows, {}, {style.width, {}});
 }
 
-// A fault that is told apart gets one line, once for all cases that use the target. What is none of
-// the usual faults is listed by renderer.
+std::string typical_mistake(const RunRecord& run, const std::string& case_name) {
+  const auto one_case = std::find_if(run.cases.begin(), run.cases.end(),
+                                     [&](const auto& one) { return one.name == case_name; });
+  return one_case == run.cases.end() ? "" : one_case->typical_mistake;
+}
+
+// A fault that is told apart leads the reason of its verdict. Of what is none of the usual faults, by
+// renderer: its targets, and which mistakes are typical of their cases.
 std::string diagnosis_lines(const RunRecord& run, const TableStyle& style) {
-  std::set<std::pair<std::string, std::string>> told;
   std::map<std::string, std::vector<std::string>> unknown;
-  std::vector<TableRow> rows;
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> of_case;
+  const auto add = [](std::vector<std::string>& targets, const std::string& target) {
+    if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
+  };
   for (const auto& target : run.targets) {
-    if (target.diagnosis.empty() || !told.emplace(target.renderer, target.target).second) continue;
-    if (target.diagnosis == results::kNoUsualFault)
-      unknown[target.renderer].push_back(target.target);
-    else
-      rows.push_back({"diagnosis", target.renderer, target.requirement, target.target, target.diagnosis});
+    if (target.diagnosis != results::kNoUsualFault) continue;
+    add(unknown[target.renderer], target.target);
+    add(of_case[{target.renderer, target.case_name}], target.target);
   }
-  for (const auto& [renderer, targets] : unknown)
-    rows.push_back({"diagnosis", renderer, "", fmt::format("{}", fmt::join(targets, ", ")),
+  std::vector<TableRow> rows;
+  for (const auto& [renderer, targets] : unknown) {
+    rows.push_back({"diagnosis", renderer, fmt::format("{}", fmt::join(targets, ", ")),
                     std::string(results::kNoUsualFault)});
+    for (const auto& [where, of_this] : of_case)
+      if (const auto mistake = typical_mistake(run, where.second);
+          where.first == renderer && !mistake.empty())
+        rows.push_back({"typical mistake", renderer, fmt::format("{}", fmt::join(of_this, ", ")), mistake});
+  }
   return text_table(rows, {}, {style.width, {}});
 }
 

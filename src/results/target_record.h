@@ -135,11 +135,24 @@ inline std::string_view state_name(const TargetRecord& target) {
   return state_name(target.verdict, target.expectation);
 }
 
+/// Whether the diagnosis says which fault it is.
+inline bool names_a_fault(const TargetRecord& target) {
+  return !target.diagnosis.empty() && target.diagnosis != kNoUsualFault;
+}
+
+/// The reason of the verdict. Where the fault is known, it comes first: "B is 41.5 % darker" is of little use
+/// before "encoded for the screen (gamma 2.2), not linear".
+inline std::string led_reason(const TargetRecord& target) {
+  if (!names_a_fault(target)) return target.reason;
+  return target.reason.empty() ? target.diagnosis : target.diagnosis + "; " + target.reason;
+}
+
 /// What is said of the target: why its failure is known or what is news about it, then the reason of its
 /// verdict.
 inline std::string reason_text(const TargetRecord& target) {
-  if (target.expected.empty() || target.reason.empty()) return target.expected + target.reason;
-  return target.expected + "; " + target.reason;
+  const auto reason = led_reason(target);
+  if (target.expected.empty() || reason.empty()) return target.expected + reason;
+  return target.expected + "; " + reason;
 }
 
 }  // namespace orbs::results

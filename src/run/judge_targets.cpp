@@ -7,11 +7,12 @@
 #include "judge/diagnosis.h"
 #include "judge/difference.h"
 #include "judge/judge.h"
+#include "run/other_references.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -70,15 +71,17 @@ std::string diagnosis_of(const Plan& plan,
     return check.measured && check.decided && !check.passed;
   });
   if (record.verdict != Verdict::Fail || !is_refused) return "";
-  std::map<std::string, image::Image> others;
-  for (const auto& name : registry::target_names(one_case)) {
-    if (name == record.target) continue;
-    auto other = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes,
-                                       folders.references);
-    if (other.image) others[name] = std::move(*other.image);
-  }
+  const auto others = other_references(plan, one_case, record.target, folders.references);
   return judge::diagnosis_text(
       judge::diagnosed({result, reference, others, judge::mask_of(one_case, record.target)}));
+}
+
+// What the tests of noise call a large error is beside the point once its cause is known: the first-order
+// patterns fit it, and mean nothing.
+void leave_out(const std::vector<std::string>& remarks, TargetRecord& record) {
+  std::erase_if(record.remarks, [&](const auto& remark) {
+    return std::find(remarks.begin(), remarks.end(), remark) != remarks.end();
+  });
 }
 
 judge::JudgeSettings judge_settings(const Plan& plan, const PlannedTarget& planned) {
@@ -130,7 +133,9 @@ void judge_target(const Plan& plan,
   const auto& one_case = plan.cases[planned.one_case];
   auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
                                          plan.reference_hashes, folders.references);
-  if (!judge::judge_image(one_case, result, reference, judge_settings(plan, planned), record)) return;
+  const auto comparison =
+      judge::judge_image(one_case, result, reference, judge_settings(plan, planned), record);
+  if (!comparison) return;
   if (auto judged = record.verdict == Verdict::Pass
                         ? std::nullopt
                         : passed_by_accepted(plan, planned, result, record.verdict, folders)) {
@@ -139,6 +144,7 @@ void judge_target(const Plan& plan,
     reference = std::move(judged->reference);
   }
   record.diagnosis = diagnosis_of(plan, one_case, result, *reference.image, folders, record);
+  if (results::names_a_fault(record)) leave_out(comparison->bias_remarks, record);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   image::write_png(image::display_image(result), folders.unfinished / relative / "result.png");
 }

@@ -2,6 +2,7 @@
 
 #include "tracer/integrator/path_class.h"
 #include "tracer/kernels/kernels.h"
+#include "tracer/shapes/solid.h"
 
 #include <algorithm>
 #include <chrono>
@@ -53,6 +54,7 @@ Rendering render(const World& world,
     });
     out.samples_per_pixel += static_cast<int>(passes[p].count);
   }
+  refuse_unfinished_shapes(world.solids);
   for (PixelSums& pixel : film.pixels) end_replicate(pixel);
   drop_unused_classes(film);
   if (film.has_variance && !float_holds_variances(film)) {

@@ -2,6 +2,7 @@
 #include "base/terminal.h"
 #include "image/image_io.h"
 #include "scene/load/load_scene.h"
+#include "scene/render_fault.h"
 #include "tracer/choose_light.h"
 #include "tracer/plugins/plugin_library.h"
 #include "tracer/render.h"
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -94,7 +96,12 @@ scene::Scene scene_for(const Options& options) {
   set_integrator(scene, options);
   if (options.width > 0) scene.camera.width_px = options.width;
   if (options.height > 0) scene.camera.height_px = options.height;
-  return scene;
+  const auto fault = scene::render_fault_named(options.fault);
+  if (!fault) return scene;
+  if (const auto why = scene::why_fault_changes_nothing(scene, *fault); !why.empty())
+    print_clean(stderr, "orbs-tracer: warning: --fault {} changes nothing in scene '{}': {}\n", options.fault,
+                scene.name, why);
+  return scene::with_fault(std::move(scene), *fault);
 }
 
 // The smallest trial renders 65,536 camera paths. An image of a sixteenth of that cannot win them back,
@@ -130,6 +137,11 @@ tracer::World world_for(const Options& options, const scene::Scene& scene) {
   // What the trial renderings met is no part of the image.
   tracer::reset_counts(world);
   return world;
+}
+
+void warn_of_ignored_options(const Options& options, const tracer::World& world) {
+  for (const auto& ignored : ignored_options(options, world))
+    print_clean(stderr, "orbs-tracer: warning: {}\n", ignored);
 }
 
 void print_summary(const tracer::Rendering& r, bool as_json) {
@@ -169,6 +181,7 @@ int run(const Options& options) {
   const PluginsAllowed guard;
   const auto scene = scene_for(options);
   const auto world = world_for(options, scene);
+  warn_of_ignored_options(options, world);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   ProgressLine line(options.as_json);

@@ -4,6 +4,7 @@
 #include "base/terminal.h"
 #include "command_line/command.h"
 #include "scene/effects/effects.h"
+#include "scene/render_fault.h"
 
 #include <vector>
 
@@ -124,6 +125,26 @@ void add_transport_options(const command_line::Command& app, Options& options) {
                "permit a transport that lacks effects that the scene calls for; the image lacks them, too");
 }
 
+// "test a suite: normals-by-matrix (...), ...".
+std::string fault_help() {
+  std::string text =
+      "make a mistake on purpose, to see whether the gates of a suite reject its images; the image's "
+      "attribute orbs.fault names it:";
+  for (const auto& one : scene::kRenderFaults)
+    text += fmt::format("{} {} ({})", one.fault == scene::kRenderFaults.front().fault ? "" : ",", one.name,
+                        one.what);
+  return text;
+}
+
+// A plain path tracer, as most of those that have such faults are.
+void add_fault(const Options& options, tracer::WorldSettings& settings) {
+  settings.fault = scene::render_fault_named(options.fault);
+  if (settings.fault != scene::RenderFault::NoMisWeight) return;
+  settings.direct_light = tracer::DirectLight::Unweighted;
+  settings.light_paths = false;
+  settings.mirrored_light = false;
+}
+
 tracer::Sampler sampler_named(const std::string& name) {
   using tracer::Sampler;
   if (name == "independent") return Sampler::Independent;
@@ -148,6 +169,7 @@ Options parse_options(int argc, char** argv, const std::string& version) {
   add_algorithm_options(app, options);
   add_integrator_options(app, options);
   add_transport_options(app, options);
+  app.add_option("--fault", options.fault, fault_help()).one_of(scene::render_fault_names());
   app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
   const auto parsed = program.parse(argc, argv);
   if (!parsed.problem.empty()) {
@@ -198,15 +220,31 @@ tracer::RenderSettings render_settings(const Options& options, const scene::Scen
 tracer::WorldSettings world_settings(const Options& options, const scene::Scene& scene) {
   using tracer::Intersection;
   using tracer::LightSelection;
-  return {.transport = scene::transport_named(options.transport),
-          .may_lose_effects = options.may_lose_effects,
-          .light_paths = options.light_paths != "never",
-          .mirrored_light = !options.has_no_mirrored_light,
-          .direct_light = direct_light_named(options.direct_light),
-          .light_selection = options.light_selection == "power" ? LightSelection::Power : LightSelection::Bvh,
-          .roulette = !options.has_no_roulette,
-          .intersection = options.intersection == "double" ? Intersection::Double : Intersection::Single,
-          .plugins = tracer::open_plugins(scene, options.plugins)};
+  tracer::WorldSettings settings{
+      .transport = scene::transport_named(options.transport),
+      .may_lose_effects = options.may_lose_effects,
+      .light_paths = options.light_paths != "never",
+      .mirrored_light = !options.has_no_mirrored_light,
+      .direct_light = direct_light_named(options.direct_light),
+      .light_selection = options.light_selection == "power" ? LightSelection::Power : LightSelection::Bvh,
+      .roulette = !options.has_no_roulette,
+      .intersection = options.intersection == "double" ? Intersection::Double : Intersection::Single,
+      .plugins = tracer::open_plugins(scene, options.plugins)};
+  add_fault(options, settings);
+  return settings;
+}
+
+std::vector<std::string> ignored_options(const Options& options, const tracer::World& world) {
+  std::vector<std::string> ignored;
+  const auto add = [&](const char* option, const std::string& setting, const std::string& why) {
+    if (setting == "always" && !why.empty())
+      ignored.push_back(fmt::format(
+          "{0} always has no effect: {1}. The image is right without; where it is noisy, give more samples",
+          option, why));
+  };
+  add("--light-paths", options.light_paths, tracer::why_no_light_paths(world));
+  add("--light-connections", options.light_connections, tracer::why_no_light_connections(world));
+  return ignored;
 }
 
 }  // namespace orbs::tracer_cli

@@ -6,6 +6,7 @@
 #include "tracer/world/build_world.h"
 
 #include <string>
+#include <vector>
 
 namespace orbs::tracer_cli {
 
@@ -31,6 +32,7 @@ struct Options {
   bool has_no_mirrored_light = false;
   std::string transport = "auto";
   bool may_lose_effects = false;
+  std::string fault;  // "": none
   tracer::PluginSources plugins;
 };
 
@@ -46,5 +48,8 @@ tracer::RenderSettings render_settings(const Options& options, const scene::Scen
 
 /// Opens the plug-ins that the scene names.
 tracer::WorldSettings world_settings(const Options& options, const scene::Scene& scene);
+
+/// What was asked for with "always" and cannot be in this world, each with the reason and what to do.
+std::vector<std::string> ignored_options(const Options& options, const tracer::World& world);
 
 }  // namespace orbs::tracer_cli

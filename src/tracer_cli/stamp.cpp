@@ -4,6 +4,7 @@
 #include "scene/effects/effects.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::tracer_cli {
 
@@ -48,6 +49,9 @@ void stamp(tracer::Rendering& rendering,
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";
   header["orbs.light_paths"] = world.caustic_casters.empty() ? "no" : "yes";
   header["orbs.light_connections"] = world.connects_light_vertices ? "yes" : "no";
+  if (const auto ignored = ignored_options(options, world); !ignored.empty())
+    header["orbs.ignored_options"] = fmt::format("{}", fmt::join(ignored, "; "));
+  if (!options.fault.empty()) header["orbs.fault"] = options.fault;
   header["orbs.transport"] = std::string(scene::transport_name(world.transport));
   if (world.wants_stokes)
     header["orbs.stokes"] =

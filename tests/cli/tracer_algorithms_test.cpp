@@ -69,6 +69,65 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   EXPECT_EQ(headers["orbs-no-mirrored-light"]["orbs.mirrored_light"], "no");
 }
 
+// Each fault changes the scenes that it is about, and the image says which it is.
+TEST(TracerFaults, ChangeTheImageAndAreNamedInIt) {
+  const Sandbox sandbox;
+  const auto rendered = [&](const std::string& scene, const std::string& fault) {
+    const auto answer =
+        sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/orbs/" + scene +
+                      " -o out.exr --spp 16 --width 24 --height 24 --light-paths never" +
+                      (fault.empty() ? "" : " --fault " + fault));
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(answer.text.find("changes nothing"), std::string::npos) << answer.text;
+    auto image = image::read_image(sandbox.folder() / "out.exr");
+    EXPECT_EQ(image.attributes["orbs.fault"], fault);
+    return image;
+  };
+  const auto mean = [](const image::Image& image) {
+    double sum = 0;
+    for (const float value : image::select_rgb(image, "").pixels) sum += static_cast<double>(value);
+    return sum / static_cast<double>(3 * image.pixel_count());
+  };
+  const std::string depth_2 = "a1_trace_depth/101-depth2.json";
+  EXPECT_TRUE(image::has_same_colours(rendered(depth_2, "one-bounce-less"),
+                                      rendered("a1_trace_depth/101-depth1.json", "")));
+  const auto right = rendered(depth_2, "");
+  EXPECT_LT(mean(rendered(depth_2, "emitters-only")), mean(right));
+  EXPECT_GT(mean(rendered(depth_2, "no-mis-weight")), 1.2 * mean(right));
+  EXPECT_GT(mean(rendered("m4_lambert_texture/103.json", "raw-textures")),
+            1.05 * mean(rendered("m4_lambert_texture/103.json", "")));
+  const std::string matrices = "g3_inst_matrices/g3-matrices.json";
+  EXPECT_FALSE(image::has_same_colours(rendered(matrices, "normals-by-matrix"), rendered(matrices, "")));
+  const auto nothing =
+      sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/orbs/" + depth_2 +
+                    " -o out.exr --spp 4 --width 8 --height 8 --fault raw-textures");
+  EXPECT_NE(nothing.text.find("warning: --fault raw-textures changes nothing"), std::string::npos)
+      << nothing.text;
+}
+
+// A setting that a scene does not allow is said, in the terminal and in the image.
+TEST(TracerAlgorithms, AlwaysWhereItCannotBeIsSaid) {
+  const Sandbox sandbox;
+  const auto said_of = [&](const std::string& scene, const std::string& more) {
+    const auto answer = sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/" + scene +
+                                      " -o out.exr --spp 4 --width 8 --height 6 " + more);
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    const auto attributes = image::read_image(sandbox.folder() / "out.exr").attributes;
+    const auto ignored = attributes.find("orbs.ignored_options");
+    if (ignored == attributes.end()) return std::string();
+    EXPECT_NE(answer.text.find("warning: " + ignored->second.substr(0, 30)), std::string::npos)
+        << answer.text;
+    return ignored->second;
+  };
+  const std::string polarised = "appearance/e3_polarisation/polarizing_plane_0.json";
+  EXPECT_EQ(said_of(polarised, "--light-paths always").substr(0, 64),
+            "--light-paths always has no effect: they carry no polarisation, ");
+  EXPECT_NE(said_of(polarised, "--light-connections always --light-paths always").find("--light-connections"),
+            std::string::npos);
+  EXPECT_EQ(said_of(polarised, ""), "");
+  EXPECT_EQ(said_of("orbs/a1_trace_depth/101-depth2.json", "--light-paths always"), "");
+}
+
 // A trial takes 65,536 camera paths, which an image of few does not win back.
 TEST(TracerAlgorithms, AnImageOfFewPathsIsNotWorthATrial) {
   const Sandbox sandbox;

@@ -201,9 +201,9 @@ test("the worst pixels of a wide edge are one spot each", async () => {
   await page.close();
 });
 
-test("the diagnosis stands with the verdict, and what noise leaves open is not called unmet", async () => {
+test("the diagnosis leads the reason of the verdict, and what noise leaves open is not called unmet", async () => {
   const { page } = await open(session.browser, session.url + values);
-  await page.getByText("Diagnosis: shifted by (2, 1) px: then 60.2 dB").waitFor();
+  await page.getByText("shifted by (2, 1) px: then 60.2 dB").waitFor();
   const checks = await page
     .getByRole("list", { name: "Checks" })
     .getByRole("listitem")

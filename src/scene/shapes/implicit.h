@@ -4,6 +4,7 @@
 #include "json/writer.h"
 #include "scene/load/entry.h"
 #include "scene/shapes/expression.h"
+#include "scene/shapes/formula_range.h"
 #include "scene/shapes/shape_type.h"
 
 namespace orbs::scene {
@@ -39,6 +40,11 @@ inline void load(ShapeEntry& entry, ImplicitForm& loaded) {
   const Vec3d high = loaded.high_m;
   if (!(low.x < high.x && low.y < high.y && low.z < high.z))
     in.fail("high", "must be above low in x, y and z");
+  if (!has_values(loaded.expression, low, high))
+    in.fail(
+        "expression",
+        "has no finite value anywhere in its box, as x / 0 has none: write a formula that is finite where its "
+        "surface lies");
   loaded.is_closed = in.boolean_or("closed", false);
 }
 

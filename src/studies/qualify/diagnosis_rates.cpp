@@ -7,6 +7,7 @@
 #include "faults/fault.h"
 #include "judge/diagnosis.h"
 #include "judge/judge.h"
+#include "run/other_references.h"
 #include "studies/qualify/images.h"
 
 #include <algorithm>
@@ -55,20 +56,6 @@ std::vector<faults::Row> faults_of(const DiagnosisSubject& subject) {
       rows.push_back({"the image of another target", fault, {faults::Use::Diagnosis}, fault.text()});
     }
   return rows;
-}
-
-// References of the case's other targets, those that are there.
-std::map<std::string, Image> other_targets_of(const run::Plan& plan,
-                                              const registry::Case& one_case,
-                                              const std::string& target) {
-  std::map<std::string, Image> others;
-  for (const auto& name : registry::target_names(one_case)) {
-    if (name == target) continue;
-    auto other = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes, {},
-                                       plan.settings.size_divisor);
-    if (other.image) others[name] = std::move(*other.image);
-  }
-  return others;
 }
 
 TableRow row_of(const std::string& fault, const std::string& expected, const std::array<int, 3>& counts) {
@@ -121,7 +108,7 @@ std::vector<FaultDiagnosis> measure_diagnoses(const run::Plan& plan,
     if (!reference.image) throw InputError(reference.problem);
     const auto control = control_image(run, renderer, one_case->name, target);
     nth(found, index) = diagnose_faults(
-        {*one_case, target, *reference.image, control, other_targets_of(plan, *one_case, target)});
+        {*one_case, target, *reference.image, control, run::other_references(plan, *one_case, target, {})});
   });
   std::vector<FaultDiagnosis> all;
   for (const auto& one : found) all.insert(all.end(), one.begin(), one.end());

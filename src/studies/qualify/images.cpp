@@ -5,6 +5,7 @@
 #include "base/nth.h"
 #include "image/image_io.h"
 #include "run/render.h"
+#include "scene/render_fault.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 namespace orbs::studies {
 
 namespace {
+
+constexpr int kSeed = 2;  // any that no reference has
 
 bool glows(const scene::Scene& scene) {
   const auto visible = scene::visible_materials(scene);
@@ -44,13 +47,12 @@ std::string why_no_light_can_miss(const scene::Scene& scene) {
   return has_more ? "" : "its only light: without it the image is black";
 }
 
-std::optional<std::vector<MissingLight>> without_each_light(const run::Plan& plan,
-                                                            const run::PlannedScene& scene,
-                                                            int spp,
-                                                            const std::filesystem::path& scratch,
-                                                            const std::atomic<bool>* stop) {
-  constexpr int kSeed = 2;  // any that no reference has
-  std::vector<MissingLight> images;
+std::optional<std::vector<RenderedMutant>> without_each_light(const run::Plan& plan,
+                                                              const run::PlannedScene& scene,
+                                                              int spp,
+                                                              const std::filesystem::path& scratch,
+                                                              const std::atomic<bool>* stop) {
+  std::vector<RenderedMutant> images;
   for (std::size_t i = 0; i < scene.scene->lights.size(); ++i) {
     auto dark = *scene.scene;
     const auto name = "without " + scene::display_name("light", dark.lights[i].name, i);
@@ -60,6 +62,32 @@ std::optional<std::vector<MissingLight>> without_each_light(const run::Plan& pla
     auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
     if (!made) return std::nullopt;
     images.push_back({name, std::move(made->image)});
+    remove_tree(folder);
+  }
+  return images;
+}
+
+bool makes_faults(const run::ChosenRenderer& renderer) {
+  return renderer.executable.filename() == "orbs-tracer";
+}
+
+std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan,
+                                                           const run::PlannedScene& scene,
+                                                           int spp,
+                                                           const std::filesystem::path& scratch,
+                                                           const std::atomic<bool>* stop) {
+  std::vector<RenderedMutant> images;
+  if (!makes_faults(plan.renderers.front())) return images;
+  for (const auto& fault : scene::kRenderFaults) {
+    if (!scene::why_fault_changes_nothing(*scene.scene, fault.fault).empty()) continue;
+    auto renderer = plan.renderers.front();
+    renderer.entry.command.words.insert(renderer.entry.command.words.end(),
+                                        {"--fault", std::string(fault.name)});
+    const auto folder = scratch / fmt::format("{}-{}", scene.name, fault.name);
+    const auto subject = run::prepare_render(renderer, plan, *scene.scene, folder);
+    auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
+    if (!made) return std::nullopt;
+    images.push_back({std::string(fault.name), std::move(made->image)});
     remove_tree(folder);
   }
   return images;

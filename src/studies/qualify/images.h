@@ -20,9 +20,9 @@ image::Image control_image(const results::RunRecord& run,
                            const std::string& case_name,
                            const std::string& target);
 
-/// A scene rendered with one of its lights left out.
-struct MissingLight {
-  std::string name;  // "without light 'turned'"
+/// A scene rendered anew with a fault that no change of an image can make.
+struct RenderedMutant {
+  std::string name;  // "without light 'turned'", "raw-textures"
   image::Image image;
 };
 
@@ -32,10 +32,21 @@ std::string why_no_light_can_miss(const scene::Scene& scene);
 
 /// The scene with one light left out, for each light, rendered by the plan's first renderer in `scratch`.
 /// Nothing when stopped. InputError when the renderer fails.
-std::optional<std::vector<MissingLight>> without_each_light(const run::Plan& plan,
-                                                            const run::PlannedScene& scene,
-                                                            int spp,
-                                                            const std::filesystem::path& scratch,
-                                                            const std::atomic<bool>* stop);
+std::optional<std::vector<RenderedMutant>> without_each_light(const run::Plan& plan,
+                                                              const run::PlannedScene& scene,
+                                                              int spp,
+                                                              const std::filesystem::path& scratch,
+                                                              const std::atomic<bool>* stop);
+
+/// Whether a renderer is the built-in one, which makes the faults of scene/render_fault.h.
+bool makes_faults(const run::ChosenRenderer& renderer);
+
+/// The scene with each of these faults that can change it. Nothing when stopped. InputError when the
+/// renderer, the plan's first, fails.
+std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan,
+                                                           const run::PlannedScene& scene,
+                                                           int spp,
+                                                           const std::filesystem::path& scratch,
+                                                           const std::atomic<bool>* stop);
 
 }  // namespace orbs::studies

@@ -87,8 +87,8 @@ void test_mutants(const MutationSubject& subject, const std::vector<faults::Row>
   }
   if (!subject.why_no_light_can_miss.empty())
     gate.mutants.push_back({"a missing light", subject.why_no_light_can_miss, false, ""});
-  for (const auto& missing : subject.missing_lights)
-    gate.mutants.push_back(tried(subject, missing.name, missing.image));
+  for (const auto& mutant : subject.rendered_mutants)
+    gate.mutants.push_back(tried(subject, mutant.name, mutant.image));
 }
 
 // The smallest size between `least` and `most` for which `holds`, within 10 %, by bisection of the ratio;

@@ -19,8 +19,8 @@ struct MutationSubject {
   judge::Reference reference;  // its image is there
   image::Image control;
   const std::map<std::string, image::Image>& others;  // references of the suite, by name
-  const std::vector<MissingLight>& missing_lights;
-  std::string why_no_light_can_miss;  // "" when `missing_lights` are mutants
+  const std::vector<RenderedMutant>& rendered_mutants;
+  std::string why_no_light_can_miss;  // "" when lights are missing in some of them
 };
 
 /// Mutation test of the gates of one target: judges the control image and all mutants, and searches for the

@@ -16,6 +16,7 @@
 #include "studies/qualify/mutation_test.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <mutex>
 
@@ -34,8 +35,8 @@ struct Qualification {
   const results::RunRecord& run;
   const QualifySettings& settings;
   const StudyContext& context;
-  std::map<std::string, Image> references;                          // of the whole suite
-  std::map<std::string, std::vector<MissingLight>> missing_lights;  // by scene
+  std::map<std::string, Image> references;                      // of the whole suite
+  std::map<std::string, std::vector<RenderedMutant>> rendered;  // mutants by scene
 };
 
 struct Subject {
@@ -65,18 +66,25 @@ bool is_wanted(const Qualification& shared, const std::string& scene) {
   });
 }
 
-void render_without_lights(Qualification& shared) {
+void render_mutants(Qualification& shared) {
   const ScratchFolder scratch("orbs-qualify");
   for (const auto& scene : shared.plan.scenes) {
-    if (!scene.size_problem.empty() || !is_wanted(shared, scene.name) ||
-        !why_no_light_can_miss(*scene.scene).empty())
-      continue;
+    if (!scene.size_problem.empty() || !is_wanted(shared, scene.name)) continue;
     const int spp = adapters::scaled_spp(scene.spp, 1, shared.settings.missing_light_spp_scale);
-    auto targets = without_each_light(shared.plan, scene, spp, scratch.path(), shared.context.stop);
-    if (!targets) return;
-    shared.context.say(
-        fmt::format("{}: rendered without each of its {} lights", scene.name, targets->size()));
-    shared.missing_lights[scene.name] = std::move(*targets);
+    std::vector<RenderedMutant> mutants;
+    if (why_no_light_can_miss(*scene.scene).empty()) {
+      auto without = without_each_light(shared.plan, scene, spp, scratch.path(), shared.context.stop);
+      if (!without) return;
+      mutants = std::move(*without);
+      shared.context.say(
+          fmt::format("{}: rendered without each of its {} lights", scene.name, mutants.size()));
+    }
+    auto faulty = with_each_fault(shared.plan, scene, spp, scratch.path(), shared.context.stop);
+    if (!faulty) return;
+    if (!faulty->empty())
+      shared.context.say(fmt::format("{}: rendered with {} faults of renderers", scene.name, faulty->size()));
+    std::move(faulty->begin(), faulty->end(), std::back_inserter(mutants));
+    shared.rendered[scene.name] = std::move(mutants);
   }
 }
 
@@ -88,7 +96,7 @@ std::string why_no_missing_light(const Qualification& shared, const std::string&
 }
 
 GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
-  static const std::vector<MissingLight> kNone;
+  static const std::vector<RenderedMutant> kNone;
   const auto control =
       control_image(shared.run, shared.settings.renderer, subject.one_case->name, subject.target);
   auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
@@ -97,9 +105,9 @@ GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
   const auto seed = judge::provenance_of(control)["seed"];
   if (!seed.empty() && judge::provenance_of(*reference.image)["seed"] == seed)
     throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
-  const auto missing = shared.missing_lights.find(subject.target);
+  const auto rendered = shared.rendered.find(subject.target);
   auto gate = mutation_test({*subject.one_case, subject.target, reference, control, shared.references,
-                             missing == shared.missing_lights.end() ? kNone : missing->second,
+                             rendered == shared.rendered.end() ? kNone : rendered->second,
                              why_no_missing_light(shared, subject.target)});
   for (const char* key : {"program", "version", "spp", "seed"})
     gate.control[key] = judge::provenance_of(control)[key];
@@ -131,7 +139,7 @@ std::vector<GateRecord> qualify(const run::Plan& plan,
                                 const StudyContext& context) {
   Qualification shared{
       plan, run, settings, context, all_references(plan.suite.references, plan.settings.size_divisor), {}};
-  render_without_lights(shared);
+  render_mutants(shared);
   std::vector<Subject> subjects;
   for (const auto& target : plan.targets) {
     if (target.renderer != 0) continue;

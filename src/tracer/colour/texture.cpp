@@ -1,6 +1,7 @@
 #include "tracer/colour/texture.h"
 
 #include "base/error.h"
+#include "image/colour.h"
 #include "image/image_io.h"
 
 #include <algorithm>
@@ -11,9 +12,11 @@
 
 namespace orbs::tracer {
 
-TexelGrid load_texels(const scene::Texture& texture) {
-  const auto image = with_note(fmt::format("loading texture '{}'", texture.name),
-                               [&] { return image::read_linear_rgb(texture.file); });
+TexelGrid load_texels(const scene::Texture& texture, Texels texels) {
+  auto image = with_note(fmt::format("loading texture '{}'", texture.name),
+                         [&] { return image::read_linear_rgb(texture.file); });
+  if (texels == Texels::AsStored && image::is_ldr_file(texture.file))
+    for (float& value : image.pixels) value = image::srgb_encode(value);
   TexelGrid grid{image.width, image.height, {}, texture.wrap_u, texture.wrap_v, {}};
   grid.texels.reserve(image.pixel_count());
   Vec3d sum;

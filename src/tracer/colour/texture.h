@@ -19,8 +19,9 @@ struct TexelGrid {
 };
 
 /// Loads a texture file; throws InputError. sRGB values of LDR files are decoded to linear per texel, float
-/// files are linear; a single channel is grey.
-TexelGrid load_texels(const scene::Texture& texture);
+/// files are linear; a single channel is grey. AsStored leaves sRGB values as they are, which is a fault.
+enum class Texels { Linear, AsStored };
+TexelGrid load_texels(const scene::Texture& texture, Texels texels = Texels::Linear);
 
 /// Bilinear interpolation between texel centres at +0.5.
 Vec3f lookup(const TexelGrid& grid, Vec2f uv);

@@ -7,8 +7,8 @@ namespace orbs::tracer {
 /// How light that arrives straight from an emitter is found: by light sampling (next-event estimation) and
 /// BSDF sampling, weighted by the power heuristic (Veach 1997, ch. 9); by light sampling alone, but where it
 /// cannot find the light (delta functions, the environment, emissive spheres); or by BSDF sampling alone. The
-/// expected image is the same.
-enum class DirectLight { Mis, Light, Bsdf };
+/// expected image is the same, but for Unweighted, a fault: both count in full.
+enum class DirectLight { Mis, Light, Bsdf, Unweighted };
 
 /// How light sampling selects one of several emitters: in proportion to its power alone, or by what it may
 /// contribute to the point (light_bvh.h). The expected image is the same.
@@ -30,6 +30,7 @@ inline float bsdf_weight(DirectLight direct_light, float pdf, float light_pdf, f
     case DirectLight::Light:
       return light_pdf > 0 ? 0 : 1;
     case DirectLight::Bsdf:
+    case DirectLight::Unweighted:
       return 1;
   }
   return mis_weight(pdf, light_pdf, connection_pdf);

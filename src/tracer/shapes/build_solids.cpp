@@ -1,9 +1,13 @@
 #include "tracer/shapes/build_solids.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace orbs::tracer {
 
@@ -150,7 +154,18 @@ class Builder {
 Solid make_solid(const scene::Shape& shape, Vec3d origin) {
   Builder builder;
   builder.add(shape, translation(-origin), shape.material);
-  return builder.take();
+  auto solid = builder.take();
+  solid.name = shape.name;
+  return solid;
+}
+
+void refuse_unfinished_shapes(const std::vector<Solid>& solids) {
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    if (solids[i].counts->unfinished > kMostUnfinished)
+      throw InputError(fmt::format(
+          "{}: the search for its surface did not end on more than {} rays: its formula has no value, or infinitely "
+          "many roots or poles there, as x / (y - y) or sin(1 / x); make the formula finite, or its box smaller",
+          scene::display_name("shape", solids[i].name, i), kMostUnfinished));
 }
 
 }  // namespace orbs::tracer

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -216,6 +217,7 @@ double shortest_part(const LocalRay& ray, const BoxSpan& span) {
 
 BoundaryHit next_boundary(
     const ImplicitLeaf& leaf, const LocalRay& ray, double after, Roots roots, RootCounts& counts) {
+  if (counts.unfinished.load(std::memory_order_relaxed) > kMostUnfinished) return {};
   const BoxSpan span = box_span(leaf.form, ray);
   if (!(span.enter < span.exit) || !(span.exit > after)) return {};
   const RayFunction f(leaf.form.expression, ray);

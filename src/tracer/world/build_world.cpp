@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -106,19 +107,6 @@ scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSe
                                scene::transport_name(*given)));
 }
 
-// Light paths end at lights, keep their wavelengths, and carry plain factors instead of matrices. So they are
-// not traced where lights reflect, surfaces fluoresce, or light is polarised. An irradiance cache keeps the
-// light that they would carry.
-bool supports_light_paths(const World& world) {
-  const bool is_polarised = scene::covers(world.transport, scene::LightTransport::Polarised);
-  const bool lights_reflect = std::any_of(world.lights.begin(), world.lights.end(),
-                                          [](const auto& light) { return !(light.reflectance == Vec3f{}); });
-  // Of the transport, not of the materials: one that no surface shows must change nothing.
-  const bool may_fluoresce = scene::covers(world.transport, scene::LightTransport::Bispectral);
-  return std::holds_alternative<scene::PathTracing>(world.integrator) && !is_polarised && !lights_reflect &&
-         !may_fluoresce && !world.emitters.empty();
-}
-
 // Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
 // places. No radiance depends on a scale, so a small scene is enlarged by a power of two: bit for bit the
 // same image as of the larger scene. A large scene is reduced: two of its places are two radii apart at most,
@@ -144,7 +132,9 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
         "with rgb transport, or by the integrator 'path'",
         scene.name, scene::transport_name(world.transport)));
   world.trace_depth = scene.trace_depth;
-  for (const auto& texture : scene.textures) world.textures.push_back(load_texels(texture));
+  for (const auto& texture : scene.textures)
+    world.textures.push_back(load_texels(
+        texture, settings.fault == scene::RenderFault::RawTextures ? Texels::AsStored : Texels::Linear));
   add_materials(scene, colours, world);
   add_meshes(scene, origin, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
@@ -157,7 +147,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   world.roulette = settings.roulette;
   // Light paths and camera paths share the light another way if there are no planes, so both work without.
   if (settings.mirrored_light && settings.direct_light != DirectLight::Bsdf) find_mirror_planes(world);
-  if (settings.light_paths && supports_light_paths(world))
+  if (settings.light_paths && why_no_light_paths(world).empty())
     world.caustic_casters = find_caustic_casters(world);
   world.accel = std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres,
                                                       world.solids, world.plugin_shapes, world.lights},
@@ -173,8 +163,31 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
 }
 
-bool supports_light_connections(const World& world) {
-  return supports_light_paths(world) && world.direct_light == DirectLight::Mis && world.trace_depth >= 2;
+// Light paths end at lights, keep their wavelengths, and carry plain factors instead of matrices. So they are
+// not traced where lights reflect, surfaces fluoresce, or light is polarised. An irradiance cache keeps the
+// light that they would carry.
+std::string why_no_light_paths(const World& world) {
+  if (!std::holds_alternative<scene::PathTracing>(world.integrator))
+    return "an irradiance cache keeps the light that they would carry";
+  if (world.emitters.empty()) return "the scene has no emitter of a finite size that they could start at";
+  // Of the transport, not of the materials: one that no surface shows must change nothing.
+  if (scene::covers(world.transport, scene::LightTransport::Polarised))
+    return fmt::format("they carry no polarisation, and the transport is {}",
+                       scene::transport_name(world.transport));
+  if (scene::covers(world.transport, scene::LightTransport::Bispectral))
+    return fmt::format("they keep their wavelength, and the transport is {}",
+                       scene::transport_name(world.transport));
+  if (std::any_of(world.lights.begin(), world.lights.end(),
+                  [](const auto& light) { return !(light.reflectance == Vec3f{}); }))
+    return "they end at lights, and a light of the scene has a reflectance";
+  return "";
+}
+
+std::string why_no_light_connections(const World& world) {
+  if (auto why = why_no_light_paths(world); !why.empty()) return why;
+  if (world.direct_light != DirectLight::Mis) return "they are weighted against --direct-light mis alone";
+  if (world.trace_depth < 2) return "they add a bounce, and the trace depth of the scene is 1";
+  return "";
 }
 
 }  // namespace orbs::tracer

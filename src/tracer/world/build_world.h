@@ -1,11 +1,13 @@
 #pragma once
 
+#include "scene/render_fault.h"
 #include "scene/scene.h"
 #include "tracer/plugins/plugin_library.h"
 #include "tracer/world/world.h"
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace orbs::tracer {
 
@@ -29,6 +31,8 @@ struct WorldSettings {
   /// Off: paths end at the trace depth or where they carry nothing, not by Russian roulette.
   bool roulette = true;
   Intersection intersection = Intersection::Single;
+  /// What of it is in the tracer and not in the scene, see scene::with_fault.
+  std::optional<scene::RenderFault> fault = {};
   PluginLibraries plugins = {};  // those of open_plugins, for scenes that name some
 };
 
@@ -36,9 +40,14 @@ struct WorldSettings {
 /// effects that the scene calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});
 
-/// Whether World::connects_light_vertices may be set: light paths exist in such a world, and their
-/// connections are weighted against the techniques of DirectLight::Mis.
-bool supports_light_connections(const World& world);
+/// Why no light paths are traced in the world, whatever is asked for: "they end at lights, and a light
+/// of the scene has a reflectance"; "" where they can be.
+std::string why_no_light_paths(const World& world);
+
+/// Why World::connects_light_vertices must not be set; "" where it may be: light paths exist in such a world,
+/// and their connections are weighted against the techniques of DirectLight::Mis.
+std::string why_no_light_connections(const World& world);
+inline bool supports_light_connections(const World& world) { return why_no_light_connections(world).empty(); }
 
 /// Forgets what renders so far met at shapes by formula and of plug-ins: roots that stayed open, broken
 /// rules.

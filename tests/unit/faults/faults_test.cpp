@@ -124,6 +124,24 @@ TEST(Faults, HaveNamesOfTheirOwnAndChangeTheImage) {
   }
 }
 
+// The study of the diagnosis compares its answers with these words: a kind that is renamed must be renamed
+// there.
+TEST(Faults, RightDiagnosesBeginAsTheirFaultIsCalled) {
+  int compared = 0;
+  for (const auto& row : faults::catalogue(painted())) {
+    if (row.diagnosis.empty()) continue;
+    const auto text = std::visit(
+        [](const auto& fault) -> std::string {
+          if constexpr (requires { fault.text(); }) return fault.text();
+          return "(the diagnosis does not know this kind)";
+        },
+        row.fault);
+    EXPECT_TRUE(text.starts_with(row.diagnosis)) << row.name << ": " << text << ", not " << row.diagnosis;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 25);
+}
+
 TEST(Faults, OfTheColoursAloneLeaveTheVariances) {
   const auto image = painted();
   for (const auto& row : faults::catalogue(image)) {

@@ -70,6 +70,24 @@ TEST(Diagnosis, NamesTheFault) {
             "cropped to the pixels [8,0,64,64], black beside them");
 }
 
+// The lamp is a rectangle, so what is left looks as if it was cropped to it.
+TEST(Diagnosis, TellsEmittersAloneFromACrop) {
+  EXPECT_EQ(
+      said_of([](int x, int y, std::size_t c) { return x > 40 && x < 48 && y < 6 ? scene_at(x, y, c) : 0; }),
+      "emitters alone: no surface reflects their light, as with a trace depth of 0");
+  EXPECT_EQ(said_of([](int x, int y, std::size_t c) {
+              return x >= 8 && x < 30 && y >= 20 && y < 40 ? scene_at(x, y, c) : 0;
+            }),
+            "cropped to the pixels [8,20,30,40], black beside them");
+}
+
+TEST(Diagnosis, NamesAMissingMisWeight) {
+  const auto said = said_of([](int x, int y, std::size_t c) {
+    return (x > 40 && x < 48 && y < 6 ? 1.0F : 2.0F) * scene_at(x, y, c);
+  });
+  EXPECT_EQ(said.substr(0, 46), "right at emitters and twice as bright elsewher") << said;
+}
+
 TEST(Diagnosis, NamesAClampThatLeavesOneValue) {
   auto image = painted(scene_at, 2);
   for (float& value : image.pixels) value = std::min(value, 1.0F);

@@ -458,6 +458,29 @@ TEST(Seeds, GiveTheMeanAndTheVarianceOfTheMean) {
   EXPECT_FLOAT_EQ(mean.at(1, 0, 3), 14.0F / 6);
 }
 
+TEST(Seeds, KeepEveryLayerAndTheVarianceOfStokesParameters) {
+  std::vector<Image> renders;
+  for (const float value : {1.0F, 3.0F}) {
+    renders.push_back(
+        orbs::image::make_image(1, 1, {"R", "G", "B", "variance.R", "S1.R", "A", "path.EDL.G"}));
+    renders.back().pixels = {value, 1, 1, 9, -value, value / 4, 2 * value};
+  }
+  const Image mean = mean_and_variance_of(renders);
+  const auto of = [&](const char* channel) {
+    const int index = orbs::image::channel_index(mean, channel);
+    return index < 0 ? -100.0F : mean.at(0, 0, static_cast<std::size_t>(index));
+  };
+  EXPECT_EQ(of("R"), 2.0F);
+  EXPECT_EQ(of("variance.R"), 1.0F);  // that of the scatter, not the 9 that they state
+  EXPECT_EQ(of("S1.R"), -2.0F);
+  EXPECT_EQ(of("variance.S1.R"), 1.0F);
+  EXPECT_EQ(of("A"), 0.5F);
+  EXPECT_EQ(of("path.EDL.G"), 4.0F);
+  EXPECT_EQ(mean.channel_count(), 10U);
+  renders.back().channels.back() = "path.EDL.B";
+  EXPECT_THROW(mean_and_variance_of(renders), orbs::InputError);
+}
+
 TEST(Seeds, TwoAreEnoughToJudgeAnImageBy) {
   const Image reference =
       rendered(from_half_to_three_halves, {.size_px = 64, .spp = 256, .seed = kReferenceSeed});

@@ -50,9 +50,10 @@ TEST(Csv, HoldsDiagnosisAndRemarks) {
   auto run = run_of(Verdict::Pass, "fine");
   run.targets[0].diagnosis = "shifted by (2, 1) px: then 60.2 dB";
   run.targets[0].remarks = {"bias: a, b", "c"};
-  EXPECT_NE(orbs::report::results_csv(run).find(
-                ",pass,none,,fine,\"shifted by (2, 1) px: then 60.2 dB\",\"bias: a, b; c\",41.25"),
-            std::string::npos);
+  EXPECT_NE(
+      orbs::report::results_csv(run).find(
+          ",pass,none,,\"shifted by (2, 1) px: then 60.2 dB; fine\",\"shifted by (2, 1) px: then 60.2 dB\",\"bias: a, b; c\",41.25"),
+      std::string::npos);
 }
 
 TEST(Csv, QuotesWhatWouldBreakARow) {

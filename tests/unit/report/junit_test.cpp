@@ -77,8 +77,7 @@ TEST(Junit, HasATestCaseForEachTargetWithReasonAndDiagnosisInTheBody) {
       <property name="version" value="R 1.0"/>
     </properties>
     <testcase classname="s.r.M1" name="m1 101" time="1.500">
-      <failure type="fail" message="fail: too dark &amp; wrong">too dark &amp; wrong
-upside down: then 40.0 dB
+      <failure type="fail" message="fail: upside down: then 40.0 dB; too dark &amp; wrong">upside down: then 40.0 dB; too dark &amp; wrong
 bias: darker
 render 101</failure>
     </testcase>

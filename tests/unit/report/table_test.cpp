@@ -177,22 +177,28 @@ TEST(Table, ARemarkIsToldOnceForAllCasesOfTheImage) {
   EXPECT_EQ(text.find("bias: darker", first + 1), std::string::npos) << text;
 }
 
-// A fault that is named has a line; what is none of the usual ones is listed once for each renderer.
-TEST(Table, ADiagnosisIsToldOnceForAllCasesOfTheImage) {
+// A fault that is named leads the reason; what is none of the usual ones is listed once for each renderer,
+// with the mistakes that are typical of its cases.
+TEST(Table, ADiagnosisLeadsTheReasonOrTheTypicalMistakeIsTold) {
   auto run = small_run();
   run.targets.resize(4);
   const std::vector<std::string> names{"101", "101", "102", "103"};
   for (std::size_t i = 0; i < 4; ++i) {
     run.targets[i].renderer = "orbs";
     run.targets[i].target = names[i];
+    run.targets[i].verdict = Verdict::Fail;
+    run.targets[i].reason = "B is 41.5 % darker";
+    run.targets[i].case_name = i < 2 ? "a" : "textures";
     run.targets[i].diagnosis =
         i < 2 ? "upside down: then 40.0 dB" : std::string(orbs::results::kNoUsualFault);
   }
+  run.cases.push_back({"s", "textures", "M4", "", "", "Textures are not decoded from sRGB."});
   const auto text = summary_text(run, {});
-  const auto first = text.find("upside down: then 40.0 dB\n");
+  const auto first = text.find("upside down: then 40.0 dB; B is 41.5 % darker\n");
   ASSERT_NE(first, std::string::npos) << text;
   EXPECT_EQ(text.find("upside down", first + 1), std::string::npos) << text;
   EXPECT_NE(text.find("102, 103  none of the usual faults explains the error\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("102, 103  Textures are not decoded from sRGB.\n"), std::string::npos) << text;
 }
 
 TEST(Table, WhatNoiseHidesIsToldInOneLineOfTheRenderer) {

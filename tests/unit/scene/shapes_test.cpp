@@ -140,6 +140,10 @@ TEST(Shapes, RefusalsSayWhereAndWhatToDo) {
       refusal(
           R"({"type": "implicit", "expression": "x", "low": [0, 0, 0], "high": [1, 0, 1], "material": "m"})"),
       "/shapes/0/high: must be above low in x, y and z");
+  for (const char* formula : {"x / 0", "x / (y - y)", "log(-1 - x^2) + y"})
+    expect_part(refusal(R"({"type": "implicit", "expression": ")" + std::string(formula) +
+                        R"(", "low": [0, 0, 0], "high": [1, 1, 1], "material": "m"})"),
+                "/shapes/0/expression: has no finite value anywhere in its box, as x / 0 has none");
   expect_part(
       refusal(
           R"({"type": "union", "material": "m", "operands": [{"type": "box", "half_sizes": [1, 1, 1]}]})"),

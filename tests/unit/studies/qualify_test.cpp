@@ -60,7 +60,7 @@ results::GateRecord tried(const registry::Case& one_case,
                           const image::Image& reference,
                           const image::Image& control,
                           const std::map<std::string, image::Image>& others = {}) {
-  const std::vector<studies::MissingLight> none;
+  const std::vector<studies::RenderedMutant> none;
   return studies::mutation_test(
       {one_case, "a", {"a.exr", reference, ""}, control, others, none, "its only light"});
 }

@@ -1,5 +1,6 @@
 // The tracer against closed forms. Tolerances are four standard errors by the variance of the image: a false
 // alarm in one of 16,000 seeds, and the seeds are fixed.
+#include "base/error.h"
 #include "unit/tracer/scenes.h"
 
 #include <numbers>
@@ -286,6 +287,28 @@ TEST(TracerStop, KeepsThePassesThatWereFinished) {
       tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
   EXPECT_EQ(rendering.samples_per_pixel, 16);  // one replicate of four
   EXPECT_GT(mean_of_channel(rendering.image, 0), 0);
+}
+
+// Each search that does not end takes 10 ms, so a formula of which most rays find no end would render for
+// hours.
+TEST(TracerShapes, WhoseSearchDoesNotEndAreRefused) {
+  const std::string text = scene_text(
+      "[0, 0, 20]", "[0, 0, 0]", 16, 1,
+      R"=("environment": [1, 1, 1], "materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}], "shapes": [
+                    {"type": "implicit", "name": "pole", "expression": "x / (sin(x)^2 + cos(x)^2 - 1)",
+                     "low": [-1, -1, -1], "high": [1, 1, 1], "material": "m"}])=");
+  const auto world = tracer::make_world(scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR));
+  world.solids.front().counts->unfinished = tracer::kMostUnfinished + 1;  // as after ten seconds of its rays
+  const std::atomic<bool> never{false};
+  try {
+    tracer::render(world, {.samples_per_pixel = 4}, never, [](const tracer::Progress&) {});
+    FAIL() << "it was rendered";
+  } catch (const InputError& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("shape 'pole': the search for its surface did not end on more than 500"),
+        std::string::npos)
+        << e.what();
+  }
 }
 
 TEST(TracerEmission, DirectlyVisibleEmissionIsExact) {

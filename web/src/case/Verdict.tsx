@@ -10,7 +10,7 @@ interface Props {
   diagnosis: string;
 }
 
-/** The verdict with its first reason and the diagnosis; the other reasons are folded away. */
+/** The verdict with its first reason, which is the diagnosis where the fault is known; the others are folded away. */
 export function Verdict({ session, index, diagnosis }: Props) {
   const [first = "", ...others] = reasonOf(session.overview, index).split("; ");
   return (
@@ -26,11 +26,7 @@ export function Verdict({ session, index, diagnosis }: Props) {
           </ul>
         </details>
       ) : null}
-      {diagnosis ? (
-        <span class={`diagnosis ${diagnosis.startsWith(kNone) ? "quiet" : ""}`}>
-          Diagnosis: {diagnosis}
-        </span>
-      ) : null}
+      {diagnosis.startsWith(kNone) ? <span class="diagnosis quiet">Diagnosis: {diagnosis}</span> : null}
     </div>
   );
 }

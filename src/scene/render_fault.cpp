@@ -1,0 +1,98 @@
+#include "scene/render_fault.h"
+
+#include "image/image_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orbs::scene {
+
+namespace {
+
+Vec3d column(const Mat4& m, std::size_t c) { return {m(0, c), m(1, c), m(2, c)}; }
+
+// Such a matrix turns normals as it turns directions: its columns are perpendicular and of one length.
+bool keeps_angles(const Mat4& m) {
+  constexpr double kNear = 1e-9;
+  const double square = dot(column(m, 0), column(m, 0));
+  const auto is_near = [&](std::size_t a, std::size_t b, double wanted) {
+    return std::abs(dot(column(m, a), column(m, b)) - wanted) <= kNear * square;
+  };
+  return is_near(1, 1, square) && is_near(2, 2, square) && is_near(0, 1, 0) && is_near(0, 2, 0) &&
+         is_near(1, 2, 0);
+}
+
+// The inverse transpose maps M^T M n to M n.
+Vec3d mapped_twice(const Mat4& m, Vec3d n) {
+  const Vec3d once = column(m, 0) * n.x + column(m, 1) * n.y + column(m, 2) * n.z;
+  return {dot(column(m, 0), once), dot(column(m, 1), once), dot(column(m, 2), once)};
+}
+
+// Each instance that the fault concerns gets a mesh of its own.
+void map_normals_by_matrix(Scene& scene) {
+  for (auto& instance : scene.instances) {
+    if (keeps_angles(instance.matrix) || mesh_of(scene, instance).normals.empty()) continue;
+    auto mesh = mesh_of(scene, instance);
+    mesh.name += " of " + std::to_string(&instance - scene.instances.data());
+    for (auto& normal : mesh.normals)
+      normal = cast<float>(normalised(mapped_twice(instance.matrix, cast<double>(normal))));
+    mesh.subdivision.reset();
+    instance.mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(RenderFault fault) {
+  return std::find_if(kRenderFaults.begin(), kRenderFaults.end(),
+                      [&](const auto& one) { return one.fault == fault; })
+      ->name;
+}
+
+std::vector<std::string> render_fault_names() {
+  std::vector<std::string> names;
+  for (const auto& one : kRenderFaults) names.emplace_back(one.name);
+  return names;
+}
+
+std::optional<RenderFault> render_fault_named(std::string_view name) {
+  for (const auto& one : kRenderFaults)
+    if (one.name == name) return one.fault;
+  return std::nullopt;
+}
+
+std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
+  switch (fault) {
+    case RenderFault::NormalsByMatrix:
+      return std::any_of(scene.instances.begin(), scene.instances.end(),
+                         [&](const auto& instance) {
+                           return !keeps_angles(instance.matrix) && !mesh_of(scene, instance).normals.empty();
+                         })
+                 ? ""
+                 : "its matrices keep all angles, or its meshes have no vertex normals";
+    case RenderFault::RawTextures:
+      return std::any_of(scene.textures.begin(), scene.textures.end(),
+                         [](const auto& texture) { return image::is_ldr_file(texture.file); })
+                 ? ""
+                 : "it has no texture of 8 or 16 bits";
+    case RenderFault::NoMisWeight:
+      return scene.lights.empty() ? "it has no light that light sampling finds" : "";
+    case RenderFault::EmittersOnly:
+      return "";
+    case RenderFault::OneBounceLess:
+      if (scene.trace_depth == kUnlimitedDepth) return "its trace depth is unlimited";
+      return scene.trace_depth == 1 ? "its trace depth is 1: that is emitters-only" : "";
+  }
+  return "";
+}
+
+Scene with_fault(Scene scene, RenderFault fault) {
+  if (fault == RenderFault::NormalsByMatrix) map_normals_by_matrix(scene);
+  if (fault == RenderFault::EmittersOnly) scene.trace_depth = 0;
+  if (fault == RenderFault::OneBounceLess) --scene.trace_depth;
+  return scene;
+}
+
+}  // namespace orbs::scene

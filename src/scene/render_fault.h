@@ -1,0 +1,47 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Mistakes of renderers that no change of a finished image can make, as orbs-tracer --fault makes them on
+/// purpose: a suite that is to find them must reject such images.
+namespace orbs::scene {
+
+enum class RenderFault { NormalsByMatrix, RawTextures, NoMisWeight, EmittersOnly, OneBounceLess };
+
+struct RenderFaultInfo {
+  RenderFault fault;
+  std::string_view name;
+  std::string_view what;
+};
+
+inline constexpr std::array kRenderFaults{
+    RenderFaultInfo{RenderFault::NormalsByMatrix, "normals-by-matrix",
+                    "vertex normals are mapped by the matrix of an instance, not by its inverse transpose"},
+    RenderFaultInfo{RenderFault::RawTextures, "raw-textures",
+                    "textures of 8 and 16 bits are not decoded from sRGB"},
+    RenderFaultInfo{RenderFault::NoMisWeight, "no-mis-weight",
+                    "light sampling and BSDF sampling both count in full, without the weights of multiple "
+                    "importance sampling"},
+    RenderFaultInfo{RenderFault::EmittersOnly, "emitters-only", "no surface reflects: a trace depth of 0"},
+    RenderFaultInfo{RenderFault::OneBounceLess, "one-bounce-less", "the trace depth is one less"}};
+
+std::string_view name_of(RenderFault fault);
+std::vector<std::string> render_fault_names();
+/// Nothing for a name that there is not.
+std::optional<RenderFault> render_fault_named(std::string_view name);
+
+/// Why the fault cannot change the image: "it has no texture of 8 or 16 bits"; "" where it can.
+std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault);
+
+/// The scene of which a right renderer makes the image that one with the fault makes of `scene`: other
+/// normals, another trace depth. Of the two faults for which there is none, raw textures and MIS weights,
+/// `scene` itself.
+Scene with_fault(Scene scene, RenderFault fault);
+
+}  // namespace orbs::scene
