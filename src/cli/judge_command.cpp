@@ -21,7 +21,7 @@ struct Options {
 
 int judge(const Options& options, const std::string& configuration, const Program& program) {
   auto filed = run::read_plan(std::filesystem::path(options.folder) / run::kPlanFile);
-  take_configuration(configuration, filed);
+  take_configuration(configuration, program, filed);
   auto loaded = run::load_plan(filed, program.folder, program.version);
   // Images may be judged by gates of today, but must be of the scenes of today.
   run::refuse_changes(loaded, {run::PlanPart::Scene});

@@ -47,6 +47,7 @@ void announce(const run::Plan& plan, const RecordedTimes& times, const std::file
   const bool is_here = plan.configuration.parent_path() == std::filesystem::current_path();
   print_clean(stderr, "configuration: {}{}\n", plan.configuration.string(),
               is_here ? "" : ", which is not in this folder");
+  for (const auto& file : plan.below) print_clean(stderr, "  over {}\n", file.string());
   print_clean(stderr, "suite {} with {}: {}\n", plan.suite.name, fmt::join(names, ", "),
               amount_text(plan, times));
   for (const auto& left : plan.left_out)
@@ -115,13 +116,15 @@ int run_plan(const Planned& planned, const Program& program, const RunOptions& o
   context.rendering.stop = &catch_interrupts();
   auto record = render_with_progress(plan, folder, times.seconds, context);
   const bool accepts = !options.accept_failures.empty() && !record.interrupted;
+  const auto configuration =
+      accepts ? read_configuration(plan.configuration.string(), program) : registry::Configuration{};
   const auto accepted =
-      accepts ? run::accept_failures(plan.configuration, options.accept_failures, record) : 0;
+      accepts ? run::accept_failures(configuration, options.accept_failures, record) : 0;
   if (accepted > 0) report::write_reports(record, folder);
   print_end(record, folder);
   if (accepts)
     print_clean("{} known failure{} written to {}\n", accepted, accepted == 1 ? "" : "s",
-                plan.configuration.string());
+                configuration.own_file.string());
   if (plan.settings.view && !record.interrupted) show_runs({folder}, program, {"127.0.0.1", 0, true});
   return record.interrupted ? kInterrupted : results::exit_status(record);
 }
@@ -140,7 +143,7 @@ Planned planned_by_file(const command_line::Command& command,
     if (command.is_given(choice))
       throw InputError(
           fmt::format("{} is part of the plan, which is executed as it is; make another plan", choice));
-  take_configuration(configuration, filed);
+  take_configuration(configuration, program, filed);
   auto loaded = run::load_plan(filed, program.folder, program.version);
   using run::PlanPart;
   run::refuse_changes(loaded, {PlanPart::Version, PlanPart::Program, PlanPart::Case, PlanPart::Scene});

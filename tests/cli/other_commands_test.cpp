@@ -46,6 +46,16 @@ TEST(Plan, SaysWhatEachSceneCallsForAndWhy) {
   EXPECT_EQ(sandbox.orbs({"effects", "no-such-scene"}).status, 2);
 }
 
+// Also names of scenes of other suites than the usual one are known.
+TEST(Doctor, OfTheShippedConfigurationHasNoWarning) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"doctor", "--configuration", ORBS_SOURCE_DIR "/configuration.json"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "cycles")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "warning")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "cannot be read")) << answer.text;
+}
+
 TEST(Doctor, SaysWhatIsThereAndWhatIsNot) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"doctor"});
