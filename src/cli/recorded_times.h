@@ -4,22 +4,25 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 namespace orbs::cli {
 
 /// Seconds that the jobs of a plan are expected to take. What was never timed has no entry.
 struct RecordedTimes {
-  std::map<std::string, double> seconds;  // by job id
-  std::size_t from_elsewhere = 0;         // so many of them were timed on another machine
+  std::map<std::string, double> seconds{};  // by job id
+  std::size_t from_elsewhere = 0;           // so many of them were timed on another machine
+  std::size_t rough = 0;                    // so many are known by other sizes or other scenes alone
+  std::set<std::string> finished{};         // ids of jobs that the resumed run has already
 };
 
-/// As far as earlier runs tell: those in `folder` whose name starts with "outputs-", and the run in `resumed`
-/// if it is not "". Times of other sample counts are scaled; runs with images of another size tell nothing,
-/// nor do those that cannot be read. For the rest, the times that come with the program (data/bench): CPU
-/// seconds of another machine, shared by the threads of a job.
+/// As far as earlier runs tell: the newest in `folders`, whatever they are called, and the run in `resumed`
+/// if it is not "". Times of other sample counts are scaled and, where a render was never timed at this size,
+/// those of other sizes. For the rest, the times that come with the program (data/bench): CPU seconds of
+/// another machine, shared by the threads of a job.
 RecordedTimes recorded_times(const run::Plan& plan,
-                             const std::filesystem::path& folder,
+                             const std::set<std::filesystem::path>& folders,
                              const std::filesystem::path& resumed);
 
 /// "45 s", "12 min", "5.2 h".
