@@ -171,6 +171,7 @@ Planned planned_as(const command_line::Command& command,
   if (!options.shard.empty()) file.shard = registry::parse_shard(options.shard);
   if (!options.plan.empty()) {
     planned = planned_by_file(command, run::read_plan(options.plan), configuration, options, program);
+    file.label = planned.plan.settings.label;
   } else if (options.resume.empty()) {
     const auto read = read_configuration(configuration, program);
     const auto settings = run_settings(command, options, read.defaults);

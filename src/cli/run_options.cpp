@@ -182,7 +182,9 @@ void add_run_options(const command_line::Command& command, RunOptions& options) 
     resume.excludes(command.option(choice));
   for (const char* choice : {"--resume", "--shard", "--plan", "--accept-failures", "--dry-run", "--view"})
     command.option("--repeat").excludes(command.option(choice));
-  plan.excludes(command.option("--last-failed"));
+  // The parts of one plan must choose the same: what failed last may be another run for each.
+  for (const char* part : {"--plan", "--shard"})
+    command.option("--last-failed").excludes(command.option(part));
   command.option("--quiet").excludes(command.option("--verbose"));
 }
 

@@ -104,6 +104,22 @@ TEST(Label, NamesTheRunInTheHistory) {
   EXPECT_TRUE(contains(sandbox.read("page.html"), "ab12cd"));
 }
 
+TEST(Label, StaysWithAPlanAndWithItsMergedShards) {
+  const Sandbox sandbox;
+  ASSERT_EQ(
+      sandbox.orbs({"run", "-r", "good", "-c", "m1*", "--label", "ab12cd", "--shard", "1/2", "-o", "one"})
+          .status,
+      0);
+  const auto two = sandbox.orbs({"run", "--plan", "one/plan.json", "--shard", "2/2", "-o", "two"});
+  ASSERT_EQ(two.status, 0) << two.text;
+  const auto merged = sandbox.orbs({"merge", "one", "two", "-o", "whole"});
+  ASSERT_EQ(merged.status, 0) << merged.text;
+  for (const char* folder : {"two", "whole"})
+    EXPECT_TRUE(contains(sandbox.read(std::string(folder) + "/results.json"), "\"label\": \"ab12cd\""))
+        << folder;
+  EXPECT_EQ(sandbox.orbs({"run", "--last-failed", "--shard", "1/2"}).status, 2);
+}
+
 TEST(Estimates, AreLearnedFromRunsOfAnyNameAndSize) {
   const Sandbox sandbox;
   ASSERT_EQ(sandbox.orbs({"run", "-r", "good", "-s", "grey", "-c", "m1*", "-o", "mine"}).status, 0);
