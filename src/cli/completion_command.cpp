@@ -1,7 +1,10 @@
+#include "base/error.h"
 #include "base/terminal.h"
 #include "base/text.h"
+#include "cli/complete_values.h"
 #include "cli/program.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,6 +46,22 @@ std::vector<std::string> option_words(const Completed& command) {
   return words;
 }
 
+// "    run:-s|run:--scene) kind=scenes ;;": what the word before the one at the cursor asks for.
+std::string value_cases(const std::vector<Completed>& commands) {
+  std::map<std::string, std::vector<std::string>> options;  // by kind
+  for (const auto& command : commands)
+    for (const auto& option : command.options) {
+      const auto kind = value_kind(option);
+      if (kind.empty()) continue;
+      for (const auto& name : option.short_names) options[kind].push_back(command.name + ":-" + name);
+      for (const auto& name : option.long_names) options[kind].push_back(command.name + ":--" + name);
+    }
+  std::string cases;
+  for (const auto& [kind, names] : options)
+    cases += fmt::format("    {}) kind={} ;;\n", fmt::join(names, "|"), kind);
+  return cases;
+}
+
 // Files complete where nothing else does.
 std::string bash_script(const std::vector<Completed>& commands) {
   std::vector<std::string> names;
@@ -54,15 +73,18 @@ std::string bash_script(const std::vector<Completed>& commands) {
   }
   return fmt::format(
       "_orbs() {{\n"
-      "  local current=${{COMP_WORDS[COMP_CWORD]}} options='--help --version' words='{}'\n"
+      "  local current=${{COMP_WORDS[COMP_CWORD]}} options='--help --version' words='{}' kind=\n"
       "  if ((COMP_CWORD > 1)); then case ${{COMP_WORDS[1]}} in\n"
       "{}    *) options= words= ;;\n"
       "  esac; fi\n"
-      "  if [[ $current == -* ]]; then words=$options; fi\n"
+      "  if ((COMP_CWORD > 2)); then case ${{COMP_WORDS[1]}}:${{COMP_WORDS[COMP_CWORD-1]}} in\n"
+      "{}  esac; fi\n"
+      "  if [[ $current == -* ]]; then words=$options\n"
+      "  elif [[ $kind ]]; then words=$(\"${{COMP_WORDS[0]}}\" completion --values \"$kind\" 2>/dev/null); fi\n"
       "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
       "}}\n"
       "complete -o default -F _orbs orbs\n",
-      fmt::join(names, " "), cases);
+      fmt::join(names, " "), cases, value_cases(commands));
 }
 
 // A text between apostrophes of fish.
@@ -86,7 +108,10 @@ std::string fish_script(const std::vector<Completed>& commands) {
       std::string names;
       for (const auto& name : option.short_names) names += " -s " + name;
       for (const auto& name : option.long_names) names += " -l " + name;
-      text += fmt::format("{}{} -d {}\n", here, names, quoted(clean_line(option.description)));
+      // -x: its value is no file.
+      const auto kind = value_kind(option);
+      const auto values = kind.empty() ? "" : fmt::format(" -x -a '(orbs completion --values {})'", kind);
+      text += fmt::format("{}{}{} -d {}\n", here, names, values, quoted(clean_line(option.description)));
     }
   }
   return text;
@@ -94,13 +119,22 @@ std::string fish_script(const std::vector<Completed>& commands) {
 
 }  // namespace
 
-void add_completion_command(const command_line::Command& command,
-                            const Program& /*program*/,
-                            Action& action) {
+void add_completion_command(const command_line::Command& command, const Program& program, Action& action) {
   const auto shell = std::make_shared<std::string>();
-  command.add_option("shell", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
-  command.callback([=, &action] {
-    action = [=] {
+  const auto kind = std::make_shared<std::string>();
+  command.add_option("shell", *shell, "bash, zsh or fish").one_of({"bash", "zsh", "fish"});
+  command
+      .add_option("--values", *kind,
+                  "Print the values of this kind instead, one a line: what the scripts offer")
+      .one_of(value_kinds());
+  command.callback([=, &program, &action] {
+    action = [=, &program] {
+      if (shell->empty() == kind->empty())
+        throw InputError("'orbs completion' needs a shell: bash, zsh or fish; or --values");
+      if (!kind->empty()) {
+        for (const auto& value : values_of_kind(*kind, program)) print_clean("{}\n", value);
+        return 0;
+      }
       std::vector<Completed> commands;
       for (const auto& one : command.parent().commands()) commands.push_back(completed(one));
       if (*shell == "fish") {

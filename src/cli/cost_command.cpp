@@ -146,7 +146,7 @@ void add_cost_command(const command_line::Command& command, const Program& progr
   const auto options = std::make_shared<CostOptions>();
   add_options(command, *options);
   command.footer(
-      "Renders each scene with more and more samples and shows error against time: how long each renderer takes\n"
+      "Renders each scene with more and more samples and shows error against time: how long each renderer takes "
       "to a given error, what one more decibel costs, and whether a bias remains. Run it on an idle machine.");
   command.callback([=, &program, &action] {
     action = [=, &program] {

@@ -83,7 +83,30 @@ void print_overview(const std::vector<Examined>& all) {
   print_clean("orbs doctor -r NAME shows the program of a renderer, and what it cannot do\n");
 }
 
-void print_details(const Examined& found) {
+using registry::ValuePlace;
+
+std::string file_of(const std::string& place) { return place.substr(0, place.rfind(':')); }
+
+// The places of values under `prefix`, without it.
+std::vector<ValuePlace> places_under(const std::vector<ValuePlace>& all, const std::string& prefix) {
+  std::vector<ValuePlace> found;
+  for (const auto& [value, place] : all)
+    if (value.starts_with(prefix)) found.push_back({value.substr(prefix.size()), place});
+  return found;
+}
+
+void print_files(const registry::Configuration& configuration, const std::vector<ValuePlace>& places) {
+  print_clean("configuration  {}\n", configuration.file.string());
+  const auto& below = configuration.below;
+  for (auto file = below.rbegin(); file != below.rend(); ++file)
+    print_clean("  over         {}\n", file->string());
+  if (below.empty()) return;
+  // What a renderer has stands with it.
+  for (const auto& [value, place] : places)
+    if (!value.starts_with("renderers/")) print_clean("  {}  {}\n", value, place);
+}
+
+void print_details(const Examined& found, const std::vector<ValuePlace>& places) {
   const auto& renderer = *found.entry;
   print_clean("{}\n", renderer.name);
   std::vector<TableRow> rows;
@@ -100,13 +123,24 @@ void print_details(const Examined& found) {
   add("declares", registry::format_features(renderer.support.declares));
   for (const auto& limit : renderer.support.known_limits)
     add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), limit.reason));
+  add("entry", renderer.place);
+  const auto& name = renderer.variant_of.empty() ? renderer.name : renderer.variant_of;
+  for (const auto& [value, place] : places_under(places, fmt::format("renderers/{}/", name)))
+    if (file_of(place) != file_of(renderer.place)) add("changed", fmt::format("{} in {}", value, place));
   for (const auto& scene : found.unknown_scenes) add("warning", scene);
   print_clean("{}", text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}}));
 }
 
-void print_json(const std::filesystem::path& configuration, const std::vector<Examined>& all) {
+void print_json(const registry::Configuration& configuration,
+                const std::vector<ValuePlace>& places,
+                const std::vector<Examined>& all) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-doctor/1").member("configuration", configuration.string());
+  out.begin_object().member("format", "orbs-doctor/1").member("configuration", configuration.file.string());
+  std::vector<std::string> below;
+  for (const auto& file : configuration.below) below.push_back(file.string());
+  out.member("over", below).key("values").begin_object();
+  for (const auto& [value, place] : places) out.member(value, place);
+  out.end_object();
   out.key("renderers").begin_array();
   for (const auto& found : all) {
     const auto& renderer = *found.entry;
@@ -142,7 +176,8 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
   command.callback([=, &program, &action] {
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
-      if (!*as_json) print_clean("configuration  {}\n", read.file.string());
+      const auto values = registry::value_places(read.files);
+      if (!*as_json) print_files(read, values);
       run::Plan places;
       places.root = read.root;
       places.build = program.folder;
@@ -155,12 +190,14 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
         if (std::find(names.begin(), names.end(), renderer.name) != names.end())
           all.push_back(examine(renderer, places, scenes));
       if (*as_json) {
-        print_json(read.file, all);
-      } else if (chosen->empty()) {
-        print_overview(all);
-      } else {
-        for (const auto& found : all) print_details(found);
+        print_json(read, values, all);
+        return 0;
       }
+      print_files(read, values);
+      if (chosen->empty())
+        print_overview(all);
+      else
+        for (const auto& found : all) print_details(found, values);
       return 0;
     };
   });

@@ -78,8 +78,11 @@ void add_export_command(const command_line::Command& command, const Program& pro
       .value_name("FORMAT")
       .required()
       .one_of(formats);
-  add_settings(command, options->run,
-               settings_but({"exec", "output", "jobs", "log", "sandbox", "dry_run", "view"}));
+  add_settings(command, options->run, settings_but([] {
+                 auto left_out = registry::kCallSettings;
+                 left_out.insert({"exec", "jobs", "log", "sandbox"});
+                 return left_out;
+               }()));
   command.add_option("-o,--output", options->run.output, "New folder (default: export-YYMMDD-HHMMSS)")
       .value_name("FOLDER")
       .not_empty("a folder");

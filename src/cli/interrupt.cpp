@@ -28,4 +28,6 @@ const std::atomic<bool>& catch_interrupts() {
   return interrupted;
 }
 
+void wind_up() { interrupted = true; }
+
 }  // namespace orbs::cli

@@ -8,4 +8,7 @@ namespace orbs::cli {
 /// itself; a second one ends us at once, and the supervisors of what still runs notice and end it.
 const std::atomic<bool>& catch_interrupts();
 
+/// Sets the flag, for a run that has seen enough.
+void wind_up();
+
 }  // namespace orbs::cli

@@ -30,7 +30,7 @@ std::string configuration_of(const run::FiledPlan& filed, const std::string& nam
 
 int judge(const Options& options, const std::string& configuration, const Program& program) {
   auto filed = run::read_plan(std::filesystem::path(options.folder) / run::kPlanFile);
-  take_configuration(configuration_of(filed, configuration, program), filed);
+  take_configuration(configuration_of(filed, configuration, program), program, filed);
   auto loaded = run::load_plan(filed, program.folder, program.version);
   // Images may be judged by gates of today, but must be of the scenes of today.
   run::refuse_changes(loaded, {run::PlanPart::Scene});

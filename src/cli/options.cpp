@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
+#include "cli/configuration_place.h"
 #include "cli/interrupt.h"
 
 #include <fmt/format.h>
@@ -12,40 +13,31 @@
 
 namespace orbs::cli {
 
-namespace {
-
-// The exporters know the words of "scene_format", the registry does not.
-registry::Configuration checked_configuration(const std::filesystem::path& file) {
-  auto configuration = registry::load_configuration(file);
-  for (const auto& renderer : configuration.renderers) adapters::check_scene_format(renderer);
-  return configuration;
-}
-
-}  // namespace
-
 std::shared_ptr<std::string> add_configuration_option(const command_line::Command& command) {
   auto file = std::make_shared<std::string>();
   command
       .add_option("--configuration", *file,
-                  "File with suites, renderers and defaults (default: the nearest configuration.json)")
+                  "File with suites, renderers and defaults, over the shipped one and that of the user "
+                  "(default: the nearest configuration.json)")
       .not_empty("a file");
   return file;
 }
 
 registry::Configuration read_configuration(const std::string& named, const Program& program) {
-  if (!named.empty()) return checked_configuration(named);
-  for (const auto& from : {std::filesystem::current_path(), program.folder})
-    if (const auto file = registry::nearest_configuration(from)) return checked_configuration(*file);
-  throw InputError(fmt::format("there is no configuration.json in {} or above; name one with --configuration",
-                               std::filesystem::current_path().string()));
+  const auto place = configuration_place(named, program);
+  auto configuration = registry::load_configuration(place.files);
+  configuration.own_file = place.own;
+  // The exporters know the words of "scene_format", the registry does not.
+  for (const auto& renderer : configuration.renderers) adapters::check_scene_format(renderer);
+  return configuration;
 }
 
-void take_configuration(const std::string& configuration, run::FiledPlan& plan) {
-  if (configuration.empty()) return;
-  if (const auto problem = no_file_problem(configuration); !problem.empty()) throw InputError(problem);
-  const auto file = std::filesystem::absolute(configuration).lexically_normal();
-  plan.root = file.parent_path().string();
-  plan.configuration = file.filename().string();
+void take_configuration(const std::string& named, const Program& program, run::FiledPlan& plan) {
+  if (named.empty()) return;
+  if (const auto problem = no_file_problem(named); !problem.empty()) throw InputError(problem);
+  const auto configuration = read_configuration(named, program);
+  plan.root = configuration.root.string();
+  plan.configuration = configuration.file.string();
 }
 
 void refuse_without_sandbox(bool sandbox) {

@@ -18,13 +18,12 @@ namespace orbs::cli {
 /// Adds --configuration FILE; returns the text that it fills.
 std::shared_ptr<std::string> add_configuration_option(const command_line::Command& command);
 
-/// Reads the named file or, if `named` is empty, the nearest configuration.json above the working folder or,
-/// failing that, above the program. InputError if there is none.
+/// Reads the configuration of configuration_place. InputError if there is none.
 registry::Configuration read_configuration(const std::string& named, const Program& program);
 
 /// Gives a plan the root of another configuration than the one that it was made from; "" keeps its own.
-/// InputError where there is no such file.
-void take_configuration(const std::string& configuration, run::FiledPlan& plan);
+/// InputError where there is no such file, or it is broken.
+void take_configuration(const std::string& named, const Program& program, run::FiledPlan& plan);
 
 /// InputError when the settings ask for a sandbox that this machine cannot make.
 void refuse_without_sandbox(bool sandbox);

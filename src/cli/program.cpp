@@ -80,7 +80,7 @@ int parse_and_act(int argc, char** argv, const std::string& version) {
   Program program{version, own_folder(), {argv, argv + argc}};
   const command_line::Program parser{
       "orbs",
-      "Renders small test scenes with every configured renderer, compares the images with references,\n"
+      "Renders small test scenes with every configured renderer, compares the images with references, "
       "and says which requirements each renderer meets.",
       "orbs " + version};
   const auto all = parser.command();

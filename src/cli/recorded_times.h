@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,17 +13,19 @@ namespace orbs::cli {
 /// Seconds that the jobs of a plan are expected to take, and the most memory that they took. What was never
 /// measured has no entry.
 struct RecordedTimes {
-  std::map<std::string, double> seconds;              // by job id
-  std::size_t from_elsewhere = 0;                     // so many of them were timed on another machine
-  std::map<std::string, std::size_t> peak_rss_bytes;  // by job id; with as many threads, or more
+  std::map<std::string, double> seconds{};  // by job id
+  std::size_t from_elsewhere = 0;           // so many of them were timed on another machine
+  std::size_t rough = 0;                    // so many are known by other sizes or other scenes alone
+  std::set<std::string> finished{};         // ids of jobs that the resumed runs have already
+  std::map<std::string, std::size_t> peak_rss_bytes{};  // by job id; with as many threads, or more
 };
 
-/// As far as earlier runs tell: those in `folder` whose name starts with "outputs-", and the runs in
-/// `resumed`, finished or not, which come first. Times of other sample counts are scaled; runs with images of
-/// another size tell nothing, nor do those that cannot be read. For the rest, the times that come with the
-/// program (data/bench): CPU seconds of another machine, shared by the threads of a job.
+/// As far as earlier runs tell: the newest in `folders`, whatever they are called, and the runs in
+/// `resumed`, finished or not, which come first. Times of other sample counts are scaled and, where a render
+/// was never timed at this size, those of other sizes. For the rest, the times that come with the program
+/// (data/bench): CPU seconds of another machine, shared by the threads of a job.
 RecordedTimes recorded_times(const run::Plan& plan,
-                             const std::filesystem::path& folder,
+                             const std::set<std::filesystem::path>& folders,
                              const std::vector<std::filesystem::path>& resumed);
 
 /// "45 s", "12 min", "5.2 h".

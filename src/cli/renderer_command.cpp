@@ -19,7 +19,7 @@ int add(const registry::Configuration& configuration,
         const Program& program) {
   const auto entry = registry::add_renderer(configuration, added);
   const auto found = run::installed_executable(entry, configuration.root, program.folder);
-  print_clean("added to {}\n", configuration.file.string());
+  print_clean("added to {}\n", configuration.own_file.string());
   print_clean("  name        {}\n", entry.name);
   print_clean("  executable  {}\n", found ? found->string()
                                           : adapters::program_problem(run::program_name(

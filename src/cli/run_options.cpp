@@ -143,7 +143,7 @@ void add_settings(const command_line::Command& command,
 }
 
 void add_choice_options(const command_line::Command& command, RunOptions& options) {
-  add_settings(command, options, settings_but({"output", "dry_run", "view"}));
+  add_settings(command, options, settings_but(registry::kCallSettings));
 }
 
 void add_run_options(const command_line::Command& command, RunOptions& options) {
@@ -178,7 +178,14 @@ void add_run_options(const command_line::Command& command, RunOptions& options) 
     resume.excludes(command.option(choice));
     plan.excludes(command.option(choice));
   }
-  for (const char* choice : {"--output", "--shard", "--plan"}) resume.excludes(command.option(choice));
+  for (const char* choice : {"--output", "--shard", "--plan", "--last-failed", "--label"})
+    resume.excludes(command.option(choice));
+  for (const char* choice : {"--resume", "--shard", "--plan", "--accept-failures", "--dry-run", "--view"})
+    command.option("--repeat").excludes(command.option(choice));
+  // The parts of one plan must choose the same: what failed last may be another run for each.
+  for (const char* part : {"--plan", "--shard"})
+    command.option("--last-failed").excludes(command.option(part));
+  command.option("--quiet").excludes(command.option("--verbose"));
 }
 
 RunSettings run_settings(const command_line::Command& command,

@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
-#include "cli/recorded_times.h"
+#include "report/short_reason.h"
 #include "report/table.h"
 
 #include <algorithm>
@@ -16,11 +16,12 @@ namespace orbs::cli {
 
 namespace {
 
-// "[ 3/28] cycles     101                pass            39.87 dB    12.3 s"
+// "[ 3/28] cycles     101                pass            39.87 dB    12.3 s"; "" where nothing is to be said.
 std::string finished_line(std::size_t done,
                           std::size_t count,
                           const results::JobRecord& job,
-                          const std::vector<results::TargetRecord>& targets) {
+                          const std::vector<results::TargetRecord>& targets,
+                          const registry::RunSettings& settings) {
   // What was rendered and not judged for any case has no worse verdict than a pass.
   auto verdict = results::verdict_without_image(job.end.outcome).value_or(results::Verdict::Pass);
   auto expectation = results::Expectation::None;
@@ -38,11 +39,15 @@ std::string finished_line(std::size_t done,
   }
   const auto state = state_name(verdict, expectation);
   const bool good = results::passes(verdict) && expectation == results::Expectation::None;
+  const bool fails = results::counts_as_failure(verdict, expectation);
+  if (settings.quiet && !fails) return "";
   auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
                           fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
                           good && targets.empty() ? "rendered" : state, report::decibels(psnr),
                           job.cost.wall_seconds);
-  if (!good) line += fmt::format("  {}", reason);
+  if (!good)
+    line +=
+        fmt::format("  {}", settings.verbose ? reason : report::line_reason(verdict, expectation, reason));
   return clean_line(line);
 }
 
@@ -53,12 +58,13 @@ bool is_terminal() {
 
 }  // namespace
 
-RunProgress::RunProgress(std::map<std::string, double> seconds, std::vector<std::string> ids, int jobs)
-    : seconds_(std::move(seconds)),
-      waiting_(std::move(ids)),
-      jobs_(jobs),
+RunProgress::RunProgress(const run::Plan& plan, const RecordedTimes& times)
+    : expected_(times.seconds),
+      settings_(plan.settings),
       width_(is_terminal() ? terminal_width(STDERR_FILENO) : 0),
-      count_(waiting_.size()) {
+      count_(plan.jobs.size()) {
+  for (const auto& job : plan.jobs)
+    if (!times.finished.contains(job.id)) wait_for(job.id, plan.renderers[job.renderer].entry.name);
   if (width_ == 0) return;
   ticker_ = std::jthread([this](const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
@@ -76,9 +82,16 @@ RunProgress::~RunProgress() {
   clear();
 }
 
+void RunProgress::wait_for(const std::string& id, const std::string& renderer) {
+  const auto known = expected_.find(id);
+  left_.add(id, renderer, known == expected_.end() ? std::nullopt : std::optional(known->second));
+}
+
 void RunProgress::started(const results::JobIdentity& job) {
   const std::lock_guard lock(mutex_);
   running_[job.id] = {fmt::format("{} {}", job.renderer, job.scene), Clock::now()};
+  wait_for(job.id, job.renderer);  // also for one of an earlier run that is outdated
+  left_.started(job.id, Clock::now());
   draw();
 }
 
@@ -89,12 +102,13 @@ void RunProgress::finished(std::size_t done,
   const std::lock_guard lock(mutex_);
   done_ = done;
   count_ = count;
-  if (running_.erase(job.identity.id) > 0) {
-    timed_seconds_ += job.cost.wall_seconds;
-    ++timed_;
-  }
-  std::erase(waiting_, job.identity.id);
-  print(finished_line(done, count, job, targets));
+  running_.erase(job.identity.id);
+  left_.ended(job.identity.id, job.cost.wall_seconds);
+  const auto line = finished_line(done, count, job, targets, settings_);
+  if (line.empty())
+    draw();
+  else
+    print(line);
 }
 
 void RunProgress::say(const std::string& line) {
@@ -118,27 +132,14 @@ void RunProgress::draw() {
   if (width_ > 0) print_raw(stderr, "\r\x1b[K" + clean_line(bar()));
 }
 
-double RunProgress::seconds_left() const {
-  double sum = 0;
-  for (const auto& id : waiting_) {
-    const auto known = seconds_.find(id);
-    if (known == seconds_.end() && timed_ == 0) return -1;
-    double left = known == seconds_.end() ? timed_seconds_ / timed_ : known->second;
-    if (const auto running = running_.find(id); running != running_.end())
-      left -= std::chrono::duration<double>(Clock::now() - running->second.since).count();
-    sum += std::max(left, 0.0);
-  }
-  return sum / jobs_;
-}
-
 // "[########............] 12/113, about 3 min left: cycles 101 (12 s)", cut where the terminal ends.
 std::string RunProgress::bar() const {
   constexpr std::size_t kCells = 20;
   const auto full = count_ == 0 ? 0 : kCells * done_ / count_;
   auto text =
       fmt::format("[{}{}] {}/{}", std::string(full, '#'), std::string(kCells - full, '.'), done_, count_);
-  if (const double left = seconds_left(); left >= 0 && !waiting_.empty())
-    text += fmt::format(", about {} left", duration_text(left));
+  if (const auto left = left_.seconds(Clock::now(), settings_.jobs); left && !left_.is_over())
+    text += fmt::format(", about {} left", duration_text(*left));
   const char* before = ": ";
   for (const auto& [id, running] : running_) {
     text += fmt::format("{}{} ({:.0f} s)", before, running.name,

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "cli/recorded_times.h"
+#include "cli/time_left.h"
+#include "registry/run_settings.h"
 #include "results/record.h"
+#include "run/plan/plan.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -16,9 +20,7 @@ namespace orbs::cli {
 /// below these a bar with what is running and an estimate of the time left. All threads may call.
 class RunProgress {
  public:
-  /// `seconds` by job id: what each render is expected to take, as far as that is known; `jobs` are done at a
-  /// time.
-  RunProgress(std::map<std::string, double> seconds, std::vector<std::string> ids, int jobs);
+  RunProgress(const run::Plan& plan, const RecordedTimes& times);
   ~RunProgress();
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
@@ -42,16 +44,14 @@ class RunProgress {
   void draw();
   void clear();
   std::string bar() const;
-  double seconds_left() const;  // below 0: unknown
+  void wait_for(const std::string& id, const std::string& renderer);
 
-  std::map<std::string, double> seconds_;
-  std::vector<std::string> waiting_;  // ids of jobs that have not ended
-  int jobs_;
+  TimeLeft left_;
+  std::map<std::string, double> expected_;  // seconds by job id, of all jobs
+  registry::RunSettings settings_;
   int width_;  // of the terminal; 0: there is none, and no bar
   std::size_t done_ = 0;
   std::size_t count_ = 0;
-  double timed_seconds_ = 0;  // of the renders of this run that have ended
-  int timed_ = 0;
   std::map<std::string, Running> running_;  // by job id
   std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -74,7 +74,7 @@ void add_sensitivity_command(const command_line::Command& command, const Program
   const auto options = std::make_shared<SensitivityOptions>();
   add_options(command, *options);
   command.footer(
-      "Makes slightly wrong images of right ones and judges both: with variances, from two seeds, from one seed,\n"
+      "Makes slightly wrong images of right ones and judges both: with variances, from two seeds, from one seed, "
       "and as a renderer without noise. It shows what passes silently, and how often a right image is called wrong.");
   command.callback([=, &program, &action] {
     action = [=, &program] {

@@ -119,12 +119,11 @@ int measure(const command_line::Command& command,
 std::string footer() {
   std::vector<std::string_view> names;
   for (const auto& relation : studies::stability_relations({})) names.push_back(relation.of_scenes.name);
-  constexpr std::size_t kColumns = 100;
   return fmt::format(
-      "Renders each scene and changed forms of it, such as the same world 10 km away, whose images are known to\n"
+      "Renders each scene and changed forms of it, such as the same world 10 km away, whose images are known to "
       "be equal, and says how far each renderer follows. It needs no reference.\n"
-      "Exit status: 0 all relations hold, 1 one breaks or nothing was measured.\nRelations: {}",
-      fmt::join(wrapped(fmt::format("{}", fmt::join(names, ", ")), kColumns), "\n"));
+      "Exit status: 0 all relations hold, 1 one breaks or nothing was measured.\nRelations: {}.",
+      fmt::join(names, ", "));
 }
 
 }  // namespace

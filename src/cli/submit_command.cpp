@@ -74,7 +74,7 @@ int submit_plan(const registry::Configuration& configuration,
                 const Program& program,
                 const Options& options) {
   const auto plan = run::make_plan(configuration, settings, program.folder);
-  const auto measured = recorded_times(plan, fs::current_path(), {}).peak_rss_bytes;
+  const auto measured = recorded_times(plan, {fs::current_path()}, {}).peak_rss_bytes;
   auto job = run::slurm_job(configuration.slurm, plan, measured,
                             fs::absolute(options.run.output.empty() ? "FOLDER" : options.run.output),
                             options.shards);
@@ -98,7 +98,7 @@ int submit_again(const std::string& configuration, const Options& options, const
   const auto plan = run::load_plan(filed, program.folder, program.version).plan;
   std::vector<fs::path> rendered;
   for (const int shard : all_shards(before)) rendered.push_back(run::shard_folder(before, shard));
-  const auto measured = recorded_times(plan, fs::current_path(), rendered).peak_rss_bytes;
+  const auto measured = recorded_times(plan, {fs::current_path()}, rendered).peak_rss_bytes;
   auto job = run::slurm_job(read.slurm, plan, measured, before.folder, before.shards);
   job.arrays = before.arrays;
   const auto queued = run::ask_queue(job.arrays);

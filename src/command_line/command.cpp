@@ -22,6 +22,14 @@ CLI::Validator number_check(bool (*holds)(double), const char* expected) {
   return {problem, ""};
 }
 
+// The words for the value that the help shows: those that were set, or the type. "NUMBER:INT in [1 - 8]" has
+// the check behind it.
+std::string value_of(const CLI::Option& option) {
+  if (option.get_type_size() == 0) return "";
+  const auto text = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
+  return std::string(trim(text.substr(0, text.find(':'))));
+}
+
 // CLI11 writes the value that a flag sets behind its name, "--no-log{false}", which nobody can type.
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -187,8 +195,8 @@ std::string Command::footer() const { return app_->get_footer(); }
 std::vector<OptionText> Command::options() const {
   std::vector<OptionText> texts;
   for (const auto* option : app_->get_options())
-    texts.push_back(
-        {option->get_snames(), option->get_lnames(), option->get_name(true), option->get_description()});
+    texts.push_back({option->get_snames(), option->get_lnames(), option->get_name(true),
+                     option->get_description(), value_of(*option)});
   return texts;
 }
 

@@ -54,6 +54,7 @@ struct OptionText {
   std::vector<std::string> short_names, long_names;
   std::string name;
   std::string description;
+  std::string value;  // what stands for its value, "FOLDER"; "" for a flag
 };
 
 /// A program, or a command of one, for as long as its Program lives.

@@ -88,7 +88,8 @@ History make_history(std::vector<RunRecord> runs) {
   drop_others(runs, history);
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> index;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    history.runs.push_back({runs[i].name, runs[i].started, runs[i].orbs_version});
+    history.runs.push_back(
+        {runs[i].label.empty() ? runs[i].name : runs[i].label, runs[i].started, runs[i].orbs_version});
     const auto jobs = jobs_by_id(runs[i]);
     for (const auto& target : runs[i].targets) {
       if (target.verdict == results::Verdict::Skipped) continue;

@@ -12,7 +12,7 @@ namespace orbs::history {
 
 /// A run of a history.
 struct RunStamp {
-  std::string name;
+  std::string name;          // its label, or its folder where it has none
   std::string started;       // local time, ISO 8601
   std::string orbs_version;  // with its commit
 };

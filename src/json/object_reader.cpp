@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "json/layers.h"
 #include "json/locate.h"
 
 #include <algorithm>
@@ -36,9 +37,10 @@ std::string ObjectReader::pointer_to(const std::string& key) const {
 }
 
 void ObjectReader::fail_pointer(const std::string& pointer, const std::string& problem) const {
-  const auto at = locate(document_->text, pointer);
-  throw InputError(fmt::format("{}:{}:{}: {}: {}\n{}", document_->name, at.line, at.column,
-                               pointer.empty() ? "/" : pointer, problem, excerpt(document_->text, at)));
+  const auto [document, place] = standing_of(*document_, pointer);
+  const auto at = locate(document->text, place);
+  throw InputError(fmt::format("{}:{}:{}: {}: {}\n{}", document->name, at.line, at.column,
+                               place.empty() ? "/" : place, problem, excerpt(document->text, at)));
 }
 
 void ObjectReader::fail(const std::string& key, const std::string& problem) const {
@@ -50,8 +52,8 @@ void ObjectReader::fail_at(const std::string& key, std::size_t index, const std:
 }
 
 std::string ObjectReader::place(const std::string& key) const {
-  const auto at = document_->index->locate(document_->text, pointer_to(key));
-  return fmt::format("{}:{}", document_->name, at.line);
+  const auto [document, place] = standing_of(*document_, pointer_to(key));
+  return fmt::format("{}:{}", document->name, document->index->locate(document->text, place).line);
 }
 
 bool ObjectReader::has(const std::string& key) {

@@ -27,11 +27,19 @@ Suite suite_of(ObjectReader& in, const SuiteEntry& entry, const std::filesystem:
   return suite;
 }
 
-void refuse_doubles(std::vector<ObjectReader> entries) {
-  std::set<std::string> names;
+// A file over another may name a renderer or suite to change a key of it: with a slip in the name, it is a
+// new one that lacks all others.
+void refuse_unknown_part(std::vector<ObjectReader> entries,
+                         const char* what,
+                         const std::vector<std::string>& keys) {
+  std::set<std::string> whole;
   for (auto& entry : entries)
-    if (const auto name = entry.text("name"); !names.insert(name).second)
-      entry.fail("name", fmt::format("'{}' is the name of an earlier entry", name));
+    if (entry.has(keys.front())) whole.insert(entry.text_or("name", ""));
+  for (auto& entry : entries)
+    if (entry.has("name") &&
+        std::none_of(keys.begin(), keys.end(), [&](const auto& key) { return entry.has(key); }))
+      entry.fail("name", fmt::format("there is no {0} '{1}' to change{2}, and a new one needs '{3}'", what,
+                                     entry.text("name"), closest(entry.text("name"), whole), keys.front()));
 }
 
 // `names`: of the renderers.
@@ -51,22 +59,26 @@ void add_renderers(ObjectReader& in,
 
 }  // namespace
 
-Configuration parse_configuration(const std::filesystem::path& file, const std::string& text) {
-  const auto document = json::parse(file.string(), text);
-  ObjectReader in(document);
-  in.one_of("format", {"orbs-configuration/1"});
+Configuration load_configuration(const ConfigurationFiles& files, const std::optional<EditedFile>& edited) {
+  const auto layered = read_layers(files, edited);
+  ObjectReader in(layered.document);
+  if (files.layers.size() > 1) {
+    refuse_unknown_part(in.objects_or_none("suites"), "suite", {"cases", "references"});
+    refuse_unknown_part(in.objects_or_none("renderers"), "renderer", {"command", "executable"});
+  }
   auto read = json::read_settings<ConfigurationFile>(in);
   Configuration configuration;
-  configuration.file = std::filesystem::absolute(file).lexically_normal();
-  configuration.root = configuration.file.parent_path();
+  configuration.files = files;
+  configuration.file = std::filesystem::absolute(files.layers.back()).lexically_normal();
+  configuration.own_file = configuration.file;
+  configuration.below = {layered.files.begin(), layered.files.end() - 1};
+  configuration.root = layered.root;
   configuration.defaults = read.defaults;
-  refuse_doubles(in.objects("suites"));
   auto suites = in.objects("suites");
   for (std::size_t i = 0; i < suites.size(); ++i)
     configuration.suites.push_back(suite_of(suites[i], read.suites[i], configuration.root));
   ProcessLimits limits;
   apply(read.limits, limits);
-  refuse_doubles(in.objects("renderers"));
   auto entries = in.objects("renderers");
   std::set<std::string> renderer_names;
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -82,7 +94,11 @@ Configuration parse_configuration(const std::filesystem::path& file, const std::
 }
 
 Configuration load_configuration(const std::filesystem::path& file) {
-  return parse_configuration(file, read_file(file));
+  return load_configuration(ConfigurationFiles{{file}, {}});
+}
+
+Configuration parse_configuration(const std::filesystem::path& file, const std::string& text) {
+  return load_configuration({{file}, {}}, EditedFile{file, text});
 }
 
 const Suite& find_suite(const Configuration& configuration, const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "registry/cluster.h"
+#include "registry/configuration_files.h"
 #include "registry/expected.h"
 #include "registry/renderer.h"
 #include "registry/run_settings.h"
@@ -47,6 +48,8 @@ void fields(Visitor& visit, Record& suite) {
 /// The keys of the whole file.
 struct ConfigurationFile {
   std::string format;
+  std::vector<std::string> include;
+  bool stands_alone = false;
   RunSettings defaults;
   LimitSettings limits;
   std::vector<SuiteEntry> suites;
@@ -58,6 +61,11 @@ struct ConfigurationFile {
 template <class Visitor, json::RecordOf<ConfigurationFile> Record>
 void fields(Visitor& visit, Record& file) {
   visit.required("format", file.format, {.help = "`\"orbs-configuration/1\"`"});
+  visit(
+      "include", file.include,
+      {.help = "Files of this format, relative to this one, that it is over: what they hold, it may change"});
+  visit("stands_alone", file.stands_alone,
+        {.help = "`true`: neither the shipped configuration nor that of the system or the user is below it"});
   visit("defaults", file.defaults, {.help = "Of the options of `orbs run`"});
   visit.required("suites", file.suites,
                  {.help = "`name`, `cases` and `references`: two folders; optional `data`"});
@@ -72,18 +80,26 @@ void fields(Visitor& visit, Record& file) {
 }
 
 struct Configuration {
-  std::filesystem::path file;
-  std::filesystem::path root;  // the folder of the file; what {root} stands for
+  std::filesystem::path file;  // the uppermost
+  std::filesystem::path root;  // the folder of the lowest file; what {root} stands for
   RunSettings defaults;
   std::vector<Suite> suites;
   std::vector<Renderer> renderers;
   std::vector<ExpectedFailure> expected{};
   SlurmSettings slurm{};
+  ConfigurationFiles files{};                  // that it was read from
+  std::vector<std::filesystem::path> below{};  // all files but the uppermost, the lowest first; absolute
+  std::filesystem::path own_file{};            // that commands write to; it may not be there yet
 };
 
 /// Reads and checks the file. InputError with file, line and key: unknown keys, wrong types, names given
 /// twice, unknown placeholders, a command without {scene} or {output}.
 Configuration load_configuration(const std::filesystem::path& file);
+
+/// Likewise all of them as one. A file over another may hold parts of entries and of settings alone: what it
+/// says counts, null takes away what is below it, and its known failures are added.
+Configuration load_configuration(const ConfigurationFiles& files,
+                                 const std::optional<EditedFile>& edited = {});
 
 /// As load_configuration, for a text that is not in the file yet.
 Configuration parse_configuration(const std::filesystem::path& file, const std::string& text);

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "json/document.h"
+#include "json/field_reader.h"
 #include "json/field_writer.h"
 #include "json/locate.h"
 #include "registry/filters.h"
@@ -142,6 +144,15 @@ void check_expected(ObjectReader& in,
     if (failure.suite) refuse_unknown_suite(entries[i], *failure.suite, suites);
     if (trim(failure.reason).empty()) entries[i].fail("reason", "must say why the failure is accepted");
   }
+}
+
+std::vector<ExpectedFailure> expected_of_text(const std::filesystem::path& file, const std::string& text) {
+  const auto document = json::parse(file.string(), text);
+  ObjectReader in(document);
+  std::vector<ExpectedFailure> entries;
+  for (auto& entry : in.objects_or_none("expected"))
+    entries.push_back(json::read_settings<ExpectedFailure>(entry));
+  return entries;
 }
 
 FoundExpected find_expected(const std::vector<ExpectedFailure>& expected,

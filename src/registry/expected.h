@@ -4,6 +4,7 @@
 #include "registry/day.h"
 #include "registry/image_size.h"
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -79,6 +80,9 @@ void check_expected(json::ObjectReader& in,
                     const std::vector<std::string>& renderers,
                     const std::vector<std::string>& suites,
                     std::vector<ExpectedFailure>& expected);
+
+/// The entries that one file holds under "expected", in its order. They are not checked.
+std::vector<ExpectedFailure> expected_of_text(const std::filesystem::path& file, const std::string& text);
 
 /// What of a run decides whether an entry is for it.
 struct RunKind {

@@ -68,15 +68,20 @@ Renderer add_renderer(const Configuration& configuration, const NewRenderer& add
   for (const auto& renderer : configuration.renderers)
     if (renderer.name == added.name)
       throw InputError(fmt::format("{}: has a renderer '{}' already; edit its entry, or choose another name",
-                                   configuration.file.string(), added.name));
-  // Through a symbolic link, which is to stay one.
-  const auto file = std::filesystem::canonical(configuration.file);
-  const auto text = json::with_element(read_file(file), "/renderers", entry_text(configuration, added));
+                                   configuration.own_file.string(), added.name));
+  const auto& own = configuration.own_file;
+  auto text = own_text(own);
+  if (!json::has_value(text, "/renderers")) text = json::with_member(text, "renderers", "[]");
+  text = json::with_element(text, "/renderers", entry_text(configuration, added));
   const auto read =
-      with_note(fmt::format("adding renderer '{}'; {} is as it was", added.name, configuration.file.string()),
-                [&] { return parse_configuration(configuration.file, text); });
-  write_file(file, text);
-  return read.renderers.back();
+      with_note(fmt::format("adding renderer '{}'; {} is as it was", added.name, own.string()), [&] {
+        return load_configuration(with_own(configuration.files, own), EditedFile{own, text});
+      });
+  write_own(own, text);
+  for (const auto& renderer : read.renderers)
+    if (renderer.name == added.name) return renderer;
+  throw InputError(fmt::format("{}: is over the file that the entry was written to, {}, and takes it away",
+                               read.file.string(), own.string()));
 }
 
 }  // namespace orbs::registry

@@ -19,9 +19,10 @@ struct NewRenderer {
       command{};  // none: that of the first renderer with the same format, or a usual one
 };
 
-/// Adds an entry to the file of `configuration`, at the end, and leaves every other byte as it is. The new
-/// text is read as any configuration before it takes the place of the old one. Returns the entry. InputError
-/// when the name is taken, or when the entry would be none that can be read: the file is untouched then.
+/// Adds an entry to the user's own file of `configuration`, at the end, and leaves every other byte as it is.
+/// The new text is read as any configuration before it takes the place of the old one. Returns the entry.
+/// InputError when the name is taken, or when the entry would be none that can be read: the file is untouched
+/// then.
 Renderer add_renderer(const Configuration& configuration, const NewRenderer& added);
 
 }  // namespace orbs::registry

@@ -107,4 +107,24 @@ std::vector<std::string> fill_placeholders(const std::vector<std::string>& texts
   return out;
 }
 
+std::string with_doubled_braces(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '{' || c == '}' ? std::string(2, c) : std::string(1, c);
+  return out;
+}
+
+std::string with_some_placeholders(const std::string& text, const Placeholders& texts) {
+  const auto parts = parts_of(text);
+  if (!parts.problem.empty()) return text;
+  std::string out;
+  for (const auto& part : parts.parts) {
+    const auto found = part.is_name ? texts.find(part.text) : texts.end();
+    if (!part.is_name)
+      out += with_doubled_braces(part.text);
+    else
+      out += found != texts.end() ? found->second : "{" + part.text + "}";
+  }
+  return out;
+}
+
 }  // namespace orbs::registry

@@ -31,4 +31,11 @@ bool uses_placeholder(const std::vector<std::string>& texts, const std::string& 
 std::string fill_placeholders(std::string_view text, const Placeholders& values);
 std::vector<std::string> fill_placeholders(const std::vector<std::string>& texts, const Placeholders& values);
 
+/// The text with these {names} replaced by texts that may hold placeholders themselves; every other {name}
+/// stays. A text with a brace without its partner stays as it is.
+std::string with_some_placeholders(const std::string& text, const Placeholders& texts);
+
+/// The text as it stands in one with placeholders: "{{" for each "{".
+std::string with_doubled_braces(std::string_view text);
+
 }  // namespace orbs::registry

@@ -4,6 +4,7 @@
 #include "registry/image_size.h"
 
 #include <limits>
+#include <set>
 #include <string>
 
 namespace orbs::registry {
@@ -33,7 +34,31 @@ struct RunSettings {
   bool sandbox = false;  // renders see no network and no references
   bool dry_run = false;
   bool view = false;  // serve the page at the end and open it in the browser
+  // Of one call: a run that is resumed has these anew.
+  int max_fail = 0;  // 0: no limit
+  bool last_failed = false;
+  int durations = 0;
+  int repeat = 1;
+  bool quiet = false;
+  bool verbose = false;
+  std::string label;  // of the run, which keeps it
 };
+
+/// The settings without those of one call.
+inline RunSettings lasting(RunSettings settings) {
+  const RunSettings initial;
+  settings.max_fail = initial.max_fail;
+  settings.last_failed = initial.last_failed;
+  settings.durations = initial.durations;
+  settings.repeat = initial.repeat;
+  settings.quiet = initial.quiet;
+  settings.verbose = initial.verbose;
+  return settings;
+}
+
+/// The keys of settings that say how a run goes on and what it prints, not what is rendered.
+inline const std::set<std::string> kCallSettings{"output",    "dry_run", "view",  "max_fail", "last_failed",
+                                                 "durations", "repeat",  "quiet", "verbose",  "label"};
 
 /// The options that choose what is rendered, and how; a plan holds them, too.
 template <class Visitor, json::RecordOf<RunSettings> Settings>
@@ -90,7 +115,32 @@ void fields(Visitor& visit, Settings& run) {
         {.help = "Print the renders and their commands, and start nothing", .option = "--dry-run"});
   visit("view", run.view,
         {.help = "At the end, serve the results as a page and open it in the browser",
-         .option = "-v,--view,--visualize"});
+         .option = "--view,--visualize"});
+  visit("max_fail", run.max_fail,
+        {.help = "End the run after so many failed targets, as if it was interrupted; 0: render all",
+         .option = "--maxfail NUMBER",
+         .range = {0, 1'000'000}});
+  visit(
+      "last_failed", run.last_failed,
+      {.help = "Only the targets that failed in the newest run of this suite and size beside the new folder",
+       .option = "--last-failed"});
+  visit("durations", run.durations,
+        {.help = "At the end, print the slowest renders, so many of them",
+         .option = "--durations NUMBER",
+         .range = {0, 1'000'000}});
+  visit(
+      "repeat", run.repeat,
+      {.help = "So many runs with other seeds, each in a folder of its own within the output, and a summary "
+               "that names the flaky targets",
+       .option = "--repeat NUMBER",
+       .range = {1, 1000}});
+  visit("quiet", run.quiet,
+        {.help = "Print what fails, the counts and the folder only", .option = "-q,--quiet"});
+  visit("verbose", run.verbose,
+        {.help = "Print whole reasons with all their numbers", .option = "-v,--verbose"});
+  visit("label", run.label,
+        {.help = "Name of what is tested, such as the commit of the renderer: `orbs history` shows it",
+         .option = "--label TEXT"});
 }
 
 }  // namespace orbs::registry

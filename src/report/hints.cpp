@@ -68,8 +68,8 @@ std::string size_note(const results::RunRecord& run) {
           : fmt::format("Not measured: {}, smaller than such a pixel. ",
                         unmeasured == 1 ? "1 pixel check" : fmt::format("{} pixel checks", unmeasured));
   return fmt::format(
-      "Measured at {} of the width and height: means, tiles and noise are judged as at full size. Edges and detail\n"
-      "finer than a pixel of this size are averaged out and not judged.\n"
+      "Measured at {} of the width and height: means, tiles and noise are judged as at full size. Edges and detail "
+      "finer than a pixel of this size are averaged out and not judged. "
       "{}--size 1 judges everything.\n",
       run.size, left_out);
 }

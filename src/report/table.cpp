@@ -5,6 +5,7 @@
 #include "base/text_table.h"
 #include "history/comparison_text.h"
 #include "report/hints.h"
+#include "report/short_reason.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,7 @@ std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
     const auto table_of = [&](int width) {
       const auto first = run.renderers.begin() + static_cast<std::ptrdiff_t>(from);
       return requirement_table(run, {first, first + static_cast<std::ptrdiff_t>(count)},
-                               {style.colour, width});
+                               {style.colour, width, true});
     };
     while (style.width > 0 && count > 1 && widest_line(table_of(0)) > static_cast<std::size_t>(style.width))
       --count;
@@ -194,8 +195,11 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   for (const auto& [first, requirements, targets] : told) {
     table.rows.emplace_back();
     table.add(std::string(state_name(*first)), first->verdict, first->expectation);
-    for (auto cell : {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")),
-                      fmt::format("{}", fmt::join(targets, ", ")), reason_text(*first)})
+    for (auto cell :
+         {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")),
+          fmt::format("{}", fmt::join(targets, ", ")),
+          style.whole_reasons ? reason_text(*first)
+                              : line_reason(first->verdict, first->expectation, reason_text(*first))})
       table.rows.back().push_back(std::move(cell));
   }
   return table.text();
@@ -264,7 +268,7 @@ TableStyle style_for(int descriptor) {
   const char* terminal = std::getenv("TERM");
   const bool wanted = no_colour == nullptr || *no_colour == '\0';
   const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
-  return {wanted && able, terminal_width(descriptor)};
+  return {wanted && able, terminal_width(descriptor), true};
 }
 
 std::string decibels(const std::optional<double>& value) {

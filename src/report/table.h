@@ -8,8 +8,9 @@
 namespace orbs::report {
 
 struct TableStyle {
-  bool colour = false;  // ANSI escapes
-  int width = 0;        // columns of the terminal, see terminal_width; 0: no limit
+  bool colour = false;        // ANSI escapes
+  int width = 0;              // columns of the terminal, see terminal_width; 0: no limit
+  bool whole_reasons = true;  // else one short sentence of each
 };
 
 /// Colour if `descriptor` is a terminal that supports it and the user did not set NO_COLOR

@@ -92,6 +92,7 @@ struct RunRecord {
   std::string folder;         // absolute; not stored, because the folder may be moved
   std::string name;           // of the folder, for people; not stored either
   std::string started;
+  std::string label;  // what was tested, such as a commit; "" if nobody said so
   double wall_seconds = 0;
   std::string orbs_version;
   std::vector<std::string> command_line;
@@ -118,6 +119,7 @@ void fields(Visitor& visit, Record& run) {
   visit("orbs_version", run.orbs_version);
   visit("command_line", run.command_line);
   visit("started", run.started);
+  visit("label", run.label);
   visit("load", run.load);
   visit("wall_seconds", run.wall_seconds);
   visit("interrupted", run.interrupted);

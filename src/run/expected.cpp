@@ -292,26 +292,25 @@ std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run,
   return accepted;
 }
 
-std::size_t accept_failures(const std::filesystem::path& configuration,
+std::size_t accept_failures(const registry::Configuration& configuration,
                             const std::string& reason,
                             results::RunRecord& run) {
-  // Through a symbolic link, which is to stay one.
-  const auto file = std::filesystem::canonical(configuration);
+  const auto& own = configuration.own_file;
+  const auto files = registry::with_own(configuration.files, own);
   std::size_t count = 0;
-  const auto read =
-      with_note(fmt::format("accepting failures; {} is as it was", configuration.string()), [&] {
-        // It may have been edited while the run went on.
-        const auto text = read_file(file);
-        auto present = registry::parse_configuration(configuration, text);
-        const auto accepted = accepted_failures(run, present.expected, reason);
-        count = accepted.size();
-        if (count == 0) return present;
-        const auto changed =
-            registry::with_expected(text, present.expected, accepted, registry::day_of(run.started));
-        auto parsed = registry::parse_configuration(configuration, changed);
-        write_file(file, changed);
-        return parsed;
-      });
+  const auto read = with_note(fmt::format("accepting failures; {} is as it was", own.string()), [&] {
+    // It may have been edited while the run went on.
+    const auto text = registry::own_text(own);
+    auto present = registry::load_configuration(files, registry::EditedFile{own, text});
+    const auto accepted = accepted_failures(run, present.expected, reason);
+    count = accepted.size();
+    if (count == 0) return present;
+    const auto changed = registry::with_expected(text, registry::expected_of_text(own, text), accepted,
+                                                 registry::day_of(run.started));
+    auto parsed = registry::load_configuration(files, registry::EditedFile{own, changed});
+    registry::write_own(own, changed);
+    return parsed;
+  });
   if (count == 0) return 0;
   mark_expected(read.expected, run);
   summarise(run);

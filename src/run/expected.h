@@ -44,11 +44,12 @@ std::vector<registry::ExpectedFailure> accepted_failures(
     const std::vector<registry::ExpectedFailure>& present,
     const std::string& reason);
 
-/// Writes an entry under "expected" in the file `configuration` for each failure of the run that counts,
-/// with `reason`, and leaves every other byte as it is. The new text is read as any configuration before it
-/// takes the place of the old one. Then compares `run` with the new entries and writes its results.json anew.
-/// Returns the number of entries. InputError when the file cannot take them: it is untouched then.
-std::size_t accept_failures(const std::filesystem::path& configuration,
+/// Writes an entry under "expected" in the user's own file of `configuration` for each failure of the run
+/// that counts, with `reason`, and leaves every other byte as it is. The new text is read as any
+/// configuration before it takes the place of the old one. Then compares `run` with the new entries and
+/// writes its results.json anew. Returns the number of entries. InputError when the file cannot take them: it
+/// is untouched then.
+std::size_t accept_failures(const registry::Configuration& configuration,
                             const std::string& reason,
                             results::RunRecord& run);
 

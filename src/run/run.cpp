@@ -86,6 +86,7 @@ results::RunRecord record_at_start(const Plan& plan,
   record.shard = registry::shard_text(context.file.shard);
   record.folder = folder.string();
   record.started = context.file.started;
+  record.label = context.file.label;
   record.orbs_version = context.rendering.orbs_version;
   record.command_line = context.command_line;
   record.host = this_host();

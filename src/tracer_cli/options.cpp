@@ -3,9 +3,11 @@
 #include "base/error.h"
 #include "base/terminal.h"
 #include "command_line/command.h"
+#include "command_line/manual.h"
 #include "scene/effects/effects.h"
 #include "scene/render_fault.h"
 
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -171,6 +173,12 @@ Options parse_options(int argc, char** argv, const std::string& version) {
   add_transport_options(app, options);
   app.add_option("--fault", options.fault, fault_help()).one_of(scene::render_fault_names());
   app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
+  // No option of its own: it would ask for a scene. The package has the page.
+  if (argc == 2 && std::string_view(argv[1]) == "--manual") {
+    print_raw(stdout,
+              command_line::manual_page(app, "orbs-tracer", "reference path tracer of orbs", version));
+    std::exit(0);
+  }
   const auto parsed = program.parse(argc, argv);
   if (!parsed.problem.empty()) {
     print_clean(stderr, "{}\nRun with --help for more information.\n", parsed.problem);

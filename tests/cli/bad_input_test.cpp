@@ -116,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(BadFiles, ConfigurationErrorsNameFileLineAndColumn) {
   const Sandbox sandbox;
-  sandbox.write("configuration.json", "{\n  \"format\": \"orbs-configuration/1\",\n  \"renderer\": []\n}");
+  sandbox.write("configuration.json",
+                "{\n  \"format\": \"orbs-configuration/1\", \"stands_alone\": true,\n  \"renderer\": []\n}");
   expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:1:1: /: key 'suites' is missing");
   sandbox.write("configuration.json", "{\n  \"format\" \"orbs-configuration/1\"}");
   expect_refusal(sandbox, sandbox.orbs({"run"}), "configuration.json:2:33: not valid JSON");

@@ -24,7 +24,7 @@ const std::string kDark =
 TEST(KnownFailures, AreNamedAndDoNotMakeTheRunFail) {
   const Sandbox sandbox;
   expect_failure(sandbox, kDark + "}");
-  const auto answer = sandbox.orbs({"run", "-r", "dark", "-c", "m1_grey", "-s", "grey", "-o", "out"});
+  const auto answer = sandbox.orbs({"run", "-v", "-r", "dark", "-c", "m1_grey", "-s", "grey", "-o", "out"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "12.01 known")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "it was built so; R is 60 % darker (60 to 60 %)")) << answer.text;

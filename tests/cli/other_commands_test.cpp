@@ -50,15 +50,23 @@ TEST(Plan, SaysWhatEachSceneCallsForAndWhy) {
   EXPECT_EQ(sandbox.orbs({"effects", "no-such-scene"}).status, 2);
 }
 
+// Also names of scenes of other suites than the usual one are known.
+TEST(Doctor, OfTheShippedConfigurationHasNoWarning) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"doctor", "--configuration", ORBS_SOURCE_DIR "/configuration.json"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "cycles")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "warning")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "cannot be read")) << answer.text;
+}
+
 TEST(Doctor, SaysInALineOfEachWhatIsThereAndWhatIsNot) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"doctor"});
   EXPECT_EQ(answer.status, 0);
   const auto entries = json::parse("doctor", sandbox.orbs({"doctor", "--json"}).text);
   json::ObjectReader report(entries);
-  EXPECT_EQ(static_cast<std::size_t>(std::count(answer.text.begin(), answer.text.end(), '\n')),
-            report.objects("renderers").size() + 2)
-      << answer.text;
+  EXPECT_GT(report.objects("renderers").size(), 5U);
   EXPECT_TRUE(std::regex_search(answer.text, std::regex("\ngood +fake renderer 7.8 +orbs-scene +G5")))
       << answer.text;
   EXPECT_TRUE(contains(answer.text, "not installed: '/nowhere/at/all' was not found")) << answer.text;

@@ -36,7 +36,7 @@ void write_tracer(const Sandbox& sandbox, const std::string& plugin) {
   std::filesystem::copy_file(kPlugins + plugin + ".so", sandbox.folder() / "plug-ins/misbehaving.so",
                              std::filesystem::copy_options::overwrite_existing);
   sandbox.write("configuration.json",
-                R"x({"format": "orbs-configuration/1", "defaults": {"suite": "t"},
+                R"x({"format": "orbs-configuration/1", "stands_alone": true, "defaults": {"suite": "t"},
 "suites": [{"name": "t", "cases": "cases", "references": "references"}],
 "renderers": [{"name": "tracer", "executable": "{build}/orbs-tracer", "declares": "G5/M8/S7",
   "plugins": ["plug-ins/misbehaving.so"],

@@ -12,7 +12,7 @@ namespace {
 
 // A shell script in place of a renderer: changes the scene by sed and lets the tracer render that.
 std::string configuration_with_mistake(const std::string& sed) {
-  return R"({ "format": "orbs-configuration/1",
+  return R"({ "format": "orbs-configuration/1", "stands_alone": true,
   "suites": [{ "name": "orbs", "cases": ")" ORBS_SOURCE_DIR R"(/data/cases/orbs",
                "references": ")" ORBS_SOURCE_DIR R"(/data/references/orbs" }],
   "renderers": [{ "name": "mistaken", "executable": "/bin/sh", "declares": "G5/M8/L4/A4",

@@ -145,7 +145,8 @@ TEST(ReducedSize, AMaskThatLeavesNoPixelMakesATargetUnsupported) {
 // Orbs' own tracer filters by a box: its image of fewer pixels must agree with the averages of its reference.
 TEST(ReducedSize, OfTheBuiltInTracerHasTheMeansOfTheFullOne) {
   const Sandbox sandbox;
-  sandbox.write("configuration.json", R"({"format": "orbs-configuration/1", "defaults": {"suite": "t"},
+  sandbox.write("configuration.json",
+                R"({"format": "orbs-configuration/1", "stands_alone": true, "defaults": {"suite": "t"},
 "suites": [{"name": "t", "cases": "cases", "references": "references"}],
 "renderers": [{"name": "orbs", "executable": "{build}/orbs-tracer", "declares": "G5/M8/L4",
   "command": ["{executable}", "{scene}", "-o", "{output}", "--spp", "{spp}", "--seed", "{seed}", "--threads", "1"]}]})");

@@ -42,7 +42,7 @@ TEST(Run, AGoodRendererPassesWithStatusZeroAndATable) {
 
 TEST(Run, AWrongImageFailsWithStatusOne) {
   const Sandbox sandbox;
-  const auto answer = sandbox.orbs({"run", "-r", "dark", "-c", "m1_grey"});
+  const auto answer = sandbox.orbs({"run", "-v", "-r", "dark", "-c", "m1_grey"});
   EXPECT_EQ(answer.status, 1);
   EXPECT_TRUE(contains(answer.text, "psnr_srgb8 is 12.01 dB, at least 35 is needed")) << answer.text;
 }

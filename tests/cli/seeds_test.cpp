@@ -22,7 +22,7 @@ results::JobRecord job_of(const Sandbox& sandbox, const std::string& renderer) {
 // 8 samples of +-0.2 have a standard error of 0.07 around the grey of the reference: 20 dB.
 TEST(Seeds, ANoisyImageIsInconclusiveAndSaysWhatItNeeds) {
   const Sandbox sandbox;
-  const auto answer = sandbox.orbs({"run", "-r", "noisy", "-s", "grey", "-o", "out"});
+  const auto answer = sandbox.orbs({"run", "-v", "-r", "noisy", "-s", "grey", "-o", "out"});
   EXPECT_TRUE(contains(answer.text, "but noise alone gives")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "times the samples")) << answer.text;
   const auto image = image::read_image(sandbox.folder() / "out/noisy/grey/result.exr");

@@ -136,9 +136,47 @@ TEST(Completion, OffersCommandsTheirOptionsAndTheirWords) {
   EXPECT_EQ(completed("orbs ru", 1), "run\n");
   EXPECT_EQ(completed("orbs run --res", 2), "--resume\n");
   EXPECT_EQ(completed("orbs list sc", 2), "scenes\n");
+  const auto value = [&](const std::string& words, int at) { return completed(kOrbs + (" " + words), at); };
+  EXPECT_EQ(value("run --renderer goo", 3), "good\n");
+  EXPECT_EQ(value("run -s mir", 3), "mirror\n");
+  EXPECT_EQ(value("run --requirement M", 3), "M1 M3\n");
+  EXPECT_EQ(value("run --size 1/", 3), "1/2 1/4 1/8\n");
+  EXPECT_EQ(value("run --suite ''", 3), "t\n");
+  EXPECT_EQ(value("compare --metric psnr_s", 3), "psnr_srgb8\n");
+  EXPECT_EQ(value("stability --relation translate_m", 3), "translate_matrix\n");
+  EXPECT_EQ(value("probe --size 1", 3), "\n");
   EXPECT_TRUE(contains(sandbox.orbs({"completion", "fish"}).text,
                        "complete -c orbs -n '__fish_seen_subcommand_from run' -l resume -d "));
   EXPECT_TRUE(sandbox.orbs({"completion", "zsh"}).text.starts_with("#compdef orbs\n"));
+}
+
+// Where a line is broken by hand, a narrower terminal breaks it twice.
+TEST(Help, NoLineEndsWithinASentence) {
+  const Sandbox sandbox;
+  const auto check = [&](const std::string& words) {
+    const auto text = sandbox.shell(fmt::format("{} {} --help", kOrbs, words)).text;
+    auto lines = split(text, '\n');
+    if (!words.empty()) lines.erase(lines.begin());  // what the command is for, no sentence
+    for (const auto& line : lines) {
+      if (line.empty() || line.front() == ' ' || line.starts_with("Usage:")) continue;
+      EXPECT_TRUE(line.ends_with('.') || line.ends_with(':')) << words << ": " << line;
+    }
+  };
+  check("");
+  for (const char* command : {"run", "compare", "compare-runs", "history", "merge", "probe", "qualify",
+                              "sensitivity", "cost", "stability", "effect-cost", "judge"})
+    check(command);
+}
+
+TEST(Manual, OptionsStandWithTheirArguments) {
+  const Sandbox sandbox;
+  const auto page = sandbox.orbs({"manual"}).text;
+  EXPECT_TRUE(contains(page, ".B \\-j, \\-\\-jobs \\fINUMBER\\fR\n")) << page.substr(0, 2000);
+  EXPECT_TRUE(contains(page, ".B \\-\\-json\n")) << page.substr(0, 2000);
+  const auto tracer = sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer --manual");
+  EXPECT_EQ(tracer.status, 0);
+  EXPECT_TRUE(tracer.text.starts_with(".TH ORBS\\-TRACER 1 ")) << tracer.text.substr(0, 200);
+  EXPECT_TRUE(contains(tracer.text, "\\-\\-spp \\fI")) << tracer.text;
 }
 
 TEST(Bootstrap, HelpOfRunBuildsNothing) {

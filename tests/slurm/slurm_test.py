@@ -140,7 +140,7 @@ exec "{build}/orbs-fake-renderer" --mode good --output "$1" --scene "$2" --width
 """)
     (folder / "render.sh").chmod(0o755)
     (folder / "configuration.json").write_text(json.dumps({
-        "format": "orbs-configuration/1", "defaults": {"suite": "t"}, "limits": {"wall_seconds": 60},
+        "format": "orbs-configuration/1", "stands_alone": True, "defaults": {"suite": "t"}, "limits": {"wall_seconds": 60},
         "slurm": {"partition": "main", "time": "5"},
         "suites": [{"name": "t", "cases": "cases", "references": "references"}],
         "renderers": [{"name": "good", "executable": "{root}/render.sh", "declares": "G5/M8",

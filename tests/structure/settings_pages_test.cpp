@@ -78,9 +78,12 @@ class Schema {
 
   template <class T>
   void required(const std::string& key, const T& value, const json::Field& field = {}) {
+    // A file over another has only what it changes, and "name" says of which entry.
+    static const std::set<std::string> kOfLowestFile{"suites",     "renderers", "cases",   "references",
+                                                     "executable", "command",   "declares"};
     (*this)(key, value, field);
     properties_[key].erase("default");
-    required_.push_back(key);
+    if (!kOfLowestFile.contains(key)) required_.push_back(key);
   }
 
   Json object() const {

@@ -303,7 +303,7 @@ RunRecord merge_runs(const std::vector<fs::path>& shards,
   record.command_line = command_line;
   take_files(record, runs, jobs, targets);
   write_plan(plan, folder);
-  write_run_file({record.started, {}}, folder);
+  write_run_file({record.started, {}, record.label}, folder);
   write_file(folder / "results.json", results::run_json(record));
   return record;
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nth.h"
+#include "run/plan/plan_file.h"
 
 #include <algorithm>
 #include <functional>
@@ -152,6 +153,23 @@ void take_shard(const registry::Shard& shard, Plan& plan) {
                                  registry::shard_text(shard), count));
   keep_scenes(rendered, is_first, plan);
   keep_cases(plan);
+}
+
+void take_targets(const std::vector<OnlyTarget>& only, Plan& plan) {
+  const std::set<OnlyTarget> chosen(only.begin(), only.end());
+  std::erase_if(plan.targets, [&](const PlannedTarget& target) {
+    return !chosen.contains(
+        {plan.renderers[target.renderer].entry.name, plan.cases[target.one_case].name, target.target});
+  });
+  std::vector<bool> is_needed(plan.jobs.size());
+  for (const auto& target : plan.targets)
+    for (const auto job : target.jobs) is_needed[job] = true;
+  std::set<std::size_t> rendered;
+  for (const auto& job : plan.jobs) rendered.insert(job.scene);
+  keep_jobs(is_needed, true, plan);
+  keep_scenes(rendered, false, plan);
+  keep_cases(plan);
+  plan.id = plan_id(plan);
 }
 
 }  // namespace orbs::run

@@ -2,6 +2,7 @@
 
 #include "registry/cluster.h"
 #include "run/plan/plan.h"
+#include "run/run_file.h"
 
 #include <vector>
 
@@ -19,5 +20,9 @@ std::vector<int> shards_of_jobs(const Plan& plan, int count);
 /// Leaves in the plan the jobs of one shard and the targets that are judged from them, each in one shard.
 /// Targets that are not rendered belong to the first shard. InputError if no job is left.
 void take_shard(const registry::Shard& shard, Plan& plan);
+
+/// Leaves in the plan these targets alone, as far as it has them, and what is rendered for them. It is
+/// another plan then, with an id of its own.
+void take_targets(const std::vector<OnlyTarget>& only, Plan& plan);
 
 }  // namespace orbs::run

@@ -147,6 +147,7 @@ Plan make_plan(const registry::Configuration& configuration,
   plan.place = place;
   plan.settings = settings;
   plan.configuration = configuration.file;
+  plan.below = configuration.below;
   plan.root = configuration.root;
   plan.build = program_folder;
   plan.suite = registry::find_suite(configuration, settings.suite);

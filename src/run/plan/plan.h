@@ -62,7 +62,9 @@ enum class RenderPlace { Here, Elsewhere };
 struct Plan {
   std::string id{};  // hash of all that images and verdicts depend on but for programs and machines
   RenderPlace place = RenderPlace::Here;
-  std::filesystem::path configuration{};  // the file
+  std::filesystem::path configuration{};  // the uppermost file
+  std::vector<std::filesystem::path>
+      below{};                     // its other files, the lowest first; none for a plan from a file
   std::filesystem::path images{};  // folder of orbs export that holds all images; "": they are rendered
   registry::Suite suite;
   registry::RunSettings settings;     // after the command line

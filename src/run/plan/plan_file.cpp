@@ -81,7 +81,7 @@ FiledPlan filed_plan(const Plan& plan, const std::string& orbs_version) {
   filed.rendered_here = plan.place == RenderPlace::Here;
   filed.suite = {plan.suite.name, text(plan.suite.cases), text(plan.suite.references), {}};
   for (const auto& folder : plan.suite.data) filed.suite.data.push_back(text(folder));
-  filed.settings = plan.settings;
+  filed.settings = registry::lasting(plan.settings);
   filed.settings.output.clear();
   if (plan.settings.executable.find('/') != std::string::npos) {
     const auto file = text(fs::absolute(plan.settings.executable));

@@ -18,26 +18,55 @@ namespace orbs::run {
 
 namespace {
 
-// CPU seconds of one sample per pixel, by the names of renderer and scene.
-using SecondsPerSample = std::map<std::pair<std::string, std::string>, double>;
+// CPU seconds of one sample per pixel of the scene's full size, by the names of renderer and scene.
+struct SecondsPerSample {
+  std::string suite;
+  std::string size;
+  std::map<std::pair<std::string, std::string>, double> of_scenes;
+};
 
-SecondsPerSample read_times(const std::filesystem::path& file, const Plan& plan) {
-  SecondsPerSample times;
+double full_pixels_for_one(const std::string& size) {
+  const double divisor = registry::size_divisor(size);
+  return divisor * divisor;
+}
+
+SecondsPerSample read_times(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
   json::check_format(in, "orbs-render-times/1");
   in.text("machine");
-  const bool is_same_suite = in.text("suite") == plan.suite.name;
-  const bool is_same_size = in.text("size") == registry::size_text(plan.settings.size_divisor);
+  SecondsPerSample times{in.text("suite"), in.text("size"), {}};
+  const double scale = full_pixels_for_one(times.size);
   for (auto& render : in.objects("renders")) {
     auto name = std::pair{render.text("renderer"), render.text("scene")};
     const double seconds = render.number("cpu_seconds", json::kPositive);
     const int spp = render.integer("spp", 1, std::numeric_limits<int>::max());
     render.finish();
-    if (is_same_suite && is_same_size) times.emplace(std::move(name), seconds / spp);
+    times.of_scenes.emplace(std::move(name), seconds / spp * scale);
   }
   in.finish();
   return times;
+}
+
+// The middle of the times of one renderer, or of all where it has none.
+double typical_seconds(const SecondsPerSample& times, const std::string& renderer) {
+  std::vector<double> seconds;
+  for (const bool is_any : {false, true}) {
+    for (const auto& [name, time] : times.of_scenes)
+      if (is_any || name.first == renderer) seconds.push_back(time);
+    if (!seconds.empty()) break;
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+// Of most scenes of the shipped file. Another scene's pixels are counted against it.
+constexpr double kTypicalPixels = 512 * 512;
+
+// Of the run's size.
+double pixels_of(const PlannedScene& scene, const std::string& size) {
+  if (!scene.scene) return kTypicalPixels / full_pixels_for_one(size);  // a plan that nobody renders
+  return static_cast<double>(scene.scene->camera.width_px) * scene.scene->camera.height_px;
 }
 
 }  // namespace
@@ -46,32 +75,33 @@ std::filesystem::path shipped_times_file(const Plan& plan) {
   return plan.root / "data/bench/render-times.json";
 }
 
-std::vector<std::optional<double>> shipped_cpu_seconds(const Plan& plan) {
-  std::vector<std::optional<double>> seconds(plan.jobs.size());
+std::vector<std::optional<ShippedTime>> shipped_cpu_seconds(const Plan& plan) {
+  std::vector<std::optional<ShippedTime>> seconds(plan.jobs.size());
   const auto file = shipped_times_file(plan);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return seconds;
-  const auto times = read_times(file, plan);
+  const auto times = read_times(file);
+  if (times.of_scenes.empty()) return seconds;
+  const auto size = registry::size_text(plan.settings.size_divisor);
   for (std::size_t job = 0; job < plan.jobs.size(); ++job) {
     const auto& planned = plan.jobs[job];
-    const auto found =
-        times.find({plan.renderers[planned.renderer].entry.name, plan.scenes[planned.scene].name});
-    if (found != times.end()) seconds[job] = found->second * planned.spp;
+    const auto& scene = plan.scenes[planned.scene];
+    const auto& renderer = plan.renderers[planned.renderer].entry.name;
+    const auto found = times.of_scenes.find({renderer, scene.name});
+    if (times.suite == plan.suite.name && found != times.of_scenes.end()) {
+      seconds[job] = {found->second * planned.spp / full_pixels_for_one(size), size != times.size};
+    } else {
+      seconds[job] = {
+          typical_seconds(times, renderer) * planned.spp * pixels_of(scene, size) / kTypicalPixels, true};
+    }
   }
   return seconds;
 }
 
 std::vector<double> estimated_cpu_seconds(const Plan& plan) {
-  const auto known = shipped_cpu_seconds(plan);
-  double sum = 0;
-  int count = 0;
-  for (const auto& seconds : known)
-    if (seconds) {
-      sum += *seconds;
-      ++count;
-    }
   std::vector<double> estimated;
-  for (const auto& seconds : known) estimated.push_back(seconds.value_or(count > 0 ? sum / count : 1));
+  for (const auto& known : shipped_cpu_seconds(plan))
+    estimated.push_back(known.value_or(ShippedTime{}).cpu_seconds);
   return estimated;
 }
 

@@ -14,11 +14,18 @@ namespace orbs::run {
 /// plan. It holds one suite at one size.
 std::filesystem::path shipped_times_file(const Plan& plan);
 
-/// By job: the CPU seconds that its render took on another machine, scaled to its samples. Nothing for a
-/// render that is not in the file, or without the file. InputError when it cannot be read.
-std::vector<std::optional<double>> shipped_cpu_seconds(const Plan& plan);
+/// What a render is expected to take by the times that come with the program.
+struct ShippedTime {
+  double cpu_seconds = 1;
+  bool is_rough = false;  // by other sizes or other scenes
+};
 
-/// The same with the mean of the known ones for the others; 1 for all where none is known.
+/// By job: the CPU seconds that its render took on another machine, scaled to its samples and to its size.
+/// For a render that is not in the file, roughly: by the samples and pixels of the others of its renderer, or
+/// of all renderers. None without the file. InputError when it cannot be read.
+std::vector<std::optional<ShippedTime>> shipped_cpu_seconds(const Plan& plan);
+
+/// The same; 1 for all where none is known.
 std::vector<double> estimated_cpu_seconds(const Plan& plan);
 
 /// The render time in seconds that the renderer reports itself: in its output, or in a JSON file that it has

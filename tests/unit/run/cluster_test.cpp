@@ -65,6 +65,29 @@ double efficiency(const std::vector<double>& seconds_of_shards, int nodes) {
 
 }  // namespace
 
+TEST(ShippedTimes, AreScaledToOtherSizesScenesSuitesAndRenderers) {
+  auto plan = plan_of(20);
+  plan.jobs[0].spp = 80;
+  const auto quarter = run::shipped_cpu_seconds(plan);
+  for (const auto& time : quarter) {
+    ASSERT_TRUE(time);
+    EXPECT_FALSE(time->is_rough);
+  }
+  plan.jobs[0].spp = 160;
+  EXPECT_NEAR(run::shipped_cpu_seconds(plan)[0]->cpu_seconds, 2 * quarter[0]->cpu_seconds, 1e-9);
+  plan.settings.size_divisor = registry::FullSize;
+  const auto full = run::shipped_cpu_seconds(plan);
+  EXPECT_NEAR(full[1]->cpu_seconds, 16 * quarter[1]->cpu_seconds, 1e-9);
+  EXPECT_TRUE(full[1]->is_rough);
+  plan.suite.name = "gi";
+  plan.renderers[1].entry.name = "pbrt";
+  for (const auto& time : run::shipped_cpu_seconds(plan)) {
+    ASSERT_TRUE(time);
+    EXPECT_TRUE(time->is_rough);
+    EXPECT_GT(time->cpu_seconds, 0);
+  }
+}
+
 TEST(Cluster, NineTenthsOf64NodesRenderAlthoughTimesAreKnownRoughly) {
   constexpr int kJobs = 10'000;
   constexpr int kNodes = 64;
@@ -110,7 +133,7 @@ TEST(Cluster, RendersOfOneDifferenceStayTogether) {
 
 TEST(Cluster, RendersWithoutRecordedTimesAreSharedOutEvenly) {
   auto plan = plan_of(96);
-  plan.suite.name = "another";
+  plan.root = ORBS_BINARY_DIR;  // without a file of times
   expect_times(plan);
   std::vector<int> count(8);
   for (const int shard : run::shards_of_jobs(plan, 8)) ++count[static_cast<std::size_t>(shard - 1)];

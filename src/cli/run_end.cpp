@@ -1,0 +1,124 @@
+#include "cli/run_end.h"
+
+#include "base/terminal.h"
+#include "base/text.h"
+#include "base/text_table.h"
+#include "report/short_reason.h"
+#include "report/table.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+namespace orbs::cli {
+
+namespace {
+
+// The slowest renders first, with what they took.
+std::string durations_text(const results::RunRecord& record, int count) {
+  std::vector<const results::JobRecord*> jobs;
+  for (const auto& job : record.jobs)
+    if (job.end.outcome != results::JobOutcome::Skipped) jobs.push_back(&job);
+  std::stable_sort(jobs.begin(), jobs.end(),
+                   [](const auto* a, const auto* b) { return a->cost.wall_seconds > b->cost.wall_seconds; });
+  if (jobs.size() > static_cast<std::size_t>(count)) jobs.resize(static_cast<std::size_t>(count));
+  std::vector<TableRow> rows{{"slowest renders", "", "wall", "CPU", "spp"}};
+  for (const auto* job : jobs)
+    rows.push_back({job->identity.renderer, job->identity.scene,
+                    fmt::format("{:.1f} s", job->cost.wall_seconds),
+                    fmt::format("{:.1f} s", job->cost.cpu_seconds), fmt::format("{}", job->identity.spp)});
+  return text_table(rows, {}, {terminal_width(STDOUT_FILENO), {}});
+}
+
+// "orbs: 3 pass, 1 fail", by state of its targets.
+std::string counts_text(const results::RunRecord& record) {
+  std::string text;
+  for (const auto& renderer : record.renderers) {
+    std::map<std::string, int> counts;
+    for (const auto& target : record.targets)
+      if (target.renderer == renderer.name) ++counts[std::string(results::state_name(target))];
+    std::vector<std::string> parts;
+    for (const auto& [state, number] : counts) parts.push_back(fmt::format("{} {}", number, state));
+    text += fmt::format("{}: {}\n", renderer.name, fmt::join(parts, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
+bool fails_run(const results::TargetRecord& target) {
+  return target.declared && results::counts_as_failure(target.verdict, target.expectation);
+}
+
+bool ended_by_failures(const results::RunRecord& record, const registry::RunSettings& settings) {
+  const auto failed = std::count_if(record.targets.begin(), record.targets.end(), [](const auto& target) {
+    return target.verdict != results::Verdict::Skipped && fails_run(target);
+  });
+  return record.interrupted && settings.max_fail > 0 && failed >= settings.max_fail;
+}
+
+void print_end(const results::RunRecord& record,
+               const registry::RunSettings& settings,
+               const std::filesystem::path& folder) {
+  auto style = report::style_for(STDOUT_FILENO);
+  style.whole_reasons = settings.verbose;
+  if (settings.quiet)
+    print_clean("{}results: {}\n", counts_text(record), folder.string());
+  else
+    print_clean("\n{}\n{:.1f} s in all; results: {}\n", report::summary_text(record, style),
+                record.wall_seconds, folder.string());
+  const auto is_cut = [](const auto& target) {
+    const auto reason = reason_text(target);
+    return report::line_reason(target.verdict, target.expectation, reason) != reason;
+  };
+  if (!settings.quiet && !settings.verbose &&
+      std::any_of(record.targets.begin(), record.targets.end(), is_cut))
+    print_clean("-v prints whole reasons; results.json holds them\n");
+  if (settings.durations > 0) print_clean("\n{}", durations_text(record, settings.durations));
+  if (results::judged_nothing(record))
+    print_clean(stderr, "orbs: nothing was judged: every target is unsupported, for the reasons above\n");
+  if (ended_by_failures(record, settings))
+    print_clean("ended after {} failed target{} (--maxfail)\n", settings.max_fail,
+                settings.max_fail == 1 ? "" : "s");
+  if (settings.quiet) return;
+  const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
+  const std::vector<std::string> argv = record.interrupted
+                                            ? std::vector<std::string>{"orbs", "run", "--resume", relative}
+                                            : std::vector<std::string>{"orbs", "serve", relative};
+  print_clean("next: {}   ({})\n", shell_text(argv),
+              record.interrupted ? "continues this run" : "shows the images in the browser");
+}
+
+std::string repeats_text(const std::vector<results::RunRecord>& runs, int width) {
+  using Key = std::tuple<std::string, std::string, std::string>;
+  std::map<Key, std::map<std::string, int>> states;
+  for (const auto& run : runs)
+    for (const auto& target : run.targets)
+      if (target.declared && target.verdict != results::Verdict::Skipped)
+        ++states[{target.renderer, target.requirement, target.target}]
+                [std::string(results::state_name(target))];
+  std::vector<TableRow> rows;
+  std::map<std::string, int> steady;
+  for (const auto& [key, counts] : states) {
+    if (counts.size() == 1) {
+      ++steady[counts.begin()->first];
+      continue;
+    }
+    std::vector<std::string> parts;
+    for (const auto& [state, number] : counts) parts.push_back(fmt::format("{} {}", number, state));
+    const auto& [renderer, requirement, target] = key;
+    rows.push_back({"flaky", renderer, requirement, target, fmt::format("{}", fmt::join(parts, ", "))});
+  }
+  std::vector<std::string> parts;
+  for (const auto& [state, number] : steady) parts.push_back(fmt::format("{} {}", number, state));
+  return text_table(rows, {}, {width, {}}) +
+         fmt::format("{} runs: {} flaky target{}; the same in all: {}\n", runs.size(), rows.size(),
+                     rows.size() == 1 ? "" : "s",
+                     parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", ")));
+}
+
+}  // namespace orbs::cli

@@ -1,0 +1,52 @@
+#include "report/short_reason.h"
+
+#include "base/text.h"
+
+namespace orbs::report {
+
+namespace {
+
+constexpr std::size_t kMostCharacters = 100;
+
+// Without what stands in parentheses, and up to the first "; " outside of them.
+std::string first_part(const std::string& reason) {
+  std::string out;
+  int depth = 0;
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    const char c = reason[i];
+    if (c == '(') {
+      if (depth++ == 0 && out.ends_with(' ')) out.pop_back();
+    } else if (c == ')' && depth > 0) {
+      --depth;
+    } else if (depth == 0) {
+      if (c == ';') break;
+      out += c;
+    }
+  }
+  return depth == 0 ? out : reason;
+}
+
+// Cut between words.
+std::string cut(const std::string& text) {
+  if (display_width(text) <= kMostCharacters) return text;
+  const auto end = text.rfind(' ', kMostCharacters);
+  return text.substr(0, end == std::string::npos ? text.size() : end);
+}
+
+}  // namespace
+
+std::string short_reason(const std::string& reason) {
+  auto text = cut(first_part(reason));
+  while (text.ends_with(',') || text.ends_with(':') || text.ends_with(' ')) text.pop_back();
+  return text == reason ? reason : text + " ...";
+}
+
+std::string line_reason(results::Verdict verdict,
+                        results::Expectation expectation,
+                        const std::string& reason) {
+  using results::Verdict;
+  const bool is_by_numbers = verdict == Verdict::Fail || verdict == Verdict::Inconclusive;
+  return is_by_numbers && expectation != results::Expectation::News ? short_reason(reason) : reason;
+}
+
+}  // namespace orbs::report

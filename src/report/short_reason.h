@@ -1,0 +1,19 @@
+#pragma once
+
+#include "results/verdict.h"
+
+#include <string>
+
+namespace orbs::report {
+
+/// One short sentence of the reason of a verdict: its first part, without what stands in parentheses, cut
+/// between words where it is longer than a line. " ..." at its end where something was left out.
+std::string short_reason(const std::string& reason);
+
+/// What a line of the terminal says: the short reason of what numbers have decided, or left open. Why a
+/// render has no image, and news about known failures, are said whole.
+std::string line_reason(results::Verdict verdict,
+                        results::Expectation expectation,
+                        const std::string& reason);
+
+}  // namespace orbs::report

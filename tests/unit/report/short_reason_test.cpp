@@ -1,0 +1,20 @@
+#include "report/short_reason.h"
+
+#include <gtest/gtest.h>
+
+using orbs::report::short_reason;
+
+TEST(ShortReason, IsTheFirstSentenceWithoutWhatStandsInParentheses) {
+  EXPECT_EQ(short_reason("B is 41.5 % darker"), "B is 41.5 % darker");
+  EXPECT_EQ(short_reason("B is darker (43 % to 40 %; measured), at most 0.7 % is allowed; G is darker"),
+            "B is darker, at most 0.7 % is allowed ...");
+  EXPECT_EQ(short_reason("no end (of it"), "no end (of it");
+}
+
+TEST(ShortReason, IsCutBetweenWords) {
+  std::string words;
+  for (int i = 0; i < 40; ++i) words += "seven77 ";
+  const auto text = short_reason(words);
+  EXPECT_LE(text.size(), 104U);
+  EXPECT_TRUE(text.ends_with("seven77 ...")) << text;
+}
