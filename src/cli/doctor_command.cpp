@@ -177,7 +177,6 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
     action = [=, &program] {
       const auto read = read_configuration(*configuration, program);
       const auto values = registry::value_places(read.files);
-      if (!*as_json) print_files(read, values);
       run::Plan places;
       places.root = read.root;
       places.build = program.folder;

@@ -93,7 +93,7 @@ int submit_plan(const registry::Configuration& configuration,
 int submit_again(const std::string& configuration, const Options& options, const Program& program) {
   const auto before = run::read_slurm_job(options.resume);
   auto filed = run::read_plan(before.folder / run::kPlanFile);
-  take_configuration(configuration, filed);
+  take_configuration(configuration, program, filed);
   const auto read = read_configuration(resolve_path(filed.root, filed.configuration).string(), program);
   const auto plan = run::load_plan(filed, program.folder, program.version).plan;
   std::vector<fs::path> rendered;
