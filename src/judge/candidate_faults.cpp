@@ -246,7 +246,7 @@ bool are_emitters(const Search& search, const std::vector<std::uint8_t>& lit) {
 void add_crop_or_emitters(const Search& search) {
   const Image& result = search.result;
   auto lit_pixel = lit_pixels(result);
-  if (are_emitters(search, lit_pixel)) {
+  if (is_mostly_black(search) && are_emitters(search, lit_pixel)) {
     search.add(faults::EmittersOnly{std::move(lit_pixel)});
     return;
   }

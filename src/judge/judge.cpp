@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "judge/bad_samples.h"
+#include "judge/exact_copy.h"
 #include "judge/gate.h"
 #include "judge/noise.h"
 #include "judge/provenance.h"
@@ -185,6 +186,12 @@ void refuse_copy(const metrics::ImagePair& pair, TargetRecord& record) {
              "it holds {:.2g} % ({:.2g} to {:.2g} %) of the reference's own noise, which no other render "
              "has: it was made from the reference's pixels, or with its seed",
              kPercent * share, kPercent * low, kPercent * high));
+  } else if (is_copy_of_exact_reference(pair)) {
+    take(
+        record, Verdict::Fail,
+        "it equals the reference, which was computed and has no noise, in every pixel and to the last digits: an "
+        "image of random samples cannot, so it is a copy; the entry of a renderer that draws none says \"noise_free\": "
+        "true");
   }
 }
 

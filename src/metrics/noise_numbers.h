@@ -68,10 +68,10 @@ inline constexpr MetricInfo kSharedNoise{
     "shared_noise",
     "1",
     Better::NearZero,
-    "share of the reference's own noise that the result holds: 1 + sum of (reference less the mean of its four "
-    "neighbours) times (the same of the difference), over the sum of the squares of the former, or of their variances "
-    "where those are less; over smooth unmasked pixels in blocks of 8 x 8 px without detail; linear Rec.709, no "
-    "clamp. 0 for an independent image, 1 for a copy; no value where the reference states no noise",
+    "share of the reference's own noise that the result holds: 1 + mean over blocks of 8 x 8 px without detail, by "
+    "their smooth unmasked pixels, of the sum of (reference less the mean of its four neighbours) times (the same of "
+    "the difference), over the variance of the former, that as stated or, where it is less, scaled to the mean of its "
+    "squares; linear Rec.709, no clamp. 0 for an image of its own, 1 for a copy; no value where the reference states no noise",
     kNoMap,
     compute_shared_noise};
 

@@ -11,11 +11,13 @@ namespace orbs::metrics {
 
 namespace {
 
-// Sums over the channels of the smooth pixels of one block, whose noise is not independent.
+// Sums over the channels of the smooth pixels of one block, whose noise is not independent. All of what is
+// left of a pixel without the mean of its neighbours.
 struct BlockNoise {
-  double product = 0;   // of reference and difference, each without the mean of its neighbours
-  double square = 0;    // of the reference without the mean of its neighbours
+  double product = 0;   // of reference and difference
+  double square = 0;    // of the reference
   double variance = 0;  // of the same, as the reference states it
+  double count = 0;
 };
 
 using Neighbours = std::array<std::size_t, 4>;
@@ -42,7 +44,25 @@ void add_pixel(const PairSamples& samples, std::size_t pixel, BlockNoise& block)
     block.product += reference * difference;
     block.square += reference * reference;
     block.variance += variance;
+    ++block.count;
   }
+}
+
+std::vector<BlockNoise> blocks_without_detail(const PairSamples& samples,
+                                              const std::vector<std::uint8_t>& smooth) {
+  constexpr double kDetail = 2;
+  constexpr std::size_t kFewestBlocks = 16;  // the scatter of fewer says little
+  std::vector<BlockNoise> blocks;
+  for (const Rectangle& where : blocks_of(samples)) {
+    BlockNoise block;
+    for_each_block_pixel(samples, where, [&](std::size_t pixel) {
+      if (smooth[pixel] != 0) add_pixel(samples, pixel, block);
+    });
+    if (block.square > 0 && block.variance > 0 && block.square <= kDetail * block.variance)
+      blocks.push_back(block);
+  }
+  if (blocks.size() < kFewestBlocks) blocks.clear();
+  return blocks;
 }
 
 struct Share {
@@ -50,21 +70,24 @@ struct Share {
   double noise = 0;  // of the reference
 };
 
-// Of blocks without detail.
-std::vector<Share> shares_of(const PairSamples& samples, const std::vector<std::uint8_t>& smooth) {
-  constexpr double kDetail = 2;
-  constexpr std::size_t kFewestBlocks = 16;  // the scatter of fewer says little
-  std::vector<Share> shares;
-  for (const Rectangle& where : blocks_of(samples)) {
-    BlockNoise block;
-    for_each_block_pixel(samples, where, [&](std::size_t pixel) {
-      if (smooth[pixel] != 0) add_pixel(samples, pixel, block);
-    });
-    const double noise = std::min(block.square, block.variance);
-    if (!(noise > 0) || block.square > kDetail * block.variance) continue;
-    shares.push_back({block.product + noise, noise});
+// Each block counts by its pixels, whatever their noise: the result is noisy where the reference is, so by
+// their squares the noisiest few blocks would say it all, and say it badly.
+std::vector<Share> shares_of(const std::vector<BlockNoise>& blocks) {
+  // What the pixels show of the stated variance, by the same weights: references round it, and where the
+  // samples of neighbours are related it is another one. Measured on 10 scenes: 0.73 to 1. The smaller one of
+  // each block would be too small by its chance.
+  double shown = 0;
+  double count = 0;
+  for (const auto& block : blocks) {
+    shown += block.count * block.square / block.variance;
+    count += block.count;
   }
-  if (shares.size() < kFewestBlocks) shares.clear();
+  const double scale = std::min(1.0, shown / count);
+  std::vector<Share> shares;
+  for (const auto& block : blocks) {
+    const double noise = scale * block.variance;
+    shares.push_back({block.count * (block.product + noise) / noise, block.count});
+  }
   return shares;
 }
 
@@ -73,7 +96,7 @@ std::vector<Share> shares_of(const PairSamples& samples, const std::vector<std::
 std::optional<Interval> shared_noise(const PairSamples& samples,
                                      const std::vector<std::uint8_t>& smooth,
                                      double false_alarms) {
-  const auto shares = shares_of(samples, smooth);
+  const auto shares = shares_of(blocks_without_detail(samples, smooth));
   if (shares.empty()) return std::nullopt;
   Share sum;
   for (const auto& [held, noise] : shares) {

@@ -16,9 +16,9 @@ namespace orbs::metrics {
 /// Let r be the noise of the reference, s the right image and n the noise of the result, each minus the mean
 /// of its four neighbours, which leaves little of s. Then E[(s + r) ((s + n) - (s + r))] is -E[r^2] where n
 /// and r are independent, and -(1 - a) E[r^2] where n holds a r, so it tells a. E[r^2] follows from the
-/// stated variances of the reference, or from its pixels where those are less; the smaller of both makes the
-/// share up to a tenth too small, on the side of no alarm. Blocks whose pixels hold much
-/// more have detail, and an error in proportion to s would look like shared noise there; they are left out.
+/// stated variances of the reference, scaled to its pixels where those show less on average: references round
+/// their variances. Blocks whose pixels hold much more have detail, and an error in proportion to s would
+/// look like shared noise there; they are left out.
 std::optional<Interval> shared_noise(const PairSamples& samples,
                                      const std::vector<std::uint8_t>& smooth,
                                      double false_alarms);

@@ -2,7 +2,7 @@
 
 #include "tracer/integrator/path_class.h"
 #include "tracer/kernels/kernels.h"
-#include "tracer/shapes/solid.h"
+#include "tracer/shapes/build_solids.h"
 
 #include <algorithm>
 #include <chrono>

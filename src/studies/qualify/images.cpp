@@ -78,17 +78,24 @@ std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan
                                                            const std::atomic<bool>* stop) {
   std::vector<RenderedMutant> images;
   if (!makes_faults(plan.renderers.front())) return images;
-  for (const auto& fault : scene::kRenderFaults) {
-    if (!scene::why_fault_changes_nothing(*scene.scene, fault.fault).empty()) continue;
+  const auto rendered = [&](const std::vector<std::string>& more) -> std::optional<image::Image> {
     auto renderer = plan.renderers.front();
-    renderer.entry.command.words.insert(renderer.entry.command.words.end(),
-                                        {"--fault", std::string(fault.name)});
-    const auto folder = scratch / fmt::format("{}-{}", scene.name, fault.name);
+    auto& words = renderer.entry.command.words;
+    words.insert(words.end(), more.begin(), more.end());
+    const auto folder = scratch / fmt::format("{}-{}", scene.name, more.empty() ? "right" : more.back());
     const auto subject = run::prepare_render(renderer, plan, *scene.scene, folder);
     auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
-    if (!made) return std::nullopt;
-    images.push_back({std::string(fault.name), std::move(made->image)});
     remove_tree(folder);
+    return made ? std::optional(std::move(made->image)) : std::nullopt;
+  };
+  auto right = rendered({});
+  if (!right) return std::nullopt;
+  const auto shared = std::make_shared<const image::Image>(std::move(*right));
+  for (const auto& fault : scene::kRenderFaults) {
+    if (!scene::why_fault_changes_nothing(*scene.scene, fault.fault).empty()) continue;
+    auto made = rendered({"--fault", std::string(fault.name)});
+    if (!made) return std::nullopt;
+    images.push_back({std::string(fault.name), std::move(*made), shared});
   }
   return images;
 }

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ image::Image control_image(const results::RunRecord& run,
 struct RenderedMutant {
   std::string name;  // "without light 'turned'", "raw-textures"
   image::Image image;
+  /// The scene without the fault by the same samples: what is accepted by it is no fault of this scene, as
+  /// one bounce less of ten. Nothing where the fault is one of every scene.
+  std::shared_ptr<const image::Image> right = nullptr;
 };
 
 /// Why no light of the scene can be left out such that another one still lights it: another light, a visible

@@ -2,6 +2,7 @@
 
 #include "faults/fault.h"
 #include "judge/judge.h"
+#include "judge/noise.h"
 #include "metrics/mask.h"
 #include "run/outcome.h"
 
@@ -24,7 +25,7 @@ using results::SmallestFault;
 using results::TargetRecord;
 using results::Verdict;
 
-TargetRecord judged(const MutationSubject& subject, const Image& image) {
+TargetRecord judged(const MutationSubject& subject, const Image& image, const judge::Reference& reference) {
   TargetRecord record;
   record.target = subject.target;
   adapters::Job expected;
@@ -38,9 +39,13 @@ TargetRecord judged(const MutationSubject& subject, const Image& image) {
     record.reason = usable.reason;
     return record;
   }
-  judge::judge_image(subject.one_case, image, subject.reference, {.measured = judge::Measured::ForTheVerdict},
+  judge::judge_image(subject.one_case, image, reference, {.measured = judge::Measured::ForTheVerdict},
                      record);
   return record;
+}
+
+TargetRecord judged(const MutationSubject& subject, const Image& image) {
+  return judged(subject, image, subject.reference);
 }
 
 // Inconclusive, "too noisy to tell", is no rejection.
@@ -52,6 +57,22 @@ MutantRecord tried(const MutationSubject& subject, const std::string& fault, con
   const auto record = judged(subject, mutant);
   return {fault, "", is_rejected(record),
           fmt::format("{}: {}", results::verdict_name(record.verdict), record.reason)};
+}
+
+// Both images have the same samples, and so most of their noise: what the gates accept then is too little to
+// be a fault of this scene.
+MutantRecord tried_render(const MutationSubject& subject, const RenderedMutant& mutant) {
+  if (mutant.right && image::has_same_colours(mutant.image, *mutant.right))
+    return {mutant.name, "it leaves the image as it is, to the bit", false, ""};
+  if (mutant.right) {
+    const auto by_right = judged(subject, judge::without_variances(mutant.image),
+                                 {"", judge::without_variances(*mutant.right), ""});
+    if (by_right.verdict == Verdict::Pass)
+      return {mutant.name,
+              fmt::format("with the same samples it is accepted as the right image: {}", by_right.reason),
+              false, ""};
+  }
+  return tried(subject, mutant.name, mutant.image);
 }
 
 // The most similar other reference of the same size: a gate that rejects it rejects all others.
@@ -87,8 +108,7 @@ void test_mutants(const MutationSubject& subject, const std::vector<faults::Row>
   }
   if (!subject.why_no_light_can_miss.empty())
     gate.mutants.push_back({"a missing light", subject.why_no_light_can_miss, false, ""});
-  for (const auto& mutant : subject.rendered_mutants)
-    gate.mutants.push_back(tried(subject, mutant.name, mutant.image));
+  for (const auto& mutant : subject.rendered_mutants) gate.mutants.push_back(tried_render(subject, mutant));
 }
 
 // The smallest size between `least` and `most` for which `holds`, within 10 %, by bisection of the ratio;

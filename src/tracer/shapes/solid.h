@@ -95,13 +95,10 @@ struct Solid {
 };
 
 /// Each unfinished search takes 10 ms and more. Where a shape has had so many of them, the rest of its rays
-/// miss, so that the render ends soon, and its image is refused (refuse_unfinished_shapes): y - sin(1 / x),
+/// miss, so that the render ends soon, and its image is refused (build_solids.h): y - sin(1 / x),
 /// seen from all sides, has a few; x / (y - y) has one for every ray. The sum of all threads decides, so it
 /// is the same for any number of them.
 constexpr std::uint64_t kMostUnfinished = 500;
-
-/// InputError that names the shape, if one has had more unfinished searches than that.
-void refuse_unfinished_shapes(const std::vector<Solid>& solids);
 
 /// Sums over all shapes.
 struct RootTotals {

@@ -81,6 +81,14 @@ TEST(Diagnosis, TellsEmittersAloneFromACrop) {
             "cropped to the pixels [8,20,30,40], black beside them");
 }
 
+// The black square is darker than half of the rest.
+TEST(Diagnosis, SaysNothingOfADarkPartThatIsBlack) {
+  EXPECT_EQ(said_of([](int x, int y, std::size_t c) {
+              return scene_at(x, y, c) < 0.2F && x < 30 && y > 20 ? 0 : scene_at(x, y, c);
+            }),
+            "");
+}
+
 TEST(Diagnosis, NamesAMissingMisWeight) {
   const auto said = said_of([](int x, int y, std::size_t c) {
     return (x > 40 && x < 48 && y < 6 ? 1.0F : 2.0F) * scene_at(x, y, c);

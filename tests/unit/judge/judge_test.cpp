@@ -30,6 +30,38 @@ TEST(Judge, TheGateSeparatesASmallErrorFromALargeOne) {
 
 namespace {
 
+// A gradient in which all values differ, as a formula gives it.
+image::Image computed_gradient() {
+  auto image = grey_32(0);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = 0.2F + 0.1F * std::sqrt(static_cast<float>(i));
+  return image;
+}
+
+}  // namespace
+
+TEST(Judge, ACopyOfAComputedReferenceFailsUnlessItsRendererHasNoNoise) {
+  const auto computed = computed_gradient();
+  const auto copied = judged(one_case(), computed, computed);
+  EXPECT_EQ(copied.verdict, Verdict::Fail);
+  EXPECT_NE(copied.reason.find("it equals the reference, which was computed"), std::string::npos)
+      << copied.reason;
+  auto nearly = computed;
+  for (float& value : nearly.pixels) value = std::nextafter(value, 2.0F);
+  EXPECT_EQ(judged(one_case(), nearly, computed).verdict, Verdict::Fail);
+  for (float& value : nearly.pixels) value *= 1.00001F;
+  EXPECT_EQ(judged(one_case(), nearly, computed).verdict, Verdict::Pass);
+  results::TargetRecord record;
+  record.target = "a";
+  judge::judge_image(one_case(), computed, {"", computed, ""},
+                     {.result_noise = metrics::ResultNoise::NoiseFree}, record);
+  EXPECT_EQ(record.verdict, Verdict::Pass) << record.reason;
+  EXPECT_EQ(judged(one_case(), grey(0.25F), grey(0.25F)).verdict, Verdict::Pass)
+      << "one colour proves nothing";
+}
+
+namespace {
+
 // Grey with an even S1.
 image::Image polarised_grey(float s1) {
   auto image = image::make_image(

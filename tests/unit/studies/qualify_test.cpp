@@ -5,6 +5,8 @@
 #include "studies/qualify/mutation_test.h"
 #include "studies/qualify/reports.h"
 
+#include <map>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -83,6 +85,24 @@ TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
   EXPECT_TRUE(mutant(gate, "the image of b").rejected);
   EXPECT_NE(mutant(gate, "one NaN").reason.find("invalid pixels"), std::string::npos);
   EXPECT_NE(mutant(gate, "black").reason.find("constant image"), std::string::npos);
+}
+
+// One bounce less of ten changes less than the gates allow, and is no fault of the scene: by the same samples
+// that shows, however noisy both are.
+TEST(Qualify, RenderedFaultsThatChangeLittleAreNone) {
+  const auto right = std::make_shared<const image::Image>(painted(5));
+  const std::vector<studies::RenderedMutant> rendered{
+      {"to the bit", *right, right},
+      {"little", faults::Factor{0.999}.apply(*right), right},
+      {"much", faults::Factor{0.97}.apply(*right), right},
+      {"much of every scene", faults::Factor{0.97}.apply(*right)}};
+  const std::map<std::string, image::Image> others;
+  const auto gate = studies::mutation_test(
+      {strict_case(), "a", {"a.exr", painted(1), ""}, painted(2), others, rendered, "its only light"});
+  EXPECT_EQ(mutant(gate, "to the bit").no_fault, "it leaves the image as it is, to the bit");
+  EXPECT_EQ(mutant(gate, "little").no_fault.substr(0, 46), "with the same samples it is accepted as the ri");
+  EXPECT_TRUE(mutant(gate, "much").rejected) << mutant(gate, "much").reason;
+  EXPECT_TRUE(mutant(gate, "much of every scene").rejected);
 }
 
 // The tolerance is 0.7 %; the noise of the mean of 9216 pixels is 0.03 %.
