@@ -4,6 +4,7 @@
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "judge/noise.h"
+#include "metrics/describe.h"
 #include "metrics/image_pair.h"
 
 #include <fmt/format.h>

@@ -53,7 +53,7 @@ bool is_of_installation(const fs::path& file, const Program& program) {
 fs::path own_file(const fs::path& uppermost, const Program& program) {
   const bool is_of_all =
       uppermost.empty() || is_of_installation(uppermost, program) || are_same(uppermost, system_file());
-  return is_of_all ? user_file() : uppermost;
+  return is_of_all ? user_file() : fs::absolute(uppermost).lexically_normal();
 }
 
 }  // namespace

@@ -49,6 +49,15 @@ std::vector<fs::path>::const_iterator uppermost_alone(const std::vector<fs::path
   return files.begin();
 }
 
+// A path that may begin with {root} or {data}. Other braces are its own.
+fs::path path_of(const std::string& text, const fs::path& root, const fs::path& data) {
+  constexpr std::string_view kRoot = "{root}";
+  constexpr std::string_view kData = "{data}";
+  if (text.starts_with(kRoot)) return (root.string() + text.substr(kRoot.size()));
+  if (text.starts_with(kData)) return (data.string() + text.substr(kData.size()));
+  return resolve_path(root, text);
+}
+
 class Reading {
  public:
   Reading(fs::path data, const std::optional<EditedFile>& edited) : data_(std::move(data)), edited_(edited) {}
@@ -82,17 +91,6 @@ class Reading {
     }
   }
 
- public:
-  // A path that may begin with {root} or {data}. Other braces are its own.
-  static fs::path path_of(const std::string& text, const fs::path& root, const fs::path& data) {
-    constexpr std::string_view kRoot = "{root}";
-    constexpr std::string_view kData = "{data}";
-    if (text.starts_with(kRoot)) return (root.string() + text.substr(kRoot.size()));
-    if (text.starts_with(kData)) return (data.string() + text.substr(kData.size()));
-    return resolve_path(root, text);
-  }
-
- private:
   fs::path data_;
   const std::optional<EditedFile>& edited_;
   std::vector<Layer> layers_;
@@ -131,7 +129,7 @@ std::string value_of(const std::string& pointer,
   const bool is_elsewhere = root != whole_root;
   if (is_path_of_suite(parts)) {
     const bool is_as_it_stands = !is_elsewhere && !text.starts_with("{root}") && !text.starts_with("{data}");
-    return is_as_it_stands ? text : Reading::path_of(text, root, data).lexically_normal().string();
+    return is_as_it_stands ? text : path_of(text, root, data).lexically_normal().string();
   }
   if (!has_placeholders(parts)) return text;
   // A folder beside the data has one spelling, or a path with ".." would outdate the renders of one without.

@@ -1,6 +1,6 @@
 #include "report/short_reason.h"
 
-#include "base/text.h"
+#include "base/text_table.h"
 
 namespace orbs::report {
 
@@ -12,8 +12,7 @@ constexpr std::size_t kMostCharacters = 100;
 std::string first_part(const std::string& reason) {
   std::string out;
   int depth = 0;
-  for (std::size_t i = 0; i < reason.size(); ++i) {
-    const char c = reason[i];
+  for (const char c : reason) {
     if (c == '(') {
       if (depth++ == 0 && out.ends_with(' ')) out.pop_back();
     } else if (c == ')' && depth > 0) {

@@ -77,6 +77,10 @@ TEST(ConfigurationLayers, ARendererIsAddedToTheUsersFile) {
   stand.sandbox.write("configuration.json", own(R"("defaults": {})"));
   EXPECT_EQ(stand.orbs("renderer add other --executable /bin/true").status, 0);
   EXPECT_TRUE(contains(stand.sandbox.read("configuration.json"), "other"));
+  stand.sandbox.write("named.json", own(R"("defaults": {})"));
+  const auto named = stand.orbs("renderer add third --executable /bin/true --configuration named.json");
+  EXPECT_EQ(named.status, 0) << named.text;
+  EXPECT_TRUE(contains(stand.sandbox.read("named.json"), "third"));
 }
 
 TEST(ConfigurationLayers, FailuresAreAcceptedIntoTheUsersFile) {

@@ -43,8 +43,9 @@ void write_suite(const Sandbox& sandbox) {
           scenes));
   sandbox.write("copy.sh", "#!/bin/sh\nexec cp \"$1\" \"$2\"\n");
   ::chmod((sandbox.folder() / "copy.sh").c_str(), 0755);
-  sandbox.write("configuration.json",
-                R"({"format": "orbs-configuration/1", "stands_alone": true, "defaults": {"suite": "t", "jobs": 2},
+  sandbox.write(
+      "configuration.json",
+      R"({"format": "orbs-configuration/1", "stands_alone": true, "defaults": {"suite": "t", "jobs": 2},
  "suites": [{"name": "t", "cases": "cases", "references": "references"}],
  "renderers": [{"name": "copy", "executable": "{root}/copy.sh", "declares": "G5/M8",
                 "command": ["{executable}", "{root}/references/grey.exr", "{output}", "{scene}"]}]})");
