@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -31,6 +34,12 @@ std::string holder_of(int descriptor) {
       trim(std::string_view(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)))));
 }
 
+// Whether no process of this machine has that id.
+bool is_gone(const std::string& holder) {
+  const auto id = to_integer(holder);
+  return id && *id > 0 && ::kill(static_cast<pid_t>(*id), 0) != 0 && errno == ESRCH;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& file, int error) {
   throw InputError(fmt::format("{}: cannot be locked: {}", file.string(), std::strerror(error)));
 }
@@ -46,22 +55,25 @@ struct flock whole_file() {
 
 }  // namespace
 
+// A process that is killed while it starts another one leaves that the open file until it executes its
+// program: the lock of a holder that is gone is waited for.
 FileLock::FileLock(const std::filesystem::path& file,
                    const std::function<std::string(const std::string&)>& busy)
     : file_(file) {
+  constexpr auto kPatience = std::chrono::seconds(2);
+  const auto give_up = std::chrono::steady_clock::now() + kPatience;
   for (;;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) refuse(file_, errno);
     const auto lock = whole_file();
-    if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
-      const int error = errno;
-      const auto holder = holder_of(descriptor_);
-      ::close(descriptor_);
-      if (error == EAGAIN || error == EACCES) throw InputError(busy(holder));
-      refuse(file_, error);
-    }
-    if (is_file(descriptor_, file_)) break;
+    const int error = ::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0 ? 0 : errno;
+    if (error == 0 && is_file(descriptor_, file_)) break;
+    const auto holder = holder_of(descriptor_);
     ::close(descriptor_);
+    if (error == 0) continue;
+    if (error != EAGAIN && error != EACCES) refuse(file_, error);
+    if (!is_gone(holder) || std::chrono::steady_clock::now() >= give_up) throw InputError(busy(holder));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   const auto holder = fmt::format("{}\n", ::getpid());
   if (::ftruncate(descriptor_, 0) == 0 && ::write(descriptor_, holder.data(), holder.size()) >= 0) return;

@@ -34,6 +34,14 @@ std::vector<fs::path> files_beside(const fs::path& file) {
   return beside;
 }
 
+// Such as the shell or Python that the command starts: the other machine has its own.
+bool is_program_of_system(const fs::path& file, const fs::path& root) {
+  std::error_code failed;
+  const auto permissions = fs::status(file, failed).permissions();
+  return !failed && (permissions & fs::perms::owner_exec) != fs::perms::none &&
+         !lies_in(file.lexically_normal(), root);
+}
+
 }  // namespace
 
 CarriedFiles carry_files(const Plan& plan, const ChosenRenderer& renderer, const fs::path& folder) {
@@ -41,9 +49,9 @@ CarriedFiles carry_files(const Plan& plan, const ChosenRenderer& renderer, const
   const auto to = folder / "programs" / renderer.entry.name;
   const auto plugins = adapters::plugin_files(renderer.entry, plan.root, plan.build);
   for (const auto& file : program_files(renderer, plan)) {
-    if (file == renderer.executable) continue;
-    carry(file, to, carried);
     const bool is_plugin = std::find(plugins.begin(), plugins.end(), file) != plugins.end();
+    if (file == renderer.executable || (!is_plugin && is_program_of_system(file, plan.root))) continue;
+    carry(file, to, carried);
     if (is_plugin || !file.has_extension() || !lies_in(file.lexically_normal(), plan.root)) continue;
     for (const auto& other : files_beside(file))
       if (!carried.contains(other)) carry(other, to, carried);

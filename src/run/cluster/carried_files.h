@@ -13,8 +13,9 @@ namespace orbs::run {
 using CarriedFiles = std::map<std::filesystem::path, std::filesystem::path>;
 
 /// Copies into folder/programs/<renderer> what the command names by paths that are the same for all renders:
-/// plug-ins and scripts, but not the executable, which is the other machine's. Of a script below the root of
-/// the plan all files that lie beside it with the same ending come along, since it may import them.
+/// plug-ins and scripts, but not the executable or a program of the system, which are the other machine's. Of
+/// a script below the root of the plan all files that lie beside it with the same ending come along, since it
+/// may import them.
 CarriedFiles carry_files(const Plan& plan,
                          const ChosenRenderer& renderer,
                          const std::filesystem::path& folder);
