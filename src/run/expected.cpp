@@ -215,12 +215,15 @@ void mark_expected(const std::vector<ExpectedFailure>& expected,
                    const registry::RunKind& run,
                    const Versions& versions,
                    std::vector<TargetRecord>& targets) {
-  std::set<std::pair<std::string, std::string>> failing;
+  std::map<std::pair<std::string, std::string>, Verdict> worst;
   for (const auto& target : targets)
-    if (can_be_expected(target.verdict)) failing.emplace(target.renderer, target.target);
+    if (can_be_expected(target.verdict)) {
+      auto& verdict = worst[{target.renderer, target.target}];
+      verdict = results::worse(verdict, target.verdict);
+    }
   for (auto& target : targets) {
     const bool fails_elsewhere =
-        target.verdict == Verdict::Pass && failing.contains({target.renderer, target.target});
+        passes(target.verdict) && worst[{target.renderer, target.target}] > target.verdict;
     mark_target(fails_elsewhere
                     ? registry::FoundExpected{}
                     : registry::find_expected(expected, target.renderer,

@@ -67,7 +67,7 @@ MutantRecord tried_render(const MutationSubject& subject, const RenderedMutant& 
   if (mutant.right) {
     const auto by_right = judged(subject, judge::without_variances(mutant.image),
                                  {"", judge::without_variances(*mutant.right), ""});
-    if (by_right.verdict == Verdict::Pass)
+    if (results::passes(by_right.verdict))
       return {mutant.name,
               fmt::format("with the same samples it is accepted as the right image: {}", by_right.reason),
               false, ""};

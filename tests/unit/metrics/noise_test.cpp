@@ -166,25 +166,6 @@ TEST(NoiseTest, BiasAndNoiseAreTwoNumbers) {
   EXPECT_TRUE(is_square_biased(test));
 }
 
-// An edge that lies a tenth of a pixel away is antialiasing, half a pixel is an error.
-TEST(NoiseTest, SquaresAreAnErrorWhereTheyAreMoreThanAntialiasing) {
-  const auto stripes = [](double moved_px) {
-    auto image = orbs::image::make_image(64, 64, {"R", "G", "B"});
-    for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x) {
-        const double light = x % 8 == 0 ? 1 - moved_px : x % 8 < 4 ? 1 : x % 8 == 4 ? moved_px : 0;
-        for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(light);
-      }
-    return image;
-  };
-  const auto is_seen = [&](double moved_px) {
-    return is_square_biased_beyond_edges(
-        test_noise(stripes(moved_px), stripes(0), {}, orbs::metrics::ResultNoise::NoiseFree));
-  };
-  EXPECT_FALSE(is_seen(0.1));
-  EXPECT_TRUE(is_seen(0.5));
-}
-
 // A block of 8 x 8 that is 15 % too bright is 1/64 of the image: the mean moves by 0.2 %, the block by 17
 // of its standard deviations.
 TEST(NoiseTest, ALocalErrorIsSeenByItsBlock) {

@@ -60,15 +60,16 @@ Rgb scaled(Rgb rgb, double factor) {
 
 }  // namespace
 
-// One in 10,000 is promised: none in 200 has the probability 0.98.
 // A pattern is the first order of its fault, and says nothing of errors that are far larger.
 TEST(Patterns, AreNotSaidOutOfTheirRange) {
-  const orbs::metrics::Pattern gamma{"of a higher gamma", "of a lower gamma", {}, 0.002, 0.3};
+  const orbs::metrics::Pattern gamma{
+      .more = "of a higher gamma", .less = "of a lower gamma", .negligible = 0.002, .largest = 0.3};
   EXPECT_TRUE(is_within_range({&gamma, -0.05, -0.06, -0.04, 9}));
   EXPECT_FALSE(is_within_range({&gamma, -0.687, -1.32, -0.0565, 9}));
   EXPECT_FALSE(is_within_range({&gamma, -0.2, -0.35, -0.05, 9}));
 }
 
+// One in 10,000 is promised: none in 200 has the probability 0.98.
 TEST(Patterns, NoneIsSeenInNoise) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) EXPECT_FALSE(found(waves, seed)) << seed;
 }

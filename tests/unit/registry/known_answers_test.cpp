@@ -24,7 +24,8 @@ Verdict verdict_of(const registry::Case& one_case,
                    const judge::Reference& reference) {
   results::TargetRecord record;
   record.target = target;
-  judge::judge_image(one_case, image, reference, {1, judge::Measured::ForTheVerdict}, record);
+  judge::judge_image(one_case, image, reference,
+                     {1, judge::Measured::ForTheVerdict, metrics::ResultNoise::NoiseFree}, record);
   return record.verdict;
 }
 
