@@ -95,14 +95,19 @@ std::vector<ValuePlace> places_under(const std::vector<ValuePlace>& all, const s
   return found;
 }
 
-void print_files(const registry::Configuration& configuration, const std::vector<ValuePlace>& places) {
+// Of the values, those that lie over the lowest file; all of them where renderers are named.
+void print_files(const registry::Configuration& configuration,
+                 const std::vector<ValuePlace>& places,
+                 bool shows_all) {
   print_clean("configuration  {}\n", configuration.file.string());
-  const std::vector<std::filesystem::path> below(configuration.below.rbegin(), configuration.below.rend());
-  for (const auto& file : below) print_clean("  over         {}\n", file.string());
+  const auto& below = configuration.below;
+  for (auto file = below.rbegin(); file != below.rend(); ++file)
+    print_clean("  over         {}\n", file->string());
   if (below.empty()) return;
   // What a renderer has stands with it.
   for (const auto& [value, place] : places)
-    if (!value.starts_with("renderers/")) print_clean("  {}  {}\n", value, place);
+    if (!value.starts_with("renderers/") && (shows_all || file_of(place) != below.front().string()))
+      print_clean("  {}  {}\n", value, place);
 }
 
 void print_details(const Examined& found, const std::vector<ValuePlace>& places) {
@@ -191,7 +196,7 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
         print_json(read, values, all);
         return 0;
       }
-      print_files(read, values);
+      print_files(read, values, !chosen->empty());
       if (chosen->empty())
         print_overview(all);
       else

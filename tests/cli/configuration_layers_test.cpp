@@ -51,7 +51,7 @@ TEST(ConfigurationLayers, EachFileChangesWhatLiesBelowIt) {
   stand.sandbox.write("system/configuration.json", own(R"("defaults": {"jobs": 7, "threads": 5})"));
   stand.sandbox.write("user/orbs/configuration.json", own(R"("defaults": {"jobs": 6})"));
   stand.sandbox.write("configuration.json", own(kMine));
-  const auto answer = stand.orbs("doctor");
+  const auto answer = stand.orbs("doctor -r '*'");
   EXPECT_EQ(answer.status, 0) << answer.text;
   const auto folder = stand.sandbox.folder().string();
   for (const auto& part : {fmt::format("configuration  {}/configuration.json", folder),
@@ -61,6 +61,10 @@ TEST(ConfigurationLayers, EachFileChangesWhatLiesBelowIt) {
                            fmt::format("spp_scale in {}/configuration.json:3", folder),
                            fmt::format("not installed: '{}/mine.sh' was not found", folder)})
     EXPECT_TRUE(contains(answer.text, part)) << part << "\n" << answer.text;
+  // A line for each renderer, and of the values those that somebody has changed.
+  const auto overview = stand.orbs("doctor").text;
+  EXPECT_TRUE(contains(overview, "defaults/jobs  ")) << overview;
+  EXPECT_FALSE(contains(overview, "defaults/suite  ")) << overview;
 }
 
 TEST(ConfigurationLayers, ARendererIsAddedToTheUsersFile) {

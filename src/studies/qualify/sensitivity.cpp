@@ -142,9 +142,11 @@ std::vector<JudgedImage> judge_renders(const Subject& subject,
   std::erase_if(rows, [&](const faults::Row& row) {
     return image::has_same_colours(faults::applied(row, reference), reference);
   });
+  const bool has_noise = image::channel_index(reference, "variance.R") >= 0 &&
+                         image::channel_index(renders.first.image, "variance.R") >= 0;
   for (const auto knowledge : kAllKnowledge) {
     // A computed reference is exact as it is: no noise is to be drawn for an image without any.
-    if (knowledge == NoiseKnowledge::NoiseFree && image::channel_index(reference, "variance.R") < 0) continue;
+    if (knowledge == NoiseKnowledge::NoiseFree && !has_noise) continue;
     pairs.push_back(pair_for(subject, renders, knowledge));
     of_pair.push_back(knowledge);
     tasks.push_back({pairs.size() - 1, nullptr});
@@ -214,6 +216,10 @@ std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
       auto render = run::render_once(prepared, {spp, kFirstSeed + i, plan.threads}, context.stop);
       if (!render) return images;
       renders.push_back({kFirstSeed + i, std::move(render->image)});
+    }
+    if (image::has_same_colours(renders[0].image, renders[1].image)) {
+      context.say(fmt::format("{}: left out, its renders are equal to the bit: it has no noise", scene.name));
+      continue;
     }
     for (std::size_t i = 0; i < renders.size(); ++i)
       for (std::size_t k = i + 1; k < renders.size(); ++k) {
