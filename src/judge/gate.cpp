@@ -175,10 +175,38 @@ bool states_noise(const image::Image& image) {
   return image::channel_index(image, "variance.R") >= 0 && variance_problem(image).empty();
 }
 
-// Of the region's mean, as the noise of pixels is independent; 0 where the image does not state its noise.
-std::array<double, 3> standard_errors_of_region(const image::Image& image, const Rectangle& region) {
+// Where the image does not state its noise: half the mean square of the steps between neighbours is the
+// variance of a pixel, where the light is even; where it is not, it is more. 0 in a region of one pixel.
+std::array<double, 3> standard_errors_by_scatter(const image::Image& image, const Rectangle& region) {
   std::array<double, 3> errors{};
-  if (!states_noise(image)) return errors;
+  const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
+                                    image::channel_index(image, "B")};
+  double steps = 0;
+  const auto add = [&](int x, int y, int u, int v) {
+    if (u >= region.x1 || v >= region.y1) return;
+    ++steps;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto channel = static_cast<std::size_t>(channels.at(c));
+      const double step =
+          static_cast<double>(image.at(u, v, channel)) - static_cast<double>(image.at(x, y, channel));
+      errors.at(c) += step * step / 2;
+    }
+  };
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      add(x, y, x + 1, y);
+      add(x, y, x, y + 1);
+    }
+  if (!(steps > 0)) return errors;
+  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
+  for (auto& error : errors) error = std::sqrt(error / steps / count);
+  return errors;
+}
+
+// Of the region's mean, as the noise of pixels is independent.
+std::array<double, 3> standard_errors_of_region(const image::Image& image, const Rectangle& region) {
+  if (!states_noise(image)) return standard_errors_by_scatter(image, region);
+  std::array<double, 3> errors{};
   const auto variance = image::select_rgb(image, "variance.");
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x)

@@ -211,9 +211,13 @@ std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
     const auto prepared =
         run::prepare_render(plan.renderers.front(), plan, *scene.scene, scratch.path() / scene.name);
     const int spp = adapters::scaled_spp(scene.spp, 0.5, settings.spp_scale);
+    const bool may_be_negative = !subject.one_case->negative_values.empty();
     std::vector<Render> renders;
     for (int i = 0; i < settings.renders; ++i) {
-      auto render = run::render_once(prepared, {spp, kFirstSeed + i, plan.threads}, context.stop);
+      auto render = run::render_once(
+          prepared,
+          {.spp = spp, .seed = kFirstSeed + i, .threads = plan.threads, .may_be_negative = may_be_negative},
+          context.stop);
       if (!render) return images;
       renders.push_back({kFirstSeed + i, std::move(render->image)});
     }

@@ -63,6 +63,18 @@ TEST(JudgeChecks, OneColourIsRefusedWhereTwoAreExpected) {
   EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::ConstantImage);
 }
 
+// Rows of 0.4 and 0.6: half the mean square of the steps is 0.01, and 192 pixels have the standard error
+// 0.0072.
+TEST(JudgeChecks, NoiseThatIsNotStatedIsReadOffTheRegion) {
+  auto image = grey(0.4F);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) += y % 2 == 0 ? 0.0F : 0.2F;
+  EXPECT_EQ(judged_alone(case_with_check(0.53, 0.01, 4), image).verdict, Verdict::Inconclusive);
+  EXPECT_EQ(judged_alone(case_with_check(0.56, 0.01, 4), image).verdict, Verdict::Fail);
+  EXPECT_EQ(judged_alone(case_with_check(0.53, 0.01, 0), image).verdict, Verdict::Fail);
+}
+
 TEST(JudgeChecks, AZeroIsAZero) {
   EXPECT_EQ(judged_alone(case_with_check(0, 0, 0), grey(0)).verdict, Verdict::Pass);
   auto leak = grey(0);
