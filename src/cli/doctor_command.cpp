@@ -100,13 +100,12 @@ void print_files(const registry::Configuration& configuration,
                  const std::vector<ValuePlace>& places,
                  bool shows_all) {
   print_clean("configuration  {}\n", configuration.file.string());
-  const auto& below = configuration.below;
-  for (auto file = below.rbegin(); file != below.rend(); ++file)
-    print_clean("  over         {}\n", file->string());
+  const std::vector<std::filesystem::path> below(configuration.below.rbegin(), configuration.below.rend());
+  for (const auto& file : below) print_clean("  over         {}\n", file.string());
   if (below.empty()) return;
   // What a renderer has stands with it.
   for (const auto& [value, place] : places)
-    if (!value.starts_with("renderers/") && (shows_all || file_of(place) != below.front().string()))
+    if (!value.starts_with("renderers/") && (shows_all || file_of(place) != below.back().string()))
       print_clean("  {}  {}\n", value, place);
 }
 

@@ -25,9 +25,9 @@ enum Summand {
   OwnSquares,
   ExpectedVariance,
   ExpectedSquares,
-  Pairs,  // of the pixel and its right neighbour, in which the scatter is read
-  kSummands
+  Pairs  // of the pixel and its right neighbour, in which the scatter is read
 };
+constexpr std::size_t kSummands = Pairs + 1;
 using WindowSums = std::array<double, kSummands>;
 
 // The sums of square cells by rows. A window is made of 8 x 8 of them: sums over its own cells alone, because

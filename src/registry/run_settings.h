@@ -60,9 +60,9 @@ inline RunSettings lasting(RunSettings settings) {
 inline const std::set<std::string> kCallSettings{"output",    "dry_run", "view",  "max_fail", "last_failed",
                                                  "durations", "repeat",  "quiet", "verbose",  "label"};
 
-/// The options that choose what is rendered, and how; a plan holds them, too.
+/// What is rendered, and how.
 template <class Visitor, json::RecordOf<RunSettings> Settings>
-void fields(Visitor& visit, Settings& run) {
+void fields_of_renders(Visitor& visit, Settings& run) {
   visit("suite", run.suite,
         {.help = "The suite", .option = "--suite NAME", .unset = "that of the configuration"});
   visit("case", run.cases,
@@ -102,6 +102,11 @@ void fields(Visitor& visit, Settings& run) {
   visit("size", run.size_divisor,
         {.help = "Width and height of all images, as a share of the scenes': `1`, `1/2`, `1/4` or `1/8`",
          .option = "--size SHARE"});
+}
+
+/// What a run keeps, when it ends, and what it says.
+template <class Visitor, json::RecordOf<RunSettings> Settings>
+void fields_of_conduct(Visitor& visit, Settings& run) {
   visit("log", run.log,
         {.help = "Keep `log.txt` of every render, not only of those that fail", .option = "-l,--log"});
   visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
@@ -141,6 +146,13 @@ void fields(Visitor& visit, Settings& run) {
   visit("label", run.label,
         {.help = "Name of what is tested, such as the commit of the renderer: `orbs history` shows it",
          .option = "--label TEXT"});
+}
+
+/// All of them are options, and a plan holds them, too.
+template <class Visitor, json::RecordOf<RunSettings> Settings>
+void fields(Visitor& visit, Settings& run) {
+  fields_of_renders(visit, run);
+  fields_of_conduct(visit, run);
 }
 
 }  // namespace orbs::registry
