@@ -26,7 +26,9 @@ export function Verdict({ session, index, diagnosis }: Props) {
           </ul>
         </details>
       ) : null}
-      {diagnosis.startsWith(kNone) ? <span class="diagnosis quiet">Diagnosis: {diagnosis}</span> : null}
+      {diagnosis.startsWith(kNone) ? (
+        <span class="diagnosis quiet">Diagnosis: {diagnosis}</span>
+      ) : null}
     </div>
   );
 }
