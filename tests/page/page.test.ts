@@ -58,6 +58,7 @@ test("filter box, chips and the address agree", async () => {
   const { page } = await open(session.browser, session.url);
   await page.locator(".search").waitFor();
   await page.keyboard.press("/");
+  await page.locator(".search:focus, .search :focus").waitFor(); // what is typed before is lost
   await page.keyboard.type("known values");
   await page.waitForFunction(() => document.querySelectorAll(".row.requirement").length === 1);
   assert.match(page.url(), /q=known/);
