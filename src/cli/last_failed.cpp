@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "cli/recorded_times.h"
 #include "registry/filters.h"
 #include "registry/image_size.h"
 #include "results/record.h"
@@ -35,17 +36,7 @@ bool is_alike(const results::RunRecord& run, const registry::RunSettings& settin
 
 std::optional<results::RunRecord> newest_alike(const fs::path& folder,
                                                const registry::RunSettings& settings) {
-  // By the time of its results: two runs may have started in one second.
-  std::vector<std::pair<fs::file_time_type, fs::path>> files;
-  std::error_code failed;
-  for (auto entry = fs::directory_iterator(folder, failed); !failed && entry != fs::directory_iterator();
-       entry.increment(failed)) {
-    const auto file = entry->path() / "results.json";
-    std::error_code missing;
-    if (const auto time = fs::last_write_time(file, missing); !missing) files.emplace_back(time, file);
-  }
-  std::sort(files.rbegin(), files.rend());
-  for (const auto& [time, file] : files) {
+  for (const auto& file : results_files({folder})) {
     try {
       auto run = results::read_results_file(file);
       run.folder = file.parent_path().string();

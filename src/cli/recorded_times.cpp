@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The newest first, by the time of their results.
-std::vector<fs::path> earlier_runs(const std::set<fs::path>& folders) {
-  constexpr std::size_t kMost = 8;  // each takes some milliseconds to read
+}  // namespace
+
+std::vector<fs::path> results_files(const std::set<fs::path>& folders) {
   std::vector<std::pair<fs::file_time_type, fs::path>> runs;
   for (const auto& folder : folders) {
     std::error_code failed;
@@ -30,11 +30,12 @@ std::vector<fs::path> earlier_runs(const std::set<fs::path>& folders) {
     }
   }
   std::sort(runs.rbegin(), runs.rend());
-  if (runs.size() > kMost) runs.resize(kMost);
   std::vector<fs::path> files;
   for (const auto& [time, file] : runs) files.push_back(file);
   return files;
 }
+
+namespace {
 
 std::vector<results::RunRecord> read_runs(const std::vector<fs::path>& files) {
   std::vector<results::RunRecord> runs;
@@ -100,7 +101,9 @@ RecordedTimes recorded_times(const run::Plan& plan,
                              const std::set<fs::path>& folders,
                              const std::vector<fs::path>& resumed) {
   RecordedTimes times;
-  auto files = earlier_runs(folders);
+  constexpr std::size_t kMost = 8;  // each takes some milliseconds to read
+  auto files = results_files(folders);
+  if (files.size() > kMost) files.resize(kMost);
   for (const auto& folder : resumed) files.insert(files.begin(), folder / "results.json");
   const auto runs = read_runs(files);
   const auto size = registry::size_text(plan.settings.size_divisor);

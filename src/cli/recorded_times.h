@@ -20,7 +20,11 @@ struct RecordedTimes {
   std::map<std::string, std::size_t> peak_rss_bytes{};  // by job id; with as many threads, or more
 };
 
-/// As far as earlier runs tell: the newest in `folders`, whatever they are called, and the runs in
+/// The results.json of all runs that lie in these folders, the newest first by the time of the file, as two
+/// runs may have started in one second.
+std::vector<std::filesystem::path> results_files(const std::set<std::filesystem::path>& folders);
+
+/// As far as earlier runs tell: the newest in `folders`, under any name, and the runs in
 /// `resumed`, finished or not, which come first. Times of other sample counts are scaled and, where a render
 /// was never timed at this size, those of other sizes. For the rest, the times that come with the program
 /// (data/bench): CPU seconds of another machine, shared by the threads of a job.

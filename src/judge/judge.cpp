@@ -202,7 +202,7 @@ std::vector<std::string> gate_metrics(const Case& one_case) {
 }
 
 // The same where checks alone judge, of which two expect different colours: one colour is then no noise,
-// whatever variances the image states.
+// and variances that the image states excuse nothing.
 void refuse_constant_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
   const registry::PixelCheck* first = nullptr;
   bool expects_several = false;

@@ -71,7 +71,7 @@ inline constexpr MetricInfo kSharedNoise{
     "share of the reference's own noise that the result holds: 1 + mean over blocks of 8 x 8 px without detail, by "
     "their smooth unmasked pixels, of the sum of (reference less the mean of its four neighbours) times (the same of "
     "the difference), over the variance of the former, that as stated or, where it is less, scaled to the mean of its "
-    "squares; linear Rec.709, no clamp. 0 for an image of its own, 1 for a copy; no value where the reference states no noise",
+    "squares; linear Rec.709, no clamp. 0 for an independent image, 1 for a copy; no value where the reference states no noise",
     kNoMap,
     compute_shared_noise};
 

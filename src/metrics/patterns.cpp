@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "image/colour.h"
+#include "metrics/amplitude.h"
 
 #include <algorithm>
 #include <array>
@@ -191,12 +192,8 @@ Rgb without_light(const Rgb& difference, const Site& site) {
   return sum_of(difference, 1, site.ring, -luminance_of(difference) / site.luminance);
 }
 
-// Sums for the amplitude of each pattern by least squares.
-struct Sums {
-  double product = 0;  // of pattern and difference, weighted
-  double norm = 0;     // of the pattern's squares, weighted
-};
-using AllSums = std::array<Sums, kRows.size()>;
+// Weighted, for the amplitude of each pattern.
+using AllSums = std::array<AmplitudeSums, kRows.size()>;
 
 AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double mean) {
   constexpr double kFloor = 0.1;  // of the mean: where it is darker, the noise no longer falls with the light
@@ -220,30 +217,11 @@ AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double
   return sums;
 }
 
-// The sums of one pattern over all blocks.
-struct Total {
-  double product = 0;
-  double norm = 0;
-  PooledVariance of_noise;      // of `product` where the amplitude is zero: the blocks' products squared
-  PooledVariance of_remainder;  // of `product` where it is what it is: what the pattern leaves of each block
-
-  double amplitude() const { return product / norm; }
-};
-
-Total total_of(const std::vector<AllSums>& blocks, std::size_t row) {
-  Total total;
-  for (const auto& block : blocks) {
-    total.product += block.at(row).product;
-    total.norm += block.at(row).norm;
-  }
-  if (!(total.norm > 0)) return total;
-  for (const auto& block : blocks) {
-    const auto& [product, norm] = block.at(row);
-    const double left = product - total.amplitude() * norm;
-    total.of_noise.add(product * product);
-    total.of_remainder.add(left * left);
-  }
-  return total;
+Amplitude amplitude_of_row(const std::vector<AllSums>& blocks, std::size_t row) {
+  std::vector<AmplitudeSums> sums;
+  sums.reserve(blocks.size());
+  for (const auto& block : blocks) sums.push_back(block.at(row));
+  return amplitude_of(sums);
 }
 
 double most_of(const Pattern& pattern, const PairSamples& samples) {
@@ -251,25 +229,21 @@ double most_of(const Pattern& pattern, const PairSamples& samples) {
                           : pattern.most_at_edge_px * 2 / std::max(samples.width, samples.height);
 }
 
-// Whether there is a pattern at all is tested by the scatter that the blocks have without one. How large it
-// is follows from what it leaves of each block: the scatter holds the pattern itself, however certain it is.
 std::optional<PatternFinding> finding_of(const Row& row,
-                                         const Total& total,
+                                         const Amplitude& amplitude,
                                          double probability,
                                          const PairSamples& samples) {
-  if (!(total.of_noise.sum > 0) || !(total.norm > 0)) return std::nullopt;
-  const auto reach = [&](const PooledVariance& variance) {
-    return student_quantile(probability, variance.degrees()) * std::sqrt(variance.sum) / total.norm;
-  };
-  const double amplitude = total.amplitude();
-  if (std::fabs(amplitude) - reach(total.of_noise) <= row.pattern.negligible) return std::nullopt;
-  const double of_size = reach(total.of_remainder);
-  const double certain = std::max(0.0, std::fabs(amplitude) - of_size);
+  if (!(amplitude.of_noise.sum > 0) || !(amplitude.norm > 0)) return std::nullopt;
+  const double value = amplitude.value();
+  if (std::fabs(value) - amplitude.reach(amplitude.of_noise, probability) <= row.pattern.negligible)
+    return std::nullopt;
+  const double reach = amplitude.reach(amplitude.of_remainder, probability);
+  const double certain = std::max(0.0, std::fabs(value) - reach);
   return PatternFinding{.pattern = &row.pattern,
-                        .amplitude = amplitude,
-                        .low = amplitude - of_size,
-                        .high = amplitude + of_size,
-                        .z = std::fabs(total.product) / std::sqrt(total.of_noise.sum),
+                        .amplitude = value,
+                        .low = value - reach,
+                        .high = value + reach,
+                        .z = std::fabs(amplitude.product) / std::sqrt(amplitude.of_noise.sum),
                         .excess = certain / most_of(row.pattern, samples)};
 }
 
@@ -283,7 +257,7 @@ std::vector<PatternFinding> find_patterns(const PairSamples& samples, double fal
   std::vector<PatternFinding> findings;
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (const auto finding =
-            finding_of(kRows.at(i), total_of(blocks, i), false_alarms / kRows.size(), samples))
+            finding_of(kRows.at(i), amplitude_of_row(blocks, i), false_alarms / kRows.size(), samples))
       findings.push_back(*finding);
   std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
   return findings;

@@ -1,7 +1,7 @@
 #include "metrics/stokes.h"
 
-#include "base/statistics.h"
 #include "image/colour.h"
+#include "metrics/amplitude.h"
 #include "metrics/describe.h"
 
 #include <algorithm>
@@ -36,17 +36,12 @@ double mean_square_of_blocks(const PairSamples& samples,
   return squares / static_cast<double>(samples.included_count);
 }
 
-// Of one parameter and block.
-struct ScaleSums {
-  double product = 0;  // ring x (result - reference)
-  double norm = 0;     // ring x reference
-};
-
-ScaleSums scale_sums(const PairSamples& samples,
-                     const Rectangle& block,
-                     const std::vector<float>& result,
-                     const std::vector<float>& reference) {
-  ScaleSums sums;
+// Of one parameter and block: ring x (result - reference), and ring x reference.
+AmplitudeSums scale_sums(const PairSamples& samples,
+                         const Rectangle& block,
+                         const std::vector<float>& result,
+                         const std::vector<float>& reference) {
+  AmplitudeSums sums;
   for (int y = std::max(block.y0, 1); y < std::min(block.y1, samples.height - 1); ++y)
     for (int x = std::max(block.x0, 1); x < std::min(block.x1, samples.width - 1); ++x) {
       const auto pixel = samples.pixel_at(x, y);
@@ -62,37 +57,23 @@ ScaleSums scale_sums(const PairSamples& samples,
   return sums;
 }
 
-// As the amplitude of a pattern (patterns.h): found against the scatter of blocks, sized by what is left of
-// it.
 std::optional<StokesScale> scale_of(const PairSamples& samples,
                                     const std::vector<float>& result,
                                     const std::vector<float>& reference) {
   constexpr double kFirmness = 4;  // the reference's sum over its scatter from block to block
   constexpr double kFalseAlarms = 1e-4 / 3;
-  std::vector<ScaleSums> blocks;
-  double product = 0;
-  double norm = 0;
+  std::vector<AmplitudeSums> blocks;
   double norm_squares = 0;
   for (const Rectangle& block : blocks_of(samples)) {
     blocks.push_back(scale_sums(samples, block, result, reference));
-    product += blocks.back().product;
-    norm += blocks.back().norm;
     norm_squares += blocks.back().norm * blocks.back().norm;
   }
-  if (!(norm > kFirmness * std::sqrt(norm_squares))) return std::nullopt;
-  const double off = product / norm;
-  PooledVariance of_noise;
-  PooledVariance of_remainder;
-  for (const auto& block : blocks) {
-    const double left = block.product - off * block.norm;
-    of_noise.add(block.product * block.product);
-    of_remainder.add(left * left);
-  }
-  const auto reach = [&](const PooledVariance& variance) {
-    return student_quantile(kFalseAlarms, variance.degrees()) * std::sqrt(variance.sum) / norm;
-  };
-  StokesScale scale{.ratio = 1 + off};
-  if (std::fabs(off) > reach(of_noise)) scale.certain = std::max(0.0, std::fabs(off) - reach(of_remainder));
+  const auto off = amplitude_of(blocks);
+  if (!(off.norm > kFirmness * std::sqrt(norm_squares))) return std::nullopt;
+  const double size = std::fabs(off.value());
+  StokesScale scale{.ratio = 1 + off.value()};
+  if (size > off.reach(off.of_noise, kFalseAlarms))
+    scale.certain = std::max(0.0, size - off.reach(off.of_remainder, kFalseAlarms));
   return scale;
 }
 
