@@ -119,8 +119,11 @@ def main(root, build):
         entry["mark"] = fingerprint(entry, src, rules, known)
     todo = [entry for entry in entries if not (folder / "clean" / entry["mark"]).exists()]
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        reports = sum(pool.map(lambda batch: check(tool, folder, batch), batches(todo)), [])
-    print("\n".join(reports))
+        reports = []
+        for found in pool.map(lambda batch: check(tool, folder, batch), batches(todo)):
+            reports += found
+            for report in found:  # at once: the rest can take minutes
+                print(report, flush=True)
     print(f"{len(entries)} sources, {len(todo)} of them new or changed, {len(reports)} with findings")
     return 1 if reports or not entries else 0
 

@@ -53,27 +53,35 @@ Image mean_of_both(const Renders& renders) {
   return mean;
 }
 
-// The reference as an image without noise would meet it: its own values are taken to be the truth, and the
-// noise of the control image, of which the variance is known, is put upon them at a tenth of its power.
-Image noisy_reference(const Image& reference, const Image& control) {
+// The reference as an image without noise would meet it: its own values are taken to be the truth, and noise
+// is put upon them at a tenth of the power of a whole render's. Half the difference of two renders is that
+// noise: its expectation is zero whatever the scene, as each render has the same, and its variance is a
+// quarter of the sum of theirs. It is held between plus and minus the truth, so that light stays positive and
+// the expectation zero. (The difference to the reference would not do: it holds the reference's own
+// noise, which is also in the image that is judged.)
+Image noisy_reference(const Image& reference, const Renders& renders) {
   const double share = std::sqrt(0.1);
+  const Image& first = renders.first.image;
+  const Image& second = renders.second.image;
   Image noisy = reference;
-  for (const char* colour : {"R", "G", "B"}) {
-    const auto variance_name = std::string("variance.") + colour;
-    const int variance = image::channel_index(reference, variance_name);
-    const int of_control = image::channel_index(control, variance_name);
-    if (variance < 0 || of_control < 0) throw InputError("the images have no variances");
+  for (const std::string colour : {"R", "G", "B"}) {
+    const int variance = image::channel_index(reference, "variance." + colour);
+    const int of_render = image::channel_index(first, "variance." + colour);
+    if (variance < 0 || of_render < 0) throw InputError("the images have no variances");
     const auto value = static_cast<std::size_t>(image::channel_index(reference, colour));
-    const auto control_value = static_cast<std::size_t>(image::channel_index(control, colour));
+    const auto render_value = static_cast<std::size_t>(image::channel_index(first, colour));
+    const auto to = static_cast<std::size_t>(variance);
+    const auto from = static_cast<std::size_t>(of_render);
     for (int y = 0; y < reference.height; ++y)
       for (int x = 0; x < reference.width; ++x) {
-        const double from = static_cast<double>(reference.at(x, y, value));
-        const double to = static_cast<double>(control.at(x, y, control_value));
-        noisy.at(x, y, value) = static_cast<float>(from + share * (to - from));
-        noisy.at(x, y, static_cast<std::size_t>(variance)) =
-            static_cast<float>(share * share *
-                               static_cast<double>(reference.at(x, y, static_cast<std::size_t>(variance)) +
-                                                   control.at(x, y, static_cast<std::size_t>(of_control))));
+        const double truth = static_cast<double>(reference.at(x, y, value));
+        const double half = 0.5 * (static_cast<double>(first.at(x, y, render_value)) -
+                                   static_cast<double>(second.at(x, y, render_value)));
+        const double sum =
+            static_cast<double>(first.at(x, y, from)) + static_cast<double>(second.at(x, y, from));
+        noisy.at(x, y, value) =
+            static_cast<float>(truth + std::clamp(share * half, -std::abs(truth), std::abs(truth)));
+        noisy.at(x, y, to) = static_cast<float>(share * share * 0.25 * sum);
       }
   }
   return noisy;
@@ -97,7 +105,7 @@ Pair pair_for(const Subject& subject, const Renders& renders, NoiseKnowledge kno
       break;
   }
   auto reference = subject.reference;
-  reference.image = noisy_reference(*subject.reference.image, mean_of_both(renders));
+  reference.image = noisy_reference(*subject.reference.image, renders);
   return {judge::without_variances(*subject.reference.image), std::move(reference),
           metrics::ResultNoise::NoiseFree};
 }
