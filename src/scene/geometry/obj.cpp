@@ -82,8 +82,10 @@ class ObjReader {
       ++lines_;
     }
     auto words = words_of(line);
+    if (words.empty()) return;  // a backslash stood there alone
+    const std::string statement = words.front();
     words.erase(words.begin());
-    read_words(kind, words);
+    read_words(statement, words);
   }
 
   void read_words(const std::string& kind, const std::vector<std::string>& words) {

@@ -137,6 +137,7 @@ TEST(ObjFile, LeavesOutWhatHasNoSurface) {
 TEST(ObjFile, GoesOnInTheNextLineBehindABackslash) {
   expect_as_the_triangle(kCorners + "f 1//1 \\\n2//1 3//1\n");
   expect_as_the_triangle("v 0 \\\r\n 0\\\r\n 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf \\\n1//1 \\\n2//1 3//1\n");
+  expect_as_the_triangle(kCorners + "\\\n\nf\\\n 1//1 2//1 3//1\n");  // alone, and right behind the keyword
   EXPECT_NE(refusal(kCorners + "f 1//1 \\\n2//1 3//1\nf 1//1 2//1 9//1\n").find("a.obj:7: position index 9"),
             std::string::npos)
       << "lines count on";
