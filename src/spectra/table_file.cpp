@@ -91,11 +91,15 @@ Spectrum spectrum_of(const TableFile& table, const std::string& column, Beyond b
   std::vector<double> wavelengths_nm;
   std::vector<double> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    wavelengths_nm.push_back(number_in(table, row, wavelength_column));
+    const double wavelength_nm = number_in(table, row, wavelength_column);
+    if (row > 0 && !(wavelength_nm > wavelengths_nm.back()))
+      fail(table, row,
+           fmt::format("the wavelengths must ascend: {} nm follows {} nm", wavelength_nm,
+                       wavelengths_nm.back()));
+    wavelengths_nm.push_back(wavelength_nm);
     values.push_back(number_in(table, row, value_column));
   }
-  return with_note(fmt::format("reading column '{}' of {}", column, table.file.string()),
-                   [&] { return tabulated(std::move(wavelengths_nm), std::move(values), beyond); });
+  return tabulated(std::move(wavelengths_nm), std::move(values), beyond);
 }
 
 MetalIndex metal_of(const TableFile& table) {

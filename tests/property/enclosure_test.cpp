@@ -23,6 +23,8 @@ const std::vector<std::string>& formulas() {
                                                   "x^-2 + y",
                                                   "pow(abs(x), 1.7) - y",
                                                   "abs(x)^0.4 + z",
+                                                  "x^222 - y",
+                                                  "x^201 - y^-202",
                                                   "sin(3 * x) * cos(7 * y)",
                                                   "sin(1 / x) + y",
                                                   "exp(x - y) - 2",

@@ -65,7 +65,23 @@ Enclosure higher_power(const Enclosure& a, int n) {
   return {power_below(m.low, n), power_above(m.high, n)};
 }
 
+namespace {
+
+// Whole powers that are too high for products (power_below): pow has values for negative numbers, too.
+Enclosure high_whole_power(const Enclosure& a, double exponent) {
+  if (exponent < 0) return Enclosure(1) / high_whole_power(a, -exponent);
+  const bool is_odd = std::fmod(exponent, 2) != 0;
+  const Enclosure base = is_odd ? a : abs(a);
+  const double low = std::pow(base.low, exponent);
+  const double high = std::pow(base.high, exponent);
+  return {is_odd ? below(low, kLibrary) : std::max(0.0, below(low, kLibrary)), above(high, kLibrary)};
+}
+
+}  // namespace
+
 Enclosure real_power(const Enclosure& a, double exponent) {
+  if (is_empty(a)) return a;
+  if (exponent == std::round(exponent)) return high_whole_power(a, exponent);
   if (!(a.high >= 0)) return nothing();
   const double low = std::max(a.low, 0.0);
   const double p = std::pow(low, exponent);

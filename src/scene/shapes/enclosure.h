@@ -75,7 +75,7 @@ inline Enclosure integer_power(const Enclosure& a, int n) {
   const double low = holds_zero(a) ? 0 : std::max(0.0, below(std::min(p, q)));
   return {low, above(std::max(p, q))};
 }
-/// Of the numbers of a that are not negative; empty without any.
+/// Of the numbers of a that are not negative, empty without any; of all numbers where the exponent is whole.
 Enclosure real_power(const Enclosure& a, double exponent);
 Enclosure sqrt(const Enclosure& a);
 /// Of the positive numbers of a; empty without any.

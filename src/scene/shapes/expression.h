@@ -22,7 +22,7 @@ enum class Operation {
   Divide,
   Negate,
   IntegerPower,  // by `number`, a whole one
-  RealPower,     // by `number`; where the base is negative there is no value
+  RealPower,     // by `number`; unless it is whole there is no value where the base is negative
   Sin,
   Cos,
   Exp,
