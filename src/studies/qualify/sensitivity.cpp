@@ -212,6 +212,10 @@ std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
     }
     const Subject subject = subject_of(plan, scene);
     if (subject.one_case == nullptr) continue;
+    if (std::holds_alternative<scene::IrradianceCache>(scene.scene->integrator)) {
+      context.say(fmt::format("{}: left out, a cache interpolates: its error is no noise", scene.name));
+      continue;
+    }
     if (!subject.reference.image) {
       context.say(fmt::format("{}: left out, {}", scene.name, subject.reference.problem));
       continue;
