@@ -25,12 +25,35 @@ using results::SmallestFault;
 using results::TargetRecord;
 using results::Verdict;
 
+// What mutants are made from. Where pixel checks alone judge, the control image stands for the right one.
+const Image& right_image(const MutationSubject& subject) {
+  return subject.reference.image ? *subject.reference.image : subject.control;
+}
+
+// Whether both have the same colours where they are judged: everywhere, or where there are checks.
+bool is_judged_alike(const MutationSubject& subject, const Image& a, const Image& b) {
+  if (subject.reference.image) return image::has_same_colours(a, b);
+  const auto first = image::select_rgb(a, "");
+  const auto second = image::select_rgb(b, "");
+  const auto is_alike = [&](const registry::PixelCheck& check) {
+    for (int y = check.region.y0; y < check.region.y1; ++y)
+      for (int x = check.region.x0; x < check.region.x1; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          if (first.at(x, y, c) != second.at(x, y, c)) return false;
+    return true;
+  };
+  const auto& checks = subject.one_case.pixel_checks;
+  return std::all_of(checks.begin(), checks.end(), [&](const auto& check) {
+    return check.target != subject.target || !check.not_measured.empty() || is_alike(check);
+  });
+}
+
 TargetRecord judged(const MutationSubject& subject, const Image& image, const judge::Reference& reference) {
   TargetRecord record;
   record.target = subject.target;
   adapters::Job expected;
-  expected.width_px = subject.reference.image->width;
-  expected.height_px = subject.reference.image->height;
+  expected.width_px = subject.control.width;
+  expected.height_px = subject.control.height;
   expected.may_be_negative =
       judge::is_difference(subject.one_case, subject.target) || !subject.one_case.negative_values.empty();
   const auto usable = run::check_pixels(expected, image, "the image");
@@ -77,7 +100,7 @@ MutantRecord tried_render(const MutationSubject& subject, const RenderedMutant& 
 
 // The most similar other reference of the same size: a gate that rejects it rejects all others.
 MutantRecord tried_with_another(const MutationSubject& subject) {
-  const auto own = image::select_rgb(*subject.reference.image, "").pixels;
+  const auto own = image::select_rgb(right_image(subject), "").pixels;
   const Image* nearest = nullptr;
   std::string name;
   double least = std::numeric_limits<double>::infinity();
@@ -98,10 +121,14 @@ MutantRecord tried_with_another(const MutationSubject& subject) {
 
 void test_mutants(const MutationSubject& subject, const std::vector<faults::Row>& rows, GateRecord& gate) {
   gate.mutants.push_back(tried_with_another(subject));
+  const Image& right = right_image(subject);
   for (const auto& row : rows) {
     // An equivalent mutant: a change that leaves the reference unchanged is no fault of this target.
-    if (image::has_same_colours(faults::applied(row, *subject.reference.image), *subject.reference.image)) {
-      gate.mutants.push_back({row.name, "it leaves the reference as it is, to the bit", false, ""});
+    if (is_judged_alike(subject, faults::applied(row, right), right)) {
+      gate.mutants.push_back({row.name,
+                              subject.reference.image ? "it leaves the reference as it is, to the bit"
+                                                      : "it leaves what is checked as it is, to the bit",
+                              false, ""});
     } else {
       gate.mutants.push_back(tried(subject, row.name, faults::applied(row, subject.control)));
     }
@@ -147,7 +174,7 @@ GateRecord mutation_test(const MutationSubject& subject) {
   gate.accepts_control = results::passes(control.verdict);
   gate.control_reason = fmt::format("{}: {}{}{}", results::verdict_name(control.verdict), control.reason,
                                     control.remarks.empty() ? "" : "; ", fmt::join(control.remarks, "; "));
-  const auto& reference = *subject.reference.image;
+  const Image& reference = right_image(subject);
   const auto mask = judge::mask_of(subject.one_case, subject.target);
   const auto included = metrics::included_pixels(mask, reference.width, reference.height);
   test_mutants(subject, faults::rows_of(faults::Use::Mutation, reference, included), gate);

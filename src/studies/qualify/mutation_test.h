@@ -16,7 +16,7 @@ namespace orbs::studies {
 struct MutationSubject {
   const registry::Case& one_case;
   std::string target;
-  judge::Reference reference;  // its image is there
+  judge::Reference reference;  // without an image where pixel checks alone judge the target
   image::Image control;
   const std::map<std::string, image::Image>& others;  // references of the suite, by name
   const std::vector<RenderedMutant>& rendered_mutants;

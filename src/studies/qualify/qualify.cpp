@@ -101,9 +101,10 @@ GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
       control_image(shared.run, shared.settings.renderer, subject.one_case->name, subject.target);
   auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
                                          shared.plan.reference_hashes, {}, shared.plan.settings.size_divisor);
-  if (!reference.image) throw InputError(reference.problem);
+  if (!reference.image && registry::no_reference_reason(*subject.one_case, subject.target).empty())
+    throw InputError(reference.problem);
   const auto seed = judge::provenance_of(control)["seed"];
-  if (!seed.empty() && judge::provenance_of(*reference.image)["seed"] == seed)
+  if (reference.image && !seed.empty() && judge::provenance_of(*reference.image)["seed"] == seed)
     throw InputError("its image has the seed of the reference: it shares its noise, and proves nothing");
   const auto rendered = shared.rendered.find(subject.target);
   auto gate = mutation_test({*subject.one_case, subject.target, reference, control, shared.references,

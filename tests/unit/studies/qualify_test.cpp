@@ -87,6 +87,25 @@ TEST(Qualify, AGateThatSeesEveryFaultIsQualified) {
   EXPECT_NE(mutant(gate, "black").reason.find("constant image"), std::string::npos);
 }
 
+// Without a reference, the control image is changed, and what changes no pixel that is checked is no fault.
+TEST(Qualify, ChecksAloneAreTriedOnTheControlImage) {
+  auto one_case = strict_case();
+  one_case.scenes.front().no_reference = "nobody knows it";
+  one_case.pixel_checks = {{"a", {40, 40, 60, 60}, {0.289, 0.202, 0.116}, 0.02, "painted so"},
+                           {"a", {0, 0, 8, 8}, {3, 3, 3}, 0.1, "the highlight"}};
+  const std::map<std::string, image::Image> others;
+  const std::vector<studies::RenderedMutant> none;
+  const auto gate = studies::mutation_test(
+      {one_case, "a", {"", std::nullopt, "it has none"}, painted(2), others, none, "its only light"});
+  EXPECT_TRUE(gate.accepts_control) << gate.control_reason;
+  EXPECT_TRUE(mutant(gate, "black").rejected);
+  EXPECT_TRUE(std::any_of(gate.mutants.begin(), gate.mutants.end(), [](const auto& one) {
+    return one.no_fault == "it leaves what is checked as it is, to the bit";
+  }));
+  ASSERT_TRUE(gate.global.rejected);
+  EXPECT_LT(*gate.global.rejected, 0.2);
+}
+
 // One bounce less of ten changes less than the gates allow, and is no fault of the scene: by the same samples
 // that shows, however noisy both are.
 TEST(Qualify, RenderedFaultsThatChangeLittleAreNone) {
