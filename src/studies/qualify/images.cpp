@@ -47,6 +47,15 @@ std::string why_no_light_can_miss(const scene::Scene& scene) {
   return has_more ? "" : "its only light: without it the image is black";
 }
 
+namespace {
+
+// Negative values are for the gates to judge: those of a colour outside of the gamut are right.
+run::RenderSettings settings_of_mutants(const run::Plan& plan, int spp) {
+  return {.spp = spp, .seed = kSeed, .threads = plan.threads, .may_be_negative = true};
+}
+
+}  // namespace
+
 std::optional<std::vector<RenderedMutant>> without_each_light(const run::Plan& plan,
                                                               const run::PlannedScene& scene,
                                                               int spp,
@@ -59,7 +68,7 @@ std::optional<std::vector<RenderedMutant>> without_each_light(const run::Plan& p
     dark.lights.erase(dark.lights.begin() + static_cast<std::ptrdiff_t>(i));
     const auto folder = scratch / fmt::format("{}-{}", scene.name, i);
     const auto subject = run::prepare_render(plan.renderers.front(), plan, dark, folder);
-    auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
+    auto made = run::render_once(subject, settings_of_mutants(plan, spp), stop);
     if (!made) return std::nullopt;
     images.push_back({name, std::move(made->image)});
     remove_tree(folder);
@@ -84,7 +93,7 @@ std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan
     words.insert(words.end(), more.begin(), more.end());
     const auto folder = scratch / fmt::format("{}-{}", scene.name, more.empty() ? "right" : more.back());
     const auto subject = run::prepare_render(renderer, plan, *scene.scene, folder);
-    auto made = run::render_once(subject, {spp, kSeed, plan.threads}, stop);
+    auto made = run::render_once(subject, settings_of_mutants(plan, spp), stop);
     remove_tree(folder);
     return made ? std::optional(std::move(made->image)) : std::nullopt;
   };
