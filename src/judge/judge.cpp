@@ -9,6 +9,7 @@
 #include "metrics/describe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -201,18 +202,22 @@ std::vector<std::string> gate_metrics(const Case& one_case) {
   return names;
 }
 
-// The same where checks alone judge, of which two expect different colours: one colour is then no noise,
-// and variances that the image states excuse nothing.
+// The same where checks alone judge: one colour where they expect several, or no light at all where they
+// expect some, is no noise, and variances that the image states excuse nothing.
 void refuse_constant_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
+  const auto colours = image::select_rgb(result, "");
+  if (!is_constant(colours.pixels)) return;
+  const bool is_black = colours.pixels[0] == 0 && colours.pixels[1] == 0 && colours.pixels[2] == 0;
+  const std::array<double, 3> no_light{};
   const registry::PixelCheck* first = nullptr;
-  bool expects_several = false;
   for (const auto& check : one_case.pixel_checks) {
     if (check.target != record.target || !check.not_measured.empty()) continue;
     if (first == nullptr) first = &check;
-    expects_several = expects_several || check.expected != first->expected;
+    if (check.expected != first->expected)
+      take(record, Verdict::ConstantImage, "every pixel has the same colour, and the checks expect several");
+    else if (is_black && check.expected != no_light)
+      take(record, Verdict::ConstantImage, "every pixel is black, and the checks expect light");
   }
-  if (expects_several && is_constant(image::select_rgb(result, "").pixels))
-    take(record, Verdict::ConstantImage, "every pixel has the same colour, and the checks expect several");
 }
 
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.

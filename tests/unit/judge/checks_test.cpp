@@ -55,10 +55,12 @@ TEST(JudgeChecks, NoiseIsToldFromErrors) {
 
 // A black image whose variances are zero, too, claims that no sample has met light; where another check
 // expects black, it is one colour where there are two.
-TEST(JudgeChecks, OneColourIsRefusedWhereTwoAreExpected) {
+TEST(JudgeChecks, OneColourIsRefusedWhereAnotherIsExpected) {
   auto two = case_with_check(0.5, 0.01, 4);
   two.pixel_checks[0].region = {0, 0, 8, 12};
-  EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::Inconclusive);
+  EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::ConstantImage)
+      << "whatever variances it states";
+  EXPECT_EQ(judged_alone(two, grey(0.5F, 0.0F)).verdict, Verdict::Pass);
   two.pixel_checks.push_back({"a", {8, 0, 16, 12}, {0, 0, 0}, 0, "the umbra", "", 0});
   EXPECT_EQ(judged_alone(two, grey(0, 0.0F)).verdict, Verdict::ConstantImage);
 }
@@ -84,12 +86,18 @@ TEST(JudgeChecks, AZeroIsAZero) {
 
 // Two seeds that both met no light have no scatter, which says nothing of the light that they have not met.
 TEST(JudgeChecks, ABlackRegionIsNoProofThatLightIsMissing) {
-  const auto black = judged_alone(case_with_check(0.001, 0.0001, 4), grey(0, 0.0F));
+  const auto verdict_on = [](image::Image image, double standard_errors) {
+    auto one_case = case_with_check(0.001, 0.0001, standard_errors);
+    one_case.pixel_checks[0].region = {0, 0, 8, 12};
+    for (std::size_t c = 0; c < 3; ++c) image.at(12, 3, c) = 1;  // it has found light elsewhere
+    return judged_alone(one_case, image);
+  };
+  const auto black = verdict_on(grey(0, 0.0F), 4);
   EXPECT_EQ(black.verdict, Verdict::Inconclusive);
   EXPECT_NE(black.reason.find("all its samples are black"), std::string::npos) << black.reason;
   // Without noise, or in a check that allows none, a black region is wrong.
-  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0)).verdict, Verdict::Fail);
-  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 0), grey(0, 0.0F)).verdict, Verdict::Fail);
+  EXPECT_EQ(verdict_on(grey(0), 4).verdict, Verdict::Fail);
+  EXPECT_EQ(verdict_on(grey(0, 0.0F), 0).verdict, Verdict::Fail);
   // What is not black has its noise.
-  EXPECT_EQ(judged_alone(case_with_check(0.001, 0.0001, 4), grey(0.0005F, 0.0F)).verdict, Verdict::Fail);
+  EXPECT_EQ(verdict_on(grey(0.0005F, 0.0F), 4).verdict, Verdict::Fail);
 }
