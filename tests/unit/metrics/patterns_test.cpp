@@ -1,6 +1,7 @@
 #include "metrics/patterns.h"
 
 #include "base/random.h"
+#include "image/colour.h"
 
 #include <array>
 #include <cmath>
