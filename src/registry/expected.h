@@ -49,6 +49,8 @@ struct ExpectedFailure {
   /// The checks that were not met with their numbers, sign and all, as they were when the failure was
   /// accepted; a check on no number has none. Empty: any failure is expected.
   std::map<std::string, std::optional<double>> measure{};
+  /// By which share two runs differ though nothing has changed.
+  std::optional<double> tolerance{};
 };
 
 template <class Visitor, json::RecordOf<ExpectedFailure> Record>
@@ -71,6 +73,11 @@ void fields(Visitor& visit, Record& failure) {
   visit("measure", failure.measure,
         {.help = "The failed checks with their numbers, null for a check on no number",
          .unset = "any failure is expected"});
+  visit("tolerance", failure.tolerance,
+        {.help = "The share by which an error may be larger than accepted: more for a renderer of which two "
+                 "runs differ, as the radiosity of POV-Ray's threads",
+         .range = json::kPositive,
+         .unset = "0.05"});
 }
 
 /// Checks the entries that were read from "expected" of the object `in`, and notes their places. InputError

@@ -63,14 +63,17 @@ const Measure* measure_of(const TargetRecord& target, const std::string& name) {
   return found == target.measures.end() ? nullptr : &*found;
 }
 
-AcceptedChange compare_with_accepted(double accepted, const Check& check, const TargetRecord& target) {
+AcceptedChange compare_with_accepted(double accepted,
+                                     const Check& check,
+                                     const TargetRecord& target,
+                                     double tolerance) {
   const auto* measure = measure_of(target, check.what);
   if (measure == nullptr) return AcceptedChange::Worse;
   if (!check.passed && is_on_other_side(accepted, *measure, check)) return AcceptedChange::OtherSide;
   const double now = error_of(measure->value, measure->unit, check);
   const double before = error_of(accepted, measure->unit, check);
   const double least =
-      std::max({std::numbers::sqrt2 * noise_of(*measure, target), results::kLeastError * before,
+      std::max({std::numbers::sqrt2 * noise_of(*measure, target), tolerance * before,
                 measure->unit == "dB" ? 0 : results::kLeastLight});
   // Written so that a number that is none is worse.
   if (!(now <= before + least)) return AcceptedChange::Worse;

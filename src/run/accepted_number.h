@@ -14,7 +14,7 @@ enum class AcceptedChange { Within, Better, Worse, OtherSide };
 /// least one, such as that of SSIM.
 ///
 /// An error is worse or better than the accepted one where it differs by more than noise, by more than
-/// kLeastError of it and, but for a PSNR, by more than kLeastLight. Only the number was recorded, so the
+/// `tolerance` of it and, but for a PSNR, by more than kLeastLight. Only the number was recorded, so the
 /// accepted one is taken to have as wide an interval as that of today, and two such numbers differ by less
 /// than sqrt(2) times half of it. The interval is the number's own; for a PSNR that of bias_squared in shares
 /// of mse; for local_bias the error that noise hides over tiles of its size, smallest_error_16px, to both
@@ -24,7 +24,8 @@ enum class AcceptedChange { Within, Better, Worse, OtherSide };
 /// number does not. Too much light and too little are different failures.
 AcceptedChange compare_with_accepted(double accepted,
                                      const results::Check& check,
-                                     const results::TargetRecord& target);
+                                     const results::TargetRecord& target,
+                                     double tolerance);
 
 /// The number of the check in the target, nullptr if there is none.
 const results::Measure* measure_of(const results::TargetRecord& target, const std::string& name);

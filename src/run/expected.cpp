@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "registry/cases.h"
 #include "registry/filters.h"
+#include "results/least_change.h"
 #include "results/record.h"
 #include "run/accepted_number.h"
 #include "run/summary.h"
@@ -66,23 +67,25 @@ bool is_failed(const Check& check) { return check.measured && check.decided && !
 // What noise left undecided once may be decided in a run of another seed: it belongs to the failure, too.
 bool is_not_met(const Check& check) { return check.measured && !check.passed; }
 
+double tolerance_of(const ExpectedFailure& entry) { return entry.tolerance.value_or(results::kLeastError); }
+
 // What is news about a check that is not met and has the number `accepted` in the entry; "" if nothing is.
 std::string news_of_number(double accepted,
                            const Check& check,
                            const TargetRecord& target,
-                           const std::string& place) {
+                           const ExpectedFailure& entry) {
   const auto* measure = measure_of(target, check.what);
   if (measure == nullptr) return "";
   const auto is = fmt::format("{} is {}", check.what, number_text(measure->value, check));
   const auto had = number_text(accepted, check);
-  switch (compare_with_accepted(accepted, check, target)) {
+  switch (compare_with_accepted(accepted, check, target, tolerance_of(entry))) {
     case AcceptedChange::Within:
     case AcceptedChange::Better:
       return "";
     case AcceptedChange::Worse:
-      return fmt::format("{}, worse than the {} that {} has", is, had, place);
+      return fmt::format("{}, worse than the {} that {} has", is, had, entry.place);
     case AcceptedChange::OtherSide:
-      return fmt::format("{}, wrong to the other side than the {} that {} has", is, had, place);
+      return fmt::format("{}, wrong to the other side than the {} that {} has", is, had, entry.place);
   }
   return "";
 }
@@ -103,7 +106,7 @@ std::string news_of_checks(const TargetRecord& target, const ExpectedFailure& en
                          entry.place);
     }
     if (!recorded->second) continue;
-    if (auto news = news_of_number(*recorded->second, check, target, entry.place); !news.empty()) return news;
+    if (auto news = news_of_number(*recorded->second, check, target, entry); !news.empty()) return news;
   }
   return "";
 }
@@ -116,7 +119,7 @@ std::string better_checks(const TargetRecord& target, const ExpectedFailure& ent
     if (!check.measured || recorded == entry.measure.end()) continue;
     const auto* measure = measure_of(target, check.what);
     if (recorded->second && measure != nullptr) {
-      if (compare_with_accepted(*recorded->second, check, target) == AcceptedChange::Better)
+      if (compare_with_accepted(*recorded->second, check, target, tolerance_of(entry)) == AcceptedChange::Better)
         better.push_back(fmt::format("{} is {}, was {}", check.what, number_text(measure->value, check),
                                      number_text(*recorded->second, check)));
     } else if (check.passed) {

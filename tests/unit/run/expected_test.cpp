@@ -72,6 +72,15 @@ TEST(ExpectedVerdicts, AFailureLikeTheRecordedOneIsKnown) {
   EXPECT_EQ(expectation_of(failed(20, false), fails_by_psnr()), Expectation::News);
 }
 
+// The radiosity of POV-Ray depends on which thread comes first.
+TEST(ExpectedVerdicts, ToleranceIsForRenderersOfWhichTwoRunsDiffer) {
+  auto entry = fails_by_psnr();
+  EXPECT_EQ(expectation_of(failed(29.5, false), entry), Expectation::News);  // 12 % more error
+  entry.tolerance = 0.25;
+  EXPECT_EQ(expectation_of(failed(29.5, false), entry), Expectation::Known);
+  EXPECT_EQ(expectation_of(failed(28.9, false), entry), Expectation::News);  // 29 %
+}
+
 // As a copy of the reference does.
 TEST(ExpectedVerdicts, AFailureThatMeetsEveryCheckIsNews) {
   auto any = fails_by_psnr();
