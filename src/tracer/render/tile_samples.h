@@ -18,8 +18,8 @@ inline std::size_t pixel_index(const Film& film, int x, int y) {
 }
 
 /// Gathers the samples of whole pixels in `samples` and calls trace() before they become more than
-/// kPathsPerBatch, and for the rest; trace() adds them to the film and empties `samples`. Ends the replicate
-/// of the tile's pixels where the pass does.
+/// kPathsPerBatch, and for the rest, if there is any; trace() adds them to the film and empties `samples`. Ends
+/// the replicate of the tile's pixels where the pass does.
 template <typename Trace>
 void trace_tile(const Tile& tile,
                 const Pass& pass,
@@ -34,7 +34,7 @@ void trace_tile(const Tile& tile,
       for (std::uint32_t i = 0; i < pass.count; ++i) samples.push_back({x, y, block, pass.first + i});
       if (samples.size() + pass.count > kPathsPerBatch) trace();
     }
-  trace();
+  if (!samples.empty()) trace();
   if (!pass.ends_replicate) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) end_replicate(film.pixels[pixel_index(film, x, y)]);
