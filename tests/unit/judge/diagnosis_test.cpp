@@ -31,7 +31,7 @@ using Fault = std::function<float(int x, int y, std::size_t c)>;
 // Noise of 3 % with the seed; 0: none.
 image::Image painted(const Fault& at, unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<float> noise(0, seed == 0 ? 0.0F : 0.03F);
+  std::normal_distribution<float> noise(0, 0.03F);
   auto image = image::make_image(kSide_px, kSide_px, {"R", "G", "B"});
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x)
