@@ -246,7 +246,8 @@ int run_as_wanted(const command_line::Command& command,
   if (settings.repeat > 1)
     return run_repeatedly(planned, read_configuration(configuration, program), program, options);
   if (!settings.dry_run) return status_of(run_plan(planned, program, options), settings);
-  print_clean("{}", run::plan_text(planned.plan));
+  const auto times = recorded_times(planned.plan, {std::filesystem::current_path()}, {});
+  print_clean("{}{}\n", run::plan_text(planned.plan), amount_text(planned.plan, times));
   return 0;
 }
 
