@@ -154,6 +154,25 @@ INSTANTIATE_TEST_SUITE_P(MixedScene,
                          testing::ValuesIn(kAlgorithms),
                          [](const auto& algorithm) { return std::string(algorithm.param.name); });
 
+// A bright floor between two mirrors, seen after five to fifteen reflections: all there is to roulette would
+// be noise. The random numbers of both images are the same.
+TEST(TracerRoulette, LeavesPathsAloneThatOnlyMirrorsHaveScattered) {
+  const auto text = scene_text("[0.2, 0, 0]", "[1.2, -0.05, -0.1]", 16, 64, R"(
+    "materials": [{"name": "floor", "type": "emission", "radiance": [1, 1, 1]},
+                  {"name": "mirror", "type": "mirror", "reflectance": [0.9, 0.9, 0.9]}],
+    "meshes": [{"name": "p", "generator": "plane", "half_size": 40, "material": "floor"},
+               {"name": "wall", "generator": "plane", "half_size": 40, "material": "mirror"}],
+    "instances": [{"mesh": "p", "matrix": [{"translate": [0, -1, 0]}]},
+                  {"mesh": "wall", "matrix": [{"translate": [1, 0, 0]}, {"rotate_z": 90}]},
+                  {"mesh": "wall", "matrix": [{"translate": [-1, 0, 0]}, {"rotate_z": -90}]}])",
+                               "2");
+  const auto scene = scene::load_scene_text("test.json", text, ORBS_SOURCE_DIR);
+  const auto with = rendered(scene, {}, {.samples_per_pixel = 4});
+  EXPECT_GT(with.at(8, 8, 0), 0.1F);
+  EXPECT_LT(with.at(8, 8, 0), 0.6F);
+  EXPECT_EQ(with.pixels, rendered(scene, {.roulette = false}, {.samples_per_pixel = 4}).pixels);
+}
+
 // Large lights in smooth plates are found by BSDF sampling, small ones in rough plates by light sampling, and
 // both by their combination (Veach 1997, fig. 9.2).
 TEST(TracerDirectLightChoice, MisHasLessNoiseThanEitherHalf) {

@@ -33,6 +33,7 @@ struct PathState {
   float bsdf_pdf = 0;
   float radiance_scale = 1;  // product of BsdfSample::radiance_scale, the inverse of pbrt's etaScale
   int scatterings = 0;
+  bool has_deltas_alone = true;       // all its scattering events so far had a delta function
   bool began_at_flat_mirror = false;  // one that has the camera in front of it
   /// The first surface is not near-specular, or the path left it in the tail of its lobe: light paths connect
   /// it to the camera.

@@ -21,11 +21,16 @@ template <Transport T>
 bool survives_roulette(PathState<T>& path, const World& world, float u) {
   if (!world.roulette) return T::magnitude(path.throughput) > 0;
   if (path.scatterings < 2) return true;
+  // Mirrors alone make no noise, and roulette would make all there is: 27 standard deviations per sample in a
+  // hall of two mirrors. So their paths go on until what they still carry is below a thousandth, of which
+  // roulette makes noise that nobody sees.
+  constexpr float kDeltasLeaveThroughput = 0x1p-10F;
+  const float by_throughput = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale /
+                                        (path.has_deltas_alone ? kDeltasLeaveThroughput : 1));
   // A path between lossless mirrors never loses throughput. From a depth on that no limit of a scene file
   // reaches, some end anyway: that is unbiased as well, and every render ends.
   constexpr int kDeepest = 1000;
   constexpr float kMostSurvivors = 0.95F;
-  const float by_throughput = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale);
   const float probability =
       path.scatterings > kDeepest ? std::min(by_throughput, kMostSurvivors) : by_throughput;
   if (probability >= 1) return true;
@@ -95,6 +100,7 @@ void scatter(PathBatch<T>& batch,
       path.is_reached_by_light_paths = true;
     path.radiance_scale *= chosen[lane]->radiance_scale;
     note_mis_state<T>(path, world, vertices, lane, chosen[lane]->pdf);
+    path.has_deltas_alone = path.has_deltas_alone && is_delta(vertices.bsdf[lane]);
     path.events.append(event_of(vertices.bsdf[lane]), chosen[lane]->is_transmitted);
     path.ray.origin = lane_of(origin, lane);
     path.ray.nearest = 0;
