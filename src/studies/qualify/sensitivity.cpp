@@ -53,25 +53,38 @@ Image mean_of_both(const Renders& renders) {
   return mean;
 }
 
+// Sum of the variances of R, G and B.
+double total_variance(const Image& image) {
+  double sum = 0;
+  for (const std::string colour : {"R", "G", "B"}) {
+    const int variance = image::channel_index(image, "variance." + colour);
+    if (variance < 0) throw InputError("the images have no variances");
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        sum += static_cast<double>(image.at(x, y, static_cast<std::size_t>(variance)));
+  }
+  return sum;
+}
+
 // The reference as an image without noise would meet it: its own values are taken to be the truth, and noise
-// is put upon them at a tenth of the power of a whole render's. Half the difference of two renders is that
+// is put upon them at a tenth of the power of a whole render's, or at ten times the power of its own, which
+// must not count beside it, as the image that is judged has it, too. Half the difference of two renders is that
 // noise: its expectation is zero in every scene, as each render has the same, and its variance is a
 // quarter of the sum of theirs. It is held between plus and minus the truth, so that light stays positive and
 // the expectation zero. (The difference to the reference would not do: it holds the reference's own
 // noise, which is also in the image that is judged.)
 Image noisy_reference(const Image& reference, const Renders& renders) {
-  const double share = std::sqrt(0.1);
   const Image& first = renders.first.image;
   const Image& second = renders.second.image;
+  const double of_half = 0.25 * (total_variance(first) + total_variance(second));
+  const double power = of_half > 0 ? std::max(0.1, 10 * total_variance(reference) / of_half) : 0;
+  const double share = std::sqrt(power);
   Image noisy = reference;
   for (const std::string colour : {"R", "G", "B"}) {
-    const int variance = image::channel_index(reference, "variance." + colour);
-    const int of_render = image::channel_index(first, "variance." + colour);
-    if (variance < 0 || of_render < 0) throw InputError("the images have no variances");
     const auto value = static_cast<std::size_t>(image::channel_index(reference, colour));
     const auto render_value = static_cast<std::size_t>(image::channel_index(first, colour));
-    const auto to = static_cast<std::size_t>(variance);
-    const auto from = static_cast<std::size_t>(of_render);
+    const auto to = static_cast<std::size_t>(image::channel_index(reference, "variance." + colour));
+    const auto from = static_cast<std::size_t>(image::channel_index(first, "variance." + colour));
     for (int y = 0; y < reference.height; ++y)
       for (int x = 0; x < reference.width; ++x) {
         const double truth = static_cast<double>(reference.at(x, y, value));
@@ -81,7 +94,7 @@ Image noisy_reference(const Image& reference, const Renders& renders) {
             static_cast<double>(first.at(x, y, from)) + static_cast<double>(second.at(x, y, from));
         noisy.at(x, y, value) =
             static_cast<float>(truth + std::clamp(share * half, -std::abs(truth), std::abs(truth)));
-        noisy.at(x, y, to) = static_cast<float>(share * share * 0.25 * sum);
+        noisy.at(x, y, to) = static_cast<float>(power * 0.25 * sum);
       }
   }
   return noisy;
