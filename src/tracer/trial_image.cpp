@@ -1,63 +1,51 @@
 #include "tracer/trial_image.h"
 
-#include "image/colour.h"
+#include "base/nth.h"
 #include "tracer/render.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace orbs::tracer {
 
-namespace {
-
-constexpr int kSamples = 16;  // per pixel
-
-float on_display(float radiance) { return image::srgb_encode(std::clamp(radiance, 0.0F, 1.0F)); }
-
-double sum_over(const image::Image& image, int x0, int y0, int side, std::size_t channel) {
-  double sum = 0;
-  for (int y = y0; y < y0 + side; ++y)
-    for (int x = x0; x < x0 + side; ++x) sum += static_cast<double>(image.at(x, y, channel));
-  return sum;
+std::optional<TrialSize> trial_size(const PinholeCamera& camera,
+                                    const RenderSettings& settings,
+                                    double share,
+                                    int images) {
+  // The ratio of two sums of squares over so many pixels is known to about a quarter.
+  constexpr double kFewestPixels = 96;
+  constexpr double kMostPixels = 1024;
+  constexpr int kFewestSamples = 4;
+  constexpr int kMostSamples = 256;
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const double paths = share * pixels * settings.samples_per_pixel / images;
+  const int samples = std::clamp(static_cast<int>(paths / std::min(kFewestPixels, pixels)), 0,
+                                 std::min(settings.samples_per_pixel, kMostSamples));
+  if (samples < std::min(kFewestSamples, settings.samples_per_pixel)) return std::nullopt;
+  const double shrink = std::sqrt(std::min({paths / samples, kMostPixels, pixels}) / pixels);
+  const auto side = [&](int length) { return std::max(1, static_cast<int>(std::lround(length * shrink))); };
+  return TrialSize{side(camera.width), side(camera.height), samples};
 }
 
-// Means over squares of side x side pixels, display-encoded.
-std::vector<double> shown(const image::Image& image, float exposure, int side) {
-  std::vector<double> values;
-  const double scale = static_cast<double>(exposure) / (side * side);
-  for (int y = 0; y + side <= image.height; y += side)
-    for (int x = 0; x + side <= image.width; x += side)
-      for (std::size_t c = 0; c < 3; ++c)
-        values.push_back(on_display(static_cast<float>(sum_over(image, x, y, side, c) * scale)));
-  return values;
-}
-
-// Sum of (a - b) (c - d).
-double product_of_differences(const std::vector<double>& a,
-                              const std::vector<double>& b,
-                              const std::vector<double>& c,
-                              const std::vector<double>& d) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (c[i] - d[i]);
-  return sum;
-}
-
-}  // namespace
-
-Trial trial_of(World& world, int side, int threads) {
+Trial trial_of(World& world, const TrialSize& size, const RenderSettings& settings) {
   const PinholeCamera camera = world.camera;
   // Records would take longer than the trial saves, and hide the noise that it is to see.
   const auto integrator = world.integrator;
   if (std::holds_alternative<scene::IrradianceCache>(integrator)) world.integrator = scene::PathTracing{};
-  const double scale = static_cast<double>(side) / std::max(camera.width, camera.height);
-  world.camera.width = std::max(1, static_cast<int>(camera.width * scale));
-  world.camera.height = std::max(1, static_cast<int>(camera.height * scale));
+  world.camera.width = size.width;
+  world.camera.height = size.height;
   const std::atomic<bool> stop{false};
   const auto rendered = [&](std::uint64_t seed) {
-    return render(world, {.samples_per_pixel = kSamples, .seed = seed, .threads = threads}, stop,
-                  [](const Progress&) {});
+    return render(world,
+                  {.samples_per_pixel = size.samples_per_pixel,
+                   .seed = seed,
+                   .threads = settings.threads,
+                   .sampler = settings.sampler,
+                   .replicates = settings.replicates},
+                  stop, [](const Progress&) {});
   };
   auto a = rendered(1);
   auto b = rendered(2);
@@ -65,34 +53,71 @@ Trial trial_of(World& world, int side, int threads) {
   world.integrator = integrator;
   const double contributions =
       static_cast<double>(a.light_path_contributions) / static_cast<double>(a.image.pixel_count());
-  return {{std::move(a.image), std::move(b.image)}, contributions};
+  return {{std::move(a.image), std::move(b.image)},
+          contributions,
+          {a.seconds + b.seconds, a.cpu_seconds + b.cpu_seconds, a.traversal_seconds + b.traversal_seconds}};
 }
 
-double light_of(const Trial& trial) {
-  const image::Image& image = trial.images[0];
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(image.at(x, y, c));
-  return sum;
+namespace {
+
+Vec3d colour_of(const image::Image& image, std::size_t pixel) {
+  const float* value = &image.pixels[pixel * image.channel_count()];
+  return {static_cast<double>(value[0]), static_cast<double>(value[1]), static_cast<double>(value[2])};
 }
 
-float exposure_of(const Trial& a, const Trial& b) {
-  constexpr double kMean = 0.25;  // that of most scenes of ORB.S, which are seen as they are
-  const double values = 3 * static_cast<double>(a.images[0].pixel_count() + b.images[0].pixel_count());
-  const double mean = (light_of(a) + light_of(b)) / values;
-  return mean > 0 ? static_cast<float>(kMean / mean) : 1;
+// Of both techniques together.
+std::vector<double> light_of_pixels(const Trial& a, const Trial& b) {
+  std::vector<double> light(a.images[0].pixel_count());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const Vec3d sum = colour_of(a.images[0], i) + colour_of(a.images[1], i) + colour_of(b.images[0], i) +
+                      colour_of(b.images[1], i);
+    light[i] = std::abs(sum.x + sum.y + sum.z) / 12;
+  }
+  return light;
 }
 
-double noise_of(const Trial& trial, float exposure, int block) {
-  const auto first = shown(trial.images[0], exposure, block);
-  const auto second = shown(trial.images[1], exposure, block);
-  return product_of_differences(first, second, first, second) / 2;
+// What counts as black: a tenth of the median of the pixels that have any light.
+double darkness(std::vector<double> light) {
+  constexpr double kOfMedian = 0.1;
+  std::erase(light, 0.0);
+  if (light.empty()) return 0;
+  const auto middle = light.begin() + static_cast<std::ptrdiff_t>(light.size() / 2);
+  std::nth_element(light.begin(), middle, light.end());
+  return kOfMedian * *middle;
 }
 
-double squared_bias(const Trial& a, const Trial& b, float exposure, int block) {
-  return product_of_differences(shown(a.images[0], exposure, block), shown(b.images[0], exposure, block),
-                                shown(a.images[1], exposure, block), shown(b.images[1], exposure, block));
+double bounded(double error) { return error / (1 + error); }
+
+}  // namespace
+
+RelativeErrors relative_errors(const Trial& first, const Trial& second) {
+  const auto light = light_of_pixels(first, second);
+  const double dark = darkness(light);
+  RelativeErrors noise;
+  RelativeErrors missed;
+  double pixels = 0;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const double unit = 3 * (light[i] * light[i] + dark * dark);  // of squares summed over three channels
+    if (!(unit > 0)) continue;
+    ++pixels;
+    const Vec3d apart_first = colour_of(first.images[0], i) - colour_of(first.images[1], i);
+    const Vec3d apart_second = colour_of(second.images[0], i) - colour_of(second.images[1], i);
+    noise.first += bounded(dot(apart_first, apart_first) / 2 / unit);
+    noise.second += bounded(dot(apart_second, apart_second) / 2 / unit);
+    // The two factors have independent noise, which averages out of their product.
+    const Vec3d by_seed_1 = colour_of(first.images[0], i) - colour_of(second.images[0], i);
+    const Vec3d by_seed_2 = colour_of(first.images[1], i) - colour_of(second.images[1], i);
+    const Vec3d more = by_seed_1 + by_seed_2;
+    const double product = std::clamp(dot(by_seed_1, by_seed_2) / unit, -1.0, 1.0);
+    (more.x + more.y + more.z > 0 ? missed.second : missed.first) += product;
+  }
+  if (pixels == 0) return {};
+  const auto whole = [&](double of_noise, double of_missed) {
+    constexpr double kMost = 0.999;  // beyond which all is as good as missed
+    const double mean = std::min(kMost, (of_noise + std::max(0.0, of_missed)) / pixels);
+    return mean / (1 - mean);
+  };
+  return {whole(noise.first, missed.first), whole(noise.second, missed.second)};
 }
 
 }  // namespace orbs::tracer

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "image/image.h"
+#include "tracer/render/rendering.h"
 #include "tracer/world/world.h"
 
 #include <array>
+#include <optional>
 
 /// Small trial images, which decide whether a technique is worth its time in a scene. The decisions are
 /// deterministic: they count samples, not seconds.
@@ -13,24 +15,35 @@ namespace orbs::tracer {
 struct Trial {
   std::array<image::Image, 2> images;
   double light_path_contributions = 0;  // to a pixel, in the first image
+  RenderTime time;
 };
 
-/// `side`: pixels of the longer side. The world's camera is the same afterwards. `threads` as in
-/// RenderSettings.
-Trial trial_of(World& world, int side, int threads);
+/// What one trial image may have.
+struct TrialSize {
+  int width = 0;
+  int height = 0;
+  int samples_per_pixel = 0;
+};
 
-/// The factor that takes the mean of all values of both trials to that of a well exposed photograph, so that
-/// decisions do not depend on the unit of radiance.
-float exposure_of(const Trial& a, const Trial& b);
+/// Sizes of `images` trial images of a world, which trace at most `share` of the camera paths of a render
+/// together. A pixel has as many samples as one of the render, as far as that goes: noise that comes from few
+/// bright samples grows otherwise than by their number. Nothing if too little is left to decide by.
+std::optional<TrialSize> trial_size(const PinholeCamera& camera,
+                                    const RenderSettings& settings,
+                                    double share,
+                                    int images);
 
-/// Variance of one image, exposed, display-encoded and summed over means of block x block pixels.
-double noise_of(const Trial& trial, float exposure, int block);
+/// The world's camera is the same afterwards. Of the settings, the threads, the sampler and the replicates
+/// count.
+Trial trial_of(World& world, const TrialSize& size, const RenderSettings& settings);
 
-/// Squared difference of the means of both, summed likewise. Its factors have independent noise, which
-/// averages out of the product.
-double squared_bias(const Trial& a, const Trial& b, float exposure, int block);
-
-/// Sum of all values of the first image.
-double light_of(const Trial& trial);
+/// How far each of two techniques is off, relative to the light of each pixel: the mean over the pixels of a
+/// relative squared error r is computed as of r / (1 + r), so that single bright samples do not decide, and
+/// is given back as r. Light that only one of them finds is an error of the other.
+struct RelativeErrors {
+  double first = 0;
+  double second = 0;
+};
+RelativeErrors relative_errors(const Trial& first, const Trial& second);
 
 }  // namespace orbs::tracer

@@ -104,39 +104,19 @@ scene::Scene scene_for(const Options& options) {
   return scene::with_fault(std::move(scene), *fault);
 }
 
-// The smallest trial renders 65,536 camera paths. An image of a sixteenth of that cannot win them back,
-// whatever they show.
-bool is_worth_a_trial(const Options& options, const scene::Scene& scene) {
-  constexpr std::int64_t kFewestPaths = 4096;
-  const auto& camera = scene.camera;
-  return std::int64_t{1} * camera.width_px * camera.height_px * options.render.samples_per_pixel >=
-         kFewestPaths;
-}
-
-void choose_by_trials(const Options& options, tracer::World& world) {
-  const int threads = options.render.threads;
-  if (options.light_selection == "auto") tracer::choose_light_selection(world, threads);
-  if (options.light_paths == "auto") tracer::choose_light_paths(world, threads);
-  if (options.light_connections == "auto") tracer::choose_light_connections(world, threads);
-}
-
-void choose_without_trials(const Options& options, tracer::World& world) {
-  if (options.light_selection == "auto") world.light_bvh = {};
-  if (options.light_paths == "auto") world.caustic_casters = {};
-}
-
-// With the algorithms that trial renderings show to be better.
-tracer::World world_for(const Options& options, const scene::Scene& scene) {
-  auto world = tracer::make_world(scene, world_settings(options, scene));
-  if (is_worth_a_trial(options, scene))
-    choose_by_trials(options, world);
-  else
-    choose_without_trials(options, world);
+// Keeps the algorithms that trial renderings show to be better; gives the time of the trials.
+tracer::RenderTime choose_algorithms(const Options& options,
+                                     const scene::Scene& scene,
+                                     tracer::World& world) {
+  const auto time = tracer::choose_light(world, render_settings(options, scene),
+                                         {.selection = options.light_selection == "auto",
+                                          .paths = options.light_paths == "auto",
+                                          .connections = options.light_connections == "auto"});
   if (options.light_connections == "always")
     world.connects_light_vertices = tracer::supports_light_connections(world);
   // What the trial renderings met is no part of the image.
   tracer::reset_counts(world);
-  return world;
+  return time;
 }
 
 void warn_of_ignored_options(const Options& options, const tracer::World& world) {
@@ -144,7 +124,14 @@ void warn_of_ignored_options(const Options& options, const tracer::World& world)
     print_clean(stderr, "orbs-tracer: warning: {}\n", ignored);
 }
 
-void print_summary(const tracer::Rendering& r, bool as_json) {
+// The times of a rendering are those of all that it took.
+void add_trials(tracer::Rendering& rendering, const tracer::RenderTime& trials) {
+  rendering.seconds += trials.seconds;
+  rendering.cpu_seconds += trials.cpu_seconds;
+  rendering.traversal_seconds += trials.traversal_seconds;
+}
+
+void print_summary(const tracer::Rendering& r, const tracer::RenderTime& trials, bool as_json) {
   if (r.variance_leaves_floats)
     print_clean(stderr,
                 "orbs-tracer: warning: the variances are beyond the range of floats, so the image has none; "
@@ -156,8 +143,9 @@ void print_summary(const tracer::Rendering& r, bool as_json) {
   if (as_json)
     print_clean(
         "{{\"progress\": 1, \"spp\": {}, \"render_seconds\": {:.4f}, \"cpu_seconds\": {:.4f}, "
-        "\"traversal_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
-        r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, r.bad_samples.count);
+        "\"traversal_seconds\": {:.4f}, \"trial_seconds\": {:.4f}, \"bad_samples\": {}}}\n",
+        r.samples_per_pixel, r.seconds, r.cpu_seconds, r.traversal_seconds, trials.seconds,
+        r.bad_samples.count);
   print_clean("orbs: render_seconds {:.4f}\n", r.seconds);
 }
 
@@ -180,7 +168,8 @@ int run(const Options& options) {
   std::at_quick_exit(refuse_exit);
   const PluginsAllowed guard;
   const auto scene = scene_for(options);
-  const auto world = world_for(options, scene);
+  auto world = tracer::make_world(scene, world_settings(options, scene));
+  const auto trials = choose_algorithms(options, scene, world);
   warn_of_ignored_options(options, world);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
@@ -188,10 +177,11 @@ int run(const Options& options) {
   auto rendering = tracer::render(world, render_settings(options, scene), stop,
                                   [&](const tracer::Progress& p) { line.show(p); });
   line.finish();
+  add_trials(rendering, trials);
   stamp(rendering, options, scene, world, ORBS_VERSION);
   image::write_exr(rendering.image, options.output);
   warn_of_plugin_faults(world);
-  print_summary(rendering, options.as_json);
+  print_summary(rendering, trials, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
   print_clean(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
               rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);

@@ -93,11 +93,11 @@ TEST(LightConnections, TakeMostOfTheNoiseWhereLightComesBySmallWall) {
 
 TEST(LightConnections, AreChosenWhereTheyReduceNoise) {
   auto behind = world_of(behind_a_card(kLambert));
-  EXPECT_TRUE(tracer::choose_light_connections(behind));
+  tracer::choose_light(behind, {.samples_per_pixel = 256}, {.selection = false, .paths = false});
   EXPECT_TRUE(behind.connects_light_vertices);
   const auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/cases/orbs/m1_lambert/101.json");
   auto box = tracer::make_world(scene);
-  EXPECT_FALSE(tracer::choose_light_connections(box));
+  tracer::choose_light(box, {.samples_per_pixel = 64}, {.selection = false, .paths = false});
   EXPECT_FALSE(box.connects_light_vertices);
 }
 
@@ -113,12 +113,13 @@ TEST(LightSelection, TheTreeIsChosenWhereItReducesNoise) {
                 "matrix": [{"translate": [0, 1.5, 0]}]}])",
                                "40");
   auto world = world_of(text);
-  EXPECT_TRUE(tracer::choose_light_selection(world));
+  const tracer::LightChoices selection{.paths = false, .connections = false};
+  tracer::choose_light(world, {.samples_per_pixel = 256}, selection);
   EXPECT_FALSE(world.light_bvh.empty());
   auto balls =
       tracer::make_world(scene::load_scene(ORBS_SOURCE_DIR "/data/cases/orbs/m6_emission_texture/124.json"));
   EXPECT_FALSE(balls.light_bvh.empty());
-  EXPECT_FALSE(tracer::choose_light_selection(balls));
+  tracer::choose_light(balls, {.samples_per_pixel = 64}, selection);
   EXPECT_TRUE(balls.light_bvh.empty());
 }
 

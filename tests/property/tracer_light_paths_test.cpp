@@ -201,13 +201,22 @@ TEST(TracerLightPaths, DoNotDependOnTheThreads) {
   EXPECT_EQ(one.pixels, rendered(world, {.samples_per_pixel = 8, .threads = 3}).pixels);
 }
 
+namespace {
+
+// By the trials of an image of 4096 samples per pixel.
+bool are_light_paths_chosen(tracer::World& world) {
+  tracer::choose_light(world, {.samples_per_pixel = 4096}, {.selection = false, .connections = false});
+  return !world.caustic_casters.empty();
+}
+
+}  // namespace
+
 TEST(TracerLightPaths, AreChosenWhereTheyLowerTheNoise) {
   auto caustic = world_of(caustic_scenes()[0].text, true);
-  EXPECT_TRUE(tracer::choose_light_paths(caustic));
-  EXPECT_FALSE(caustic.caustic_casters.empty());
+  EXPECT_TRUE(are_light_paths_chosen(caustic));
   auto plain = world_of(
       ball_over_floor(R"("type": "lambert", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight)), true);
-  EXPECT_FALSE(tracer::choose_light_paths(plain));
+  EXPECT_FALSE(are_light_paths_chosen(plain));
 }
 
 // Camera paths hit the light about once in a million samples, so that their trial shows a shadowed floor
@@ -220,7 +229,7 @@ TEST(TracerLightPaths, AreChosenWhereCameraPathsHardlyEverFindTheCaustic) {
               R"({"type": "rect", "half_width": 0.005, "half_length": 0.005, "radiance": [30000, 30000, 30000],
                   "matrix": [{"translate": [0, 5, 0]}]})")),
       true);
-  EXPECT_TRUE(tracer::choose_light_paths(world));
+  EXPECT_TRUE(are_light_paths_chosen(world));
 }
 
 TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
@@ -228,7 +237,7 @@ TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
   const std::string fov = R"("fov_y": 40)";
   text.replace(text.find(fov), fov.size(), R"("fov_y": 0.05)");
   auto world = world_of(text, true);
-  EXPECT_FALSE(tracer::choose_light_paths(world));
+  EXPECT_FALSE(are_light_paths_chosen(world));
 }
 
 // The pdf of a mixture of cones is one over their joint solid angle if they do not overlap; the mean of 1 /

@@ -53,8 +53,7 @@ TEST_P(UnbiasedSeeds, AreAcceptedAndOnePercentMoreLightIsNot) {
   scene.camera.width_px = kSide_px;
   scene.camera.height_px = kSide_px;
   auto world = tracer::make_world(scene);
-  tracer::choose_light_selection(world);
-  tracer::choose_light_paths(world);
+  tracer::choose_light(world, {.samples_per_pixel = GetParam().spp}, {.connections = false});
   const auto reference = rendered(world, kReferenceFactor * GetParam().spp, 1000);
   for (const std::uint64_t seed : {1U, 2U}) {
     const auto result = rendered(world, GetParam().spp, seed);

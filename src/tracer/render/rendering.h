@@ -37,6 +37,13 @@ struct CacheUse {
   std::uint64_t negative = 0;   // of the lookups: a gradient led below zero, and the channel was set to zero
 };
 
+/// What trial renderings took; as in Rendering.
+struct RenderTime {
+  double seconds = 0;
+  double cpu_seconds = 0;
+  double traversal_seconds = 0;
+};
+
 struct Rendering {
   image::Image image;
   int samples_per_pixel = 0;  // fewer than in the settings after a stop
