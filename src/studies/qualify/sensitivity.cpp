@@ -68,8 +68,8 @@ double total_variance(const Image& image) {
 
 // The reference as an image without noise would meet it: its own values are taken to be the truth, and noise
 // is put upon them at a tenth of the power of a whole render's, or at ten times the power of its own, which
-// must not count beside it, as the image that is judged has it, too. Half the difference of two renders is that
-// noise: its expectation is zero in every scene, as each render has the same, and its variance is a
+// must not count beside it, as the image that is judged has it, too. Half the difference of two renders is
+// that noise: its expectation is zero in every scene, as each render has the same, and its variance is a
 // quarter of the sum of theirs. It is held between plus and minus the truth, so that light stays positive and
 // the expectation zero. (The difference to the reference would not do: it holds the reference's own
 // noise, which is also in the image that is judged.)
