@@ -72,9 +72,8 @@ AcceptedChange compare_with_accepted(double accepted,
   if (!check.passed && is_on_other_side(accepted, *measure, check)) return AcceptedChange::OtherSide;
   const double now = error_of(measure->value, measure->unit, check);
   const double before = error_of(accepted, measure->unit, check);
-  const double least =
-      std::max({std::numbers::sqrt2 * noise_of(*measure, target), tolerance * before,
-                measure->unit == "dB" ? 0 : results::kLeastLight});
+  const double least = std::max({std::numbers::sqrt2 * noise_of(*measure, target), tolerance * before,
+                                 measure->unit == "dB" ? 0 : results::kLeastLight});
   // Written so that a number that is none is worse.
   if (!(now <= before + least)) return AcceptedChange::Worse;
   return now < before - least ? AcceptedChange::Better : AcceptedChange::Within;

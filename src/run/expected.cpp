@@ -119,7 +119,8 @@ std::string better_checks(const TargetRecord& target, const ExpectedFailure& ent
     if (!check.measured || recorded == entry.measure.end()) continue;
     const auto* measure = measure_of(target, check.what);
     if (recorded->second && measure != nullptr) {
-      if (compare_with_accepted(*recorded->second, check, target, tolerance_of(entry)) == AcceptedChange::Better)
+      if (compare_with_accepted(*recorded->second, check, target, tolerance_of(entry)) ==
+          AcceptedChange::Better)
         better.push_back(fmt::format("{} is {}, was {}", check.what, number_text(measure->value, check),
                                      number_text(*recorded->second, check)));
     } else if (check.passed) {

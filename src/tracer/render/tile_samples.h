@@ -18,8 +18,8 @@ inline std::size_t pixel_index(const Film& film, int x, int y) {
 }
 
 /// Gathers the samples of whole pixels in `samples` and calls trace() before they become more than
-/// kPathsPerBatch, and for the rest, if there is any; trace() adds them to the film and empties `samples`. Ends
-/// the replicate of the tile's pixels where the pass does.
+/// kPathsPerBatch, and for the rest, if there is any; trace() adds them to the film and empties `samples`.
+/// Ends the replicate of the tile's pixels where the pass does.
 template <typename Trace>
 void trace_tile(const Tile& tile,
                 const Pass& pass,
