@@ -10,8 +10,8 @@ namespace orbs::tracer {
 
 namespace {
 
-// Light paths and connections take up to twice the time of a plain path, so that a tenth of the time is
-// spent.
+// Light paths and connections take up to twice the time of a plain path, so that about a tenth of the work is
+// spent. Of the wall-clock time it is more on several cores, as a trial image is hardly more than one tile.
 constexpr double kShareOfPaths = 0.07;
 
 // A technique is kept if the variance falls by more than this factor.

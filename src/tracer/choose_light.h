@@ -13,7 +13,7 @@ struct LightChoices {
 };
 
 /// Keeps of these techniques what lowers the error of a trial image by more than its time costs, and empties
-/// or unsets the others. All trials together trace a tenth of the camera paths of the render that they are
+/// or unsets the others. All trials together trace 7 % of the camera paths of the render that they are
 /// for, with `settings`; if that is too little to decide by, none is kept. Deterministic. Returns the time of
 /// the trials.
 RenderTime choose_light(World& world, const RenderSettings& settings, LightChoices open = {});

@@ -1,6 +1,5 @@
 #include "tracer/trial_image.h"
 
-#include "base/nth.h"
 #include "tracer/render.h"
 
 #include <algorithm>

@@ -128,7 +128,7 @@ TEST(TracerAlgorithms, AlwaysWhereItCannotBeIsSaid) {
   EXPECT_EQ(said_of("orbs/a1_trace_depth/101-depth2.json", "--light-paths always"), "");
 }
 
-// The trials may have a tenth of the paths, of which a decision needs some hundreds.
+// The trials may have 7 % of the paths, of which a decision needs some hundreds.
 TEST(TracerAlgorithms, AnImageOfFewPathsIsNotWorthATrial) {
   const Sandbox sandbox;
   const auto selection_at = [&](int width_px) {
