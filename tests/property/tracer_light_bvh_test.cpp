@@ -137,6 +137,21 @@ TEST(LightBvh, LeavesOutEmittersBehindThePointOrTurnedAway) {
   EXPECT_FALSE(bvh.select(top, 0.5F).has_value());
 }
 
+TEST(LightBvh, LeavesOutAWideEmitterThatLiesBeyondAHorizon) {
+  // The underside of a slab: a lamp as wide as the room is above it, a small one below. From within the
+  // sphere about the wide lamp no direction to it is known.
+  Emitters e;
+  e.lights = {light_of(RectEmitter{{0, 6, 0}, {5, 0, 0}, {0, 0, 5}, {0, -1, 0}, 100, true}),
+              light_of(RectEmitter{{0, 0.6F, 0}, {0.5F, 0, 0}, {0, 0, 0.5F}, {0, 1, 0}, 1, true})};
+  e.powers = {100, 1};
+  const LightBvh bvh = bvh_of(e);
+  const LightSampleContext underside{{1, 2, 1}, {0, -1, 0}};
+  EXPECT_EQ(bvh.probability(underside, 0), 0);
+  EXPECT_FLOAT_EQ(bvh.probability(underside, 1), 1);
+  const LightSampleContext glass_above_the_lamp{{1, 6.5F, 1}, {}};
+  EXPECT_EQ(bvh.probability(glass_above_the_lamp, 0), 0);
+}
+
 TEST(LightBvh, EmittersWithoutPowerAreNeverSelected) {
   Emitters e = many_emitters();
   e.powers[3] = 0;
