@@ -19,8 +19,8 @@ constexpr double kShareOfPaths = 0.07;
 //
 // The tree takes a tenth to a third more time (scenes 201, 124 and 123 of ORB.S).
 constexpr double kSelectionWorthwhile = 0.8;
-// To look up what was learned takes a few per cent on top of the tree.
-constexpr double kLearningWorthwhile = 0.85;
+// To look up what was learned takes up to a quarter on top of the tree (scene 124 of ORB.S).
+constexpr double kLearningWorthwhile = 0.7;
 // Light paths take a fifth to a half of the rendering time (mirror and glass scenes of ORB.S).
 constexpr double kPathsWorthwhile = 0.78;
 // A light path of one segment for each camera path, and one more shadow ray and two evaluations of BSDFs for
@@ -73,8 +73,10 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
     add(time, learn_light_selection(learned, world, settings));
     keep_if_better(bvh, world.light_bvh, kSelectionWorthwhile);
     if (learned.has_learned())
-      keep_if(learned, world.light_bvh,
-              [&](const Trial& with) { return typical_variance_ratio(with, best) < kLearningWorthwhile; });
+      keep_if(learned, world.light_bvh, [&](const Trial& with) {
+        const auto errors = relative_errors(with, best);
+        return errors.first < errors.second && typical_variance_ratio(with, best) < kLearningWorthwhile;
+      });
   }
   if (!casters.empty())
     keep_if_better(casters, world.caustic_casters, kPathsWorthwhile, kFewestContributions);
