@@ -149,14 +149,18 @@ double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& 
 double edge_square(const PairSamples& samples) {
   constexpr double kEdge_px = 0.15;
   double sum = 0;
-  for (int y = 0; y < samples.height; ++y)
-    for (int x = 0; x < samples.width; ++x) {
-      if (samples.included[samples.pixel_at(x, y)] == 0) continue;
+  std::vector<double> steps;
+  std::size_t pixel = 0;
+  for (int y = 0; y < samples.height; ++y) {
+    reference_steps(samples, y, steps);
+    for (std::size_t i = 0; i < steps.size(); i += 3, ++pixel) {
+      if (samples.included[pixel] == 0) continue;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double error = kEdge_px * reference_step(samples, x, y, c);
+        const double error = kEdge_px * steps[i + c];
         sum += error * error;
       }
     }
+  }
   return sum / (3 * static_cast<double>(samples.included_count));
 }
 
