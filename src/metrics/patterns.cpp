@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -239,24 +240,41 @@ Rgb without_light(const Rgb& difference, const Site& site) {
 // Weighted, for the amplitude of each pattern.
 using AllSums = std::array<AmplitudeSums, kRows.size()>;
 
-// Of `count` pixels from (x, y) on, each where it counts.
-void add_pixels(const PairSamples& samples, const Planes& planes, int x, int y, int count, AllSums& sums) {
+// Of four pixels.
+struct Projection {
+  Lanes product{}, norm{};
+};
+using AllProjections = std::array<Projection, kRows.size()>;
+
+// The index is known when this is compiled, so that each pattern's arithmetic stands here and is not called.
+template <std::size_t... Index>
+AllProjections projections_of(const Site& site,
+                              const Rgb& difference,
+                              std::index_sequence<Index...> /*all*/) {
   constexpr double kFloor = 0.1;  // of the mean: where it is darker, the noise no longer falls with the light
-  const std::size_t pixel = samples.pixel_at(x, y);
-  const Site site = site_at(samples, planes, x, y);
   const Lanes scale = or_zero(site.luminance) + kFloor;
   const Lanes weight = 1 / (scale * scale);  // the noise of a path tracer is nearly relative
+  const Rgb of_colour = without_light(difference, site);
+  const auto projection = [&](const Row& row) {
+    const Rgb pattern = row.at(site);
+    return Projection{weight * dot(pattern, row.is_of_colour ? of_colour : difference),
+                      weight * dot(pattern, pattern)};
+  };
+  return {projection(kRows[Index])...};
+}
+
+// Of `count` pixels from (x, y) on, each where it counts.
+void add_pixels(const PairSamples& samples, const Planes& planes, int x, int y, int count, AllSums& sums) {
+  const std::size_t pixel = samples.pixel_at(x, y);
   const Rgb difference{lanes_at(&planes.difference[0][pixel]), lanes_at(&planes.difference[1][pixel]),
                        lanes_at(&planes.difference[2][pixel])};
-  const Rgb of_colour = without_light(difference, site);
-  for (std::size_t row = 0; row < kRows.size(); ++row) {
-    const Rgb pattern = kRows.at(row).at(site);
-    const Lanes product = weight * dot(pattern, kRows.at(row).is_of_colour ? of_colour : difference);
-    const Lanes norm = weight * dot(pattern, pattern);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      if (samples.included[pixel + i] == 0) continue;
-      sums.at(row).product += product[i];
-      sums.at(row).norm += norm[i];
+  const auto projections =
+      projections_of(site_at(samples, planes, x, y), difference, std::make_index_sequence<kRows.size()>());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (samples.included[pixel + i] == 0) continue;
+    for (std::size_t row = 0; row < kRows.size(); ++row) {
+      sums[row].product += projections[row].product[i];
+      sums[row].norm += projections[row].norm[i];
     }
   }
 }

@@ -139,11 +139,13 @@ class WindowRow {
   void sum(std::size_t row) {
     for (std::size_t summand = 0; summand < kSummands; ++summand) {
       if (columns_.at(summand) == 0) continue;
-      std::fill(below_.begin(), below_.end(), 0.0);
-      for (std::size_t i = 0; i < kCells; ++i) add(cells_.at(row + i, summand), below_.size(), below_.data());
+      add_up<kCells>(cells_.at(row, summand), kSummands * cells_.columns, below_.size(), below_.data());
       double* const sums = &sums_[summand * count_];
-      std::fill(sums, sums + count_, 0.0);
-      for (std::size_t i = 0; i < columns_.at(summand); ++i) add(&below_[i], count_, sums);
+      if (columns_.at(summand) == kCells) {
+        add_up<kCells>(below_.data(), 1, count_, sums);
+      } else {
+        add_up<kCells - 1>(below_.data(), 1, count_, sums);
+      }
     }
   }
 
@@ -151,8 +153,14 @@ class WindowRow {
   double of(Summand summand, std::size_t window) const { return sums_[summand * count_ + window]; }
 
  private:
-  static void add(const double* from, std::size_t count, double* to) {
-    for (std::size_t i = 0; i < count; ++i) to[i] += from[i];
+  // Of each of `count` numbers and those that lie n strides on, the sum of the first N, in this order.
+  template <std::size_t N>
+  static void add_up(const double* from, std::size_t stride, std::size_t count, double* __restrict to) {
+    for (std::size_t i = 0; i < count; ++i) {
+      double sum = 0;
+      for (std::size_t n = 0; n < N; ++n) sum += from[i + n * stride];
+      to[i] = sum;
+    }
   }
 
   const Cells& cells_;
@@ -162,15 +170,23 @@ class WindowRow {
   std::vector<double> sums_;
 };
 
+// What a sum over the pairs that lie in a window is multiplied by.
+double pair_scale(const WindowRow& windows, std::size_t i, NoiseSource source) {
+  if (source != NoiseSource::Scatter) return 1;
+  return windows.of(Count, i) / std::max(1.0, windows.of(Pairs, i));
+}
+
+double own_noise_over(const WindowRow& windows, std::size_t i, NoiseSource source) {
+  return pair_scale(windows, i, source) * windows.of(OwnVariance, i);
+}
+
 // Of the sum of the differences over the window; noise_test.h says why the larger one counts. Each pixel is
 // in two pairs of neighbours, which are no two numbers: half the degrees of freedom are taken.
 PooledVariance noise_over(const WindowRow& windows, std::size_t i, NoiseSource source) {
   const PooledVariance expected{windows.of(ExpectedVariance, i), windows.of(ExpectedSquares, i)};
-  PooledVariance own{windows.of(OwnVariance, i), windows.of(OwnSquares, i)};
-  if (source == NoiseSource::Scatter) {
-    const double scale = windows.of(Count, i) / std::max(1.0, windows.of(Pairs, i));
-    own = {scale * own.sum, 2 * scale * scale * own.squares};
-  }
+  const double scale = pair_scale(windows, i, source);
+  const double squares = source == NoiseSource::Scatter ? 2 * scale * scale : 1;
+  const PooledVariance own{own_noise_over(windows, i, source), squares * windows.of(OwnSquares, i)};
   return own.sum >= expected.sum ? own : expected;
 }
 
@@ -185,11 +201,11 @@ class Reach {
     return quantile(degrees) * std::sqrt(variance.sum);
   }
 
-  /// Not more than that of any degrees, and found without a quantile for each, of which one costs as much as
-  /// 10,000 windows. The quantile falls with the degrees, but for what its rounding makes.
-  double least_of(const PooledVariance& variance) {
+  /// Times the standard deviation not more than the reach with any degrees of freedom. The quantile falls
+  /// with them, but for what its rounding makes.
+  double least_quantile() {
     constexpr double kRounding = 1e-9;
-    return (1 - kRounding) * quantile(static_cast<std::size_t>(kMost)) * std::sqrt(variance.sum);
+    return (1 - kRounding) * quantile(static_cast<std::size_t>(kMost));
   }
 
  private:
@@ -228,29 +244,59 @@ struct WindowSearch {
   std::optional<WindowError> worst = std::nullopt;
 };
 
+double scale_of(const WindowRow& windows, std::size_t i, double least_scale) {
+  const double count = windows.of(Count, i);
+  return std::max(least_scale, windows.of(Reference, i) / count) * count;
+}
+
+double off_by(const WindowRow& windows, std::size_t i) {
+  return std::fabs(windows.of(Difference, i)) - kEdge_px * windows.of(Step, i);
+}
+
+// Whether the window's error may be worse than the worst. Nearly none is, and that is told of all without the
+// degrees of freedom and the quantiles, of which one costs as much as 10,000 windows.
+struct Candidates {
+  std::vector<double> scale, most;
+
+  explicit Candidates(std::size_t count) : scale(count), most(count) {}
+
+  void look(const WindowRow& windows, WindowSearch& search) {
+    const double quantile = search.reach.least_quantile();
+    const double least_scale = search.least_scale;
+    const auto source = search.samples.noise_source;
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+      scale[i] = scale_of(windows, i, least_scale);
+      const double noise = std::max(own_noise_over(windows, i, source), windows.of(ExpectedVariance, i));
+      most[i] = off_by(windows, i) - quantile * std::sqrt(noise);
+    }
+  }
+  bool may_be_worse(std::size_t i, const std::optional<WindowError>& worst) const {
+    return !worst || most[i] > worst->value * scale[i];
+  }
+};
+
 // The window's error replaces the worst where it is worse.
 void look_at(const WindowRow& windows, std::size_t i, const Rectangle& where, WindowSearch& search) {
-  const double count = windows.of(Count, i);
-  if (2 * count < (where.x1 - where.x0) * (where.y1 - where.y0)) return;
+  if (2 * windows.of(Count, i) < (where.x1 - where.x0) * (where.y1 - where.y0)) return;
   if (!search.worst) search.worst = {0, where};
-  const double scale = std::max(search.least_scale, windows.of(Reference, i) / count) * count;
-  const double off = std::fabs(windows.of(Difference, i)) - kEdge_px * windows.of(Step, i);
-  const double worst = search.worst->value * scale;
-  if (off <= worst) return;
-  const auto noise = noise_over(windows, i, search.samples.noise_source);
-  if (off - search.reach.least_of(noise) <= worst) return;
-  const double certain = off - search.reach.of(noise);
-  if (certain > worst) search.worst = {certain / scale, where};
+  const double scale = scale_of(windows, i, search.least_scale);
+  const double off = off_by(windows, i);
+  if (off <= search.worst->value * scale) return;
+  const double certain = off - search.reach.of(noise_over(windows, i, search.samples.noise_source));
+  if (certain > search.worst->value * scale) search.worst = {certain / scale, where};
 }
 
 void look_everywhere(const Cells& cells, WindowSearch& search) {
   if (cells.columns < kCells || cells.rows < kCells) return;
   WindowRow windows(cells, columns_of(search.samples.noise_source));
+  Candidates candidates(windows.count());
   const int side_px = static_cast<int>(kCells) * cells.side_px;
   for (std::size_t row = 0; row + kCells <= cells.rows; ++row) {
     windows.sum(row);
+    candidates.look(windows, search);
     const int y = static_cast<int>(row) * cells.side_px;
     for (std::size_t i = 0; i < windows.count(); ++i) {
+      if (!candidates.may_be_worse(i, search.worst)) continue;
       const int x = static_cast<int>(i) * cells.side_px;
       look_at(windows, i, {x, y, x + side_px, y + side_px}, search);
     }
