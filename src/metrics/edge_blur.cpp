@@ -17,33 +17,42 @@ namespace {
 constexpr std::size_t kMiddle = 4;
 constexpr std::array<double, 9> kFilter{1 / 16.0, 2 / 16.0, 1 / 16.0, 2 / 16.0, 4 / 16.0,
                                         2 / 16.0, 1 / 16.0, 2 / 16.0, 1 / 16.0};
-using Neighbours = std::array<std::size_t, 9>;  // pixels
-
-Neighbours neighbours_of(const PairSamples& samples, int x, int y) {
-  Neighbours all{};
-  std::size_t next = 0;
-  for (int v = y - 1; v <= y + 1; ++v)
-    for (int u = x - 1; u <= x + 1; ++u)
-      all.at(next++) =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(samples.width) + static_cast<std::size_t>(u);
-  return all;
+// The samples of the reference's row y, filtered; those of its first and last pixel are left as they are.
+void filter_row(const PairSamples& samples, int y, std::vector<double>& filtered) {
+  const auto row_length = 3 * static_cast<std::size_t>(samples.width);
+  const float* const above = &samples.reference[static_cast<std::size_t>(y - 1) * row_length];
+  filtered.resize(row_length);
+  for (std::size_t i = 3; i + 3 < row_length; ++i) {
+    double sum = 0;
+    for (std::size_t v = 0; v < 3; ++v)
+      for (std::size_t u = 0; u < 3; ++u)
+        sum += kFilter[3 * v + u] * static_cast<double>(above[v * row_length + i + 3 * u - 3]);
+    filtered[i] = sum;
+  }
 }
 
-double filtered(const std::vector<float>& image, const Neighbours& around, std::size_t channel) {
-  double sum = 0;
-  for (std::size_t i = 0; i < around.size(); ++i)
-    sum += kFilter.at(i) * static_cast<double>(image[3 * around.at(i) + channel]);
-  return sum;
+// Visits (pixel, place in the filter) of the pixel and its neighbours.
+template <typename Visit>
+void for_each_around(const PairSamples& samples, std::size_t pixel, Visit visit) {
+  const auto width = static_cast<std::size_t>(samples.width);
+  for (std::size_t i = 0; i < kFilter.size(); ++i) visit(pixel + (i / 3) * width + i % 3 - width - 1, i);
 }
 
 // Of filtered reference - reference, as the noise of pixels is independent.
-double change_variance(const PairSamples& samples, const Neighbours& around, std::size_t channel) {
+double change_variance(const PairSamples& samples, std::size_t pixel, std::size_t channel) {
   double sum = 0;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const double weight = kFilter.at(i) - (i == kMiddle ? 1 : 0);
-    sum += weight * weight * variance_at(samples.reference_variance, 3 * around.at(i) + channel);
-  }
+  for_each_around(samples, pixel, [&](std::size_t at, std::size_t place) {
+    const double weight = kFilter.at(place) - (place == kMiddle ? 1 : 0);
+    sum += weight * weight * variance_at(samples.reference_variance, 3 * at + channel);
+  });
   return sum;
+}
+
+bool is_counted_around(const PairSamples& samples, std::size_t pixel) {
+  bool is_counted = true;
+  for_each_around(samples, pixel,
+                  [&](std::size_t at, std::size_t) { is_counted = is_counted && samples.included[at] != 0; });
+  return is_counted;
 }
 
 std::array<double, 3> reference_means(const PairSamples& samples) {
@@ -65,20 +74,24 @@ struct Edge {
   double error = 0;   // in the direction of the change
 };
 
-Edge edge_at(const PairSamples& samples, const Neighbours& around, const std::array<double, 3>& means) {
+// `filtered`: the pixel's three samples.
+Edge edge_at(const PairSamples& samples,
+             std::size_t pixel,
+             const double* filtered,
+             const std::array<double, 3>& means) {
   constexpr double kEdge = 0.05;
   constexpr double kStandardDeviations = 5;
   Edge edge;
   for (std::size_t c = 0; c < 3; ++c) {
     if (!(means.at(c) > 0)) continue;
-    const std::size_t here = 3 * around[kMiddle] + c;
-    const double soft = filtered(samples.reference, around, c);
+    const std::size_t here = 3 * pixel + c;
+    const double soft = filtered[c];
     // Below 0 only in a difference of images.
     const double scale = std::max(0.0, soft) + means.at(c);
     const double change = (soft - static_cast<double>(samples.reference[here])) / scale;
     // In this order, as most pixels lie at no edge and their noise need not be known.
     if (std::fabs(change) <= kEdge) continue;
-    const double deviation = std::sqrt(change_variance(samples, around, c)) / scale;
+    const double deviation = std::sqrt(change_variance(samples, pixel, c)) / scale;
     if (std::fabs(change) <= kStandardDeviations * deviation) continue;
     edge.change += std::fabs(change);
     edge.error += std::copysign(1.0, change) * samples.difference(here) / scale;
@@ -89,14 +102,15 @@ Edge edge_at(const PairSamples& samples, const Neighbours& around, const std::ar
 std::vector<Edge> edges_of(const PairSamples& samples) {
   const auto means = reference_means(samples);
   std::vector<Edge> edges;
-  for (int y = 1; y + 1 < samples.height; ++y)
+  std::vector<double> filtered;
+  for (int y = 1; y + 1 < samples.height; ++y) {
+    filter_row(samples, y, filtered);
     for (int x = 1; x + 1 < samples.width; ++x) {
-      const auto around = neighbours_of(samples, x, y);
-      if (std::any_of(around.begin(), around.end(), [&](auto i) { return samples.included[i] == 0; }))
-        continue;
-      const auto edge = edge_at(samples, around, means);
-      if (edge.change > 0) edges.push_back(edge);
+      const auto pixel = samples.pixel_at(x, y);
+      const auto edge = edge_at(samples, pixel, &filtered[3 * static_cast<std::size_t>(x)], means);
+      if (edge.change > 0 && is_counted_around(samples, pixel)) edges.push_back(edge);
     }
+  }
   return edges;
 }
 

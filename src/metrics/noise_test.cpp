@@ -96,6 +96,7 @@ struct PixelVariances {
 
 PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std::uint8_t>& chosen) {
   PixelVariances all;
+  for (auto* sums : {&all.reference, &all.own, &all.expected}) sums->reserve(samples.included_count);
   for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
     if (chosen[pixel] == 0) continue;
     double reference = 0;
@@ -116,20 +117,27 @@ PixelVariances pixel_variances(const PairSamples& samples, const std::vector<std
   return all;
 }
 
+// By pixel, over its channels.
+std::vector<double> squared_differences(const PairSamples& samples) {
+  std::vector<double> squares(samples.pixel_count());
+  for (std::size_t pixel = 0; pixel < squares.size(); ++pixel)
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+      squares[pixel] += samples.difference(i) * samples.difference(i);
+  return squares;
+}
+
 // (result - reference)^2 - variances has the expectation bias^2. The mean of its channels, which are far from
 // independent, is one number per pixel.
-Interval mean_excess(const PairSamples& samples,
+Interval mean_excess(const std::vector<double>& squares,
                      const std::vector<std::uint8_t>& chosen,
                      const std::vector<double>& variances,
                      double false_alarms = kPerTest) {
-  std::vector<double> excess;
-  excess.reserve(variances.size());
+  std::vector<double> excess(variances.size());
+  std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
     if (chosen[pixel] == 0) continue;
-    double squares = 0;
-    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
-      squares += samples.difference(i) * samples.difference(i);
-    excess.push_back((squares - variances[excess.size()]) / 3);
+    excess[count] = (squares[pixel] - variances[count]) / 3;
+    ++count;
   }
   return mean_of(excess, false_alarms);
 }
@@ -149,44 +157,53 @@ double mean_square(const PairSamples& samples, const std::vector<std::uint8_t>& 
 double edge_square(const PairSamples& samples) {
   constexpr double kEdge_px = 0.15;
   double sum = 0;
-  for (int y = 0; y < samples.height; ++y)
-    for (int x = 0; x < samples.width; ++x) {
-      if (samples.included[samples.pixel_at(x, y)] == 0) continue;
+  std::vector<double> steps;
+  std::size_t pixel = 0;
+  for (int y = 0; y < samples.height; ++y) {
+    reference_steps(samples, y, steps);
+    for (std::size_t i = 0; i < steps.size(); i += 3, ++pixel) {
+      if (samples.included[pixel] == 0) continue;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double error = kEdge_px * reference_step(samples, x, y, c);
+        const double error = kEdge_px * steps[i + c];
         sum += error * error;
       }
     }
+  }
   return sum / (3 * static_cast<double>(samples.included_count));
 }
 
 void split_by_variances(const PairSamples& samples,
+                        const std::vector<double>& squares,
                         const PixelVariances& all,
                         const std::vector<std::uint8_t>& smooth,
                         NoiseTest& test) {
   const bool is_own = all.own_sum >= all.expected_sum;
   test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(all.own.size()));
-  test.bias_squared = mean_excess(samples, samples.included, is_own ? all.own : all.expected);
+  test.bias_squared = mean_excess(squares, samples.included, is_own ? all.own : all.expected);
   if (std::count(smooth.begin(), smooth.end(), 1) < kFewestSmoothPixels) return;
   const PixelVariances there = pixel_variances(samples, smooth);
   const auto& variances = there.own_sum >= there.expected_sum ? there.own : there.expected;
-  test.smooth = {mean_excess(samples, smooth, variances), mean_square(samples, smooth)};
+  test.smooth = {mean_excess(squares, smooth, variances), mean_square(samples, smooth)};
 }
 
 // Whether the squared differences are below half of these variances for sure. Half, as the variances of
 // references are stored to 2 significant bits, which can make them a fifth too large.
-bool is_less_than_half(const PairSamples& samples, std::vector<double> variances) {
+bool is_less_than_half(const PairSamples& samples,
+                       const std::vector<double>& squares,
+                       std::vector<double> variances) {
   double sum = 0;
   for (double& variance : variances) {
     variance /= 2;
     sum += variance;
   }
-  return sum > 0 && mean_excess(samples, samples.included, variances, kPerNoiseTest).high < 0;
+  return sum > 0 && mean_excess(squares, samples.included, variances, kPerNoiseTest).high < 0;
 }
 
-StatedNoise check_stated_noise(const PairSamples& samples, const PixelVariances& all) {
-  if (is_less_than_half(samples, all.reference)) return StatedNoise::NearerThanReference;
-  if (is_less_than_half(samples, all.own)) return StatedNoise::OverstatedByResult;
+StatedNoise check_stated_noise(const PairSamples& samples,
+                               const std::vector<double>& squares,
+                               const PixelVariances& all) {
+  if (is_less_than_half(samples, squares, all.reference)) return StatedNoise::NearerThanReference;
+  if (is_less_than_half(samples, squares, all.own)) return StatedNoise::OverstatedByResult;
   return StatedNoise::Plausible;
 }
 
@@ -217,7 +234,8 @@ NoiseTest test_noise(const PairSamples& samples) {
   NoiseTest test;
   test.source = samples.noise_source;
   const PixelVariances variances = pixel_variances(samples, samples.included);
-  test.stated = check_stated_noise(samples, variances);
+  const auto squares = squared_differences(samples);
+  test.stated = check_stated_noise(samples, squares, variances);
   for (std::size_t channel = 0; channel < 3; ++channel)
     test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
   test.reference_squared = mean_square(samples, samples.included);
@@ -226,7 +244,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   if (test.source == NoiseSource::Scatter) {
     split_by_scatter(samples, test);
   } else {
-    split_by_variances(samples, variances, smooth, test);
+    split_by_variances(samples, squares, variances, smooth, test);
   }
   test.blocks = score_blocks(samples, kPerTest);
   test.windows = window_errors(samples);

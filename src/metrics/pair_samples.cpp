@@ -108,15 +108,23 @@ PairSamples pair_samples(const image::Image& result,
   return samples;
 }
 
-double reference_step(const PairSamples& samples, int x, int y, std::size_t channel) {
-  const auto value = [&](int u, int v) {
-    const int inside_u = std::clamp(u, 0, samples.width - 1);
-    const int inside_v = std::clamp(v, 0, samples.height - 1);
-    return static_cast<double>(samples.reference[3 * samples.pixel_at(inside_u, inside_v) + channel]);
+void reference_steps(const PairSamples& samples, int y, std::vector<double>& steps) {
+  const auto row_at = [&](int v) {
+    return &samples.reference[3 * samples.pixel_at(0, std::clamp(v, 0, samples.height - 1))];
   };
-  const double here = value(x, y);
-  return std::max(std::fabs(value(x - 1, y) - here), std::fabs(value(x + 1, y) - here)) +
-         std::max(std::fabs(value(x, y - 1) - here), std::fabs(value(x, y + 1) - here));
+  const auto step = [](float to, float from) {
+    return std::fabs(static_cast<double>(to) - static_cast<double>(from));
+  };
+  const float* const here = row_at(y);
+  const float* const above = row_at(y - 1);
+  const float* const below = row_at(y + 1);
+  const std::size_t count = 3 * static_cast<std::size_t>(samples.width);
+  steps.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double left = i < 3 ? 0.0 : step(here[i - 3], here[i]);
+    const double right = i + 3 < count ? step(here[i + 3], here[i]) : 0.0;
+    steps[i] = std::max(left, right) + std::max(step(above[i], here[i]), step(below[i], here[i]));
+  }
 }
 
 bool has_stokes(const image::Image& image) {

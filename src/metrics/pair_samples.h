@@ -69,9 +69,9 @@ inline double variance_at(const std::vector<float>& variances, std::size_t sampl
   return variances.empty() ? 0.0 : static_cast<double>(variances[sample]);
 }
 
-/// Of the reference to its neighbours: the larger step to either side, in x and y together. Times a length in
-/// px it is at least what an edge makes in a pixel when it lies so far away.
-double reference_step(const PairSamples& samples, int x, int y, std::size_t channel);
+/// Of the reference to its neighbours, for each sample of the row y: the larger step to either side, in x and
+/// y together. Times a length in px it is at least what an edge makes in a pixel when it lies so far away.
+void reference_steps(const PairSamples& samples, int y, std::vector<double>& steps);
 
 /// Side of the blocks over which errors are averaged where single pixels are too noisy to be tested.
 constexpr int kBlock_px = 8;

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,19 +20,25 @@ namespace orbs::metrics {
 
 namespace {
 
-using Rgb = std::array<double, 3>;
+// Numbers of four pixels beside each other. An operation on them is one instruction, and gives each the bits
+// that it would have alone.
+constexpr int kLanes = 4;
+using Lanes = double __attribute__((vector_size(32)));
+using Rgb = std::array<Lanes, 3>;
 
-// The reference around a pixel, in radiance over the mean luminance of the image. The pixel itself is left
-// out: its noise is in the difference too, and would pass for a pattern.
+Lanes all(double value) { return Lanes{} + value; }
+
+// The reference around four pixels, in radiance over the mean luminance of the image. The pixel itself is
+// left out: its noise is in the difference too, and would pass for a pattern.
 struct Site {
   Rgb ring{};     // mean of the 8 neighbours
   Rgb slope_x{};  // per px
   Rgb slope_y{};
-  Rgb bend{};                                   // mean of the 16 pixels around the ring - ring
-  double luminance = 0;                         // of the ring
-  double x = 0, y = 0;                          // -1 to 1 from edge to edge
-  double from_centre_x = 0, from_centre_y = 0;  // px
-  bool is_odd_column = false, is_odd_row = false;
+  Rgb bend{};                              // mean of the 16 pixels around the ring - ring
+  Lanes luminance{};                       // of the ring
+  Lanes x{}, y{};                          // -1 to 1 from edge to edge
+  Lanes from_centre_x{}, from_centre_y{};  // px
+  Lanes sign_of_column{}, sign_of_row{};   // -1 where it is odd, 1 where it is even
 };
 
 struct Row {
@@ -40,14 +48,14 @@ struct Row {
       false;  // tested without what all channels share, which is most of a path tracer's noise
 };
 
-Rgb scaled(const Rgb& rgb, double factor) { return {rgb[0] * factor, rgb[1] * factor, rgb[2] * factor}; }
+Rgb scaled(const Rgb& rgb, Lanes factor) { return {rgb[0] * factor, rgb[1] * factor, rgb[2] * factor}; }
 
 // a times x + b times y.
-Rgb sum_of(const Rgb& x, double a, const Rgb& y, double b) {
+Rgb sum_of(const Rgb& x, Lanes a, const Rgb& y, Lanes b) {
   return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
 }
 
-Rgb minus(const Rgb& rgb, double level) { return {rgb[0] - level, rgb[1] - level, rgb[2] - level}; }
+Rgb minus(const Rgb& rgb, Lanes level) { return {rgb[0] - level, rgb[1] - level, rgb[2] - level}; }
 
 // Perpendicular to the grey axis and to the colour, as long as what the colour has beside grey.
 Rgb turned_in_hue(const Rgb& rgb) {
@@ -56,11 +64,14 @@ Rgb turned_in_hue(const Rgb& rgb) {
 }
 
 Rgb times_logarithm(Rgb rgb) {
-  for (double& value : rgb) value = value > 0 ? value * std::log(value) : 0;
+  for (Lanes& lanes : rgb)
+    for (std::size_t i = 0; i < kLanes; ++i) lanes[i] = lanes[i] > 0 ? lanes[i] * std::log(lanes[i]) : 0;
   return rgb;
 }
 
 double sign(bool is_odd) { return is_odd ? -1.0 : 1.0; }
+
+Lanes or_zero(Lanes value) { return value > 0.0 ? value : all(0); }
 
 constexpr auto kPercent = AmplitudeUnit::Percent;
 constexpr auto kPixels = AmplitudeUnit::Pixels;
@@ -94,17 +105,17 @@ constexpr std::array kRows{
          kMostLight},
         [](const Site& s) { return scaled(s.ring, 0.75 * (s.x * s.x + s.y * s.y - 2.0 / 3)); }},
     Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare, kMostLight},
-        [](const Site& s) { return minus(s.ring, 1); }},
+        [](const Site& s) { return minus(s.ring, all(1)); }},
     Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, 2 * kMostLight,
          0, kAny},
-        [](const Site& s) { return scaled(s.ring, std::max(0.0, 1 - 2 * s.luminance)); }},
+        [](const Site& s) { return scaled(s.ring, or_zero(1 - 2 * s.luminance)); }},
     Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare,
          2 * kMostLight, 0, kAny},
-        [](const Site& s) { return scaled(s.ring, s.luminance > 2 ? 1 : 0); }},
+        [](const Site& s) { return scaled(s.ring, s.luminance > 2.0 ? all(1) : all(0)); }},
     Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare,
          kMostLight / 2, 0, kAny},
         [](const Site&) {
-          return Rgb{1, 1, 1};
+          return Rgb{all(1), all(1), all(1)};
         }},
     Row{{"of more saturated colours", "of less saturated colours", kPercent, 2 * kNegligibleShare,
          kMostLight},
@@ -131,18 +142,19 @@ constexpr std::array kRows{
         [](const Site& s) { return times_logarithm(s.ring); }},
     Row{{"striped: every second column is brighter", "striped: every second column is brighter", kPercent,
          kNegligibleShare, kMostLight},
-        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column)); }},
+        [](const Site& s) { return scaled(s.ring, s.sign_of_column); }},
     Row{{"striped: every second row is brighter", "striped: every second row is brighter", kPercent,
          kNegligibleShare, kMostLight},
-        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_row)); }},
+        [](const Site& s) { return scaled(s.ring, s.sign_of_row); }},
     Row{{"chequered: every second pixel is brighter", "chequered: every second pixel is brighter", kPercent,
          kNegligibleShare, kMostLight},
-        [](const Site& s) { return scaled(s.ring, sign(s.is_odd_column != s.is_odd_row)); }},
+        [](const Site& s) { return scaled(s.ring, s.sign_of_column * s.sign_of_row); }},
 };
 
-double luminance_of(const Rgb& rgb) { return image::luminance(rgb[0], rgb[1], rgb[2]); }
+// As image::luminance.
+Lanes luminance_of(const Rgb& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-double dot(const Rgb& a, const Rgb& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Lanes dot(const Rgb& a, const Rgb& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Mean luminance of the counted pixels of the reference.
 double mean_luminance(const PairSamples& samples) {
@@ -150,70 +162,129 @@ double mean_luminance(const PairSamples& samples) {
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
     if (samples.included[pixel] == 0) continue;
     const float* rgb = &samples.reference[3 * pixel];
-    sum +=
-        luminance_of({static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])});
+    sum += image::luminance(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
+                            static_cast<double>(rgb[2]));
   }
   return sum / static_cast<double>(samples.included_count);
 }
 
-// Two pixels from the edge at least.
-Site site_at(const PairSamples& samples, int x, int y, double mean) {
-  Site site;
-  const auto at = [&](int u, int v, std::size_t c) {
-    return static_cast<double>(samples.reference[3 * samples.pixel_at(u, v) + c]) / mean;
-  };
+// A channel of an image over a mean, by rows. Four pixels can be read from each of its pixels on.
+using Plane = std::vector<double>;
+
+struct Planes {
+  std::array<Plane, 3> reference;
+  std::array<Plane, 3> difference;
+};
+
+Planes planes_of(const PairSamples& samples, double mean) {
+  Planes planes;
   for (std::size_t c = 0; c < 3; ++c) {
-    double inner = 0;
-    double outer = 0;
-    for (int v = y - 2; v <= y + 2; ++v)
-      for (int u = x - 2; u <= x + 2; ++u) {
-        if (u == x && v == y) continue;
-        const bool is_inner = std::abs(u - x) <= 1 && std::abs(v - y) <= 1;
-        (is_inner ? inner : outer) += at(u, v, c);
-      }
-    site.ring.at(c) = inner / 8;
-    site.bend.at(c) = outer / 16 - inner / 8;
-    site.slope_x.at(c) = (at(x + 1, y, c) - at(x - 1, y, c)) / 2;
-    site.slope_y.at(c) = (at(x, y + 1, c) - at(x, y - 1, c)) / 2;
+    planes.reference.at(c).resize(samples.pixel_count() + kLanes);
+    planes.difference.at(c).resize(samples.pixel_count() + kLanes);
+    for (std::size_t pixel = 0; pixel < samples.pixel_count(); ++pixel) {
+      const std::size_t i = 3 * pixel + c;
+      planes.reference.at(c)[pixel] = static_cast<double>(samples.reference[i]) / mean;
+      planes.difference.at(c)[pixel] = samples.difference(i) / mean;
+    }
   }
+  return planes;
+}
+
+Lanes lanes_at(const double* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+// What the reference is around four pixels, the first of which is `at`.
+void look_around(const double* at, std::ptrdiff_t width, std::size_t channel, Site& site) {
+  Lanes inner{};
+  Lanes outer{};
+  for (std::ptrdiff_t v = -2; v <= 2; ++v)
+    for (std::ptrdiff_t u = -2; u <= 2; ++u) {
+      if (u == 0 && v == 0) continue;
+      const bool is_inner = std::abs(u) <= 1 && std::abs(v) <= 1;
+      (is_inner ? inner : outer) += lanes_at(at + v * width + u);
+    }
+  site.ring.at(channel) = inner / 8;
+  site.bend.at(channel) = outer / 16 - inner / 8;
+  site.slope_x.at(channel) = (lanes_at(at + 1) - lanes_at(at - 1)) / 2;
+  site.slope_y.at(channel) = (lanes_at(at + width) - lanes_at(at - width)) / 2;
+}
+
+// Of the pixels from (x, y) on, which is two pixels from the edge at least.
+Site site_at(const PairSamples& samples, const Planes& planes, int x, int y) {
+  Site site;
+  for (std::size_t c = 0; c < 3; ++c)
+    look_around(&planes.reference.at(c)[samples.pixel_at(x, y)], samples.width, c, site);
   site.luminance = luminance_of(site.ring);
-  site.from_centre_x = x + 0.5 - samples.width / 2.0;
-  site.from_centre_y = y + 0.5 - samples.height / 2.0;
+  for (int i = 0; i < kLanes; ++i) {
+    const auto lane = static_cast<std::size_t>(i);
+    site.from_centre_x[lane] = x + i + 0.5 - samples.width / 2.0;
+    site.sign_of_column[lane] = sign((x + i) % 2 != 0);
+  }
+  site.from_centre_y = all(y + 0.5 - samples.height / 2.0);
+  site.sign_of_row = all(sign(y % 2 != 0));
   site.x = site.from_centre_x / (samples.width / 2.0);
   site.y = site.from_centre_y / (samples.height / 2.0);
-  site.is_odd_column = x % 2 != 0;
-  site.is_odd_row = y % 2 != 0;
   return site;
 }
 
 // The difference less what is a factor of the light.
 Rgb without_light(const Rgb& difference, const Site& site) {
-  if (!(site.luminance > 0)) return difference;
-  return sum_of(difference, 1, site.ring, -luminance_of(difference) / site.luminance);
+  const Rgb rest = sum_of(difference, all(1), site.ring, -luminance_of(difference) / site.luminance);
+  const auto choose = [&](std::size_t c) { return site.luminance > 0.0 ? rest.at(c) : difference.at(c); };
+  return {choose(0), choose(1), choose(2)};
 }
 
 // Weighted, for the amplitude of each pattern.
 using AllSums = std::array<AmplitudeSums, kRows.size()>;
 
-AllSums sums_of_block(const PairSamples& samples, const Rectangle& block, double mean) {
+// Of four pixels.
+struct Projection {
+  Lanes product{}, norm{};
+};
+using AllProjections = std::array<Projection, kRows.size()>;
+
+// The index is known when this is compiled, so that each pattern's arithmetic stands here and is not called.
+template <std::size_t... Index>
+AllProjections projections_of(const Site& site,
+                              const Rgb& difference,
+                              std::index_sequence<Index...> /*all*/) {
   constexpr double kFloor = 0.1;  // of the mean: where it is darker, the noise no longer falls with the light
-  AllSums sums{};
-  for (int y = std::max(block.y0, 2); y < std::min(block.y1, samples.height - 2); ++y)
-    for (int x = std::max(block.x0, 2); x < std::min(block.x1, samples.width - 2); ++x) {
-      const std::size_t pixel = samples.pixel_at(x, y);
-      if (samples.included[pixel] == 0) continue;
-      const Site site = site_at(samples, x, y, mean);
-      const double scale = std::max(0.0, site.luminance) + kFloor;
-      const double weight = 1 / (scale * scale);  // the noise of a path tracer is nearly relative
-      const Rgb difference{samples.difference(3 * pixel) / mean, samples.difference(3 * pixel + 1) / mean,
-                           samples.difference(3 * pixel + 2) / mean};
-      const Rgb of_colour = without_light(difference, site);
-      for (std::size_t i = 0; i < kRows.size(); ++i) {
-        const Rgb pattern = kRows.at(i).at(site);
-        sums.at(i).product += weight * dot(pattern, kRows.at(i).is_of_colour ? of_colour : difference);
-        sums.at(i).norm += weight * dot(pattern, pattern);
-      }
+  const Lanes scale = or_zero(site.luminance) + kFloor;
+  const Lanes weight = 1 / (scale * scale);  // the noise of a path tracer is nearly relative
+  const Rgb of_colour = without_light(difference, site);
+  const auto projection = [&](const Row& row) {
+    const Rgb pattern = row.at(site);
+    return Projection{weight * dot(pattern, row.is_of_colour ? of_colour : difference),
+                      weight * dot(pattern, pattern)};
+  };
+  return {projection(kRows[Index])...};
+}
+
+// Of `count` pixels from (x, y) on, each where it counts.
+void add_pixels(const PairSamples& samples, const Planes& planes, int x, int y, int count, AllSums& sums) {
+  const std::size_t pixel = samples.pixel_at(x, y);
+  const Rgb difference{lanes_at(&planes.difference[0][pixel]), lanes_at(&planes.difference[1][pixel]),
+                       lanes_at(&planes.difference[2][pixel])};
+  const auto projections =
+      projections_of(site_at(samples, planes, x, y), difference, std::make_index_sequence<kRows.size()>());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (samples.included[pixel + i] == 0) continue;
+    for (std::size_t row = 0; row < kRows.size(); ++row) {
+      sums[row].product += projections[row].product[i];
+      sums[row].norm += projections[row].norm[i];
     }
+  }
+}
+
+AllSums sums_of_block(const PairSamples& samples, const Planes& planes, const Rectangle& block) {
+  AllSums sums{};
+  const int end = std::min(block.x1, samples.width - 2);
+  for (int y = std::max(block.y0, 2); y < std::min(block.y1, samples.height - 2); ++y)
+    for (int x = std::max(block.x0, 2); x < end; x += kLanes)
+      add_pixels(samples, planes, x, y, std::min(kLanes, end - x), sums);
   return sums;
 }
 
@@ -252,8 +323,9 @@ std::optional<PatternFinding> finding_of(const Row& row,
 std::vector<PatternFinding> find_patterns(const PairSamples& samples, double false_alarms) {
   const double mean = mean_luminance(samples);
   if (!(mean > 0)) return {};  // black, or a difference of images, which has no mean level
+  const auto planes = planes_of(samples, mean);
   std::vector<AllSums> blocks;
-  for (const Rectangle& block : blocks_of(samples)) blocks.push_back(sums_of_block(samples, block, mean));
+  for (const Rectangle& block : blocks_of(samples)) blocks.push_back(sums_of_block(samples, planes, block));
   std::vector<PatternFinding> findings;
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (const auto finding =

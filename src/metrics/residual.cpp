@@ -22,19 +22,32 @@ double deviation_at(const PairSamples& samples, std::size_t pixel) {
   return std::sqrt(sum / 3);
 }
 
+// Of each pixel.
+struct Levels {
+  std::vector<double> brightness, deviation;
+};
+
+Levels levels_of(const PairSamples& samples) {
+  Levels levels{std::vector<double>(samples.pixel_count()), std::vector<double>(samples.pixel_count())};
+  for (std::size_t pixel = 0; pixel < samples.pixel_count(); ++pixel) {
+    levels.brightness[pixel] = brightness_at(samples, pixel);
+    levels.deviation[pixel] = deviation_at(samples, pixel);
+  }
+  return levels;
+}
+
 // Of the pixels around one that is not at the edge of the image.
-bool is_smooth(const PairSamples& samples, int x, int y) {
+bool is_smooth(const Levels& levels, std::size_t pixel, std::size_t width) {
   constexpr double kChange = 0.1;
   constexpr double kStandardDeviations = 4;  // the range of nine normally distributed numbers is 3 of them
-  double least = brightness_at(samples, samples.pixel_at(x, y));
+  double least = levels.brightness[pixel];
   double most = least;
   double deviation = 0;
-  for (int v = y - 1; v <= y + 1; ++v)
-    for (int u = x - 1; u <= x + 1; ++u) {
-      const auto pixel = samples.pixel_at(u, v);
-      least = std::min(least, brightness_at(samples, pixel));
-      most = std::max(most, brightness_at(samples, pixel));
-      deviation = std::max(deviation, deviation_at(samples, pixel));
+  for (const std::size_t first : {pixel - width - 1, pixel - 1, pixel + width - 1})
+    for (std::size_t i = first; i < first + 3; ++i) {
+      least = std::min(least, levels.brightness[i]);
+      most = std::max(most, levels.brightness[i]);
+      deviation = std::max(deviation, levels.deviation[i]);
     }
   return most - least <= kChange * std::max(0.0, most) + kStandardDeviations * deviation;
 }
@@ -94,10 +107,12 @@ Products products_of(const PairSamples& samples,
 
 std::vector<std::uint8_t> smooth_pixels(const PairSamples& samples) {
   std::vector<std::uint8_t> smooth(samples.included.size(), 0);
+  const auto levels = levels_of(samples);
   for (int y = 1; y + 1 < samples.height; ++y)
     for (int x = 1; x + 1 < samples.width; ++x) {
       const auto pixel = samples.pixel_at(x, y);
-      if (samples.included[pixel] != 0 && is_smooth(samples, x, y)) smooth[pixel] = 1;
+      smooth[pixel] = static_cast<std::uint8_t>(
+          samples.included[pixel] != 0 && is_smooth(levels, pixel, static_cast<std::size_t>(samples.width)));
     }
   return smooth;
 }

@@ -28,106 +28,165 @@ enum Summand {
   Pairs  // of the pixel and its right neighbour, in which the scatter is read
 };
 constexpr std::size_t kSummands = Pairs + 1;
-using WindowSums = std::array<double, kSummands>;
+constexpr std::size_t kCells = 8;  // along each side of a window
 
-// The sums of square cells by rows. A window is made of 8 x 8 of them: sums over its own cells alone, because
-// a table of sums over the whole image loses the digits of what lies beyond a firefly.
+// Over how many columns of a window's cells each summand is summed. Of pairs the last one is left out, whose
+// right neighbours lie outside.
+using Columns = std::array<std::size_t, kSummands>;
+
+Columns columns_of(NoiseSource source) {
+  Columns columns{};
+  columns.fill(kCells);
+  columns[Pairs] = 0;
+  if (source == NoiseSource::Scatter)
+    columns[Pairs] = columns[OwnVariance] = columns[OwnSquares] = kCells - 1;
+  return columns;
+}
+
+// The sums of square cells. A window is made of 8 x 8 of them: sums over its own cells alone, because a table
+// of sums over the whole image loses the digits of what lies beyond a firefly. Each row holds one summand
+// after the other, so that several windows are summed in one instruction.
 struct Cells {
   int side_px = 1;
-  int columns = 0;
-  int rows = 0;
-  std::vector<WindowSums> sums;
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<double> sums{};
 
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(column);
+  double* at(std::size_t row, std::size_t summand) {
+    return sums.data() + (row * kSummands + summand) * columns;
   }
-  const WindowSums& at(int column, int row) const { return sums[index(column, row)]; }
+  const double* at(std::size_t row, std::size_t summand) const {
+    return sums.data() + (row * kSummands + summand) * columns;
+  }
 };
-constexpr int kCells = 8;  // along each side of a window
 
-void add(const WindowSums& from, WindowSums& to) {
-  for (std::size_t i = 0; i < to.size(); ++i) to.at(i) += from.at(i);
+Cells no_cells(int side_px, std::size_t columns, std::size_t rows) {
+  return {side_px, columns, rows, std::vector<double>(columns * rows * kSummands)};
 }
 
-void add_own(double variance, WindowSums& sums) {
-  sums[OwnVariance] = variance;
-  sums[OwnSquares] = variance * variance;
+struct CellSample {
+  std::size_t row = 0;
+  std::size_t column = 0;
+  std::size_t sample = 0;  // of the channel that is looked at
+};
+
+void set_own(const CellSample& site, double variance, Cells& cells) {
+  cells.at(site.row, OwnVariance)[site.column] = variance;
+  cells.at(site.row, OwnSquares)[site.column] = variance * variance;
 }
 
-WindowSums sums_of_pixel(const PairSamples& samples, int x, int y, std::size_t channel) {
-  WindowSums sums{};
-  const auto pixel = samples.pixel_at(x, y);
-  if (samples.included[pixel] == 0) return sums;
-  const std::size_t i = 3 * pixel + channel;
-  sums[Count] = 1;
-  sums[Difference] = samples.difference(i);
-  sums[Reference] = static_cast<double>(samples.reference[i]);
-  sums[Step] = reference_step(samples, x, y, channel);
-  const double of_reference = variance_at(samples.reference_variance, i);
-  const double expected = (samples.variance_ratio.at(channel) + 1) * of_reference;
-  sums[ExpectedVariance] = expected;
-  sums[ExpectedSquares] = expected * expected;
-  if (samples.noise_source != NoiseSource::Scatter) {
-    add_own(variance_at(samples.result_variance, i) + of_reference, sums);
-  } else if (x + 1 < samples.width && samples.included[pixel + 1] != 0) {
-    const double step = sums[Difference] - samples.difference(i + 3);
-    sums[Pairs] = 1;
-    add_own(step * step / 2, sums);
+void set_variances(const PairSamples& samples, const CellSample& site, double variance_ratio, Cells& cells) {
+  const double of_reference = variance_at(samples.reference_variance, site.sample);
+  const double expected = (variance_ratio + 1) * of_reference;
+  cells.at(site.row, ExpectedVariance)[site.column] = expected;
+  cells.at(site.row, ExpectedSquares)[site.column] = expected * expected;
+  if (samples.noise_source != NoiseSource::Scatter)
+    set_own(site, variance_at(samples.result_variance, site.sample) + of_reference, cells);
+}
+
+// The right neighbour counts as well.
+void set_pair(const PairSamples& samples, const CellSample& site, Cells& cells) {
+  const double step = samples.difference(site.sample) - samples.difference(site.sample + 3);
+  cells.at(site.row, Pairs)[site.column] = 1;
+  set_own(site, step * step / 2, cells);
+}
+
+// Overwrites the cells, which are those of pixels and in which pixels that do not count are 0.
+void set_pixels(const PairSamples& samples, std::size_t channel, Cells& cells) {
+  const bool is_scatter = samples.noise_source == NoiseSource::Scatter;
+  const double variance_ratio = samples.variance_ratio.at(channel);
+  std::vector<double> steps;
+  std::size_t pixel = 0;
+  for (std::size_t row = 0; row < cells.rows; ++row) {
+    reference_steps(samples, static_cast<int>(row), steps);
+    for (std::size_t column = 0; column < cells.columns; ++column, ++pixel) {
+      if (samples.included[pixel] == 0) continue;
+      const CellSample site{row, column, 3 * pixel + channel};
+      cells.at(row, Count)[column] = 1;
+      cells.at(row, Difference)[column] = samples.difference(site.sample);
+      cells.at(row, Reference)[column] = static_cast<double>(samples.reference[site.sample]);
+      cells.at(row, Step)[column] = steps[3 * column + channel];
+      set_variances(samples, site, variance_ratio, cells);
+      if (is_scatter && column + 1 < cells.columns && samples.included[pixel + 1] != 0)
+        set_pair(samples, site, cells);
+    }
   }
-  return sums;
-}
-
-Cells cells_of_pixels(const PairSamples& samples, std::size_t channel) {
-  Cells cells{1, samples.width, samples.height, {}};
-  cells.sums.reserve(samples.pixel_count());
-  for (int y = 0; y < samples.height; ++y)
-    for (int x = 0; x < samples.width; ++x) cells.sums.push_back(sums_of_pixel(samples, x, y, channel));
-  return cells;
 }
 
 // n x n cells become one; what is left over at the right and lower edge is dropped.
-Cells merged(const Cells& cells, int n) {
-  Cells out{n * cells.side_px, cells.columns / n, cells.rows / n, {}};
-  out.sums.resize(static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows));
-  for (int row = 0; row < n * out.rows; ++row)
-    for (int column = 0; column < n * out.columns; ++column)
-      add(cells.at(column, row), out.sums[out.index(column / n, row / n)]);
+Cells merged(const Cells& cells, std::size_t n) {
+  auto out = no_cells(static_cast<int>(n) * cells.side_px, cells.columns / n, cells.rows / n);
+  for (std::size_t row = 0; row < n * out.rows; ++row)
+    for (std::size_t summand = 0; summand < kSummands; ++summand) {
+      const double* const from = cells.at(row, summand);
+      double* const to = out.at(row / n, summand);
+      for (std::size_t column = 0; column < out.columns; ++column)
+        for (std::size_t i = 0; i < n; ++i) to[column] += from[n * column + i];
+    }
   return out;
 }
 
-// Each cell with the 7 below it.
-Cells columns_of_windows(const Cells& cells) {
-  Cells out{cells.side_px, cells.columns, std::max(0, cells.rows - kCells + 1), {}};
-  out.sums.resize(static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows));
-  for (int row = 0; row < out.rows; ++row)
-    for (int column = 0; column < out.columns; ++column)
-      for (int i = 0; i < kCells; ++i) add(cells.at(column, row + i), out.sums[out.index(column, row)]);
-  return out;
-}
+// The sums of the windows that begin in one row of cells.
+class WindowRow {
+ public:
+  WindowRow(const Cells& cells, const Columns& columns)
+      : cells_(cells),
+        columns_(columns),
+        count_(cells.columns - kCells + 1),
+        below_(cells.columns),
+        sums_(count_ * kSummands) {}
 
-struct Window {
-  WindowSums all{};
-  WindowSums within{};  // without its last column of cells, whose right neighbours lie outside
+  void sum(std::size_t row) {
+    for (std::size_t summand = 0; summand < kSummands; ++summand) {
+      if (columns_.at(summand) == 0) continue;
+      add_up<kCells>(cells_.at(row, summand), kSummands * cells_.columns, below_.size(), below_.data());
+      double* const sums = &sums_[summand * count_];
+      if (columns_.at(summand) == kCells) {
+        add_up<kCells>(below_.data(), 1, count_, sums);
+      } else {
+        add_up<kCells - 1>(below_.data(), 1, count_, sums);
+      }
+    }
+  }
+
+  std::size_t count() const { return count_; }
+  double of(Summand summand, std::size_t window) const { return sums_[summand * count_ + window]; }
+
+ private:
+  // Of each of `count` numbers and those that lie n strides on, the sum of the first N, in this order.
+  template <std::size_t N>
+  static void add_up(const double* from, std::size_t stride, std::size_t count, double* __restrict to) {
+    for (std::size_t i = 0; i < count; ++i) {
+      double sum = 0;
+      for (std::size_t n = 0; n < N; ++n) sum += from[i + n * stride];
+      to[i] = sum;
+    }
+  }
+
+  const Cells& cells_;
+  Columns columns_;
+  std::size_t count_;
+  std::vector<double> below_;  // each cell with the 7 below it
+  std::vector<double> sums_;
 };
 
-Window window_at(const Cells& columns, int column, int row) {
-  Window window;
-  for (int i = 0; i + 1 < kCells; ++i) add(columns.at(column + i, row), window.within);
-  window.all = window.within;
-  add(columns.at(column + kCells - 1, row), window.all);
-  return window;
+// What a sum over the pairs that lie in a window is multiplied by.
+double pair_scale(const WindowRow& windows, std::size_t i, NoiseSource source) {
+  if (source != NoiseSource::Scatter) return 1;
+  return windows.of(Count, i) / std::max(1.0, windows.of(Pairs, i));
+}
+
+double own_noise_over(const WindowRow& windows, std::size_t i, NoiseSource source) {
+  return pair_scale(windows, i, source) * windows.of(OwnVariance, i);
 }
 
 // Of the sum of the differences over the window; noise_test.h says why the larger one counts. Each pixel is
 // in two pairs of neighbours, which are no two numbers: half the degrees of freedom are taken.
-PooledVariance noise_over(const Window& window, NoiseSource source) {
-  const PooledVariance expected{window.all[ExpectedVariance], window.all[ExpectedSquares]};
-  PooledVariance own{window.all[OwnVariance], window.all[OwnSquares]};
-  if (source == NoiseSource::Scatter) {
-    const double scale = window.all[Count] / std::max(1.0, window.within[Pairs]);
-    own = {scale * window.within[OwnVariance], 2 * scale * scale * window.within[OwnSquares]};
-  }
+PooledVariance noise_over(const WindowRow& windows, std::size_t i, NoiseSource source) {
+  const PooledVariance expected{windows.of(ExpectedVariance, i), windows.of(ExpectedSquares, i)};
+  const double scale = pair_scale(windows, i, source);
+  const double squares = source == NoiseSource::Scatter ? 2 * scale * scale : 1;
+  const PooledVariance own{own_noise_over(windows, i, source), squares * windows.of(OwnSquares, i)};
   return own.sum >= expected.sum ? own : expected;
 }
 
@@ -138,14 +197,26 @@ class Reach {
   explicit Reach(double false_alarms) : false_alarms_(false_alarms) {}
 
   double of(const PooledVariance& variance) {
-    constexpr double kMost = 255;
     const auto degrees = static_cast<std::size_t>(std::clamp(variance.degrees(), 1.0, kMost));
-    double& quantile = quantiles_.at(degrees);
-    if (quantile == 0) quantile = student_quantile(false_alarms_, static_cast<double>(degrees));
-    return quantile * std::sqrt(variance.sum);
+    return quantile(degrees) * std::sqrt(variance.sum);
+  }
+
+  /// Times the standard deviation not more than the reach with any degrees of freedom. The quantile falls
+  /// with them, but for what its rounding makes.
+  double least_quantile() {
+    constexpr double kRounding = 1e-9;
+    return (1 - kRounding) * quantile(static_cast<std::size_t>(kMost));
   }
 
  private:
+  static constexpr double kMost = 255;
+
+  double quantile(std::size_t degrees) {
+    double& quantile = quantiles_.at(degrees);
+    if (quantile == 0) quantile = student_quantile(false_alarms_, static_cast<double>(degrees));
+    return quantile;
+  }
+
   double false_alarms_;
   std::array<double, 256> quantiles_{};
 };
@@ -173,33 +244,70 @@ struct WindowSearch {
   std::optional<WindowError> worst = std::nullopt;
 };
 
+double scale_of(const WindowRow& windows, std::size_t i, double least_scale) {
+  const double count = windows.of(Count, i);
+  return std::max(least_scale, windows.of(Reference, i) / count) * count;
+}
+
+double off_by(const WindowRow& windows, std::size_t i) {
+  return std::fabs(windows.of(Difference, i)) - kEdge_px * windows.of(Step, i);
+}
+
+// Whether the window's error may be worse than the worst. Nearly none is, and that is told of all without the
+// degrees of freedom and the quantiles, of which one costs as much as 10,000 windows.
+struct Candidates {
+  std::vector<double> scale, most;
+
+  explicit Candidates(std::size_t count) : scale(count), most(count) {}
+
+  void look(const WindowRow& windows, WindowSearch& search) {
+    const double quantile = search.reach.least_quantile();
+    const double least_scale = search.least_scale;
+    const auto source = search.samples.noise_source;
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+      scale[i] = scale_of(windows, i, least_scale);
+      const double noise = std::max(own_noise_over(windows, i, source), windows.of(ExpectedVariance, i));
+      most[i] = off_by(windows, i) - quantile * std::sqrt(noise);
+    }
+  }
+  bool may_be_worse(std::size_t i, const std::optional<WindowError>& worst) const {
+    return !worst || most[i] > worst->value * scale[i];
+  }
+};
+
 // The window's error replaces the worst where it is worse.
-void look_at(const Window& window, const Rectangle& where, WindowSearch& search) {
-  const double count = window.all[Count];
-  if (2 * count < (where.x1 - where.x0) * (where.y1 - where.y0)) return;
+void look_at(const WindowRow& windows, std::size_t i, const Rectangle& where, WindowSearch& search) {
+  if (2 * windows.of(Count, i) < (where.x1 - where.x0) * (where.y1 - where.y0)) return;
   if (!search.worst) search.worst = {0, where};
-  const double scale = std::max(search.least_scale, window.all[Reference] / count) * count;
-  const double off = std::fabs(window.all[Difference]) - kEdge_px * window.all[Step];
+  const double scale = scale_of(windows, i, search.least_scale);
+  const double off = off_by(windows, i);
   if (off <= search.worst->value * scale) return;
-  const double certain = off - search.reach.of(noise_over(window, search.samples.noise_source));
+  const double certain = off - search.reach.of(noise_over(windows, i, search.samples.noise_source));
   if (certain > search.worst->value * scale) search.worst = {certain / scale, where};
 }
 
 void look_everywhere(const Cells& cells, WindowSearch& search) {
-  const auto columns = columns_of_windows(cells);
-  const int side_px = kCells * cells.side_px;
-  for (int row = 0; row < columns.rows; ++row)
-    for (int column = 0; column + kCells <= columns.columns; ++column) {
-      const int x = column * cells.side_px;
-      const int y = row * cells.side_px;
-      look_at(window_at(columns, column, row), {x, y, x + side_px, y + side_px}, search);
+  if (cells.columns < kCells || cells.rows < kCells) return;
+  WindowRow windows(cells, columns_of(search.samples.noise_source));
+  Candidates candidates(windows.count());
+  const int side_px = static_cast<int>(kCells) * cells.side_px;
+  for (std::size_t row = 0; row + kCells <= cells.rows; ++row) {
+    windows.sum(row);
+    candidates.look(windows, search);
+    const int y = static_cast<int>(row) * cells.side_px;
+    for (std::size_t i = 0; i < windows.count(); ++i) {
+      if (!candidates.may_be_worse(i, search.worst)) continue;
+      const int x = static_cast<int>(i) * cells.side_px;
+      look_at(windows, i, {x, y, x + side_px, y + side_px}, search);
     }
+  }
 }
 
 // How many windows of one channel there are.
 double windows_in(const PairSamples& samples, int side_px) {
-  const int step_px = side_px / kCells;
-  const auto positions = [&](int length_px) { return std::max(0, length_px / step_px - kCells + 1); };
+  constexpr int kAlong = static_cast<int>(kCells);
+  const int step_px = side_px / kAlong;
+  const auto positions = [&](int length_px) { return std::max(0, length_px / step_px - kAlong + 1); };
   return static_cast<double>(positions(samples.width)) * positions(samples.height);
 }
 
@@ -216,8 +324,9 @@ WindowErrors window_errors(const PairSamples& samples) {
     const double windows = std::max(1.0, windows_in(samples, side_px));
     searches.push_back({samples, least, Reach(kFalseAlarmsOfAllWindows / (3 * windows))});
   }
+  auto px1 = no_cells(1, static_cast<std::size_t>(samples.width), static_cast<std::size_t>(samples.height));
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const auto px1 = cells_of_pixels(samples, channel);
+    set_pixels(samples, channel, px1);
     const auto px2 = merged(px1, 2);
     look_everywhere(px1, searches[0]);
     look_everywhere(px2, searches[1]);

@@ -13,7 +13,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -107,8 +106,10 @@ std::int64_t now_of_time_stamps_ns() {
 MemoryFiles begin_memory_files() {
   const auto called_ns = now_of_time_stamps_ns();
   MemoryFiles none;
+  // Asleep: waiting awake cost 1.1 of the 4.1 ms of CPU time that the supervisor of a short command takes.
+  constexpr timespec kPause{0, 200'000};
   do {
-    ::sched_yield();
+    ::nanosleep(&kPause, nullptr);
     none.begin_ns = now_of_time_stamps_ns();
   } while (none.begin_ns == called_ns);
   return none;
