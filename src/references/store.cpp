@@ -31,7 +31,7 @@ namespace {
 // to reach 45 dB, has 200 times that power.
 constexpr unsigned kColourBits = 9;
 // Rounding to 2 bits is off by 11 % in the mean square and by -0.5 % in the mean, over log-uniform values. A
-// variance out of n replicates is itself off by sqrt(2 / (n - 1)): 82 % for 4 of them, 53 % for 8.
+// variance out of n pieces of a pixel is itself off by some sqrt(2 / (n - 1)), 53 % for 8 of them.
 constexpr unsigned kVarianceBits = 2;
 
 bool fits_half(const image::Image& image) {

@@ -43,7 +43,7 @@ Trial trial_of(World& world, const TrialSize& size, const RenderSettings& settin
                    .seed = seed,
                    .threads = settings.threads,
                    .sampler = settings.sampler,
-                   .replicates = settings.replicates},
+                   .variances = false},
                   stop, [](const Progress&) {});
   };
   auto a = rendered(1);

@@ -33,8 +33,7 @@ std::optional<TrialSize> trial_size(const PinholeCamera& camera,
                                     double share,
                                     int images);
 
-/// The world's camera is the same afterwards. Of the settings, the threads, the sampler and the replicates
-/// count.
+/// The world's camera is the same afterwards. Of the settings, the threads and the sampler count.
 Trial trial_of(World& world, const TrialSize& size, const RenderSettings& settings);
 
 /// How far each of two techniques is off, relative to the light of each pixel: the mean over the pixels of a

@@ -60,12 +60,6 @@ void add_algorithm_options(const command_line::Command& app, Options& options) {
       .one_of({"independent", "stratified", "sobol"})
       .shows_default();
   app.add_option(
-         "--replicates", options.render.replicates,
-         "least number of independent blocks of points per pixel, from which its variance is estimated; "
-         "1: one block has all points, and the image has no variances")
-      .range(1, 1 << 16)
-      .shows_default();
-  app.add_option(
          "--direct-light", options.direct_light,
          "light that comes straight from emitters: mis (light and BSDF sampling, multiple importance "
          "sampling), light (next-event estimation alone, but where it cannot find the light) or bsdf (no "
@@ -189,10 +183,6 @@ Options parse_options(int argc, char** argv, const std::string& version) {
     print_clean("{}", parsed.text);
     std::exit(0);
   }
-  if (app.is_given("--replicates") && options.render.replicates > options.render.samples_per_pixel)
-    throw InputError(fmt::format(
-        "--replicates {} need as many samples, and --spp is {}: raise it, or give fewer replicates",
-        options.render.replicates, options.render.samples_per_pixel));
   tracer::check_plugin_names(options.plugins);
   return options;
 }

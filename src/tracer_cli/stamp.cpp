@@ -41,7 +41,6 @@ void stamp(tracer::Rendering& rendering,
   header["orbs.seed"] = std::to_string(options.render.seed);
   header["orbs.trace_depth"] = std::to_string(scene.trace_depth);
   header["orbs.sampler"] = options.sampler;
-  header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
   header["orbs.light_selection"] = world.light_bvh.empty()         ? "power"
                                    : world.light_bvh.has_learned() ? "learned"

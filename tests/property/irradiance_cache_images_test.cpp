@@ -88,7 +88,7 @@ TEST(IrradianceCacheImages, DoNotDependOnThreads) {
   EXPECT_NE(one.image.pixels, render_scene(scene, {.samples_per_pixel = 4, .seed = 2}).image.pixels);
 }
 
-// Scatter between replicates is no measure of what all of them interpolate between the same records.
+// What two renders of a pixel differ by is no measure of what both interpolate between the same records.
 TEST(IrradianceCacheImages, StateNoVariance) {
   const auto rendering = render_scene(case_scene("i2-bleeding", 16), {.samples_per_pixel = 4});
   EXPECT_EQ(rendering.image.channel_count(), 3U);

@@ -70,7 +70,6 @@ struct Algorithm {
 const Algorithm kAlgorithms[] = {
     {"independent", {}, {.sampler = Sampler::Independent}},
     {"stratified", {}, {.sampler = Sampler::Stratified}},
-    {"two_replicates", {}, {.replicates = 2}},
     {"light_alone", {.direct_light = DirectLight::Light}, {}},
     {"light_alone_without_light_paths", {.light_paths = false, .direct_light = DirectLight::Light}, {}},
     {"bsdf_alone", {.direct_light = DirectLight::Bsdf}, {}},
@@ -200,8 +199,7 @@ TEST(TracerSampler, OwenScrambledSobolPointsConvergeFasterOnASmoothIntegrand) {
   const auto scene = bench_scene("smooth-floor.json", 16);
   const auto expected = rendered(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
   const auto error_of = [&](Sampler sampler, int spp) {
-    return mean_error_over_seeds(scene, expected, {},
-                                 {.samples_per_pixel = spp, .sampler = sampler, .replicates = 1});
+    return mean_error_over_seeds(scene, expected, {}, {.samples_per_pixel = spp, .sampler = sampler});
   };
   const auto slope_of = [&](Sampler sampler) {
     return std::log(error_of(sampler, 256) / error_of(sampler, 16)) / std::log(256.0 / 16);
@@ -214,17 +212,4 @@ TEST(TracerSampler, OwenScrambledSobolPointsConvergeFasterOnASmoothIntegrand) {
   EXPECT_NEAR(independent, -1, 0.1);
   EXPECT_LT(stratified, -1.1);
   EXPECT_LT(sobol, -1.5);
-}
-
-// One block of all samples is stratified as a whole; four blocks only each in itself.
-TEST(TracerReplicates, OneHasLessNoiseThanFourAndStatesNoVariance) {
-  const auto scene = bench_scene("smooth-floor.json", 16);
-  const auto expected = rendered(scene, {}, {.samples_per_pixel = 1 << 14, .seed = 9});
-  const auto error_of = [&](int replicates) {
-    return mean_error_over_seeds(scene, expected, {}, {.samples_per_pixel = 64, .replicates = replicates});
-  };
-  EXPECT_LT(error_of(1), 0.7 * error_of(4));
-  EXPECT_EQ(rendered(scene, {}, {.samples_per_pixel = 64, .replicates = 1}).channels,
-            (std::vector<std::string>{"R", "G", "B"}));
-  EXPECT_EQ(rendered(scene, {}, {.samples_per_pixel = 64, .replicates = 2}).channel_count(), 6U);
 }

@@ -98,24 +98,27 @@ class TracerCaustics : public testing::TestWithParam<Scene> {};
 
 }  // namespace
 
-// Within four standard errors for the whole image and for each of its quarters.
+// Within four standard errors for each quarter of the image. Few camera paths find a caustic, so that one
+// render states too little noise now and then; the mean of four states what is usual.
 TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
+  constexpr int kRenders = 4;
   const auto with_world = world_of(GetParam().text, true);
+  const auto without_world = world_of(GetParam().text, false);
   ASSERT_FALSE(with_world.caustic_casters.empty());
-  const auto with = rendered(with_world, {.samples_per_pixel = 256, .seed = 1});
-  const auto without = rendered(world_of(GetParam().text, false), {.samples_per_pixel = 1024, .seed = 2});
-  const auto channels = with.channel_count();
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    double difference = 0;
-    double variance = 0;
-    for (int y = 0; y < 12; ++y)
-      for (int x = 0; x < 12; ++x) {
-        const auto pixel = static_cast<std::size_t>((y + quarter / 2 * 12) * 24 + x + quarter % 2 * 12);
-        difference += with.pixels[pixel * channels] - without.pixels[pixel * channels];
-        variance += with.pixels[pixel * channels + 3] + without.pixels[pixel * channels + 3];
-      }
-    EXPECT_NEAR(difference, 0, 4 * std::sqrt(variance)) << "quarter " << quarter;
+  std::array<double, 4> difference{};
+  std::array<double, 4> variance{};
+  for (std::uint64_t seed = 1; seed <= kRenders; ++seed) {
+    const auto with = rendered(with_world, {.samples_per_pixel = 64, .seed = seed});
+    const auto without = rendered(without_world, {.samples_per_pixel = 1024, .seed = 100 + seed});
+    const auto channels = with.channel_count();
+    for (std::size_t i = 0; i < with.pixel_count(); ++i) {
+      const std::size_t quarter = i / (24 * 12) * 2 + i % 24 / 12;
+      difference.at(quarter) += with.pixels[i * channels] - without.pixels[i * channels];
+      variance.at(quarter) += with.pixels[i * channels + 3] + without.pixels[i * channels + 3];
+    }
   }
+  for (std::size_t quarter = 0; quarter < 4; ++quarter)
+    EXPECT_NEAR(difference.at(quarter), 0, 4 * std::sqrt(variance.at(quarter))) << "quarter " << quarter;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scenes()), [](const auto& scene) {

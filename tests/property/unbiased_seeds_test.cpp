@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Suite,
                                          SuiteScene{"g5_inst_remaplist/078.json", 16, true},
                                          SuiteScene{"a1_trace_depth/101-depth1.json", 20, false},
                                          SuiteScene{"a3_paths_glass/a3-ball.json", 16, false},
-                                         SuiteScene{"m6_emission_texture/124.json", 32, true},
+                                         SuiteScene{"m6_emission_texture/124.json", 64, true},
                                          SuiteScene{"l4_light_ies/232.json", 32, false}),
                          [](const auto& scene) {
                            auto name = std::filesystem::path(scene.param.file).stem().string();

@@ -45,18 +45,18 @@ class TileWorker {
     samples_.clear();
     camera_rays_.clear();
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const auto pixel =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width) + static_cast<std::size_t>(x);
-      const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel), pass.replicate,
+      const auto pixel = pixel_index(film_, x, y);
+      const auto [camera_x, camera_y] = camera_pixel(film_, pixel, x, y);
+      const auto block = sample_block(settings_.seed, static_cast<std::uint32_t>(pixel), pass.block,
                                       {settings_.sampler, pass.length});
       for (std::uint32_t i = 0; i < pass.count; ++i) {
         const auto u = draw(block, pass.first + i, 0, SampleDimension::PixelAndFirstLight);
         samples_.push_back({pixel, block, pass.first + i});
-        camera_rays_.push_back(
-            camera_ray(world_.camera, static_cast<float>(x) + u[0], static_cast<float>(y) + u[1]));
+        camera_rays_.push_back(camera_ray(world_.camera, static_cast<float>(camera_x) + u[0],
+                                          static_cast<float>(camera_y) + u[1]));
       }
     }
-    ends_replicate_ = pass.ends_replicate;
+    pass_ = pass;
   }
 
   void trace_row() {
@@ -73,7 +73,7 @@ class TileWorker {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       add_sample(film_.pixels[samples_[i].pixel], {open_[i], open_[i], open_[i]});
       const bool is_last = i + 1 == samples_.size() || samples_[i + 1].pixel != samples_[i].pixel;
-      if (is_last && ends_replicate_) end_replicate(film_.pixels[samples_[i].pixel]);
+      if (is_last && pass_.ends_piece) end_piece(film_, samples_[i].pixel, pass_.piece);
     }
   }
 
@@ -108,7 +108,7 @@ class TileWorker {
   std::vector<std::size_t> ray_samples_;  // index into samples_ of each occlusion ray
   std::vector<std::uint8_t> blocked_;
   std::vector<double> open_;  // of each sample: 1 where its ray meets nothing
-  bool ends_replicate_ = false;
+  Pass pass_;
 };
 
 }  // namespace

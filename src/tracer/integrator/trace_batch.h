@@ -24,13 +24,14 @@ void start_paths(PathBatch<T>& batch, const World& world, std::span<const Sample
   batch.active.resize(samples.size());
   batch.classed.clear();
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    const auto [x, y, block, index] = samples[i];
-    const auto u = draw(block, index, 0, SampleDimension::PixelAndFirstLight);
+    const Sample& sample = samples[i];
+    const auto u = draw(sample.block, sample.index, 0, SampleDimension::PixelAndFirstLight);
     PathState<T>& path = batch.paths[i];
     path = {};
     path.sample = i;
     path.first_light_numbers = {u[2], u[3]};
-    path.ray = camera_ray(world.camera, static_cast<float>(x) + u[0], static_cast<float>(y) + u[1]);
+    path.ray =
+        camera_ray(world.camera, static_cast<float>(sample.x) + u[0], static_cast<float>(sample.y) + u[1]);
     path.throughput = T::start(world.camera, path.ray);
     path.lambda = T::sample_lambda([&samples, i] {
       return draw(samples[i].block, samples[i].index, 0, SampleDimension::Wavelength)[0];

@@ -92,7 +92,7 @@ class TileWorker {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Vec3f radiance = batch_.paths[i].radiance;
       if (is_finite(radiance))
-        add_sample(film_.pixels[pixel_index(film_, samples_[i].x, samples_[i].y)], cast<double>(radiance));
+        add_sample(film_.pixels[samples_[i].pixel], cast<double>(radiance));
       else
         merge(bad_, {1, samples_[i].x, samples_[i].y});
     }

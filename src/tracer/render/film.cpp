@@ -1,10 +1,11 @@
 #include "tracer/render/film.h"
 
+#include "base/nth.h"
 #include "tracer/integrator/path_class.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,29 +16,8 @@ void add_sample(PixelSums& pixel, Vec3d radiance) {
   pixel.current_count += 1;
 }
 
-void end_replicate(PixelSums& pixel) {
-  if (pixel.current_count == 0) return;
-  pixel.finished += pixel.current;
-  pixel.weighted_squares += pixel.current * pixel.current / pixel.current_count;
-  pixel.finished_count += pixel.current_count;
-  pixel.replicates += 1;
-  pixel.current = {};
-  pixel.current_count = 0;
-}
-
 Vec3d mean_of(const PixelSums& pixel) {
-  const double count = pixel.finished_count + pixel.current_count;
-  return count > 0 ? (pixel.finished + pixel.current) / count : Vec3d{};
-}
-
-Vec3d variance_of_mean(const PixelSums& pixel) {
-  if (pixel.replicates < 2) return {};
-  const Vec3d mean = pixel.finished / pixel.finished_count;
-  const Vec3d scatter = pixel.weighted_squares - mean * mean * pixel.finished_count;
-  const double factor = 1 / ((pixel.replicates - 1) * pixel.finished_count);
-  // Rounding only: the exact scatter is not negative.
-  return {std::max(0.0, scatter.x) * factor, std::max(0.0, scatter.y) * factor,
-          std::max(0.0, scatter.z) * factor};
+  return pixel.finished_count > 0 ? pixel.finished / pixel.finished_count : Vec3d{};
 }
 
 void merge(BadSamples& all, const BadSamples& more) {
@@ -51,24 +31,32 @@ void merge(BadSamples& all, const BadSamples& more) {
 }
 
 Film make_film(int width, int height) {
-  Film film{width, height, {}, {}, {}, true};
+  Film film;
+  film.width = width;
+  film.height = height;
   film.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return film;
 }
 
-bool float_holds_variances(const Film& film) {
-  double largest = 0;
-  double brightest = 0;
-  for (const PixelSums& pixel : film.pixels) {
-    const Vec3d variance = variance_of_mean(pixel);
-    const Vec3d mean = mean_of(pixel);
-    largest = std::max({largest, variance.x, variance.y, variance.z});
-    brightest = std::max({brightest, mean.x, mean.y, mean.z});
+Vec3d mean_of(const Film& film, std::size_t pixel) {
+  const Vec3d mean = mean_of(film.pixels[pixel]);
+  if (film.finished_splats.empty() || film.pixels[pixel].finished_count == 0) return mean;
+  return mean + film.finished_splats[pixel] / film.pixels[pixel].finished_count;
+}
+
+void end_piece(Film& film, std::size_t pixel, int piece) {
+  PixelSums& sums = film.pixels[pixel];
+  Vec3d splats{};
+  if (!film.splats.empty()) splats = std::exchange(film.splats[pixel], Vec3d{});
+  if (piece < static_cast<int>(film.pieces.size()) && sums.current_count > 0) {
+    nth(film.pieces, piece)[pixel] = cast<float>(sums.current / sums.current_count);
+    if (!film.splats.empty()) nth(film.splat_pieces, piece)[pixel] = cast<float>(splats / sums.current_count);
   }
-  const double colour_rounding = brightest * 0x1p-24;
-  constexpr double kMost = std::numeric_limits<float>::max();
-  constexpr double kLeast = std::numeric_limits<float>::min() * 0x1p24;  // smaller ones still count beside it
-  return largest <= colour_rounding * colour_rounding || (largest >= kLeast && largest <= kMost);
+  sums.finished += sums.current;
+  if (!film.splats.empty()) film.finished_splats[pixel] += splats;
+  sums.finished_count += sums.current_count;
+  sums.current = {};
+  sums.current_count = 0;
 }
 
 namespace {
@@ -82,7 +70,7 @@ void store(image::Image& image, std::size_t pixel, std::size_t channel, Vec3d va
 
 }  // namespace
 
-image::Image resolve(const Film& film) {
+image::Image resolve(const Film& film, const std::vector<Vec3d>& variances) {
   std::vector<std::string> channels;
   // Sums to be divided by the number of samples, in the order of the channels after R, G, B and their
   // variance.
@@ -91,7 +79,7 @@ image::Image resolve(const Film& film) {
     for (const char* colour : {"R", "G", "B"}) channels.push_back(prefix + colour);
   };
   add_layer("");
-  if (film.has_variance) add_layer("variance.");
+  if (!variances.empty()) add_layer("variance.");
   const std::size_t first_layer = channels.size();
   for (std::size_t c = 0; c < film.class_sums.size(); ++c) {
     if (film.class_sums[c].empty()) continue;
@@ -105,13 +93,13 @@ image::Image resolve(const Film& film) {
   if (!film.stokes.empty()) add_layer("S0.");
   auto image = image::make_image(film.width, film.height, channels);
   for (std::size_t i = 0; i < film.pixels.size(); ++i) {
-    const PixelSums& pixel = film.pixels[i];
-    const double count = pixel.finished_count + pixel.current_count;
-    store(image, i, 0, mean_of(pixel));
-    if (film.has_variance) store(image, i, 3, variance_of_mean(pixel));
+    const double count = film.pixels[i].finished_count;
+    const Vec3d mean = mean_of(film, i);
+    store(image, i, 0, mean);
+    if (!variances.empty()) store(image, i, 3, variances[i]);
     for (std::size_t k = 0; k < layers.size(); ++k)
       store(image, i, first_layer + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
-    if (!film.stokes.empty()) store(image, i, first_layer + 3 * layers.size(), mean_of(pixel));
+    if (!film.stokes.empty()) store(image, i, first_layer + 3 * layers.size(), mean);
   }
   return image;
 }

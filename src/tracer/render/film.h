@@ -8,26 +8,18 @@
 
 namespace orbs::tracer {
 
-/// Sums of one pixel, in double precision and in the order of the samples. The variance is estimated from
-/// replicates, which are independently scrambled blocks of samples: the points within one block are
-/// stratified, and their own scatter would overestimate the noise of the mean by up to a factor of ten.
+/// Sums of the camera paths of one pixel, in double precision and in the order of the samples.
 struct PixelSums {
-  Vec3d finished;          // sum of the samples of finished replicates
-  Vec3d weighted_squares;  // sum over finished replicates of (sum of its samples)^2 / its count
+  Vec3d finished;  // sum of the samples of finished pieces
   double finished_count = 0;
-  double replicates = 0;
-  Vec3d current;
+  Vec3d current;  // of the piece that has begun
   double current_count = 0;
 };
 
 /// Adds a finite sample.
 void add_sample(PixelSums& pixel, Vec3d radiance);
-/// Ends the current replicate; does nothing if it has no samples.
-void end_replicate(PixelSums& pixel);
+/// Of the finished pieces, without light paths.
 Vec3d mean_of(const PixelSums& pixel);
-/// Variance of the mean, estimated from the means of the replicates weighted by their counts; zero with less
-/// than two replicates.
-Vec3d variance_of_mean(const PixelSums& pixel);
 
 /// Samples that were not finite. They are excluded from the image, counted, and reported with the first pixel
 /// in scanline order.
@@ -39,24 +31,45 @@ struct BadSamples {
 
 void merge(BadSamples& all, const BadSamples& more);
 
+struct CameraPixel {
+  int x = 0;
+  int y = 0;
+};
+
 struct Film {
   int width = 0;
   int height = 0;
+  std::vector<CameraPixel> camera_pixels;  // that its pixels stand for; empty: those at the same place
   std::vector<PixelSums> pixels;
-  std::vector<std::vector<Vec3d>> class_sums;  // [path class][pixel], empty if the class never occurred
-  std::vector<std::vector<Vec3d>> stokes;      // sums of S1 to S3; empty without Stokes output
-  bool has_variance = true;  // its samples form more than one replicate, and float can hold the variances
+  std::vector<Vec3d> splats;           // of the current piece, from light paths; empty unless some are traced
+  std::vector<Vec3d> finished_splats;  // of the finished pieces; as many
+  std::vector<std::vector<Vec3f>> pieces;        // [piece][pixel], means of camera paths; see passes.h
+  std::vector<std::vector<Vec3f>> splat_pieces;  // the same of light paths
+  std::vector<std::vector<Vec3d>> class_sums;    // [path class][pixel], empty if the class never occurred
+  std::vector<std::vector<Vec3d>> stokes;        // sums of S1 to S3; empty without Stokes output
 };
 
 Film make_film(int width, int height);
 
-/// Whether the largest variance of the pixels is a normal float with room for the digits of smaller ones:
-/// radiances from about 1e19 on, or of 1e-16 at most, have squares that no float holds. Noise
-/// below the rounding of the colours needs no holding.
-bool float_holds_variances(const Film& film);
+/// The place of a pixel in film.pixels.
+inline std::size_t pixel_index(const Film& film, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) + static_cast<std::size_t>(x);
+}
 
-/// R, G, B and, where the film has it, variance.R, .G, .B; with class sums also path.<class>.R, .G, .B, which
-/// add up to R, G, B; with Stokes parameters S0.R to S3.B, S0 being R, G, B again.
-image::Image resolve(const Film& film);
+/// The mean of a pixel with what light paths add.
+Vec3d mean_of(const Film& film, std::size_t pixel);
+
+/// That pixel `pixel`, at (x, y) of the film, stands for.
+inline CameraPixel camera_pixel(const Film& film, std::size_t pixel, int x, int y) {
+  return film.camera_pixels.empty() ? CameraPixel{x, y} : film.camera_pixels[pixel];
+}
+
+/// Ends the current piece of a pixel, and keeps its mean if it is one of film.pieces.
+void end_piece(Film& film, std::size_t pixel, int piece);
+
+/// R, G, B and, if there are variances, variance.R, .G, .B; with class sums also path.<class>.R, .G, .B,
+/// which add up to R, G, B; with Stokes parameters S0.R to S3.B, S0 being R, G, B again. `variances`: of the
+/// means, one of each pixel, or none at all.
+image::Image resolve(const Film& film, const std::vector<Vec3d>& variances);
 
 }  // namespace orbs::tracer

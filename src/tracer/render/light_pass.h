@@ -55,17 +55,18 @@ inline void add_splats(const std::vector<Splat>& splats, double share, Film& fil
       continue;
     }
     const Vec3d radiance = cast<double>(splat.value) * share;
-    film.pixels[splat.pixel].current += radiance;
+    film.splats[splat.pixel] += radiance;
     if (!film.class_sums.empty()) nth(film.class_sums, splat.path_class)[splat.pixel] += radiance;
   }
 }
 
-/// Adds the contributions of light paths to the current replicates of the film's pixels, in an order that
-/// does not depend on the number of threads. Does nothing if the world has no caustic_casters.
+/// Adds the contributions of light paths to the current pieces of the film's pixels, in an order that
+/// does not depend on the number of threads. Does nothing if the world has no caustic_casters, or the film
+/// takes no splats.
 template <TracesFromLights T>
 LightPassResult add_light_paths(const World& world, const LightPass& pass, Film& film) {
   LightPassResult result;
-  if (world.caustic_casters.empty()) return result;
+  if (world.caustic_casters.empty() || film.splats.empty()) return result;
   const auto samples = film.pixels.size() * static_cast<std::size_t>(pass.samples_per_pixel);
   const auto paths = (samples + kSamplesPerLightPath - 1) / kSamplesPerLightPath;
   const auto chunks = static_cast<int>((paths + kBlock - 1) / kBlock);

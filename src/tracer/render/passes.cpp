@@ -16,17 +16,26 @@ int tiles_across(int length) { return (length + kTile - 1) / kTile; }
 
 }  // namespace
 
-std::vector<Pass> plan_passes(int samples_per_pixel, int replicates) {
+Pieces pieces_of(int samples_per_pixel) {
+  constexpr std::uint32_t kMostPieces = 8;
+  const auto samples = std::bit_floor(static_cast<std::uint32_t>(samples_per_pixel));
+  const std::uint32_t count = std::min(samples, kMostPieces);
+  return {static_cast<int>(count), static_cast<int>(samples / count)};
+}
+
+std::vector<Pass> plan_passes(int samples_per_pixel, Pieces pieces) {
   const auto wanted = static_cast<std::uint32_t>(samples_per_pixel);
-  const std::uint32_t share = wanted / static_cast<std::uint32_t>(replicates);
-  const std::uint32_t length = std::clamp(replicates == 1 ? share : std::bit_floor(share), 1U, kBlock);
+  const auto length = static_cast<std::uint32_t>(pieces.length);
+  const std::uint32_t in_pieces = static_cast<std::uint32_t>(pieces.count) * length;
   std::vector<Pass> passes;
-  for (std::uint32_t start = 0; start < wanted; start += length) {
-    const std::uint32_t end = std::min(length, wanted - start);
-    for (std::uint32_t first = 0; first < end; first += kSamplesPerPass) {
-      const std::uint32_t count = std::min<std::uint32_t>(kSamplesPerPass, end - first);
-      passes.push_back({start / length, first, count, end, first + count == end});
-    }
+  for (std::uint32_t sample = 0; sample < wanted;) {
+    const std::uint32_t block = sample / kBlock;
+    const std::uint32_t block_end = std::min(wanted, (block + 1) * kBlock);
+    const std::uint32_t piece_end = sample < in_pieces ? (sample / length + 1) * length : wanted;
+    const std::uint32_t end = std::min({sample + kSamplesPerPass, block_end, piece_end});
+    passes.push_back({block, sample - block * kBlock, end - sample, block_end - block * kBlock,
+                      static_cast<int>(std::min(sample, in_pieces) / length), end == piece_end});
+    sample = end;
   }
   return passes;
 }

@@ -8,13 +8,25 @@
 /// Passes and tiles, the units of work of a rendering.
 namespace orbs::tracer {
 
-/// Samples [first, first + count) of replicate `replicate` of every pixel.
+/// The samples of a pixel are one sequence, of which every aligned run of 2^k points is stratified and, with
+/// the run beside it, part of one twice as long that is, too (Owen 1995: scrambled nets in base 2). The first
+/// samples form pieces of equal length, which is a power of two like their number; see variance.h.
+struct Pieces {
+  int count = 1;   // 1, 2, 4 or 8
+  int length = 1;  // samples
+};
+
+Pieces pieces_of(int samples_per_pixel);
+
+/// Samples [first, first + count) of block `block` of every pixel: blocks are the parts of a sequence that is
+/// longer than the table of its points.
 struct Pass {
-  std::uint32_t replicate = 0;
+  std::uint32_t block = 0;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::uint32_t length = 0;  // of the whole replicate
-  bool ends_replicate = false;
+  std::uint32_t length = 0;  // of the whole block
+  int piece = 0;  // to which the samples belong; the first beyond the last for those after all pieces
+  bool ends_piece = false;
 };
 
 struct NumberedPass {
@@ -22,10 +34,8 @@ struct NumberedPass {
   Pass pass;
 };
 
-/// Passes of at most 32 samples. The length of a replicate is a power of two, for which the points are
-/// stratified, chosen so that there are at least `replicates` of them, or as many as samples if those are
-/// fewer. A single replicate has all samples, up to kBlock.
-std::vector<Pass> plan_passes(int samples_per_pixel, int replicates);
+/// Passes of at most 32 samples of one piece.
+std::vector<Pass> plan_passes(int samples_per_pixel, Pieces pieces);
 
 struct Tile {
   int x0 = 0;

@@ -38,7 +38,7 @@ class TileWorker {
       const Sample& sample = samples_[i];
       const PathState<T>& path = batch_.paths[i];
       const Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
-      const auto pixel = pixel_index(film_, sample.x, sample.y);
+      const std::size_t pixel = sample.pixel;
       is_bad[i] = !is_finite(radiance);
       if (is_bad[i]) {
         merge(bad_, {1, sample.x, sample.y});
@@ -51,9 +51,7 @@ class TileWorker {
     }
     for (const ClassedRadiance& entry : batch_.classed) {
       if (is_bad[entry.sample]) continue;
-      const Sample& sample = samples_[entry.sample];
-      nth(film_.class_sums, entry.path_class)[pixel_index(film_, sample.x, sample.y)] +=
-          cast<double>(entry.radiance);
+      nth(film_.class_sums, entry.path_class)[samples_[entry.sample].pixel] += cast<double>(entry.radiance);
     }
     samples_.clear();
   }
@@ -75,7 +73,7 @@ void render_pass(const World& world,
                  Film& film,
                  Rendering& out,
                  const std::function<void()>& tile_done) {
-  // Light paths come first, because the tiles end the replicate that this pass belongs to.
+  // Light paths come first, because the tiles end the piece that this pass belongs to.
   if constexpr (TracesFromLights<T>) {
     const auto light = add_light_paths<T>(
         world,

@@ -17,10 +17,7 @@ struct RenderSettings {
   int threads = 0;           // 0: all cores; the image does not depend on it
   bool split_paths = false;  // one layer per class of light path
   Sampler sampler = Sampler::Sobol;
-  /// Of each pixel, at least; see plan_passes. Two give 0.73 of the squared error of four (ORB.S at 128 px
-  /// and 16 samples), and their variance is unbiased. But it has one degree of freedom, and tests of two
-  /// images of equal noise then call 1.8 % of right ones wrong instead of 0.1 %.
-  int replicates = 4;
+  bool variances = true;  // estimates them, where that can be done
 };
 
 struct Progress {

@@ -13,13 +13,9 @@ namespace orbs::tracer {
 /// Enough for full packets of rays, few enough that the state of a thread's paths stays in the L2 cache.
 constexpr int kPathsPerBatch = 1024;
 
-inline std::size_t pixel_index(const Film& film, int x, int y) {
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) + static_cast<std::size_t>(x);
-}
-
 /// Gathers the samples of whole pixels in `samples` and calls trace() before they become more than
 /// kPathsPerBatch, and for the rest, if there is any; trace() adds them to the film and empties `samples`.
-/// Ends the replicate of the tile's pixels where the pass does.
+/// Ends the piece of the tile's pixels where the pass does.
 template <typename Trace>
 void trace_tile(const Tile& tile,
                 const Pass& pass,
@@ -29,15 +25,17 @@ void trace_tile(const Tile& tile,
                 Trace&& trace) {
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const auto block = sample_block(settings.seed, static_cast<std::uint32_t>(pixel_index(film, x, y)),
-                                      pass.replicate, {settings.sampler, pass.length});
-      for (std::uint32_t i = 0; i < pass.count; ++i) samples.push_back({x, y, block, pass.first + i});
+      const auto pixel = static_cast<std::uint32_t>(pixel_index(film, x, y));
+      const auto [camera_x, camera_y] = camera_pixel(film, pixel, x, y);
+      const auto block = sample_block(settings.seed, pixel, pass.block, {settings.sampler, pass.length});
+      for (std::uint32_t i = 0; i < pass.count; ++i)
+        samples.push_back({camera_x, camera_y, block, pass.first + i, pixel});
       if (samples.size() + pass.count > kPathsPerBatch) trace();
     }
   if (!samples.empty()) trace();
-  if (!pass.ends_replicate) return;
+  if (!pass.ends_piece) return;
   for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x) end_replicate(film.pixels[pixel_index(film, x, y)]);
+    for (int x = tile.x0; x < tile.x1; ++x) end_piece(film, pixel_index(film, x, y), pass.piece);
 }
 
 }  // namespace orbs::tracer

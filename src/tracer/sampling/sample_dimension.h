@@ -4,7 +4,7 @@
 
 namespace orbs::tracer {
 
-/// The use of a set of four random numbers. The numbers are a function of (seed, pixel, replicate, sample,
+/// The use of a set of four random numbers. The numbers are a function of (seed, pixel, block, sample,
 /// bounce, dimension), so that switching one use on or off does not shift the others. Sets are numbered 4
 /// bounce + dimension: a set drawn at bounce 0 alone needs a dimension that no other has at bounce 0, and a
 /// set drawn at every bounce needs one that is unique modulo 4.

@@ -185,8 +185,8 @@ const Table kTable = make_table();
 
 }  // namespace
 
-SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t replicate, PointSet points) {
-  return {static_cast<std::uint32_t>(mix(seed, (std::uint64_t{pixel} << 32) | replicate)), points};
+SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t block, PointSet points) {
+  return {static_cast<std::uint32_t>(mix(seed, (std::uint64_t{pixel} << 32) | block)), points};
 }
 
 namespace {

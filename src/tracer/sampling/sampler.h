@@ -56,10 +56,7 @@ struct SampleBlocks {
   PointSet points;
 };
 
-SampleBlock sample_block(std::uint64_t seed,
-                         std::uint32_t pixel,
-                         std::uint32_t replicate,
-                         PointSet points = {});
+SampleBlock sample_block(std::uint64_t seed, std::uint32_t pixel, std::uint32_t block, PointSet points = {});
 
 /// Point `index` of the block: four numbers in [0, 1), multiples of 2^-24.
 std::array<float, 4> draw(SampleBlock block,

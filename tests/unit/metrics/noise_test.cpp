@@ -37,34 +37,34 @@ struct Render {
   std::uint64_t seed = 1;
 };
 
-// A grey image as the tracer makes it: mean and variance of the mean from four replicates, which is as
-// rough as suite images get.
+// A grey image as the tracer makes it: mean and variance of the mean from four independent pieces, which is
+// as rough as suite images get.
 Image rendered(const Light& light, const Render& render) {
-  constexpr int kReplicates = 4;
+  constexpr int kPieces = 4;
   Image image = orbs::image::make_image(render.size_px, render.size_px,
                                         {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   image.attributes = {{"orbs.program", "test"}, {"orbs.spp", std::to_string(render.spp)}};
-  const int length = render.spp / kReplicates;
+  const int length = render.spp / kPieces;
   for (int pixel = 0; pixel < render.size_px * render.size_px; ++pixel) {
     double sum = 0;
     double squares = 0;
-    for (int replicate = 0; replicate < kReplicates; ++replicate) {
+    for (int piece = 0; piece < kPieces; ++piece) {
       double mean = 0;
       for (int i = 0; i < length; ++i)
         mean += light(mix(mix(render.seed, static_cast<std::uint64_t>(pixel)),
-                          static_cast<std::uint64_t>(replicate * length + i)),
+                          static_cast<std::uint64_t>(piece * length + i)),
                       pixel) /
                 length;
       sum += mean;
       squares += mean * mean;
     }
-    const double mean = sum / kReplicates;
+    const double mean = sum / kPieces;
     // Rounding only: the exact scatter is not negative.
-    const double scatter = std::max(0.0, squares / kReplicates - mean * mean);
+    const double scatter = std::max(0.0, squares / kPieces - mean * mean);
     for (int c = 0; c < 3; ++c) {
       float* const at = &image.pixels[static_cast<std::size_t>(6 * pixel + c)];
       at[0] = static_cast<float>(mean);
-      at[3] = static_cast<float>(scatter / (kReplicates - 1));
+      at[3] = static_cast<float>(scatter / (kPieces - 1));
     }
   }
   return image;

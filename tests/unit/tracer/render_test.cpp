@@ -285,7 +285,7 @@ TEST(TracerStop, KeepsThePassesThatWereFinished) {
   const auto world = tracer::make_world(scene::load_scene_text("test.json", kBusyScene, "."));
   const auto rendering =
       tracer::render(world, {.samples_per_pixel = 64}, at_once, [](const tracer::Progress&) {});
-  EXPECT_EQ(rendering.samples_per_pixel, 16);  // one replicate of four
+  EXPECT_EQ(rendering.samples_per_pixel, 8);  // one piece of eight
   EXPECT_GT(mean_of_channel(rendering.image, 0), 0);
 }
 

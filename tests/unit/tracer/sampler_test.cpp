@@ -54,7 +54,7 @@ TEST(Sampler, TheFirstTwoDimensionsAreStratifiedTogether) {
   }
 }
 
-TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
+TEST(Sampler, PixelsBlocksBouncesAndPurposesAreIndependent) {
   std::set<std::array<float, 4>> first;
   int count = 0;
   const auto note = [&](SampleBlock block, std::uint32_t bounce, SampleDimension dimension) {
@@ -62,8 +62,8 @@ TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
     ++count;
   };
   for (std::uint32_t pixel = 0; pixel < 4; ++pixel)
-    for (std::uint32_t replicate = 0; replicate < 4; ++replicate) {
-      const auto block = sample_block(1, pixel, replicate);
+    for (std::uint32_t number = 0; number < 4; ++number) {
+      const auto block = sample_block(1, pixel, number);
       for (const SampleDimension dimension : kOfPaths) note(block, 0, dimension);
       for (std::uint32_t bounce = 0; bounce < 16; ++bounce)
         for (const SampleDimension dimension : kOfBounces) note(block, bounce, dimension);
@@ -71,7 +71,7 @@ TEST(Sampler, PixelsReplicatesBouncesAndPurposesAreIndependent) {
   EXPECT_EQ(static_cast<int>(first.size()), count);
 }
 
-// The mean of x over a replicate has the exact expectation 1/2; correlation between dimensions of different
+// The mean of x over a block has the exact expectation 1/2; correlation between dimensions of different
 // purposes would show in the mean product of unrelated numbers, which must be 1/4.
 TEST(Sampler, NumbersOfDifferentBouncesAreUncorrelated) {
   double product = 0;
