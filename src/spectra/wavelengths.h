@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 
+#include <algorithm>
 #include <array>
 
 namespace orbs::spectra {
@@ -23,5 +24,15 @@ struct Wavelengths {
 /// square over the channels, is 0.28 with the product, 0.69 with a uniform density, and 0.10 with the root;
 /// on the ColorChecker 0.10, 0.26 and 0.04.
 Wavelengths sample_wavelengths(float u);
+
+/// The number for sample_wavelengths from two of a stratified point. The first places all four wavelengths
+/// within their quarters of the distribution, the second says which of them is the hero. So n samples whose
+/// first numbers are stratified have 4 n wavelengths in as many strata; one number for both would place them
+/// in n / 4 strata alone, of four samples each. Points that are stratified in both numbers as a (0, 2)-net
+/// stratify the heroes, too.
+inline float wavelength_number(float place, float hero) {
+  constexpr float kLargest = 1 - 0x1p-24F;  // the sum is rounded, and could give 1
+  return std::min(kLargest, (static_cast<float>(static_cast<int>(4 * hero)) + place) / 4);
+}
 
 }  // namespace orbs::spectra

@@ -1,9 +1,11 @@
 // Sampled wavelengths: the density is the one that is stated, and what paths estimate with them is unbiased
 // and quiet.
+#include "base/nth.h"
 #include "base/random.h"
 #include "spectra/observer.h"
 #include "spectra/rgb.h"
 #include "spectra/wavelengths.h"
+#include "tracer/sampling/sampler.h"
 #include "tracer/transport/spectral_transport.h"
 #include "unit/spectra/tables.h"
 
@@ -119,4 +121,36 @@ TEST(Wavelengths, OnePathOnGreyHasTheNoiseThatTheDensityWasChosenFor) {
     squares += error * error;
   }
   EXPECT_LT(std::sqrt((squares.x + squares.y + squares.z) / (3 * kCount)), 0.0975);
+}
+
+// The samples of a pixel together: the first numbers of Sobol' points place 4 n wavelengths in 4 n strata,
+// and white is all but exact after sixteen of them.
+TEST(Wavelengths, SamplesOfAPixelShareNoStratum) {
+  constexpr std::uint32_t kSamples = 16;
+  Vec3d squares;
+  constexpr std::uint32_t kPixels = 64;
+  for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+    const auto block = tracer::sample_block(1, pixel, 0);
+    std::array<int, 4 * kSamples> hits{};
+    std::array<int, kSamples> heroes{};
+    Vec3d sum;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      const auto point = tracer::draw(block, i, 0, tracer::SampleDimension::Wavelength);
+      const float u = wavelength_number(point[0], point[1]);
+      ++nth(heroes, static_cast<int>(u * kSamples));
+      for (const float turn : {0.0F, 0.25F, 0.5F, 0.75F})
+        ++nth(hits, static_cast<int>(std::fmod(u + turn, 1.0F) * 4 * kSamples));
+      sum += estimate(constant(1), illuminant("D65"), u);
+    }
+    for (const int count : hits) EXPECT_EQ(count, 1) << pixel;
+    for (const int count : heroes) EXPECT_EQ(count, 1) << pixel;
+    const Vec3d error = sum / kSamples - Vec3d{1, 1, 1};
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(largest(squares) / kPixels), 0.006);
+}
+
+TEST(Wavelengths, TheirNumberIsBelowOne) {
+  EXPECT_LT(wavelength_number(1 - 0x1p-24F, 1 - 0x1p-24F), 1);
+  EXPECT_EQ(wavelength_number(0, 0), 0);
 }

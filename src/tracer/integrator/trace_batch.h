@@ -1,5 +1,6 @@
 #pragma once
 
+#include "spectra/wavelengths.h"
 #include "tracer/integrator/connect_light_vertices.h"
 #include "tracer/integrator/light_path_batch.h"
 #include "tracer/integrator/sample_direct_light.h"
@@ -34,7 +35,8 @@ void start_paths(PathBatch<T>& batch, const World& world, std::span<const Sample
         camera_ray(world.camera, static_cast<float>(sample.x) + u[0], static_cast<float>(sample.y) + u[1]);
     path.throughput = T::start(world.camera, path.ray);
     path.lambda = T::sample_lambda([&samples, i] {
-      return draw(samples[i].block, samples[i].index, 0, SampleDimension::Wavelength)[0];
+      const auto point = draw(samples[i].block, samples[i].index, 0, SampleDimension::Wavelength);
+      return spectra::wavelength_number(point[0], point[1]);
     });
     batch.active[i] = i;
   }

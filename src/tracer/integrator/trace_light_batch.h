@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/nth.h"
+#include "spectra/wavelengths.h"
 #include "tracer/integrator/camera_connection.h"
 
 #include <cstdint>
@@ -97,8 +98,10 @@ void start_light_paths(LightPathBatch<T>& batch,
                       draw(block, path.index, 0, SampleDimension::LightPick));
     path.ray = path.start.ray;
     path.throughput = T::start(world.camera, path.ray);  // 1: plain factors depend on neither
-    path.lambda =
-        T::sample_lambda([&] { return draw(block, path.index, 0, SampleDimension::Wavelength)[0]; });
+    path.lambda = T::sample_lambda([&] {
+      const auto point = draw(block, path.index, 0, SampleDimension::Wavelength);
+      return spectra::wavelength_number(point[0], point[1]);
+    });
     if (path.start.weight > 0) batch.active.push_back(i);
   }
 }
