@@ -91,6 +91,8 @@ void add_algorithm_options(const command_line::Command& app, Options& options) {
       .shows_default();
   app.add_flag("--no-mirrored-light", options.has_no_mirrored_light,
                "no next-event estimation by way of flat mirrors");
+  app.add_flag("--no-variances", options.has_no_variances,
+               "no pixel is rendered a second time to learn the noise, and the image has no variances");
   app.add_flag("--no-roulette", options.has_no_roulette,
                "no Russian roulette: paths end at the trace depth or where they carry no light");
 }
@@ -212,6 +214,7 @@ void set_integrator(scene::Scene& scene, const Options& options) {
 tracer::RenderSettings render_settings(const Options& options, const scene::Scene& scene) {
   auto settings = options.render;
   settings.sampler = sampler_named(options.sampler);
+  settings.variances = !options.has_no_variances;
   settings.split_paths = settings.split_paths || scene.outputs.path_classes;
   return settings;
 }

@@ -28,6 +28,7 @@ struct Options {
   std::string integrator = "scene";
   double cache_error = 0;  // 0: as in the scene
   int cache_rays = 0;      // 0: as in the scene
+  bool has_no_variances = false;
   bool has_no_roulette = false;
   bool has_no_mirrored_light = false;
   std::string transport = "auto";

@@ -5,6 +5,7 @@
 #include "sandbox.h"
 
 #include <map>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -39,14 +40,19 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
                                       {"seed", "1"},
                                       {"threads", "1"}};
   std::map<std::string, std::map<std::string, std::string>> headers;
+  std::map<std::string, bool> has_variances;
   for (const auto& renderer : configuration.renderers) {
     std::string line;
     for (const auto& word : registry::fill_placeholders(renderer.command.words, values)) line += word + " ";
     const auto answer = sandbox.shell(line + "--width 8 --height 6");
     ASSERT_EQ(answer.status, 0) << renderer.name << ": " << answer.text;
-    headers[renderer.name] = image::read_image(sandbox.folder() / "out.exr").attributes;
+    auto image = image::read_image(sandbox.folder() / "out.exr");
+    has_variances[renderer.name] = image.channels.size() > 3;
+    headers[renderer.name] = std::move(image.attributes);
   }
-  EXPECT_EQ(headers.size(), 10U);
+  EXPECT_EQ(headers.size(), 11U);
+  EXPECT_TRUE(has_variances["orbs-sobol"]);
+  EXPECT_FALSE(has_variances["orbs-no-variances"]);
   EXPECT_EQ(headers["orbs-independent"]["orbs.sampler"], "independent");
   EXPECT_EQ(headers["orbs-stratified"]["orbs.sampler"], "stratified");
   EXPECT_EQ(headers["orbs-sobol"]["orbs.sampler"], "sobol");
