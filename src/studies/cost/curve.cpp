@@ -1,5 +1,7 @@
 #include "studies/cost/curve.h"
 
+#include "studies/cost/other_load.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -135,7 +137,7 @@ std::vector<const CostRender*> renders_of(const CostRecord& record,
   std::vector<const CostRender*> renders;
   for (const auto& render : record.renders)
     if (render.target == sweep.target && render.renderer == sweep.renderer && render.purpose == purpose &&
-        (setting.empty() || render.setting == setting))
+        (setting.empty() || render.setting == setting) && !is_disturbed(render))
       renders.push_back(&render);
   return renders;
 }

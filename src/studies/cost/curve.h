@@ -154,7 +154,8 @@ void fields(Visitor& visit, Record& curve) {
   visit("note", curve.note);
 }
 
-/// The renders of a sweep that were made for `purpose`; of one setting where `setting` names one.
+/// The renders of a sweep that were made for `purpose`; of one setting where `setting` names one. Those that
+/// other work on the machine disturbed are left out.
 std::vector<const CostRender*> renders_of(const CostRecord& record,
                                           const Sweep& sweep,
                                           Purpose purpose,

@@ -116,6 +116,7 @@ CostNumbers cost_numbers(const CostRecord& record) {
     numbers.curves.push_back(std::move(curve));
   }
   mark_frontier(numbers.curves);
+  numbers.other_load = other_load_of(record);
   numbers.self_comparison = compare_with_itself(record);
   if (numbers.self_comparison && numbers.self_comparison->passed)
     numbers.comparisons = compare_renderers(numbers.curves);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/cost/other_load.h"
 #include "studies/cost/time_to_error.h"
 
 #include <optional>
@@ -61,6 +62,7 @@ struct CostNumbers {
   /// Only where the comparison of a renderer with itself passed.
   std::vector<CostComparison> comparisons;
   std::optional<SelfComparison> self_comparison;
+  OtherLoad other_load;
 };
 
 template <class Visitor, json::RecordOf<CostNumbers> Record>
@@ -68,6 +70,7 @@ void fields(Visitor& visit, Record& numbers) {
   visit("curves", numbers.curves);
   visit("comparisons", numbers.comparisons);
   visit.nullable("self_comparison", numbers.self_comparison);
+  visit("other_load", numbers.other_load);
 }
 
 CostNumbers cost_numbers(const CostRecord& record);

@@ -146,6 +146,9 @@ struct CostRender {
   double wall_seconds = 0;
   std::optional<double> render_seconds = {};  // that the renderer states
   double load = 0;                            // of the machine when it started
+  /// The share of the time of all processors that others took meanwhile; nothing where it is not known.
+  std::optional<double> other_share = {};
+  int repeats = 0;  // earlier attempts, which other work disturbed
   std::optional<double> relmse = {}, mse = {}, psnr_srgb8 = {}, flip = {};
 };
 
@@ -162,6 +165,8 @@ void fields(Visitor& visit, Record& render) {
   visit("wall_seconds", render.wall_seconds);
   visit("render_seconds", render.render_seconds);
   visit("load", render.load);
+  visit("other_share", render.other_share);
+  visit("repeats", render.repeats, {.range = {.min = 0}});
   visit("relmse", render.relmse);
   visit("mse", render.mse);
   visit("psnr_srgb8", render.psnr_srgb8);

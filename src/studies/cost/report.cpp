@@ -2,6 +2,7 @@
 
 #include "base/text_table.h"
 #include "studies/cost/numbers.h"
+#include "studies/cost/other_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,9 +158,10 @@ std::string fixed_text(const CostRecord& record, const CostNumbers& numbers) {
 
 std::string conditions(const CostRecord& record) {
   return fmt::format(
-      "{} cores of {}, {} threads a render, load {:.1f} to {:.1f}; {} seeds a setting, size {}{}\n",
-      record.host.cores, record.host.cpu, record.settings.threads, record.load, record.load_end,
-      record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted");
+             "{} cores of {}, {} threads a render, load {:.1f} to {:.1f}; {} seeds a setting, size {}{}\n",
+             record.host.cores, record.host.cpu, record.settings.threads, record.load, record.load_end,
+             record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted") +
+         other_load_text(other_load_of(record));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "run/host.h"
 #include "run/renderer_version.h"
 #include "studies/cost/json.h"
+#include "studies/cost/other_load.h"
 #include "studies/cost/report.h"
 #include "studies/cost/sweep.h"
 
@@ -84,11 +85,21 @@ std::vector<CostTask> tasks_of_round(const CostRecord& record, int round) {
   return tasks;
 }
 
+bool is_same_render(const CostRender& render, const CostRender& wanted) {
+  return render.target == wanted.target && render.renderer == wanted.renderer &&
+         render.purpose == wanted.purpose && render.setting == wanted.setting && render.seed == wanted.seed;
+}
+
+// One that other work disturbed is made again when the study is resumed.
 bool is_done(const CostRecord& record, const CostRender& wanted) {
   return std::any_of(record.renders.begin(), record.renders.end(), [&](const CostRender& render) {
-    return render.target == wanted.target && render.renderer == wanted.renderer &&
-           render.purpose == wanted.purpose && render.setting == wanted.setting && render.seed == wanted.seed;
+    return is_same_render(render, wanted) && !is_disturbed(render);
   });
+}
+
+void keep(CostRecord& record, const CostRender& made) {
+  std::erase_if(record.renders, [&](const CostRender& render) { return is_same_render(render, made); });
+  record.renders.push_back(made);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -113,15 +124,19 @@ bool do_task(Progress& progress, const CostTask& task) {
   auto& sweep = record.sweeps[task.sweep];
   if (progress.failed.contains(task.sweep) || is_done(record, task.render)) return true;
   try {
-    const auto made =
-        measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
+    const auto made = undisturbed_render([&] {
+      return measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
+    });
     if (!made) return false;
-    record.renders.push_back(*made);
+    keep(record, *made);
     study.context.say(
-        fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s", progress.seconds(),
+        fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s{}", progress.seconds(),
                     record.renderers[sweep.renderer].name, record.targets[sweep.target].name,
                     task.render.purpose == Purpose::FixedCost ? "fixed cost" : task.render.setting,
-                    made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds));
+                    made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds,
+                    is_disturbed(*made) ? fmt::format("  left out: others took {:.0f} % of the machine",
+                                                      100 * made->other_share.value_or(0))
+                                        : ""));
   } catch (const InputError& e) {
     progress.failed.insert(task.sweep);
     sweep.note = fmt::format("{}{}{}", sweep.note, sweep.note.empty() ? "" : "; ", e.what());
