@@ -115,3 +115,26 @@ TEST(Cost, RefusesABudgetWithoutANumber) {
       << answer.text;
   EXPECT_FALSE(sandbox.has("c"));
 }
+
+TEST(Cost, ASpentBudgetEndsTheStudyAndWhatIsMissingIsNamed) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "--time", "0.001s", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto record = record_of(sandbox, "c");
+  EXPECT_TRUE(record.is_finished);
+  EXPECT_TRUE(record.renders.empty());
+  EXPECT_TRUE(contains(answer.text, "good on grey: not measured: 2 spp, 8 spp")) << answer.text;
+}
+
+TEST(Cost, StartTrialsAndOwnTimeOfARenderAreApart) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(
+      R"x(, "trial_seconds": {"pattern": "^fake: render_seconds 0.2(5)", "unit_seconds": 0.01})x");
+  const auto answer = sandbox.orbs(cost({"--sweep", "2", "--seeds", "2", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  for (const auto& render : record_of(sandbox, "c").renders) {
+    EXPECT_EQ(render.trial_seconds, 0.05);
+    EXPECT_EQ(render.render_seconds, 0.25);
+  }
+  EXPECT_TRUE(contains(answer.text, "start (CPU)")) << answer.text;
+}

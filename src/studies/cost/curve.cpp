@@ -67,6 +67,8 @@ CostPoint point_of(const std::vector<const CostRender*>& renders,
   point.wall_seconds = median_interval(seconds_of(renders, &CostRender::wall_seconds));
   const auto stated = values_of(renders, &CostRender::render_seconds);
   if (stated.size() == renders.size()) point.render_seconds = median_interval(stated);
+  const auto tried = values_of(renders, &CostRender::trial_seconds);
+  if (tried.size() == renders.size()) point.trial_seconds = median_interval(tried);
   point.errors = errors_of(renders, noise);
   point.is_below_reference_noise = point.errors[kRelmse] && point.errors[kRelmse]->value < noise.relmse;
   return point;

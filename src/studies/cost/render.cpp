@@ -162,6 +162,7 @@ std::optional<CostRender> measured_render(const CostMeasurement& study,
         run::share_of_others(*before, *after, wanted.cpu_seconds + made->cost.supervisor_cpu_seconds);
   wanted.wall_seconds = made->cost.wall_seconds;
   wanted.render_seconds = made->cost.render_seconds;
+  wanted.trial_seconds = made->cost.trial_seconds;
   if (is_fixed) return wanted;
   metrics::CompareSettings settings{
       metrics::NegativePixels::Allowed, 0, false, true, {"relmse_eps01", "mse", "psnr_srgb8", "flip"}};

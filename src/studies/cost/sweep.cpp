@@ -1,6 +1,7 @@
 #include "studies/cost/sweep.h"
 
 #include "base/error.h"
+#include "studies/cost/schedule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,10 +18,14 @@ namespace {
 
 constexpr int kMostSpp = 1 << 22;
 constexpr int kFewestPoints = 4;  // that a fit needs
+constexpr int kHalvings = static_cast<int>(kPointsOfEach) - 1;
 
 SweepSetting sample_setting(int spp) { return {fmt::format("{} spp", spp), spp}; }
 
 double seconds_per_sample(const CostPilot& pilot) {
+  // Of a sweep by settings, by the first that was tried.
+  if (!pilot.setting_seconds.empty())
+    return std::max(0.0, pilot.setting_seconds.front() - pilot.fixed_seconds) / pilot.settings.front().spp;
   return std::max(0.0, pilot.seconds - pilot.fixed_seconds) / pilot.spp;
 }
 
@@ -70,13 +75,16 @@ double refill(const std::vector<CostPilot>& pilots,
   return sum;
 }
 
-// The sweep whose samples, its fixed cost aside, take the longest. Nothing when no sweep can get shorter.
+// The sweep whose samples, its fixed cost aside, take the longest. Nothing when no sweep can get shorter and
+// keep the points that every curve gets.
 std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
                                         const std::vector<Sweep>& sweeps) {
   std::optional<std::size_t> slowest;
   double most = 0;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (!pilots[i].settings.empty() || sweeps[i].settings.back().spp <= pilots[i].least_spp) continue;
+    if (!pilots[i].settings.empty() ||
+        (sweeps[i].settings.back().spp >> (1 + kHalvings)) < std::max(1, pilots[i].least_spp))
+      continue;
     const double seconds = seconds_per_sample(pilots[i]) * sweeps[i].settings.back().spp;
     if (seconds <= most) continue;
     most = seconds;
@@ -254,6 +262,10 @@ bool find_sweeps(CostMeasurement& study, double budget_seconds) {
     study.record.sweeps = choose_sweeps(pilots, settings, budget_seconds - spent.count());
   } else {
     study.record.sweeps = given_sweeps(pilots, study.request.samples);
+  }
+  for (std::size_t i = 0; i < pilots.size(); ++i) {
+    study.record.sweeps[i].is_noise_free = pilots[i].is_noise_free;
+    study.record.sweeps[i].seconds_per_sample = seconds_per_sample(pilots[i]);
   }
   say_expected("the settings of this study", study.record.sweeps);
   study.record.sweeps.insert(study.record.sweeps.end(), unrendered.begin(), unrendered.end());

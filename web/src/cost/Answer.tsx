@@ -308,7 +308,7 @@ export function Answer({ study, metric, base: baseName, level }: Props) {
       )}
       <p class="quiet">
         Ratios are geometric means over the targets that both reach, with the 95 % interval that
-        follows from the intervals of the targets.
+        follows from their scatter over the targets; of one target it is that of its seeds.
         {study.self_comparison ? "" : " The study did not compare a renderer with itself."}
       </p>
     </>
