@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -47,9 +48,9 @@ std::optional<Descendant> process_of(pid_t pid) {
   Descendant process;
   process.pid = pid;
   process.parent = static_cast<pid_t>(to_integer(fields[1]).value_or(0));
+  process.thread_count = to_integer(fields[kThreadCount]).value_or(0);
   // The state is that of the main thread. While others run, the kernel counts it among them.
-  process.is_zombie =
-      (fields[0] == "Z" || fields[0] == "X") && to_integer(fields[kThreadCount]).value_or(0) <= 1;
+  process.is_zombie = (fields[0] == "Z" || fields[0] == "X") && process.thread_count <= 1;
   const auto seconds = [&](std::size_t field) {
     return to_number(fields[field]).value_or(0) / ticks_per_second;
   };
@@ -59,16 +60,43 @@ std::optional<Descendant> process_of(pid_t pid) {
   return process;
 }
 
+// The entries of a folder of /proc whose names are numbers: processes, or threads of one.
+std::vector<pid_t> numbers_in(const std::string& folder) {
+  std::vector<pid_t> numbers;
+  std::error_code failed;
+  for (auto entry = std::filesystem::directory_iterator(folder, failed);
+       !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
+    const auto number = to_integer(entry->path().filename().string());
+    if (number) numbers.push_back(static_cast<pid_t>(*number));
+  }
+  return numbers;
+}
+
 std::vector<Descendant> all_processes() {
   std::vector<Descendant> processes;
-  std::error_code failed;
-  for (auto entry = std::filesystem::directory_iterator("/proc", failed);
-       !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
-    const auto pid = to_integer(entry->path().filename().string());
-    if (!pid) continue;
-    if (const auto process = process_of(static_cast<pid_t>(*pid))) processes.push_back(*process);
-  }
+  for (const pid_t pid : numbers_in("/proc"))
+    if (const auto process = process_of(pid)) processes.push_back(*process);
   return processes;
+}
+
+std::string children_file(pid_t pid, pid_t task) {
+  return fmt::format("/proc/{}/task/{}/children", pid, task);
+}
+
+// Kernels are built with these files or without (CONFIG_PROC_CHILDREN).
+bool lists_children() {
+  static const bool exists = ::access(children_file(::getpid(), ::getpid()).c_str(), R_OK) == 0;
+  return exists;
+}
+
+// The kernel keeps a child with the thread that has forked it.
+std::vector<pid_t> children_of(pid_t pid, long long thread_count) {
+  std::vector<pid_t> children;
+  const auto tasks = thread_count > 1 ? numbers_in(fmt::format("/proc/{}/task", pid)) : std::vector{pid};
+  for (const pid_t task : tasks)
+    for (const auto& word : words_of(read_proc_file(children_file(pid, task))))
+      if (const auto child = to_integer(word)) children.push_back(static_cast<pid_t>(*child));
+  return children;
 }
 
 }  // namespace
@@ -88,6 +116,36 @@ std::vector<Descendant> descendants_of(pid_t ancestor) {
       ahead.push_back(child->second->pid);
     }
   }
+  return found;
+}
+
+// A list of children can omit one while another one ends (proc(5)), and a process whose parent ends moves
+// from one list to another, maybe one that was read before. So what was seen at the last look is looked at
+// anew. It cannot have become somebody else's: with a subreaper above, a descendant stays one until it ends.
+std::vector<Descendant> follow_descendants(Followed& followed) {
+  if (!lists_children()) return descendants_of(::getpid());
+  std::vector<Descendant> found;
+  Followed seen;
+  std::vector<pid_t> ahead = children_of(::getpid(), 1);
+  const auto visit_all = [&] {
+    while (!ahead.empty()) {
+      const pid_t pid = ahead.back();
+      ahead.pop_back();
+      const auto process = seen.contains(pid) ? std::nullopt : process_of(pid);
+      if (!process) continue;
+      seen.emplace(pid, process->started_ticks);
+      found.push_back(*process);
+      for (const pid_t child : children_of(pid, process->thread_count)) ahead.push_back(child);
+    }
+  };
+  visit_all();
+  for (const auto& [pid, started_ticks] : followed) {
+    if (seen.contains(pid)) continue;
+    const auto process = process_of(pid);
+    if (process && process->started_ticks == started_ticks) ahead.push_back(pid);
+  }
+  visit_all();
+  followed = std::move(seen);
   return found;
 }
 

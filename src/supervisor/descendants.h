@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,18 @@ struct Descendant {
   double cpu_seconds = 0;  // its own, and those of the children that it has reaped
   double own_cpu_seconds = 0;
   long long started_ticks = 0;  // since the machine was booted: an id may be given again
+  long long thread_count = 1;
 };
 
-/// All processes below `ancestor`, zombies too.
+/// All processes below `ancestor`, zombies too. Reads every process of the machine.
 std::vector<Descendant> descendants_of(pid_t ancestor);
+
+/// The descendants of this process that were there at the last look: when each started, by its id.
+using Followed = std::map<pid_t, long long>;
+
+/// All processes below this one, which is a child subreaper with a single thread. Reads only these, so it may
+/// be called often. What starts while it looks may be missing until the next look; what it has seen once
+/// stays until it ends.
+std::vector<Descendant> follow_descendants(Followed& followed);
 
 }  // namespace orbs::supervisor

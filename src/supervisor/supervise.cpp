@@ -27,9 +27,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Reading /proc must not disturb the measurement: 0.5 % of one core at most, but at least two polls a second,
-// since usage between two polls is not limited.
-constexpr double kPollShare = 0.005;
+// Reading /proc must not disturb the measurement: 0.15 % of one core at most, but at least two polls a
+// second, since usage between two polls is not limited.
+constexpr double kPollShare = 0.0015;
 constexpr double kShortestWait_seconds = 0.01;
 constexpr double kLongestWait_seconds = 0.5;
 
@@ -65,6 +65,7 @@ struct Supervision {
   std::size_t folder_at_start = 0;
   MemoryWatch memory = {};
   CpuWatch cpu = {};
+  Followed followed = {};
   Report report = {};
 
   double now() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -112,7 +113,7 @@ void poll_usage(Supervision& state) {
   rusage collected{};
   ::getrusage(RUSAGE_CHILDREN, &collected);
   double cpu_seconds = to_seconds(collected.ru_utime) + to_seconds(collected.ru_stime);
-  const auto processes = descendants_of(::getpid());
+  const auto processes = follow_descendants(state.followed);
   for (const auto& process : processes) cpu_seconds += process.cpu_seconds;
   state.cpu.note(processes);
   cpu_seconds = std::max(cpu_seconds, state.cpu.seconds());

@@ -1,5 +1,6 @@
 #include "tracer/choose_light.h"
 
+#include "tracer/learn_light_selection.h"
 #include "tracer/trial_image.h"
 #include "tracer/world/build_world.h"
 
@@ -18,6 +19,8 @@ constexpr double kShareOfPaths = 0.07;
 //
 // The tree takes a tenth to a third more time (scenes 201, 124 and 123 of ORB.S).
 constexpr double kSelectionWorthwhile = 0.8;
+// To look up what was learned takes up to a quarter on top of the tree (scene 124 of ORB.S).
+constexpr double kLearningWorthwhile = 0.7;
 // Light paths take a fifth to a half of the rendering time (mirror and glass scenes of ORB.S).
 constexpr double kPathsWorthwhile = 0.78;
 // A light path of one segment for each camera path, and one more shadow ray and two evaluations of BSDFs for
@@ -39,29 +42,42 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   if (open.paths) std::swap(casters, world.caustic_casters);
   if (open.connections) world.connects_light_vertices = false;
   bool connects = open.connections && supports_light_connections(world);
-  const int questions = (bvh.empty() ? 0 : 1) + (casters.empty() ? 0 : 1) + (connects ? 1 : 0);
+  const int questions = (bvh.empty() ? 0 : 2) + (casters.empty() ? 0 : 1) + (connects ? 1 : 0);
   const auto size = trial_size(world.camera, settings, kShareOfPaths, 2 * (1 + questions));
   if (questions == 0 || !size) return {};
   RenderTime time;
   const auto rendered = [&] {
     Trial trial = trial_of(world, *size, settings);
-    time.seconds += trial.time.seconds;
-    time.cpu_seconds += trial.time.cpu_seconds;
-    time.traversal_seconds += trial.time.traversal_seconds;
+    add(time, trial.time);
     return trial;
   };
   Trial best = rendered();
-  const auto keep_if_better = [&](auto& technique, auto& in_world, double worthwhile,
-                                  double fewest_contributions = 0) {
+  const auto keep_if = [&](auto& technique, auto& in_world, const auto& is_better) {
     std::swap(technique, in_world);
     Trial with = rendered();
-    const auto errors = relative_errors(with, best);
-    if (with.light_path_contributions >= fewest_contributions && errors.first < worthwhile * errors.second)
+    if (is_better(with))
       best = std::move(with);
     else
       std::swap(technique, in_world);
   };
-  if (!bvh.empty()) keep_if_better(bvh, world.light_bvh, kSelectionWorthwhile);
+  const auto keep_if_better = [&](auto& technique, auto& in_world, double worthwhile,
+                                  double fewest_contributions = 0) {
+    keep_if(technique, in_world, [&](const Trial& with) {
+      const auto errors = relative_errors(with, best);
+      return with.light_path_contributions >= fewest_contributions &&
+             errors.first < worthwhile * errors.second;
+    });
+  };
+  if (!bvh.empty()) {
+    LightBvh learned = bvh;
+    add(time, learn_light_selection(learned, world, settings));
+    keep_if_better(bvh, world.light_bvh, kSelectionWorthwhile);
+    if (learned.has_learned())
+      keep_if(learned, world.light_bvh, [&](const Trial& with) {
+        const auto errors = relative_errors(with, best);
+        return errors.first < errors.second && typical_variance_ratio(with, best) < kLearningWorthwhile;
+      });
+  }
   if (!casters.empty())
     keep_if_better(casters, world.caustic_casters, kPathsWorthwhile, kFewestContributions);
   if (connects) keep_if_better(connects, world.connects_light_vertices, kConnectionsWorthwhile);

@@ -7,15 +7,15 @@ namespace orbs::tracer {
 
 /// Which choices are left to trial images.
 struct LightChoices {
-  bool selection = true;    // of emitters by the light BVH, or by power alone: world.light_bvh
+  bool selection = true;    // of emitters by the light BVH, learned or not, or by power: world.light_bvh
   bool paths = true;        // light paths for caustics: world.caustic_casters
   bool connections = true;  // to light vertices: world.connects_light_vertices
 };
 
 /// Keeps of these techniques what lowers the error of a trial image by more than its time costs, and empties
-/// or unsets the others. All trials together trace 7 % of the camera paths of the render that they are
-/// for, with `settings`; if that is too little to decide by, none is kept. Deterministic. Returns the time of
-/// the trials.
+/// or unsets the others. All trial images together trace 7 % of the camera paths of the render that they are
+/// for, with `settings`, and learned light selection 2 % more; if that is too little to decide by, none is
+/// kept. Deterministic. Returns the time of the trials.
 RenderTime choose_light(World& world, const RenderSettings& settings, LightChoices open = {});
 
 }  // namespace orbs::tracer

@@ -119,4 +119,25 @@ RelativeErrors relative_errors(const Trial& first, const Trial& second) {
   return {whole(noise.first, missed.first), whole(noise.second, missed.second)};
 }
 
+double typical_variance_ratio(const Trial& first, const Trial& second) {
+  double shares = 0;
+  double pixels = 0;
+  for (std::size_t i = 0; i < first.images[0].pixel_count(); ++i) {
+    const Vec3d apart_first = colour_of(first.images[0], i) - colour_of(first.images[1], i);
+    const Vec3d apart_second = colour_of(second.images[0], i) - colour_of(second.images[1], i);
+    const double square_first = dot(apart_first, apart_first);
+    const double squares = square_first + dot(apart_second, apart_second);
+    if (!(squares > 0)) continue;
+    shares += square_first / squares;
+    ++pixels;
+  }
+  if (pixels == 0) return 1;
+  // Of two squared normal numbers with the ratio q of their standard deviations the share has the mean
+  // q / (1 + q): the ratio of the numbers is Cauchy distributed.
+  constexpr double kMost = 0.999;
+  const double share = std::min(kMost, shares / pixels);
+  const double ratio = share / (1 - share);
+  return ratio * ratio;
+}
+
 }  // namespace orbs::tracer

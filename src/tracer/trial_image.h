@@ -46,4 +46,9 @@ struct RelativeErrors {
 };
 RelativeErrors relative_errors(const Trial& first, const Trial& second);
 
+/// The variance of the first technique over that of the second, as in the typical pixel: each counts the
+/// same, however noisy it is with both, as the edges of lights are. For techniques that find the same light;
+/// rare bright samples are not seen. One if no pixel has noise.
+double typical_variance_ratio(const Trial& first, const Trial& second);
+
 }  // namespace orbs::tracer

@@ -4,6 +4,7 @@
 #include "scene/load/load_scene.h"
 #include "scene/render_fault.h"
 #include "tracer/choose_light.h"
+#include "tracer/learn_light_selection.h"
 #include "tracer/plugins/plugin_library.h"
 #include "tracer/render.h"
 #include "tracer/render/rendering.h"
@@ -107,10 +108,12 @@ scene::Scene scene_for(const Options& options) {
 tracer::RenderTime choose_algorithms(const Options& options,
                                      const scene::Scene& scene,
                                      tracer::World& world) {
-  const auto time = tracer::choose_light(world, render_settings(options, scene),
-                                         {.selection = options.light_selection == "auto",
-                                          .paths = options.light_paths == "auto",
-                                          .connections = options.light_connections == "auto"});
+  auto time = tracer::choose_light(world, render_settings(options, scene),
+                                   {.selection = options.light_selection == "auto",
+                                    .paths = options.light_paths == "auto",
+                                    .connections = options.light_connections == "auto"});
+  if (options.light_selection == "learned")
+    tracer::add(time, tracer::learn_light_selection(world.light_bvh, world, render_settings(options, scene)));
   if (options.light_connections == "always")
     world.connects_light_vertices = tracer::supports_light_connections(world);
   // What the trial renderings met is no part of the image.

@@ -74,8 +74,9 @@ void add_algorithm_options(const command_line::Command& app, Options& options) {
       .shows_default();
   app.add_option("--light-selection", options.light_selection,
                  "which of several emitters light sampling takes: bvh (by what each may contribute to the "
-                 "point), power (by its power alone) or auto (what a trial rendering shows to be better)")
-      .one_of({"auto", "bvh", "power"})
+                 "point), learned (also by what trial light samples have met in its region), power (by its "
+                 "power alone) or auto (what a trial rendering shows to be better)")
+      .one_of({"auto", "bvh", "learned", "power"})
       .shows_default();
   app.add_option(
          "--light-paths", options.light_paths,

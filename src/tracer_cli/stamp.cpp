@@ -43,7 +43,9 @@ void stamp(tracer::Rendering& rendering,
   header["orbs.sampler"] = options.sampler;
   header["orbs.replicates"] = std::to_string(options.render.replicates);
   header["orbs.direct_light"] = options.direct_light;
-  header["orbs.light_selection"] = world.light_bvh.empty() ? "power" : "bvh";
+  header["orbs.light_selection"] = world.light_bvh.empty()         ? "power"
+                                   : world.light_bvh.has_learned() ? "learned"
+                                                                   : "bvh";
   header["orbs.intersection"] = options.intersection;
   header["orbs.roulette"] = world.roulette ? "yes" : "no";
   header["orbs.mirrored_light"] = world.mirror_planes.empty() ? "no" : "yes";

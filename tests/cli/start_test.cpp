@@ -36,7 +36,9 @@ TEST(Start, NoProgramLoadsManyLibraries) {
     int count = 0;
     std::string all;
     for (std::string line; std::getline(libraries, line); ++count) all += line + '\n';
-    EXPECT_GT(count, 2) << program << ": " << all;
+    // The supervisor has none where it is linked with archives; another test sees to that.
+    const int least = std::string(program) == "orbs-supervisor" ? 0 : 3;
+    EXPECT_GE(count, least) << program << ": " << all;
     EXPECT_LE(count, kMost) << program << ":\n" << all;
   }
 }

@@ -3,6 +3,8 @@
 #include "tracer/light/emitter.h"
 #include "tracer/light/light_bvh.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -137,9 +139,89 @@ TEST(LightBvh, LeavesOutEmittersBehindThePointOrTurnedAway) {
   EXPECT_FALSE(bvh.select(top, 0.5F).has_value());
 }
 
+TEST(LightBvh, LeavesOutAWideEmitterThatLiesBeyondAHorizon) {
+  // The underside of a slab: a lamp as wide as the room is above it, a small one below. From within the
+  // sphere about the wide lamp no direction to it is known.
+  Emitters e;
+  e.lights = {light_of(RectEmitter{{0, 6, 0}, {5, 0, 0}, {0, 0, 5}, {0, -1, 0}, 100, true}),
+              light_of(RectEmitter{{0, 0.6F, 0}, {0.5F, 0, 0}, {0, 0, 0.5F}, {0, 1, 0}, 1, true})};
+  e.powers = {100, 1};
+  const LightBvh bvh = bvh_of(e);
+  const LightSampleContext underside{{1, 2, 1}, {0, -1, 0}};
+  EXPECT_EQ(bvh.probability(underside, 0), 0);
+  EXPECT_FLOAT_EQ(bvh.probability(underside, 1), 1);
+  const LightSampleContext glass_above_the_lamp{{1, 6.5F, 1}, {}};
+  EXPECT_EQ(bvh.probability(glass_above_the_lamp, 0), 0);
+}
+
 TEST(LightBvh, EmittersWithoutPowerAreNeverSelected) {
   Emitters e = many_emitters();
   e.powers[3] = 0;
   const LightBvh bvh = bvh_of(e);
   EXPECT_EQ(bvh.probability({{0, 0, 0}, {}}, 3), 0);
+}
+
+namespace {
+
+// Trials at points of the cube, of which those with a positive x see nothing of the emitters with an odd
+// number.
+LightBvh learned_bvh(const Emitters& e) {
+  LightBvh bvh = bvh_of(e);
+  std::vector<LightTrial> trials;
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const LightSampleContext at{point_in_cube(9000 + i, 2.5F), direction(40000 + i)};
+    const auto selected = bvh.select(at, uniform(i, 7));
+    if (!selected) continue;
+    const bool is_blocked = at.position.x > 0 && selected->emitter % 2 == 1;
+    trials.push_back({at, selected->emitter, is_blocked ? 0 : uniform(i, 8)});
+  }
+  bvh.learn(trials, {.eye = {0, 0, 5}});
+  return bvh;
+}
+
+}  // namespace
+
+TEST(LearnedLightBvh, SelectsWithTheProbabilityThatItStatesAndLeavesOutNoEmitter) {
+  const Emitters e = many_emitters();
+  const LightBvh bvh = learned_bvh(e);
+  ASSERT_TRUE(bvh.has_learned());
+  ASSERT_GT(bvh.factors().row_count(), 100U);
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const LightSampleContext at{point_in_cube(i, 2.5F), direction(5000 + i)};
+    // A node whose children cannot shine on the point may be selected nevertheless: then there is no sample.
+    constexpr int kSteps = 400;
+    int selections = 0;
+    for (int k = 0; k < kSteps; ++k) {
+      const auto selected = bvh.select(at, (static_cast<float>(k) + 0.5F) / kSteps);
+      if (!selected) continue;
+      ++selections;
+      EXPECT_NEAR(selected->probability, bvh.probability(at, selected->emitter), 1e-5F);
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < e.powers.size(); ++k) {
+      const double probability = bvh.probability(at, k);
+      sum += probability;
+      if (shines_on(e, k, at, uniform(i, 3), uniform(i, 4))) {
+        EXPECT_GT(probability, 0) << "point " << i << ", emitter " << k;
+      }
+    }
+    EXPECT_NEAR(sum, static_cast<double>(selections) / kSteps, 0.05) << "point " << i;
+  }
+}
+
+TEST(LearnedLightBvh, SelectsLessOftenWhatWasBlocked) {
+  const Emitters e = many_emitters();
+  const LightBvh before = bvh_of(e);
+  const LightBvh after = learned_bvh(e);
+  double blocked_before = 0;
+  double blocked_after = 0;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    LightSampleContext at{point_in_cube(i, 2.5F), direction(5000 + i)};
+    at.position.x = std::abs(at.position.x) + 0.1F;
+    for (std::size_t k = 1; k < e.lights.size(); k += 2) {
+      blocked_before += before.probability(at, k);
+      blocked_after += after.probability(at, k);
+    }
+  }
+  EXPECT_LT(blocked_after, 0.7 * blocked_before);
 }

@@ -187,9 +187,10 @@ void load_packet(Packet& packet, std::array<int, kPacket>& valid, std::span<cons
 
 }  // namespace
 
-void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
+  if (coherence == Coherence::Neighbours) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {

@@ -27,6 +27,12 @@ struct AccelGeometry {
 /// a path meets; places and shading are in single precision in either case.
 enum class Intersection { Single, Double };
 
+/// Whether rays that follow one another are close and alike in direction, as those of neighbouring camera
+/// samples are. Only the traversal depends on it: the rays of a packet test boxes together, by a frustum
+/// about all of them. The hits are the same, but that a ray through the common edge of two triangles may be
+/// said to hit either.
+enum class Coherence { None, Neighbours };
+
 /// Ray traversal by Embree, in robust mode: no ray passes between adjacent triangles. Rays are traced in
 /// packets of 16, which take two thirds of the time of single rays on small scenes; Embree itself falls back
 /// to single rays where a packet diverges.
@@ -40,7 +46,7 @@ class Accel {
   Accel& operator=(Accel&&) = delete;
 
   /// The nearest hit of each ray; object = kNoHit if there is none.
-  void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+  void intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence = Coherence::None) const;
   /// 1 for rays that hit anything within their reach, else 0.
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
 

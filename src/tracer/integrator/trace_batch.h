@@ -77,7 +77,8 @@ void trace_batch(PathBatch<T>& batch, const World& world, std::span<const Sample
     batch.rays.clear();
     for (const std::uint32_t path : batch.active) batch.rays.push_back(batch.paths[path].ray);
     batch.hits.resize(batch.rays.size());
-    timed_traversal(batch, [&] { world.accel->intersect(batch.rays, batch.hits); });
+    const auto coherence = bounce == 0 ? Coherence::Neighbours : Coherence::None;
+    timed_traversal(batch, [&] { world.accel->intersect(batch.rays, batch.hits, coherence); });
     batch.survivors.clear();
     shade_batch(batch, world, samples, bounce);
     batch.active.swap(batch.survivors);

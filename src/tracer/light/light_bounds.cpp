@@ -52,6 +52,22 @@ void merge_cones(const LightBounds& a, const LightBounds& b, LightBounds& out) {
   out.cos_spread = std::cos(half);
 }
 
+// No point of the box has a greater dot product with the normal, seen from `from`.
+float highest(const LightBounds& bounds, Vec3f normal, Vec3f from) {
+  const Vec3f half = (bounds.high - bounds.low) * 0.5F;
+  return dot(normal, centre_of(bounds) - from) + std::abs(normal.x) * half.x + std::abs(normal.y) * half.y +
+         std::abs(normal.z) * half.z;
+}
+
+// The box lies below the horizon of the point, or the point below that of every emitter in it. The cosines of
+// importance() do not tell: the sphere about a wide lamp reaches below a horizon that the lamp does not, and
+// within the sphere no direction is known.
+bool is_beyond_horizon(const LightBounds& bounds, const LightSampleContext& at) {
+  if (!(at.normal == Vec3f{}) && !(highest(bounds, at.normal, at.position) > 0)) return true;
+  const bool is_flat = bounds.cos_spread >= 1 && !bounds.is_two_sided;
+  return is_flat && !(highest(bounds, -bounds.axis, at.position) > 0);
+}
+
 }  // namespace
 
 LightBounds merged(const LightBounds& a, const LightBounds& b) {
@@ -69,6 +85,7 @@ LightBounds merged(const LightBounds& a, const LightBounds& b) {
 }
 
 float importance(const LightBounds& bounds, const LightSampleContext& at) {
+  if (is_beyond_horizon(bounds, at)) return 0;
   const Vec3f to_light = centre_of(bounds) - at.position;
   const float radius2 = bounds.radius * bounds.radius;
   const float distance2 = dot(to_light, to_light);

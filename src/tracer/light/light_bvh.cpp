@@ -58,6 +58,7 @@ LightBvh::LightBvh(const std::vector<LightBounds>& emitters, const std::vector<E
   nodes_.reserve(2 * leaves.size() - 1);
   leaf_of_.assign(emitters.size(), 0);
   build(leaves, 0, leaves.size(), 0);
+  number_factors();
 }
 
 // Halves of equal count keep the tree balanced: its depth bounds both the time of a selection and how finely
@@ -91,9 +92,53 @@ std::uint32_t LightBvh::build(std::vector<Leaf>& leaves,
   return index;
 }
 
-float LightBvh::share_of_left(const Node& node, const LightSampleContext& at) const {
-  const float left = importance(nodes_[node.left].bounds, at);
-  const float right = importance(nodes_[node.right].bounds, at);
+// Breadth first, so that the upper nodes have numbers.
+void LightBvh::number_factors() {
+  constexpr std::size_t kMost = 255;  // a tree of 128 leaves, without its root
+  std::vector<std::uint32_t> level{0};
+  while (!level.empty() && factor_count_ + 2 * level.size() <= kMost) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t index : level)
+      if (nodes_[index].right != 0)
+        for (const std::uint32_t child : {nodes_[index].left, nodes_[index].right}) {
+          nodes_[child].factor = static_cast<std::uint32_t>(factor_count_++);
+          next.push_back(child);
+        }
+    level = std::move(next);
+  }
+}
+
+void LightBvh::learn(const std::vector<LightTrial>& selected, const RegionGrid& grid) {
+  factors_ = {};
+  LightSums sums(grid, factor_count_);
+  for (const LightTrial& trial : selected) {
+    std::uint32_t index = leaf_of_[trial.emitter];
+    const EmitterGroup& group = nodes_[index].group;
+    // What the sample is worth to the node: over the probability with which the node selects the emitter.
+    float worth =
+        trial.irradiance *
+        (group.count == 1 ? 1 : power_up_to_[group.first + group.count - 1] / power_of(trial.emitter));
+    const std::size_t row = sums.row_for(trial.at);
+    for (; index != 0; index = nodes_[index].parent) {
+      const float promised = importance(nodes_[index].bounds, trial.at);
+      if (!(promised > 0)) break;  // by rounding
+      if (nodes_[index].factor > 0) sums.add(row, nodes_[index].factor, worth / promised);
+      const Node& parent = nodes_[nodes_[index].parent];
+      const float left = share_of_left(parent, trial.at, nullptr);
+      worth /= parent.left == index ? left : 1 - left;
+    }
+  }
+  factors_ = sums.factors();
+}
+
+float LightBvh::share_of_left(const Node& node, const LightSampleContext& at, const float* factors) const {
+  float left = importance(nodes_[node.left].bounds, at);
+  float right = importance(nodes_[node.right].bounds, at);
+  // Both children have a factor or none has.
+  if (factors != nullptr && nodes_[node.left].factor > 0) {
+    left *= factors[nodes_[node.left].factor];
+    right *= factors[nodes_[node.right].factor];
+  }
   return left > 0 || right > 0 ? left / (left + right) : -1;
 }
 
@@ -112,10 +157,11 @@ float LightBvh::power_of(std::size_t emitter) const {
 }
 
 std::optional<SelectedEmitter> LightBvh::select(const LightSampleContext& at, float u) const {
+  const float* const factors = factors_at(at);
   std::uint32_t index = 0;
   float probability = 1;
   while (nodes_[index].right != 0) {
-    const float left = share_of_left(nodes_[index], at);
+    const float left = share_of_left(nodes_[index], at, factors);
     if (left < 0) return std::nullopt;
     if (u < left) {
       probability *= left;
@@ -135,11 +181,12 @@ std::optional<SelectedEmitter> LightBvh::select(const LightSampleContext& at, fl
 float LightBvh::probability(const LightSampleContext& at, std::size_t emitter) const {
   std::uint32_t index = leaf_of_[emitter];
   if (index == 0) return 0;
+  const float* const factors = factors_at(at);
   const EmitterGroup& group = nodes_[index].group;
   float probability = group.count == 1 ? 1 : power_of(emitter) / power_up_to_[group.first + group.count - 1];
   while (index != 0) {
     const Node& parent = nodes_[nodes_[index].parent];
-    const float left = share_of_left(parent, at);
+    const float left = share_of_left(parent, at, factors);
     if (left < 0) return 0;
     probability *= parent.left == index ? left : 1 - left;
     index = nodes_[index].parent;

@@ -44,6 +44,12 @@ struct RenderTime {
   double traversal_seconds = 0;
 };
 
+inline void add(RenderTime& time, const RenderTime& more) {
+  time.seconds += more.seconds;
+  time.cpu_seconds += more.cpu_seconds;
+  time.traversal_seconds += more.traversal_seconds;
+}
+
 struct Rendering {
   image::Image image;
   int samples_per_pixel = 0;  // fewer than in the settings after a stop

@@ -74,7 +74,6 @@ TEST(ProcessLimits, FilesInMemoryCountUntilTheyAreRemoved) {
   EXPECT_GT(result.peak_rss_bytes, 30 * kMega);
 }
 
-// What was there before the job takes no memory of the job.
 // The kernel forgets the time of a child whose parent ignores its end.
 TEST(ProcessLimits, ProcessorTimeOfChildrenThatNobodyWaitsForCounts) {
   const auto result = run_process(shell(R"(exec python3 -c '
@@ -91,6 +90,40 @@ os.read(end, 1)
   EXPECT_GT(result.user_seconds + result.system_seconds, 1);
 }
 
+// Five shells deep, each waiting for the next.
+TEST(ProcessLimits, ProcessorTimeFarBelowTheCommandCounts) {
+  const TestFolder scratch("process-deep");
+  orbs::write_file(scratch.path() / "deep.sh",
+                   "if [ $1 -gt 0 ]; then sh deep.sh $(($1 - 1)); echo; else while :; do :; done; fi");
+  auto request = shell("sh deep.sh 4; echo");
+  request.folder = scratch.path();
+  request.limits.cpu_seconds = 0.2;
+  EXPECT_EQ(run_process(request).cause, Cause::CpuTime);
+}
+
+TEST(ProcessLimits, ProcessorTimeOfWhatFledToAnotherSessionCounts) {
+  auto request = shell("(setsid sh -c 'echo $$; while :; do :; done' &); sleep 60");
+  request.limits.cpu_seconds = 0.2;
+  const auto result = run_process(request);
+  EXPECT_EQ(result.cause, Cause::CpuTime);
+  EXPECT_FALSE(is_running(orbs::split(result.output, '\n').at(0))) << result.output;
+}
+
+// The kernel lists children by the thread that has started them.
+TEST(ProcessLimits, ProcessorTimeOfChildrenOfOtherThreadsCounts) {
+  auto request = shell(R"(exec python3 -c '
+import os, threading, time
+def start():
+    if os.fork() == 0:
+        while True: pass
+    time.sleep(60)
+threading.Thread(target=start).start()
+')");
+  request.limits.cpu_seconds = 1;  // more than python needs to start
+  EXPECT_EQ(run_process(request).cause, Cause::CpuTime);
+}
+
+// What was there before the job takes no memory of the job.
 TEST(ProcessLimits, FilesInMemoryThatAreOnlyReadDoNotCount) {
   if (!has_memory_folder()) GTEST_SKIP() << "there is no room in /dev/shm";
   const FilesInMemory files;
