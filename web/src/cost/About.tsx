@@ -24,6 +24,7 @@ function selfText(study: CostStudy): string {
 }
 
 function otherLoadText({ other_load: load }: CostStudy): string {
+  if (load.unknown === load.renders) return "not measured";
   const left =
     `${load.left_out} of ${load.renders} renders left out, since others took more than 5 % of the ` +
     `machine; ${load.repeats} repeats`;
@@ -41,7 +42,10 @@ function rows(study: CostStudy): [string, string][] {
     ["Renderers", study.renderers.map(rendererText).join("; ")],
     ["Seeds per setting", String(settings.seeds)],
     ["Threads", String(settings.threads)],
-    ["Order of the renders", `in turn, cheapest curve first; then by the seed ${settings.order_seed}`],
+    [
+      "Order of the renders",
+      `in turn, cheapest curve first; then by the seed ${settings.order_seed}`,
+    ],
     ["Budget", seconds(settings.budget_seconds)],
     [
       "Machine",

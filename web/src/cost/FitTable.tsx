@@ -6,8 +6,14 @@ import type { CostCurve, CostStudy } from "../data/generated";
 const kColumns: Column[] = [
   { label: "Renderer" },
   { label: "Fixed cost", title: "CPU seconds of an image of 4 x 4 px: start, reading, building" },
-  { label: "Trials", title: "seconds of trial renderings at the last setting, where the renderer states them" },
-  { label: "Own time", title: "seconds at the last setting, start and files left out, as the renderer states them" },
+  {
+    label: "Trials",
+    title: "seconds of trial renderings at the last setting, where the renderer states them",
+  },
+  {
+    label: "Own time",
+    title: "seconds at the last setting, start and files left out, as the renderer states them",
+  },
   { label: "v", title: "relMSE(t) = b² + v / tᵖ, t in CPU seconds above the fixed cost" },
   { label: "p", title: "1 for independent samples; larger is faster" },
   { label: "b²", title: "the part of the relMSE that no time removes" },
