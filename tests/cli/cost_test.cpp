@@ -126,6 +126,16 @@ TEST(Cost, ASpentBudgetEndsTheStudyAndWhatIsMissingIsNamed) {
   EXPECT_TRUE(contains(answer.text, "good on grey: not measured: 2 spp, 8 spp")) << answer.text;
 }
 
+TEST(Cost, AStudyOfAnEarlierVersionIsShown) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"cost", "--show", ORBS_SOURCE_DIR "/docs/reports/cost-1-4.json", "--markdown"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs twice on 1 scene:")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "other work on the machine: not measured")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "seeds of")) << "of a study that had all the time that it wanted";
+}
+
 TEST(Cost, StartTrialsAndOwnTimeOfARenderAreApart) {
   const Sandbox sandbox;
   sandbox.add_to_good(

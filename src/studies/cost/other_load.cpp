@@ -27,6 +27,10 @@ OtherLoad other_load_of(const CostRecord& record) {
 }
 
 std::string other_load_text(const OtherLoad& load) {
+  if (load.unknown == load.renders)
+    return "other work on the machine: not measured, so no render was left out\n";
+  // One render in ten is what a scheduled job of the system may disturb; more is a machine that is in use.
+  constexpr int kUsualShare = 10;
   auto text = fmt::format(
       "other work on the machine: of {} renders {} were left out because others took more than {:g} % of its "
       "processors; {} repeats\n",
@@ -34,6 +38,9 @@ std::string other_load_text(const OtherLoad& load) {
   if (load.unknown > 0)
     text += fmt::format("of {} renders it is not known what others took: nothing was left out there\n",
                         load.unknown);
+  if (load.left_out * kUsualShare > load.renders)
+    text +=
+        "the machine was in use: the same command with --resume and the folder makes what was left out once more\n";
   return text;
 }
 

@@ -112,7 +112,9 @@ struct Sweep {
   std::string
       finding;  // what the gates of the case say of the last setting's first image, unless it is right
   double seconds_per_sample = 0;  // by the pilot
-  bool is_noise_free = false;     // every image of a setting is the same
+  /// Every image of a setting is the same, so that few are rendered. Not known of studies of earlier
+  /// versions.
+  std::optional<bool> is_noise_free = {};
 };
 
 template <class Visitor, json::RecordOf<Sweep> Record>

@@ -99,20 +99,30 @@ std::string ranking(const CostRecord& record, const CostNumbers& numbers, std::s
   return text;
 }
 
+std::string self_verdict(const SelfComparison& found) {
+  if (found.passed) return "no difference, as it must be";
+  return found.is_known
+             ? "a difference where there is none: the machine was not steady, and nothing is ranked"
+             : "too uncertain to show anything, so nothing is ranked: more seeds are needed";
+}
+
 std::string self_text(const CostRecord& record, const CostNumbers& numbers) {
   const auto& found = numbers.self_comparison;
-  if (!found) return "no renderer was compared with itself, so nothing is ranked: it needs two seeds\n";
-  return fmt::format(
-      "{} twice on {} scenes: time {}, error {}: {}\nratios of single scenes: time {:.3f} to {:.3f}, scatter "
-      "{:.1f} %; error {:.3f} to {:.3f}, scatter {:.1f} %; {} of them differ at a level of 1 %\n",
-      record.renderers[found->renderer].name, found->scenes.size(), ratio_text(found->time_ratio),
-      ratio_text(found->error_ratio),
-      found->passed ? "no difference, as it must be"
-      : !found->is_known
-          ? "too uncertain to show anything, so nothing is ranked: more seeds are needed"
-          : "a difference where there is none: the machine was not steady, and nothing is ranked",
-      found->time_spread.least, found->time_spread.most, 100 * found->time_scatter, found->error_spread.least,
-      found->error_spread.most, 100 * found->error_scatter, found->differing);
+  if (!found)
+    return "no renderer was compared with itself, so nothing is ranked: that needs two undisturbed "
+           "renders of a setting, and two of it again\n";
+  const auto scenes = found->scenes.size();
+  auto text =
+      fmt::format("{} twice on {} scene{}: time {}, error {}: {}\n", record.renderers[found->renderer].name,
+                  scenes, scenes == 1 ? "" : "s", ratio_text(found->time_ratio),
+                  ratio_text(found->error_ratio), self_verdict(*found));
+  if (scenes > 1)
+    text += fmt::format(
+        "ratios of single scenes: time {:.3f} to {:.3f}, scatter {:.1f} %; error {:.3f} to {:.3f}, scatter "
+        "{:.1f} %; {} of them differ at a level of 1 %\n",
+        found->time_spread.least, found->time_spread.most, 100 * found->time_scatter,
+        found->error_spread.least, found->error_spread.most, 100 * found->error_scatter, found->differing);
+  return text;
 }
 
 std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
@@ -128,7 +138,7 @@ std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
 }
 
 std::string notes_text(const CostRecord& record) {
-  std::string text;
+  auto text = unmeasured_summary(record);
   for (const auto& sweep : record.sweeps)
     for (const auto& note : {sweep.note, unmeasured_text(record, sweep)})
       if (!note.empty())
@@ -148,6 +158,7 @@ std::string fixed_text(const CostRecord& record, const CostNumbers& numbers) {
       parts.push_back(
           fmt::format("{} {:.2g} s", record.renderers[renderer].name, median_interval(seconds).value));
   }
+  if (parts.empty()) return "";
   return fmt::format("fixed cost of a render (in every time above; median of the scenes): {}\n",
                      fmt::join(parts, ", "));
 }
@@ -156,7 +167,7 @@ std::string part_text(const std::optional<Interval>& seconds) {
   return seconds ? seconds_text(*seconds) : "-";
 }
 
-// Of what the time of a render is made, at the last setting of each curve.
+// Of what the time of a render is made, at the last setting of each curve. Nothing while there is none.
 std::vector<TableRow> part_rows(const CostRecord& record, const CostNumbers& numbers) {
   std::vector<TableRow> rows{
       {"", "renderer", "last setting", "start (CPU)", "trials", "own render time", "CPU time, all"}};
@@ -167,6 +178,7 @@ std::vector<TableRow> part_rows(const CostRecord& record, const CostNumbers& num
                     last.setting.name, part_text(curve.fixed_cpu_seconds), part_text(last.trial_seconds),
                     part_text(last.render_seconds), seconds_text(last.cpu_seconds)});
   }
+  if (rows.size() == 1) rows.clear();
   return rows;
 }
 

@@ -17,7 +17,8 @@ constexpr int kSeedsOfSetting = 1000;
 
 // Without random samples, every further image would be the same; its time is measured twice.
 int seeds_of(const CostRecord& record, const Sweep& sweep) {
-  return sweep.is_noise_free ? std::min(kSeedsOfEach, record.settings.seeds) : record.settings.seeds;
+  return sweep.is_noise_free.value_or(false) ? std::min(kSeedsOfEach, record.settings.seeds)
+                                             : record.settings.seeds;
 }
 
 using Order = std::vector<std::size_t>;
@@ -99,17 +100,59 @@ Ended make_until_spent(const std::vector<CostTask>& tasks,
   return Ended::Done;
 }
 
+namespace {
+
+// Renders of a setting, those that other work disturbed included.
+int made_of(const CostRecord& record, const Sweep& sweep, const SweepSetting& setting) {
+  return static_cast<int>(
+      std::count_if(record.renders.begin(), record.renders.end(), [&](const CostRender& render) {
+        return render.target == sweep.target && render.renderer == sweep.renderer &&
+               render.purpose == Purpose::Sweep && render.setting == setting.name;
+      }));
+}
+
+// Of a sweep of which it is not known how many seeds it needs, any number is enough.
+bool has_fewer_seeds(const CostRecord& record, const Sweep& sweep, int made) {
+  return sweep.is_noise_free && made > 0 && made < seeds_of(record, sweep);
+}
+
+}  // namespace
+
 std::string unmeasured_text(const CostRecord& record, const Sweep& sweep) {
-  std::vector<std::string> missing, partly;
+  std::vector<std::string> missing, partly, left_out, parts;
   const int wanted = seeds_of(record, sweep);
   for (const auto& setting : sweep.settings) {
-    const int made = static_cast<int>(renders_of(record, sweep, Purpose::Sweep, setting.name).size());
+    const int made = made_of(record, sweep, setting);
+    const int kept = static_cast<int>(renders_of(record, sweep, Purpose::Sweep, setting.name).size());
     if (made == 0) missing.push_back(setting.name);
-    if (made > 0 && made < wanted)
+    if (has_fewer_seeds(record, sweep, made))
       partly.push_back(fmt::format("{} of {} seeds of {}", wanted - made, wanted, setting.name));
+    if (kept < made)
+      left_out.push_back(fmt::format("{} of {} renders of {}", made - kept, made, setting.name));
   }
   missing.insert(missing.end(), partly.begin(), partly.end());
-  return missing.empty() ? "" : fmt::format("not measured: {}", fmt::join(missing, ", "));
+  if (!missing.empty()) parts.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
+  if (!left_out.empty())
+    parts.push_back(fmt::format("left out because of other work: {}", fmt::join(left_out, ", ")));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string unmeasured_summary(const CostRecord& record) {
+  int all = 0;
+  int missing = 0;
+  int partly = 0;
+  for (const auto& sweep : record.sweeps)
+    for (const auto& setting : sweep.settings) {
+      const int made = made_of(record, sweep, setting);
+      ++all;
+      missing += made == 0 ? 1 : 0;
+      partly += has_fewer_seeds(record, sweep, made) ? 1 : 0;
+    }
+  if (missing + partly == 0) return "";
+  return fmt::format(
+      "the study ended before all was measured: of {} settings of all curves, {} were not rendered and {} with "
+      "fewer seeds than wanted\n",
+      all, missing, partly);
 }
 
 }  // namespace orbs::studies

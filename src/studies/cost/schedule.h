@@ -42,8 +42,12 @@ Ended make_until_spent(const std::vector<CostTask>& tasks,
                        const std::function<double()>& now_seconds,
                        const std::function<bool(const CostTask&)>& make);
 
-/// What the budget left out of a sweep: "not measured: 64 spp, 128 spp; 1 of 4 seeds of 32 spp". "" when
-/// nothing is missing.
+/// What is missing of a sweep: "not measured: 128 spp, 1 of 4 seeds of 64 spp; left out because of other
+/// work: 1 of 4 renders of 32 spp". "" when nothing is.
 std::string unmeasured_text(const CostRecord& record, const Sweep& sweep);
+
+/// One line on all sweeps: how many of their settings were not measured, and how many with fewer seeds. ""
+/// when nothing is missing.
+std::string unmeasured_summary(const CostRecord& record);
 
 }  // namespace orbs::studies

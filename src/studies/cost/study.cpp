@@ -166,6 +166,8 @@ CostRecord measure_cost(const run::Plan& plan,
     describe_renderers(study);
     if (!find_sweeps(study, request.settings.budget_seconds)) return study.record;
   }
+  for (auto& sweep : study.record.sweeps)  // earlier versions did not store it
+    sweep.is_noise_free = plan.renderers.at(sweep.renderer).entry.sampling.is_noise_free;
   study.record.is_finished = render_all(progress);
   judge_last_settings(study);
   study.record.load_end = run::load_average();

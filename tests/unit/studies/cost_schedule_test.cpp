@@ -85,8 +85,33 @@ TEST(Schedule, EndsWhenTheBudgetIsSpentAndNamesWhatIsMissing) {
   EXPECT_EQ(unmeasured_text(record, record.sweeps[1]),
             "not measured: 32 spp, 2 of 4 seeds of 4 spp, 2 of 4 seeds of 8 spp, 2 of 4 seeds of 16 spp");
   EXPECT_EQ(unmeasured_text(record, record.sweeps[2]), "not measured: 32 spp");
+  EXPECT_EQ(
+      unmeasured_summary(record),
+      "the study ended before all was measured: of 12 settings of all curves, 3 were not rendered and 6 "
+      "with fewer seeds than wanted\n");
   EXPECT_NE(cost_table(record).find("noise-free on t: not measured: 32 spp\n"), std::string::npos);
   EXPECT_EQ(clock.run({}, 1e9), Ended::Done);
+}
+
+TEST(Schedule, WhatOtherWorkDisturbedIsLeftOutAndNotUnmeasured) {
+  auto record = three_curves();
+  FakeClock{record}.run(cost_tasks(record), 1e9);
+  for (auto& render : record.renders)
+    if (render.renderer == 1 && render.setting == "8 spp" && render.purpose == Purpose::Sweep) {
+      render.other_share = 0.5;
+      break;
+    }
+  EXPECT_EQ(unmeasured_text(record, record.sweeps[1]),
+            "left out because of other work: 1 of 4 renders of 8 spp");
+  EXPECT_EQ(unmeasured_summary(record), "");
+}
+
+// They did not store which renderer makes the same image each time.
+TEST(Schedule, NothingIsSaidOfTheSeedsOfStudiesOfEarlierVersions) {
+  auto record = three_curves();
+  FakeClock{record}.run(cost_tasks(record), 1e9);
+  for (auto& sweep : record.sweeps) sweep.is_noise_free.reset();
+  for (const auto& sweep : record.sweeps) EXPECT_EQ(unmeasured_text(record, sweep), "");
 }
 
 TEST(Schedule, NothingIsMissingWhenAllIsMade) {
@@ -119,6 +144,61 @@ TEST(Schedule, TheFirstRendererIsComparedWithItselfOnEveryScene) {
   }
   EXPECT_EQ(again.size(), 20);
   for (const auto& [target, count] : again) EXPECT_EQ(count, 2) << target;
+}
+
+namespace {
+
+// Forty scenes: a fast renderer, one with a slow start, and one that is swept by settings.
+std::vector<CostPilot> forty_scenes() {
+  std::vector<CostPilot> pilots;
+  for (std::size_t target = 0; target < 40; ++target) {
+    const double slowness = 1 + static_cast<double>(target % 4);
+    pilots.push_back({target, 0, 0.4, 8, 0.4 + 0.1 * slowness, 25, 1, {}});
+    pilots.push_back({target, 1, 0.9, 8, 0.9 + 0.2 * slowness, 25, 1, {}});
+    pilots.push_back({target, 2, 0.3, 1, 0, 0, 1, {{"coarse", 1}, {"low", 1}, {"medium", 1}}});
+    pilots.back().setting_seconds = {slowness, 1.5 * slowness, 2 * slowness};
+    pilots.back().is_noise_free = true;
+  }
+  return pilots;
+}
+
+double seconds_of(const CostPilot& pilot, const CostTask& task) {
+  if (task.render.purpose == Purpose::FixedCost) return pilot.fixed_seconds;
+  if (!pilot.settings.empty()) return pilot.setting_seconds.at(task.setting);
+  return pilot.fixed_seconds + (pilot.seconds - pilot.fixed_seconds) / pilot.spp * task.render.spp;
+}
+
+}  // namespace
+
+TEST(Schedule, AnHourIsEnoughForFortyScenesOfThreeRenderers) {
+  constexpr double kBudgetSeconds = 3600;
+  const auto pilots = forty_scenes();
+  CostRecord record;
+  record.settings.seeds = 4;
+  record.sweeps = choose_sweeps(pilots, record.settings, kBudgetSeconds);
+  for (std::size_t i = 0; i < pilots.size(); ++i) {
+    record.sweeps[i].is_noise_free = pilots[i].is_noise_free;
+    record.sweeps[i].seconds_per_sample =
+        pilots[i].settings.empty() ? (pilots[i].seconds - pilots[i].fixed_seconds) / 8 : 1;
+  }
+  double seconds = 0;
+  make_until_spent(
+      cost_tasks(record), kBudgetSeconds, [&] { return seconds; },
+      [&](const CostTask& task) {
+        seconds += seconds_of(pilots.at(task.sweep), task);
+        record.renders.push_back(task.render);
+        return true;
+      });
+  EXPECT_LE(seconds, kBudgetSeconds + 60) << "the last render may end later";
+  for (const auto& sweep : record.sweeps) {
+    std::map<std::string, int> renders;
+    for (const auto& render : record.renders)
+      if (render.target == sweep.target && render.renderer == sweep.renderer &&
+          render.purpose == Purpose::Sweep)
+        ++renders[render.setting];
+    EXPECT_GE(renders.size(), 3) << sweep.target << ' ' << sweep.renderer;
+    for (const auto& [setting, count] : renders) EXPECT_GE(count, 2) << setting;
+  }
 }
 
 TEST(Sweep, ABudgetLeavesEveryCurveThreePoints) {
