@@ -172,6 +172,7 @@ double seconds_of(const CostPilot& pilot, const CostTask& task) {
 
 TEST(Schedule, AnHourIsEnoughForFortyScenesOfThreeRenderers) {
   constexpr double kBudgetSeconds = 3600;
+  constexpr double kLonger = 1.5;  // than the pilots said, because of repeats
   const auto pilots = forty_scenes();
   CostRecord record;
   record.settings.seeds = 4;
@@ -185,7 +186,7 @@ TEST(Schedule, AnHourIsEnoughForFortyScenesOfThreeRenderers) {
   make_until_spent(
       cost_tasks(record), kBudgetSeconds, [&] { return seconds; },
       [&](const CostTask& task) {
-        seconds += seconds_of(pilots.at(task.sweep), task);
+        seconds += kLonger * seconds_of(pilots.at(task.sweep), task);
         record.renders.push_back(task.render);
         return true;
       });
@@ -197,7 +198,8 @@ TEST(Schedule, AnHourIsEnoughForFortyScenesOfThreeRenderers) {
           render.purpose == Purpose::Sweep)
         ++renders[render.setting];
     EXPECT_GE(renders.size(), 3) << sweep.target << ' ' << sweep.renderer;
-    for (const auto& [setting, count] : renders) EXPECT_GE(count, 2) << setting;
+    for (std::size_t setting = 0; setting < 3; ++setting)
+      EXPECT_GE(renders[sweep.settings.at(setting).name], 2) << sweep.settings[setting].name;
   }
 }
 
