@@ -42,10 +42,7 @@ function rows(study: CostStudy): [string, string][] {
     ["Renderers", study.renderers.map(rendererText).join("; ")],
     ["Seeds per setting", String(settings.seeds)],
     ["Threads", String(settings.threads)],
-    [
-      "Order of the renders",
-      `in turn, cheapest curve first; then by the seed ${settings.order_seed}`,
-    ],
+    ["Order of the renders", `by the seed ${settings.order_seed}`],
     ["Budget", seconds(settings.budget_seconds)],
     [
       "Machine",
