@@ -31,6 +31,7 @@ TEST(Cost, RendersEverySeedOfEverySettingAndTheFixedCost) {
   EXPECT_TRUE(record.is_finished);
   ASSERT_EQ(record.sweeps.size(), 1);
   ASSERT_EQ(record.sweeps[0].settings.size(), 2);
+  EXPECT_EQ(record.sweeps[0].is_noise_free, false);
   using studies::Purpose;
   std::map<std::pair<Purpose, std::string>, int> counts;
   for (const auto& render : record.renders) ++counts[{render.purpose, render.setting}];
