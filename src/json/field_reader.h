@@ -35,7 +35,8 @@ class FieldReader {
   template <class T>
   void operator()(const std::string& key, std::optional<T>& value, const Field& field = {}) {
     // Of a program, null is a number that JSON cannot hold.
-    const bool may_be_null = author_ == WrittenBy::Program && std::is_arithmetic_v<T>;
+    const bool may_be_null =
+        author_ == WrittenBy::Program && std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
     const bool is_there = in_.has(key) && (!may_be_null || in_.holds_number(key));
     if (is_there) get(key, value.emplace(), field);
   }

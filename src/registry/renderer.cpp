@@ -149,6 +149,7 @@ void check_render_seconds(ObjectReader in, const RenderSeconds& seconds) {
 
 void check_timing(ObjectReader& in, const Timing& timing) {
   if (in.has("render_seconds")) check_render_seconds(in.object("render_seconds"), timing.render_seconds);
+  if (in.has("trial_seconds")) check_render_seconds(in.object("trial_seconds"), timing.trial_seconds);
   std::set<std::string> names;
   for (auto& setting : in.objects_or_none("cost_sweep"))
     if (!names.insert(plain_name(setting, "name")).second)

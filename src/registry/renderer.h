@@ -223,6 +223,7 @@ void fields(Visitor& visit, Record& setting) {
 /// How its time is known, and what is rendered to see what accuracy costs.
 struct Timing {
   RenderSeconds render_seconds;
+  RenderSeconds trial_seconds;           // of what it tries before it renders, which render_seconds holds
   std::vector<SweepSetting> cost_sweep;  // from cheap to accurate; none: more and more samples
 };
 
@@ -231,6 +232,10 @@ void fields(Visitor& visit, Record& timing) {
   visit("render_seconds", timing.render_seconds,
         {.help =
              "Where it says its own render time: a `pattern` for its output, or a `file` and `key` in JSON"});
+  visit("trial_seconds", timing.trial_seconds,
+        {.help = "Likewise, where it says how much of its render time trial renderings took, by which it "
+                 "chooses its algorithms; `orbs cost` shows them beside its render time",
+         .changes_image = false});
   visit("cost_sweep", timing.cost_sweep,
         {.help =
              "Qualities that `orbs cost` renders, from cheap to accurate, for a renderer whose accuracy does "

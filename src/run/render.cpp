@@ -102,6 +102,7 @@ RenderCost cost_of(const PreparedRender& prepared, const RenderSettings& setting
       cost.samples_cpu_seconds = cost.samples_cpu_seconds.value_or(0) + *report.samples_cpu_seconds;
   }
   cost.render_seconds = rendered.render_seconds;
+  cost.trial_seconds = rendered.trial_seconds;
   return cost;
 }
 
@@ -195,6 +196,18 @@ Outcome outcome_of(const RenderJob& job,
 
 }  // namespace
 
+namespace {
+
+// Adds what the renderer states of one process.
+void add_stated(std::optional<double>& sum,
+                const registry::RenderSeconds& place,
+                const adapters::ProcessResult& process,
+                const std::filesystem::path& folder) {
+  if (const auto seconds = render_seconds(place, process.output, folder)) sum = sum.value_or(0) + *seconds;
+}
+
+}  // namespace
+
 Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
   Rendered rendered;
   std::vector<image::Image> images;
@@ -203,14 +216,15 @@ Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
   for (const auto& file : job.inputs) at_start.push_back(hashes.of(file));
   for (const auto& replica : job.replicas) {
     forget_render_seconds(job.renderer.timing.render_seconds, replica.folder);
+    forget_render_seconds(job.renderer.timing.trial_seconds, replica.folder);
     rendered.image = replica.image;
     rendered.processes.push_back(job.came_back.empty() ? start(job, replica, stop)
                                                        : take_image(replica, job.came_back));
     const auto& process = rendered.processes.back();
     rendered.outcome = outcome_of(job, replica, process);
-    if (const auto seconds =
-            render_seconds(job.renderer.timing.render_seconds, process.output, replica.folder))
-      rendered.render_seconds = rendered.render_seconds.value_or(0) + *seconds;
+    const auto& timing = job.renderer.timing;
+    add_stated(rendered.render_seconds, timing.render_seconds, process, replica.folder);
+    add_stated(rendered.trial_seconds, timing.trial_seconds, process, replica.folder);
     if (rendered.outcome.kind != JobOutcome::Image) return rendered;
     if (const auto file = changed_input(job, at_start, hashes); !file.empty()) {
       rendered.outcome = {

@@ -27,6 +27,7 @@ struct RenderCost {
   std::optional<double> traversal_share;           // of its threads' time; only the built-in tracer says it
   std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
   std::optional<double> render_seconds = {};       // that the renderer states, see registry::RenderSeconds
+  std::optional<double> trial_seconds = {};        // likewise: the part of them that trial renderings took
 };
 
 /// A renderer and the scene file that has been written for it.
@@ -82,6 +83,7 @@ struct Rendered {
   std::filesystem::path image;                     // the mean of all replicas, or what the last of them left
   std::vector<adapters::ProcessResult> processes;  // of the replicas that were started
   std::optional<double> render_seconds;            // of all of them, as the renderer itself states
+  std::optional<double> trial_seconds;             // likewise
 };
 
 /// Starts one process after the other, until one leaves no usable image, and classifies the outcome. Touches

@@ -77,15 +77,48 @@ Interval median_interval(std::vector<double> values) {
   return {median, values[skipped], values[count - 1 - skipped]};
 }
 
-Interval ratio_interval(const std::vector<double>& first, const std::vector<double>& second, double outside) {
+LogRatio sum_of(const std::vector<LogRatio>& logs) {
+  LogRatio sum;
+  double squares = 0;
+  for (const auto& log : logs) {
+    sum.value += log.value;
+    sum.variance += log.variance;
+    squares += log.variance * log.variance / log.degrees;
+  }
+  if (squares > 0) sum.degrees = sum.variance * sum.variance / squares;
+  return sum;
+}
+
+LogRatio mean_within(const std::vector<LogRatio>& logs) {
+  auto mean = sum_of(logs);
+  const auto count = static_cast<double>(logs.size());
+  mean.value /= count;
+  mean.variance /= count * count;
+  return mean;
+}
+
+LogRatio mean_over(const std::vector<LogRatio>& logs) {
+  if (logs.size() == 1) return logs.front();
+  std::vector<double> values;
+  for (const auto& log : logs) values.push_back(log.value);
+  const auto sample = sample_of(values);
+  return {sample.mean, sample.variance / sample.count, static_cast<double>(sample.count - 1)};
+}
+
+Interval ratio_interval(const LogRatio& log, double outside) {
+  const auto logs = student_interval(log.value, std::sqrt(log.variance), log.degrees, outside);
+  return {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
+}
+
+LogRatio log_ratio(const std::vector<double>& first, const std::vector<double>& second) {
   const auto a = sample_of(logarithms(first));
   const auto b = sample_of(logarithms(second));
-  const double of_a = a.variance / a.count;
-  const double of_b = b.variance / b.count;
-  const double squares = of_a * of_a / (a.count - 1) + of_b * of_b / (b.count - 1);
-  const double degrees = squares > 0 ? (of_a + of_b) * (of_a + of_b) / squares : 1.0;
-  const auto logs = student_interval(b.mean - a.mean, std::sqrt(of_a + of_b), degrees, outside);
-  return {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
+  return sum_of({{b.mean, b.variance / b.count, static_cast<double>(b.count - 1)},
+                 {-a.mean, a.variance / a.count, static_cast<double>(a.count - 1)}});
+}
+
+Interval ratio_interval(const std::vector<double>& first, const std::vector<double>& second, double outside) {
+  return ratio_interval(log_ratio(first, second), outside);
 }
 
 namespace {

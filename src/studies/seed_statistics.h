@@ -44,8 +44,32 @@ Interval mean_interval(const std::vector<double>& values);
 /// all of them (four: 87.5 %).
 Interval median_interval(std::vector<double> values);
 
-/// The ratio of the geometric means of two samples, second / first, by Welch's test on the logarithms. All
-/// values are above 0, and there are at least two of each.
+/// The logarithm of a ratio, or of anything above 0, as it is known.
+struct LogRatio {
+  double value = 0;
+  double variance = 0;  // of the value
+  double degrees = 1;   // with which the variance is known
+};
+
+/// The sum of independent logarithms, with Welch's degrees.
+LogRatio sum_of(const std::vector<LogRatio>& logs);
+
+/// The mean of at least one logarithm. Its variance is what the variances of the logarithms make: it says
+/// nothing of others.
+LogRatio mean_within(const std::vector<LogRatio>& logs);
+
+/// The mean of at least one logarithm, such as those of several scenes. Its variance is that of their
+/// scatter, so it speaks of other scenes of the kind as well; of a single one it is its own.
+LogRatio mean_over(const std::vector<LogRatio>& logs);
+
+/// The one interval that ratios have, in every table and on every page: Student's of the logarithm.
+Interval ratio_interval(const LogRatio& log, double outside = kOutside);
+
+/// The ratio of the geometric means of two samples, second / first. All values are above 0, and there are at
+/// least two of each.
+LogRatio log_ratio(const std::vector<double>& first, const std::vector<double>& second);
+
+/// By Welch's test on the logarithms.
 Interval ratio_interval(const std::vector<double>& first,
                         const std::vector<double>& second,
                         double outside = kOutside);

@@ -31,6 +31,7 @@ TEST(Cost, RendersEverySeedOfEverySettingAndTheFixedCost) {
   EXPECT_TRUE(record.is_finished);
   ASSERT_EQ(record.sweeps.size(), 1);
   ASSERT_EQ(record.sweeps[0].settings.size(), 2);
+  EXPECT_EQ(record.sweeps[0].is_noise_free, false);
   using studies::Purpose;
   std::map<std::pair<Purpose, std::string>, int> counts;
   for (const auto& render : record.renders) ++counts[{render.purpose, render.setting}];
@@ -54,6 +55,7 @@ TEST(Cost, GoesOnWhereItWasInterrupted) {
   const auto all = record.renders.size();
   const auto kept = record.renders.at(2);
   record.renders.resize(3);
+  for (auto& render : record.renders) render.other_share = 0;  // or those beside other work are made again
   sandbox.write("c/cost.json", studies::cost_json(record));
   const auto answer = sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "--resume", "c"}));
   ASSERT_EQ(answer.status, 0) << answer.text;
@@ -113,4 +115,37 @@ TEST(Cost, RefusesABudgetWithoutANumber) {
   EXPECT_TRUE(contains(answer.text, "'soon' is no number above 0 with one of the units s, m, h"))
       << answer.text;
   EXPECT_FALSE(sandbox.has("c"));
+}
+
+TEST(Cost, ASpentBudgetEndsTheStudyAndWhatIsMissingIsNamed) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs(cost({"--sweep", "2,8", "--seeds", "3", "--time", "0.001s", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  const auto record = record_of(sandbox, "c");
+  EXPECT_TRUE(record.is_finished);
+  EXPECT_TRUE(record.renders.empty());
+  EXPECT_TRUE(contains(answer.text, "good on grey: not measured: 2 spp, 8 spp")) << answer.text;
+}
+
+TEST(Cost, AStudyOfAnEarlierVersionIsShown) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"cost", "--show", ORBS_SOURCE_DIR "/docs/reports/cost-1-4.json", "--markdown"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "orbs twice on 1 scene:")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "other work on the machine: not measured")) << answer.text;
+  EXPECT_FALSE(contains(answer.text, "seeds of")) << "of a study that had all the time that it wanted";
+}
+
+TEST(Cost, StartTrialsAndOwnTimeOfARenderAreApart) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(
+      R"x(, "trial_seconds": {"pattern": "^fake: render_seconds 0.2(5)", "unit_seconds": 0.01})x");
+  const auto answer = sandbox.orbs(cost({"--sweep", "2", "--seeds", "2", "-o", "c"}));
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  for (const auto& render : record_of(sandbox, "c").renders) {
+    EXPECT_EQ(render.trial_seconds, 0.05);
+    EXPECT_EQ(render.render_seconds, 0.25);
+  }
+  EXPECT_TRUE(contains(answer.text, "start (CPU)")) << answer.text;
 }

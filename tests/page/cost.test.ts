@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { open, settled } from "./browser";
-import { report } from "./runs";
+import { output, report } from "./runs";
 import { startSession } from "./session";
 
 const session = startSession("cost", "small");
@@ -24,7 +24,7 @@ interface SomeStudy {
   finished: boolean;
   renderers: { name: string }[];
   comparisons: SomeComparison[];
-  self_comparison: { passed: boolean; time_ratio: unknown } | null;
+  self_comparison: { passed: boolean; scenes: unknown[]; time_ratio: unknown } | null;
   curves: {
     target: number;
     renderer: number;
@@ -69,11 +69,12 @@ const rowsOf = (page: Page): Promise<string[]> => page.locator(".times tbody tr"
 
 test("a sentence and a bar per level say who is fastest", async () => {
   const { page, errors } = await openStudy();
-  // Of six targets two are too noisy for 35 dB, and on 205 orbs and cycles are too alike.
+  // Of six targets two are too noisy for 35 dB, and on 205 orbs and cycles are too alike: the ratios of four
+  // targets scatter too much to say anything of others.
   assert.equal(
     await page.locator(".answer").innerText(),
     "At 35 dB orbs is fastest on 3 of the 4 targets on which any renderer reaches it; " +
-      "cycles takes 2 times as long, povray takes 5.7 times as long.",
+      "no difference is shown to cycles on average, povray takes 5.7 times as long.",
   );
   const level = page.locator("tr[data-level='40']");
   assert.deepEqual(await level.locator(".win").allInnerTexts(), [
@@ -105,11 +106,62 @@ test("a time before the first point counts as reached, and its bound may decide"
   await page.close();
 });
 
+test("a mean ratio has the same interval on the page and in the terminal", async () => {
+  const { page, errors } = await openStudy();
+  const terminal = output("cost", "--show", session.folder);
+  const ratios = await page.locator("tr[data-level='35'] .ratios li").allInnerTexts();
+  assert.equal(ratios.length, 2);
+  for (const ratio of ratios) {
+    const [, name, numbers] = /^(\w+) × (\S+ \(\S+ to \S+\))/.exec(ratio) ?? [];
+    assert.ok(
+      terminal.includes(`${name} takes ${numbers} times as long`),
+      `${ratio} in ${terminal}`,
+    );
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the page says what other work took, of what times are made, and how equal equals are", async () => {
+  const { page, errors } = await openStudy();
+  const about = await page.locator(".about").innerText();
+  assert.match(about, /1 of 529 renders left out, since others took more than 5 %.*; 2 repeats/);
+  assert.match(about, /no difference shown: orbs on 6 targets, time × 1 \(/);
+  const rows = await page.locator(".fits tbody tr").allInnerTexts();
+  assert.match(rows[0] ?? "", /^orbs\s+50 ms \(.*\)\s+0\.824 s \(.*\)\s+4\.12 s \(/);
+  assert.match(rows[2] ?? "", /^povray\s+0\.1\d* s \(.*\)\s+–\s+–/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a study of an earlier version is shown without what it lacks", async () => {
+  const { page, errors } = await openStudy("", (study) => {
+    for (const name of ["mean_ratios", "other_load"]) Reflect.deleteProperty(study, name);
+    for (const curve of study.curves) Reflect.deleteProperty(curve, "unmeasured");
+    for (const point of study.curves.flatMap(({ points }) => points))
+      Reflect.deleteProperty(point, "trial_seconds");
+    const { time_ratio } = study.self_comparison!;
+    const self = { renderer: 0, target: 4, pairs: 4, time_ratio, error_ratio: time_ratio };
+    Object.assign(study, { self_comparison: { ...self, known: true, passed: true } });
+  });
+  assert.match(
+    await page.locator(".answer").innerText(),
+    /orbs is fastest on 3 of the 4 targets.*it\.$/,
+  );
+  assert.match(await page.locator(".who").innerText(), /earlier orbs wrote this study/);
+  const about = await page.locator(".about").innerText();
+  assert.match(about, /Other work on the machine\s+not measured/);
+  assert.match(about, /no difference shown: orbs on 301, time/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("a failed comparison of a renderer with itself hides the ranking", async () => {
   const { page } = await openStudy("", (study) => {
     study.comparisons = [];
     study.self_comparison = {
       passed: false,
+      scenes: [],
       time_ratio: { value: 1.2, low: 1.1, high: 1.3 },
     };
   });

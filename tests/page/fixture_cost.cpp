@@ -29,6 +29,7 @@ constexpr std::array kTargets{"101", "110", "205", "248", "301", "g4-lambert"};
 constexpr std::array kTitles{"Lambertian reflection", "Glass",          "Area light",
                              "Indirect light",        "Depth of field", "Furnace <b>test</b>"};
 constexpr int kSettings = 6;
+constexpr int kSettingOfSelf = 2;
 constexpr std::size_t kSeeds = 4;
 constexpr double kReferenceNoise = 4e-5;  // relMSE
 constexpr int kWidth = 64, kHeight = 48;
@@ -70,6 +71,8 @@ void add_renders(studies::CostRecord& record, studies::CostRender render, const 
     render.wall_seconds = 0.6 * times.at(seed);
     // POV-Ray reports no render time here.
     if (render.renderer != 2) render.render_seconds = 0.5 * times.at(seed);
+    if (render.renderer == 0) render.trial_seconds = 0.1 * times.at(seed);
+    render.other_share = 0.01;
     if (render.purpose != studies::Purpose::FixedCost) {
       render.relmse = errors.at(seed) + kReferenceNoise;
       render.mse = 0.1 * (errors.at(seed) + kReferenceNoise);
@@ -92,9 +95,11 @@ void add_sweep(studies::CostRecord& record, std::size_t t, std::size_t r) {
     sweep.settings.push_back({render.setting, render.spp});
     add_renders(record, render, model, setting);
   }
-  if (t == 0 && r == 0) {
+  if (r == 0) {
     render.purpose = studies::Purpose::Again;
-    add_renders(record, render, model, kSettings - 1);
+    render.spp = spp_of(kSettingOfSelf);
+    render.setting = sweep.settings[kSettingOfSelf].name;
+    add_renders(record, render, model, kSettingOfSelf);
   }
   record.sweeps.push_back(std::move(sweep));
 }
@@ -126,6 +131,13 @@ studies::CostRecord made_up_record() {
                               {kReferenceNoise, 0.1 * kReferenceNoise, decibels_of(kReferenceNoise)}});
   for (std::size_t t = 0; t < kTargets.size(); ++t)
     for (std::size_t r = 0; r < kRenderers.size(); ++r) add_sweep(record, t, r);
+  // One more render, of which other work took so much that it is in no number.
+  auto disturbed = record.renders.back();
+  disturbed.seed = static_cast<int>(kSeeds);
+  disturbed.cpu_seconds *= 10;
+  disturbed.other_share = 0.3;
+  disturbed.repeats = 2;
+  record.renders.push_back(disturbed);
   return record;
 }
 

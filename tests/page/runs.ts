@@ -65,7 +65,13 @@ export async function playLive(folder: string): Promise<ChildProcess> {
   return (await startChild("orbs-page-fixture", ["live", folder], "pipe")).child;
 }
 
-export function report(run: string, output: string): void {
-  const made = spawnSync(join(build, "orbs"), ["report", run, "-o", output, "--exact"]);
-  if (made.status !== 0) throw new Error(`orbs report: ${made.stderr}`);
+/** What the command prints. */
+export function output(...command: string[]): string {
+  const made = spawnSync(join(build, "orbs"), command, { encoding: "utf8" });
+  if (made.status !== 0) throw new Error(`orbs ${command.join(" ")}: ${made.stderr}`);
+  return made.stdout;
+}
+
+export function report(run: string, file: string): void {
+  output("report", run, "-o", file, "--exact");
 }

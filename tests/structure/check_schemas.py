@@ -165,6 +165,7 @@ WRONG = [
     (CONFIGURATION, ["renderers", 0, "transports"], {"rgb": ""}),
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"pattern": "(.*)", "file": "times.json", "key": "t"}),
     (CONFIGURATION, ["renderers", 0, "render_seconds"], {"file": "times.json"}),
+    (CONFIGURATION, ["renderers", 0, "trial_seconds"], {"file": "times.json"}),
     (CONFIGURATION, ["renderers", 0, "command"], "r scene"),
     (CONFIGURATION, ["expected", 0, "verdict"], "pass"),
     (CONFIGURATION, ["expected", 0, "version"], "4.0"),

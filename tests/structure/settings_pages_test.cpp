@@ -55,6 +55,7 @@ const std::map<std::string, const char*> kDemands{
     {"key", R"({"minLength": 1})"},
     {"variants", R"({"minItems": 1})"},
     {"render_seconds", R"({"oneOf": [{"required": ["pattern"]}, {"required": ["file", "key"]}]})"},
+    {"trial_seconds", R"({"oneOf": [{"required": ["pattern"]}, {"required": ["file", "key"]}]})"},
     {"renderers",
      R"({"items": {"if": {"properties": {"scene_format": {"const": "native"}}, "required": ["scene_format"]}, "then": {"required": ["native_scenes"]}}})"},
     {"options", R"({"items": {"type": "string", "pattern": "^-"}})"},

@@ -1,5 +1,7 @@
 #include "studies/cost/curve.h"
 
+#include "studies/cost/other_load.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +67,8 @@ CostPoint point_of(const std::vector<const CostRender*>& renders,
   point.wall_seconds = median_interval(seconds_of(renders, &CostRender::wall_seconds));
   const auto stated = values_of(renders, &CostRender::render_seconds);
   if (stated.size() == renders.size()) point.render_seconds = median_interval(stated);
+  const auto tried = values_of(renders, &CostRender::trial_seconds);
+  if (tried.size() == renders.size()) point.trial_seconds = median_interval(tried);
   point.errors = errors_of(renders, noise);
   point.is_below_reference_noise = point.errors[kRelmse] && point.errors[kRelmse]->value < noise.relmse;
   return point;
@@ -135,7 +139,7 @@ std::vector<const CostRender*> renders_of(const CostRecord& record,
   std::vector<const CostRender*> renders;
   for (const auto& render : record.renders)
     if (render.target == sweep.target && render.renderer == sweep.renderer && render.purpose == purpose &&
-        (setting.empty() || render.setting == setting))
+        (setting.empty() || render.setting == setting) && !is_disturbed(render))
       renders.push_back(&render);
   return renders;
 }

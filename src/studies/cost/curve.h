@@ -57,8 +57,8 @@ void fields(Visitor& visit, Record& errors) {
 struct CostPoint {
   SweepSetting setting;
   int renders = 0;
-  Interval cpu_seconds, wall_seconds;  // medians
-  std::optional<Interval> render_seconds;
+  Interval cpu_seconds, wall_seconds;                     // medians
+  std::optional<Interval> render_seconds, trial_seconds;  // that the renderer states
   CostErrors errors;
   bool is_below_reference_noise = false;  // the relmse is not twice what the reference's noise makes
   bool is_on_frontier = false;            // no other point of the target is faster and has less relmse
@@ -73,6 +73,7 @@ void fields(Visitor& visit, Record& point) {
   visit("cpu_seconds", point.cpu_seconds);
   visit("wall_seconds", point.wall_seconds);
   visit.nullable("render_seconds", point.render_seconds);
+  visit.nullable("trial_seconds", point.trial_seconds);
   visit("errors", point.errors);
   visit("below_reference_noise", point.is_below_reference_noise);
   visit("on_frontier", point.is_on_frontier);
@@ -139,6 +140,7 @@ struct CostCurve {
   std::optional<Interval> efficiency;      // 1 / (relmse x CPU seconds)
   std::optional<Interval> seconds_per_db;  // the share of the time that one more decibel takes
   std::string note;                        // of the sweep
+  std::string unmeasured;                  // what the budget left out
 };
 
 template <class Visitor, json::RecordOf<CostCurve> Record>
@@ -152,9 +154,11 @@ void fields(Visitor& visit, Record& curve) {
   visit.nullable("efficiency", curve.efficiency);
   visit.nullable("seconds_per_db", curve.seconds_per_db);
   visit("note", curve.note);
+  visit("unmeasured", curve.unmeasured);
 }
 
-/// The renders of a sweep that were made for `purpose`; of one setting where `setting` names one.
+/// The renders of a sweep that were made for `purpose`; of one setting where `setting` names one. Those that
+/// other work on the machine disturbed are left out.
 std::vector<const CostRender*> renders_of(const CostRecord& record,
                                           const Sweep& sweep,
                                           Purpose purpose,

@@ -25,6 +25,18 @@ std::vector<results::Definition> cost_definitions() {
       {"cpu_seconds", "user and system time of all processes of a render; the median of its seeds"},
       {"wall_seconds", "from the start of the program to its end; the median of its seeds"},
       {"render_seconds", "what the renderer states itself; the median of its seeds"},
+      {"trial_seconds",
+       "the part of render_seconds that trial renderings took, which choose algorithms; likewise"},
+      {"other_share",
+       "the share of the time of all processors that processes other than the render took while it went on, from "
+       "/proc/stat; a render with more than 0.05 is repeated up to twice, and then left out of every number"},
+      {"mean_ratios",
+       "geometric mean over the scenes of the time of the second renderer over that of the first; the interval is "
+       "Student's of the logarithms, by their scatter over the scenes; of one scene it is that of its seeds"},
+      {"self_comparison",
+       "the first renderer under two names on every scene, the third of its settings: ratios of CPU time and of "
+       "relmse; 99 % intervals by the scatter of the seeds. scatter: the standard deviation over the scenes of the "
+       "logarithm of the ratio"},
       {"interval",
        "95 % confidence: of medians between order statistics (of fewer than six values all of them), of "
        "means by Student's distribution"},
@@ -73,14 +85,16 @@ CostRecord read_cost_file(const std::filesystem::path& file) {
 
 std::string cost_csv(const CostRecord& record) {
   std::string text =
-      "target,renderer,purpose,setting,spp,seed,order,cpu_seconds,wall_seconds,render_seconds,load,relmse,mse,psnr_srgb8,"
+      "target,renderer,purpose,setting,spp,seed,order,cpu_seconds,wall_seconds,render_seconds,trial_seconds,load,other_share,repeats,relmse,mse,psnr_srgb8,"
       "flip\n";
   for (const auto& render : record.renders)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", record.targets[render.target].name,
-                        record.renderers[render.renderer].name, json::to_text(render.purpose), render.setting,
-                        render.spp, render.seed, render.order, render.cpu_seconds, render.wall_seconds,
-                        number_text(render.render_seconds), render.load, number_text(render.relmse),
-                        number_text(render.mse), number_text(render.psnr_srgb8), number_text(render.flip));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                        record.targets[render.target].name, record.renderers[render.renderer].name,
+                        json::to_text(render.purpose), render.setting, render.spp, render.seed, render.order,
+                        render.cpu_seconds, render.wall_seconds, number_text(render.render_seconds),
+                        number_text(render.trial_seconds), render.load, number_text(render.other_share),
+                        render.repeats, number_text(render.relmse), number_text(render.mse),
+                        number_text(render.psnr_srgb8), number_text(render.flip));
   return text;
 }
 

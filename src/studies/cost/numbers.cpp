@@ -1,6 +1,11 @@
 #include "studies/cost/numbers.h"
 
+#include "studies/cost/schedule.h"
+
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace orbs::studies {
 
@@ -30,17 +35,6 @@ bool is_known(const Interval& ratio) { return ratio.high < 2 * ratio.low; }
 
 bool holds_one(const Interval& ratio) { return ratio.low <= 1 && 1 <= ratio.high; }
 
-// Welch's degrees for the difference of two logarithms.
-Interval ratio_of(const TimeToError& first, const TimeToError& second) {
-  const double a = first.log_error * first.log_error;
-  const double b = second.log_error * second.log_error;
-  const double squares = a * a / first.degrees + b * b / second.degrees;
-  const double degrees = squares > 0 ? (a + b) * (a + b) / squares : 1;
-  const auto logs = student_interval(std::log(second.cpu_seconds->value / first.cpu_seconds->value),
-                                     std::sqrt(a + b), degrees, kOutside);
-  return {std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
-}
-
 // One reaches the error and the other does not: whether the bound of the other lies beyond the interval.
 bool is_surely_faster(const TimeToError& reached, const TimeToError& missed) {
   return missed.bound == Bound::AtLeast && missed.bound_seconds > reached.cpu_seconds->high;
@@ -50,7 +44,7 @@ CostComparison compare_times(const TimeToError& first, const TimeToError& second
   CostComparison out;
   out.error = first.target;
   if (first.cpu_seconds && second.cpu_seconds) {
-    out.time_ratio = ratio_of(first, second);
+    out.time_ratio = ratio_interval(log_ratio_of(first, second));
     out.ranking = holds_one(*out.time_ratio)  ? Ranking::NoDifferenceShown
                   : out.time_ratio->value > 1 ? Ranking::Slower
                                               : Ranking::Faster;
@@ -62,31 +56,61 @@ CostComparison compare_times(const TimeToError& first, const TimeToError& second
   return out;
 }
 
-// The renders of the setting that was rendered again, against those of the setting: the same renderer under
-// two names. Nothing while there are less than two of each.
-std::optional<SelfComparison> compare_with_itself(const CostRecord& record) {
-  for (std::size_t sweep = 0; sweep < record.sweeps.size(); ++sweep) {
-    const auto again = renders_of(record, record.sweeps[sweep], Purpose::Again);
-    if (again.size() < 2) continue;
-    const auto first = renders_of(record, record.sweeps[sweep], Purpose::Sweep, again.front()->setting);
-    if (first.size() < 2) continue;
-    std::vector<double> times, times_again, errors, errors_again;
-    for (const auto* render : first) {
-      times.push_back(render->cpu_seconds);
-      errors.push_back(render->relmse.value_or(0));
-    }
-    for (const auto* render : again) {
-      times_again.push_back(render->cpu_seconds);
-      errors_again.push_back(render->relmse.value_or(0));
-    }
-    SelfComparison found{record.sweeps[sweep].renderer, record.sweeps[sweep].target,
-                         static_cast<int>(again.size()), ratio_interval(times, times_again, kSelfOutside),
-                         ratio_interval(errors, errors_again, kSelfOutside)};
-    found.is_known = is_known(found.time_ratio) && is_known(found.error_ratio);
-    found.passed = found.is_known && holds_one(found.time_ratio) && holds_one(found.error_ratio);
-    return found;
+struct SelfLogs {
+  std::vector<LogRatio> times, errors;
+};
+
+// The renders of the setting that was rendered again, against those of the setting. Nothing while there are
+// less than two of each.
+std::optional<SelfScene> compare_scene(const CostRecord& record, const Sweep& sweep, SelfLogs& logs) {
+  const auto again = renders_of(record, sweep, Purpose::Again);
+  if (again.size() < 2) return std::nullopt;
+  const auto first = renders_of(record, sweep, Purpose::Sweep, again.front()->setting);
+  if (first.size() < 2) return std::nullopt;
+  std::vector<double> times, times_again, errors, errors_again;
+  for (const auto* render : first) {
+    times.push_back(render->cpu_seconds);
+    errors.push_back(render->relmse.value_or(0));
   }
-  return std::nullopt;
+  for (const auto* render : again) {
+    times_again.push_back(render->cpu_seconds);
+    errors_again.push_back(render->relmse.value_or(0));
+  }
+  logs.times.push_back(log_ratio(times, times_again));
+  logs.errors.push_back(log_ratio(errors, errors_again));
+  return SelfScene{sweep.target, static_cast<int>(again.size()),
+                   ratio_interval(logs.times.back(), kSelfOutside),
+                   ratio_interval(logs.errors.back(), kSelfOutside)};
+}
+
+Spread ratio_spread(const std::vector<LogRatio>& logs, double& scatter) {
+  std::vector<double> values, ratios;
+  for (const auto& log : logs) {
+    values.push_back(log.value);
+    ratios.push_back(std::exp(log.value));
+  }
+  scatter = std::sqrt(sample_of(values).variance);
+  return spread_of(ratios).value_or(Spread{});
+}
+
+// The same renderer under two names, on every scene on which it was rendered again.
+std::optional<SelfComparison> compare_with_itself(const CostRecord& record) {
+  SelfComparison found;
+  SelfLogs logs;
+  for (const auto& sweep : record.sweeps)
+    if (const auto scene = compare_scene(record, sweep, logs)) {
+      found.renderer = sweep.renderer;
+      found.scenes.push_back(*scene);
+      if (!holds_one(scene->time_ratio) || !holds_one(scene->error_ratio)) ++found.differing;
+    }
+  if (found.scenes.empty()) return std::nullopt;
+  found.time_ratio = ratio_interval(mean_within(logs.times), kSelfOutside);
+  found.error_ratio = ratio_interval(mean_within(logs.errors), kSelfOutside);
+  found.time_spread = ratio_spread(logs.times, found.time_scatter);
+  found.error_spread = ratio_spread(logs.errors, found.error_scatter);
+  found.is_known = is_known(found.time_ratio) && is_known(found.error_ratio);
+  found.passed = found.is_known && holds_one(found.time_ratio) && holds_one(found.error_ratio);
+  return found;
 }
 
 // Every two renderers at every error of every target that both were measured on.
@@ -106,19 +130,51 @@ std::vector<CostComparison> compare_renderers(const std::vector<CostCurve>& curv
   return all;
 }
 
+// Of every two renderers at every error at which both arrive on some scene.
+std::vector<MeanRatio> mean_ratios_of(const std::vector<CostCurve>& curves,
+                                      const std::vector<CostComparison>& comparisons) {
+  const auto time_of = [&](const CostComparison& one, std::size_t renderer) -> const TimeToError& {
+    const auto curve = std::find_if(curves.begin(), curves.end(), [&](const CostCurve& other) {
+      return other.target == one.target && other.renderer == renderer;
+    });
+    return *std::find_if(curve->times_to_error.begin(), curve->times_to_error.end(),
+                         [&](const TimeToError& time) { return time.target == one.error; });
+  };
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t, double>, std::vector<LogRatio>> logs;
+  for (const auto& one : comparisons)
+    if (one.time_ratio)
+      logs[{one.first, one.second, one.error.metric, one.error.level}].push_back(
+          log_ratio_of(time_of(one, one.first), time_of(one, one.second)));
+  std::vector<MeanRatio> means;
+  for (const auto& [key, own] : logs) {
+    const auto& [first, second, metric, level] = key;
+    means.push_back(
+        {{metric, level}, first, second, static_cast<int>(own.size()), ratio_interval(mean_over(own))});
+  }
+  return means;
+}
+
 }  // namespace
+
+LogRatio log_ratio_of(const TimeToError& first, const TimeToError& second) {
+  return sum_of({{std::log(second.cpu_seconds->value), second.log_error * second.log_error, second.degrees},
+                 {-std::log(first.cpu_seconds->value), first.log_error * first.log_error, first.degrees}});
+}
 
 CostNumbers cost_numbers(const CostRecord& record) {
   CostNumbers numbers;
   for (std::size_t sweep = 0; sweep < record.sweeps.size(); ++sweep) {
     auto curve = cost_curve(record, sweep);
     set_times_to_error(curve, record.renderers.at(curve.renderer).sweep == SweepOf::Samples);
+    curve.unmeasured = unmeasured_text(record, record.sweeps[sweep]);
     numbers.curves.push_back(std::move(curve));
   }
   mark_frontier(numbers.curves);
+  numbers.other_load = other_load_of(record);
   numbers.self_comparison = compare_with_itself(record);
   if (numbers.self_comparison && numbers.self_comparison->passed)
     numbers.comparisons = compare_renderers(numbers.curves);
+  numbers.mean_ratios = mean_ratios_of(numbers.curves, numbers.comparisons);
   return numbers;
 }
 

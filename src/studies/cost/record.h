@@ -111,6 +111,10 @@ struct Sweep {
   std::string note;  // "the budget ends at 256 spp; 35 dB would need about 40 s"
   std::string
       finding;  // what the gates of the case say of the last setting's first image, unless it is right
+  double seconds_per_sample = 0;  // by the pilot
+  /// Every image of a setting is the same, so that few are rendered. Not known of studies of earlier
+  /// versions.
+  std::optional<bool> is_noise_free = {};
 };
 
 template <class Visitor, json::RecordOf<Sweep> Record>
@@ -120,6 +124,8 @@ void fields(Visitor& visit, Record& sweep) {
   visit("settings", sweep.settings);
   visit("note", sweep.note);
   visit("finding", sweep.finding);
+  visit("seconds_per_sample", sweep.seconds_per_sample);
+  visit("noise_free", sweep.is_noise_free);
 }
 
 /// What a render is made for.
@@ -145,7 +151,11 @@ struct CostRender {
   double cpu_seconds = 0;
   double wall_seconds = 0;
   std::optional<double> render_seconds = {};  // that the renderer states
+  std::optional<double> trial_seconds = {};   // likewise: the part of them that trial renderings took
   double load = 0;                            // of the machine when it started
+  /// The share of the time of all processors that others took meanwhile; nothing where it is not known.
+  std::optional<double> other_share = {};
+  int repeats = 0;  // earlier attempts, which other work disturbed
   std::optional<double> relmse = {}, mse = {}, psnr_srgb8 = {}, flip = {};
 };
 
@@ -161,7 +171,10 @@ void fields(Visitor& visit, Record& render) {
   visit("cpu_seconds", render.cpu_seconds);
   visit("wall_seconds", render.wall_seconds);
   visit("render_seconds", render.render_seconds);
+  visit("trial_seconds", render.trial_seconds);
   visit("load", render.load);
+  visit("other_share", render.other_share);
+  visit("repeats", render.repeats, {.range = {.min = 0}});
   visit("relmse", render.relmse);
   visit("mse", render.mse);
   visit("psnr_srgb8", render.psnr_srgb8);

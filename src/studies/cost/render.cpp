@@ -146,6 +146,7 @@ std::optional<CostRender> measured_render(const CostMeasurement& study,
                                             subject.scene->wall_seconds);
   wanted.load = run::load_average();
   wanted.order = static_cast<int>(study.record.renders.size());
+  const auto before = study.request.machine_time();
   const auto made = run::render_once(prepared,
                                      {wanted.spp,
                                       wanted.seed,
@@ -154,9 +155,14 @@ std::optional<CostRender> measured_render(const CostMeasurement& study,
                                       !subject.one_case->negative_values.empty()},
                                      study.context.stop);
   if (!made) return std::nullopt;
+  const auto after = study.request.machine_time();
   wanted.cpu_seconds = made->cost.cpu_seconds;
+  if (before && after)
+    wanted.other_share =
+        run::share_of_others(*before, *after, wanted.cpu_seconds + made->cost.supervisor_cpu_seconds);
   wanted.wall_seconds = made->cost.wall_seconds;
   wanted.render_seconds = made->cost.render_seconds;
+  wanted.trial_seconds = made->cost.trial_seconds;
   if (is_fixed) return wanted;
   metrics::CompareSettings settings{
       metrics::NegativePixels::Allowed, 0, false, true, {"relmse_eps01", "mse", "psnr_srgb8", "flip"}};

@@ -4,12 +4,14 @@
 #include "image/image.h"
 #include "metrics/mask.h"
 #include "registry/case.h"
+#include "run/machine_time.h"
 #include "run/plan/plan.h"
 #include "studies/context.h"
 #include "studies/cost/record.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,6 +34,8 @@ struct CostRequest {
   CostSettings settings;
   std::vector<int> samples;      // per pixel, of every sweep by samples; none: chosen by pilot renders
   std::filesystem::path folder;  // of the study; it exists
+  /// The time of all processors; tests make it up.
+  std::function<std::optional<run::MachineTime>()> machine_time = [] { return run::machine_time(); };
 };
 
 /// A study of cost while it goes on.

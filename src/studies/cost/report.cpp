@@ -2,6 +2,8 @@
 
 #include "base/text_table.h"
 #include "studies/cost/numbers.h"
+#include "studies/cost/other_load.h"
+#include "studies/cost/schedule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,54 +71,58 @@ std::vector<TableRow> time_rows(const CostRecord& record, const CostNumbers& num
   return rows;
 }
 
-// "orbs is faster than cycles to 35 dB on 17 scenes, slower on 1, ...; cycles takes 2.08 times as long (1.83
-// to 2.37; geometric mean of 10)".
+// "2.08 (1.83 to 2.37)"
+std::string ratio_text(const Interval& ratio) {
+  return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.value, ratio.low, ratio.high);
+}
+
+// "orbs is faster than cycles to 35 dB on 17 scenes, slower on 1, ...; cycles takes 2.08 (1.83 to
+// 2.37) times as long (geometric mean of 10)".
 std::string ranking(const CostRecord& record, const CostNumbers& numbers, std::size_t error) {
-  struct Tally {
-    std::map<Ranking, int> scenes;
-    std::vector<double> logs;
-  };
-  std::map<std::pair<std::size_t, std::size_t>, Tally> tallies;
+  std::map<std::pair<std::size_t, std::size_t>, std::map<Ranking, int>> tallies;
   const auto& wanted = error_targets().at(error);
-  for (const auto& one : numbers.comparisons) {
-    if (one.error != wanted) continue;
-    auto& tally = tallies[{one.first, one.second}];
-    ++tally.scenes[one.ranking];
-    if (one.time_ratio) tally.logs.push_back(std::log(one.time_ratio->value));
-  }
+  for (const auto& one : numbers.comparisons)
+    if (one.error == wanted) ++tallies[{one.first, one.second}][one.ranking];
   std::string text;
-  for (auto& [pair, tally] : tallies) {
+  for (auto& [pair, scenes] : tallies) {
     text += fmt::format(
         "{} is faster than {} to {} on {} scenes, slower on {}, no difference shown on {}, not comparable on {}",
         record.renderers[pair.first].name, record.renderers[pair.second].name, error_text(wanted),
-        tally.scenes[Ranking::Slower],  // the ranking is of the second
-        tally.scenes[Ranking::Faster], tally.scenes[Ranking::NoDifferenceShown],
-        tally.scenes[Ranking::NotComparable]);
-    // The interval of two ratios has one degree of freedom: "0.00 to 64000" says nothing.
-    constexpr std::size_t kFewestRatios = 3;
-    if (tally.logs.size() >= kFewestRatios) {
-      const auto mean = mean_interval(tally.logs);
-      text += fmt::format("; {} takes {:.2f} times as long ({:.2f} to {:.2f}; geometric mean of {})",
-                          record.renderers[pair.second].name, std::exp(mean.value), std::exp(mean.low),
-                          std::exp(mean.high), tally.logs.size());
-    }
+        scenes[Ranking::Slower],  // the ranking is of the second
+        scenes[Ranking::Faster], scenes[Ranking::NoDifferenceShown], scenes[Ranking::NotComparable]);
+    for (const auto& mean : numbers.mean_ratios)
+      if (mean.error == wanted && mean.first == pair.first && mean.second == pair.second)
+        text += fmt::format("; {} takes {} times as long (geometric mean of {})",
+                            record.renderers[pair.second].name, ratio_text(mean.time_ratio), mean.scenes);
     text += "\n";
   }
   return text;
 }
 
+std::string self_verdict(const SelfComparison& found) {
+  if (found.passed) return "no difference, as it must be";
+  return found.is_known
+             ? "a difference where there is none: the machine was not steady, and nothing is ranked"
+             : "too uncertain to show anything, so nothing is ranked: more seeds are needed";
+}
+
 std::string self_text(const CostRecord& record, const CostNumbers& numbers) {
   const auto& found = numbers.self_comparison;
-  if (!found) return "no renderer was compared with itself, so nothing is ranked: it needs two seeds\n";
-  return fmt::format(
-      "{} twice on {}: time {:.3f} ({:.3f} to {:.3f}), error {:.3f} ({:.3f} to {:.3f}): {}\n",
-      record.renderers[found->renderer].name, record.targets[found->target].name, found->time_ratio.value,
-      found->time_ratio.low, found->time_ratio.high, found->error_ratio.value, found->error_ratio.low,
-      found->error_ratio.high,
-      found->passed ? "no difference, as it must be"
-      : !found->is_known
-          ? "too uncertain to show anything, so nothing is ranked: more seeds are needed"
-          : "a difference where there is none: the machine was not steady, and nothing is ranked");
+  if (!found)
+    return "no renderer was compared with itself, so nothing is ranked: that needs two undisturbed "
+           "renders of a setting, and two of it again\n";
+  const auto scenes = found->scenes.size();
+  auto text =
+      fmt::format("{} twice on {} scene{}: time {}, error {}: {}\n", record.renderers[found->renderer].name,
+                  scenes, scenes == 1 ? "" : "s", ratio_text(found->time_ratio),
+                  ratio_text(found->error_ratio), self_verdict(*found));
+  if (scenes > 1)
+    text += fmt::format(
+        "ratios of single scenes: time {:.3f} to {:.3f}, scatter {:.1f} %; error {:.3f} to {:.3f}, scatter "
+        "{:.1f} %; {} of them differ at a level of 1 %\n",
+        found->time_spread.least, found->time_spread.most, 100 * found->time_scatter,
+        found->error_spread.least, found->error_spread.most, 100 * found->error_scatter, found->differing);
+  return text;
 }
 
 std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
@@ -132,11 +138,12 @@ std::string floors_text(const CostRecord& record, const CostNumbers& numbers) {
 }
 
 std::string notes_text(const CostRecord& record) {
-  std::string text;
+  auto text = unmeasured_summary(record);
   for (const auto& sweep : record.sweeps)
-    if (!sweep.note.empty())
-      text += fmt::format("{} on {}: {}\n", record.renderers[sweep.renderer].name,
-                          record.targets[sweep.target].name, sweep.note);
+    for (const auto& note : {sweep.note, unmeasured_text(record, sweep)})
+      if (!note.empty())
+        text += fmt::format("{} on {}: {}\n", record.renderers[sweep.renderer].name,
+                            record.targets[sweep.target].name, note);
   return text;
 }
 
@@ -151,15 +158,36 @@ std::string fixed_text(const CostRecord& record, const CostNumbers& numbers) {
       parts.push_back(
           fmt::format("{} {:.2g} s", record.renderers[renderer].name, median_interval(seconds).value));
   }
+  if (parts.empty()) return "";
   return fmt::format("fixed cost of a render (in every time above; median of the scenes): {}\n",
                      fmt::join(parts, ", "));
 }
 
+std::string part_text(const std::optional<Interval>& seconds) {
+  return seconds ? seconds_text(*seconds) : "-";
+}
+
+// Of what the time of a render is made, at the last setting of each curve. Nothing while there is none.
+std::vector<TableRow> part_rows(const CostRecord& record, const CostNumbers& numbers) {
+  std::vector<TableRow> rows{
+      {"", "renderer", "last setting", "start (CPU)", "trials", "own render time", "CPU time, all"}};
+  for (const auto& curve : numbers.curves) {
+    if (curve.points.empty()) continue;
+    const auto& last = curve.points.back();
+    rows.push_back({record.targets[curve.target].name, record.renderers[curve.renderer].name,
+                    last.setting.name, part_text(curve.fixed_cpu_seconds), part_text(last.trial_seconds),
+                    part_text(last.render_seconds), seconds_text(last.cpu_seconds)});
+  }
+  if (rows.size() == 1) rows.clear();
+  return rows;
+}
+
 std::string conditions(const CostRecord& record) {
   return fmt::format(
-      "{} cores of {}, {} threads a render, load {:.1f} to {:.1f}; {} seeds a setting, size {}{}\n",
-      record.host.cores, record.host.cpu, record.settings.threads, record.load, record.load_end,
-      record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted");
+             "{} cores of {}, {} threads a render, load {:.1f} to {:.1f}; {} seeds a setting, size {}{}\n",
+             record.host.cores, record.host.cpu, record.settings.threads, record.load, record.load_end,
+             record.settings.seeds, record.size, record.is_finished ? "" : "; interrupted") +
+         other_load_text(other_load_of(record));
 }
 
 }  // namespace
@@ -167,8 +195,9 @@ std::string conditions(const CostRecord& record) {
 std::string cost_table(const CostRecord& record) {
   const auto numbers = cost_numbers(record);
   const auto error = main_error(record);
-  return fmt::format("{}\n{}\n{}{}{}{}{}", text_table(time_rows(record, numbers, error)),
-                     self_text(record, numbers), ranking(record, numbers, error), fixed_text(record, numbers),
+  return fmt::format("{}\n{}\n{}\n{}{}{}{}{}", text_table(time_rows(record, numbers, error)),
+                     text_table(part_rows(record, numbers)), self_text(record, numbers),
+                     ranking(record, numbers, error), fixed_text(record, numbers),
                      floors_text(record, numbers), notes_text(record), conditions(record));
 }
 
@@ -178,8 +207,8 @@ std::string cost_markdown(const CostRecord& record) {
   for (std::size_t error = 0; error < error_targets().size(); ++error)
     text += fmt::format("{}\n{}\n", markdown_table(time_rows(record, numbers, error)),
                         ranking(record, numbers, error));
-  return fmt::format("{}{}\n{}\n{}", text, self_text(record, numbers), fixed_text(record, numbers),
-                     conditions(record));
+  return fmt::format("{}{}\n{}\n{}\n{}\n{}", text, self_text(record, numbers), fixed_text(record, numbers),
+                     markdown_table(part_rows(record, numbers)), notes_text(record), conditions(record));
 }
 
 }  // namespace orbs::studies

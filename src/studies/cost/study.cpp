@@ -11,13 +11,14 @@
 #include "run/host.h"
 #include "run/renderer_version.h"
 #include "studies/cost/json.h"
+#include "studies/cost/other_load.h"
 #include "studies/cost/report.h"
+#include "studies/cost/schedule.h"
 #include "studies/cost/sweep.h"
 
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <random>
 #include <set>
 
 #include <fmt/format.h>
@@ -26,69 +27,21 @@ namespace orbs::studies {
 
 namespace {
 
-// A render to be made.
-struct CostTask {
-  CostRender render;  // without what is measured
-  std::size_t sweep = 0;
-  std::size_t setting = 0;
-  bool is_first = false;  // its image is kept
-};
-
-// The sweep of the comparison of a renderer with itself: the first renderer's fastest, so that it is there
-// early. By the samples of its last setting, the time of which is what is compared.
-std::optional<std::size_t> self_sweep(const CostRecord& record) {
-  std::optional<std::size_t> fastest;
-  double least = 0;
-  for (std::size_t i = 0; i < record.sweeps.size(); ++i) {
-    const auto& sweep = record.sweeps[i];
-    if (sweep.renderer != 0 || sweep.settings.empty()) continue;
-    const auto& target = record.targets[sweep.target];
-    const double samples =
-        static_cast<double>(sweep.settings.back().spp) * target.width_px * target.height_px;
-    if (fastest && samples >= least) continue;
-    fastest = i;
-    least = samples;
-  }
-  return fastest;
+bool is_same_render(const CostRender& render, const CostRender& wanted) {
+  return render.target == wanted.target && render.renderer == wanted.renderer &&
+         render.purpose == wanted.purpose && render.setting == wanted.setting && render.seed == wanted.seed;
 }
 
-// One seed of every setting of every sweep, of each fixed cost, and of the setting of the comparison of the
-// first renderer with itself; shuffled by the study's seed and the round, so that drift of the machine hits
-// all alike.
-std::vector<CostTask> tasks_of_round(const CostRecord& record, int round) {
-  std::vector<CostTask> tasks;
-  constexpr int kSeedsOfSetting =
-      1000;  // so that no two settings share a seed: nested samples are not independent
-  const auto self = self_sweep(record);
-  for (std::size_t i = 0; i < record.sweeps.size(); ++i) {
-    const auto& sweep = record.sweeps[i];
-    if (sweep.settings.empty()) continue;
-    CostRender wanted{
-        .target = sweep.target, .renderer = sweep.renderer, .purpose = Purpose::FixedCost, .seed = 1 + round};
-    tasks.push_back({wanted, i, 0, false});
-    wanted.purpose = Purpose::Sweep;
-    for (std::size_t setting = 0; setting < sweep.settings.size(); ++setting) {
-      wanted.setting = sweep.settings[setting].name;
-      wanted.spp = sweep.settings[setting].spp;
-      wanted.seed = 1 + round + kSeedsOfSetting * (1 + static_cast<int>(setting));
-      tasks.push_back({wanted, i, setting, round == 0});
-    }
-    if (self != i) continue;
-    wanted.purpose = Purpose::Again;
-    wanted.seed += kSeedsOfSetting;
-    tasks.push_back({wanted, i, sweep.settings.size() - 1, false});
-  }
-  std::mt19937 random(static_cast<unsigned>(record.settings.order_seed) * 1000U +
-                      static_cast<unsigned>(round));
-  for (std::size_t i = tasks.size(); i > 1; --i) std::swap(tasks[i - 1], tasks[random() % i]);
-  return tasks;
-}
-
+// One that other work disturbed is made again when the study is resumed.
 bool is_done(const CostRecord& record, const CostRender& wanted) {
   return std::any_of(record.renders.begin(), record.renders.end(), [&](const CostRender& render) {
-    return render.target == wanted.target && render.renderer == wanted.renderer &&
-           render.purpose == wanted.purpose && render.setting == wanted.setting && render.seed == wanted.seed;
+    return is_same_render(render, wanted) && !is_disturbed(render);
   });
+}
+
+void keep(CostRecord& record, const CostRender& made) {
+  std::erase_if(record.renders, [&](const CostRender& render) { return is_same_render(render, made); });
+  record.renders.push_back(made);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -113,15 +66,19 @@ bool do_task(Progress& progress, const CostTask& task) {
   auto& sweep = record.sweeps[task.sweep];
   if (progress.failed.contains(task.sweep) || is_done(record, task.render)) return true;
   try {
-    const auto made =
-        measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
+    const auto made = undisturbed_render([&] {
+      return measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
+    });
     if (!made) return false;
-    record.renders.push_back(*made);
+    keep(record, *made);
     study.context.say(
-        fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s", progress.seconds(),
+        fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s{}", progress.seconds(),
                     record.renderers[sweep.renderer].name, record.targets[sweep.target].name,
                     task.render.purpose == Purpose::FixedCost ? "fixed cost" : task.render.setting,
-                    made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds));
+                    made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds,
+                    is_disturbed(*made) ? fmt::format("  left out: others took {:.0f} % of the machine",
+                                                      100 * made->other_share.value_or(0))
+                                        : ""));
   } catch (const InputError& e) {
     progress.failed.insert(task.sweep);
     sweep.note = fmt::format("{}{}{}", sweep.note, sweep.note.empty() ? "" : "; ", e.what());
@@ -134,24 +91,17 @@ bool do_task(Progress& progress, const CostTask& task) {
   return true;
 }
 
-// False when the user interrupts. The first two rounds are rendered whatever they cost: without them there is
-// no scatter and so no interval.
-bool render_rounds(Progress& progress) {
+// False when the user interrupts. The budget holds from the first pilot, and nothing begins after it.
+bool render_all(Progress& progress) {
   const auto& study = progress.study;
-  const auto& settings = study.record.settings;
-  for (int round = 0; round < settings.seeds; ++round)
-    for (const auto& task : tasks_of_round(study.record, round)) {
-      if (round >= 2 && progress.seconds() > settings.budget_seconds) {
-        study.context.say(fmt::format("the budget of {:g} s is used up in round {} of {}",
-                                      settings.budget_seconds, round + 1, settings.seeds));
-        return true;
-      }
-      const auto& entry = study.plan.renderers[task.render.renderer].entry;
-      // Without random samples, every further image would be the same; its time is measured twice.
-      if (entry.sampling.is_noise_free && round >= 2) continue;
-      if (!do_task(progress, task)) return false;
-    }
-  return true;
+  const double budget_seconds = study.record.settings.budget_seconds;
+  const auto ended = make_until_spent(
+      cost_tasks(study.record), budget_seconds, [&] { return progress.seconds(); },
+      [&](const CostTask& task) { return do_task(progress, task); });
+  if (ended == Ended::BudgetSpent)
+    study.context.say(
+        fmt::format("the budget of {:g} s is spent; what was not measured is named below", budget_seconds));
+  return ended != Ended::Interrupted;
 }
 
 // What can be named of an error that more time may not cure.
@@ -216,7 +166,9 @@ CostRecord measure_cost(const run::Plan& plan,
     describe_renderers(study);
     if (!find_sweeps(study, request.settings.budget_seconds)) return study.record;
   }
-  study.record.is_finished = render_rounds(progress);
+  for (auto& sweep : study.record.sweeps)  // earlier versions did not store it
+    sweep.is_noise_free = plan.renderers.at(sweep.renderer).entry.sampling.is_noise_free;
+  study.record.is_finished = render_all(progress);
   judge_last_settings(study);
   study.record.load_end = run::load_average();
   store(study);

@@ -1,6 +1,7 @@
 #include "studies/cost/sweep.h"
 
 #include "base/error.h"
+#include "studies/cost/schedule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,12 +16,17 @@ namespace orbs::studies {
 
 namespace {
 
-constexpr int kMostSpp = 1 << 22;
+constexpr int kMostHalvings = 22;
+constexpr int kMostSpp = 1 << kMostHalvings;
 constexpr int kFewestPoints = 4;  // that a fit needs
+constexpr int kHalvings = static_cast<int>(kPointsOfEach) - 1;
 
 SweepSetting sample_setting(int spp) { return {fmt::format("{} spp", spp), spp}; }
 
 double seconds_per_sample(const CostPilot& pilot) {
+  // Of a sweep by settings, by the first that was tried.
+  if (!pilot.setting_seconds.empty())
+    return std::max(0.0, pilot.setting_seconds.front() - pilot.fixed_seconds) / pilot.settings.front().spp;
   return std::max(0.0, pilot.seconds - pilot.fixed_seconds) / pilot.spp;
 }
 
@@ -70,13 +76,16 @@ double refill(const std::vector<CostPilot>& pilots,
   return sum;
 }
 
-// The sweep whose samples, its fixed cost aside, take the longest. Nothing when no sweep can get shorter.
+// The sweep whose samples, its fixed cost aside, take the longest. Nothing when no sweep can get shorter and
+// keep the points that every curve gets.
 std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
                                         const std::vector<Sweep>& sweeps) {
   std::optional<std::size_t> slowest;
   double most = 0;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (!pilots[i].settings.empty() || sweeps[i].settings.back().spp <= pilots[i].least_spp) continue;
+    if (!pilots[i].settings.empty() ||
+        (sweeps[i].settings.back().spp >> (1 + kHalvings)) < std::max(1, pilots[i].least_spp))
+      continue;
     const double seconds = seconds_per_sample(pilots[i]) * sweeps[i].settings.back().spp;
     if (seconds <= most) continue;
     most = seconds;
@@ -123,7 +132,9 @@ std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
   for (int points = settings.points - 1; sum > budget_seconds && points >= kFewestPoints; --points)
     sum = refill(pilots, settings, points, sweeps);
   const int points = std::min(settings.points, kFewestPoints);
-  while (sum > budget_seconds) {
+  // Each turn halves the samples of one sweep, of which none has more than kMostSpp.
+  const int most_turns = static_cast<int>(pilots.size()) * kMostHalvings;
+  for (int turn = 0; turn < most_turns && sum > budget_seconds; ++turn) {
     const auto slowest = most_samples(pilots, sweeps);
     if (!slowest) break;  // nothing is left to be saved
     const auto& pilot = pilots[*slowest];
@@ -220,7 +231,9 @@ bool find_sweeps(CostMeasurement& study, double budget_seconds) {
   std::vector<CostPilot> pilots;
   std::vector<Sweep> unrendered;
   std::set<std::pair<std::size_t, std::size_t>> seen;
-  const auto begin = std::chrono::steady_clock::now();
+  const auto spent_seconds = [begin = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   const double share_seconds =
       budget_seconds / std::max<double>(1, static_cast<double>(study.plan.jobs.size()));
   for (const auto& planned : study.plan.targets) {
@@ -244,18 +257,22 @@ bool find_sweeps(CostMeasurement& study, double budget_seconds) {
     double seconds = 0;
     for (std::size_t i = 0; i < pilots.size(); ++i)
       seconds += expected_seconds(pilots[i], sweeps[i], settings);
-    study.context.say(fmt::format("{}: about {:.0f} s", what, seconds));
+    study.context.say(fmt::format("{} about {:.0f} s", what, seconds));
   };
   if (study.request.samples.empty()) {
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-    say_expected(fmt::format("all {} curves to {:g} dB", pilots.size(), settings.target_db).c_str(),
+    say_expected(fmt::format("all {} curves to {:g} dB take", pilots.size(), settings.target_db).c_str(),
                  choose_sweeps(pilots, settings, kUnlimited));
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    study.record.sweeps = choose_sweeps(pilots, settings, budget_seconds - spent.count());
+    study.record.sweeps = choose_sweeps(pilots, settings, budget_seconds - spent_seconds());
   } else {
     study.record.sweeps = given_sweeps(pilots, study.request.samples);
   }
-  say_expected("the settings of this study", study.record.sweeps);
+  for (std::size_t i = 0; i < pilots.size(); ++i)
+    study.record.sweeps[i].seconds_per_sample = seconds_per_sample(pilots[i]);
+  say_expected(fmt::format("of the budget of {:g} s, {:.0f} s are left; the settings of this study take",
+                           budget_seconds, std::max(0.0, budget_seconds - spent_seconds()))
+                   .c_str(),
+               study.record.sweeps);
   study.record.sweeps.insert(study.record.sweeps.end(), unrendered.begin(), unrendered.end());
   return true;
 }

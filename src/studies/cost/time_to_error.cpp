@@ -43,8 +43,7 @@ void set_interval(TimeToError& time, double seconds, double log_variance, double
   time.bound = Bound::Exact;
   time.log_error = std::sqrt(log_variance);
   time.degrees = std::max(1.0, degrees);
-  const auto logs = student_interval(std::log(seconds), time.log_error, time.degrees, kOutside);
-  time.cpu_seconds = Interval{std::exp(logs.value), std::exp(logs.low), std::exp(logs.high)};
+  time.cpu_seconds = ratio_interval(LogRatio{std::log(seconds), log_variance, time.degrees});
 }
 
 // Between two sample counts whose errors enclose the target.
@@ -121,11 +120,9 @@ void set_times_to_error(CostCurve& curve, bool has_samples) {
   if (best == nullptr) return;
   const double error = best->errors[kRelmse]->value;
   const double error_log_variance = curve.relative_variance / best->renders;
-  const double log_error = std::sqrt(error_log_variance + log_variance_of(best->cpu_seconds, best->renders));
-  const auto efficiency =
-      student_interval(-std::log(error * best->cpu_seconds.value), log_error, curve.degrees, kOutside);
-  curve.efficiency =
-      Interval{std::exp(efficiency.value), std::exp(efficiency.low), std::exp(efficiency.high)};
+  const double log_variance = error_log_variance + log_variance_of(best->cpu_seconds, best->renders);
+  curve.efficiency = ratio_interval(
+      LogRatio{-std::log(error * best->cpu_seconds.value), log_variance, std::max(1.0, curve.degrees)});
   if (before == nullptr || !has_samples) return;
   const double decibels = 10 * std::log10(before->errors[kRelmse]->value / error);
   if (!(decibels > 0)) return;

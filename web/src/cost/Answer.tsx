@@ -9,6 +9,7 @@ import {
   type MeanRatio,
 } from "./ranking";
 import { Marker } from "./Marker";
+import { lacksMeans } from "./older";
 import { RendererKey } from "./Multiples";
 import { fullestLevel } from "./ratio_bars";
 import { RatioBars } from "./RatioBars";
@@ -39,7 +40,7 @@ export function answerSentence(study: CostStudy, answer: LevelAnswer): string {
     return `${at} no renderer is shown to be fastest more often than others.`;
   const name = study.renderers[leader]?.name ?? "";
   const others = study.renderers.flatMap((other, i) =>
-    i === leader || study.renderers.length > kMostInColumns
+    i === leader || study.renderers.length > kMostInColumns || lacksMeans(study)
       ? []
       : [ratioSentence(other.name, meanRatio(study, leader, i, metric, level))],
   );
@@ -222,7 +223,9 @@ function ManyAnswer({ study, metric, answers, base, level: named }: ManyProps) {
           options={study.renderers.map(({ name }) => ({ name, label: name }))}
         />
       </p>
-      <RatioBars study={study} theme={theme} base={base} metric={metric} level={level} />
+      {lacksMeans(study) ? null : (
+        <RatioBars study={study} theme={theme} base={base} metric={metric} level={level} />
+      )}
     </>
   );
 }
@@ -307,8 +310,10 @@ export function Answer({ study, metric, base: baseName, level }: Props) {
         <ColumnsAnswer {...{ study, metric, answers, wanted, base }} />
       )}
       <p class="quiet">
-        Ratios are geometric means over the targets that both reach, with the 95 % interval that
-        follows from the intervals of the targets.
+        {lacksMeans(study)
+          ? "An earlier orbs wrote this study, without mean ratios: `orbs cost --show` states them."
+          : "Ratios are geometric means over the targets that both reach, with the 95 % interval " +
+            "that follows from their scatter over the targets; of one target it is that of its seeds."}
         {study.self_comparison ? "" : " The study did not compare a renderer with itself."}
       </p>
     </>

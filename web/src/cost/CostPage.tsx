@@ -6,6 +6,7 @@ import { note, type Route } from "../route";
 import { About } from "./About";
 import { Answer } from "./Answer";
 import { chartOf, rangesOf, type Axes } from "./chart_data";
+import { completed } from "./older";
 import { metricsWithTimes } from "./ranking";
 import { CostChart, titleOf } from "./CostChart";
 import { pointRows } from "./csv_rows";
@@ -169,8 +170,10 @@ function Choices({
 }
 
 /** What accuracy costs: who is fastest, the curves of each target, and the times to error. */
-export function CostPage(props: Props) {
-  const { study, route } = props;
+export function CostPage(read: Props) {
+  const study = useMemo(() => completed(read.study), [read.study]);
+  const props = { ...read, study };
+  const { route } = read;
   const { query } = route;
   const y = metricOf(study, query["y"]);
   const x = kTimes.find(({ name }) => name === query["x"]) ?? kTimes[0];

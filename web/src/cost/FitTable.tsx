@@ -6,6 +6,14 @@ import type { CostCurve, CostStudy } from "../data/generated";
 const kColumns: Column[] = [
   { label: "Renderer" },
   { label: "Fixed cost", title: "CPU seconds of an image of 4 x 4 px: start, reading, building" },
+  {
+    label: "Trials",
+    title: "seconds of trial renderings at the last setting, where the renderer states them",
+  },
+  {
+    label: "Own time",
+    title: "seconds at the last setting, start and files left out, as the renderer states them",
+  },
   { label: "v", title: "relMSE(t) = b² + v / tᵖ, t in CPU seconds above the fixed cost" },
   { label: "p", title: "1 for independent samples; larger is faster" },
   { label: "b²", title: "the part of the relMSE that no time removes" },
@@ -30,6 +38,8 @@ export function FitTable({ study, curves }: { study: CostStudy; curves: CostCurv
             <tr key={curve.renderer}>
               <th scope="row">{study.renderers[curve.renderer]?.name}</th>
               <td>{withEnds(curve.fixed_cpu_seconds, seconds)}</td>
+              <td>{withEnds(curve.points.at(-1)?.trial_seconds ?? null, seconds)}</td>
+              <td>{withEnds(curve.points.at(-1)?.render_seconds ?? null, seconds)}</td>
               <td>{withEnds(curve.fit?.variance ?? null)}</td>
               <td>{withEnds(curve.fit?.exponent ?? null)}</td>
               <td>{withEnds(curve.fit?.bias_squared ?? null)}</td>
@@ -40,10 +50,14 @@ export function FitTable({ study, curves }: { study: CostStudy; curves: CostCurv
         </tbody>
       </table>
       {curves
-        .filter(({ note }) => note)
-        .map(({ renderer, note }) => (
+        .map(({ renderer, note, unmeasured }) => ({
+          renderer,
+          text: [note, unmeasured].filter((one) => one).join("; "),
+        }))
+        .filter(({ text }) => text)
+        .map(({ renderer, text }) => (
           <p class="quiet" key={renderer}>
-            {study.renderers[renderer]?.name}: {note}
+            {study.renderers[renderer]?.name}: {text}
           </p>
         ))}
     </div>

@@ -16,6 +16,8 @@ export function pointRows(study: CostStudy, targets: number[]): Row[] {
   const head: Row = [
     ...["target", "renderer", "setting", "spp", "renders"],
     ...kTimes.flatMap(({ name }) => heads(name)),
+    ...heads("trial_seconds"),
+    ...heads("fixed_cpu_seconds"),
     ...study.metrics.flatMap(({ name }) => heads(name)),
     ...["below_reference_noise", "on_frontier"],
   ];
@@ -29,6 +31,8 @@ export function pointRows(study: CostStudy, targets: number[]): Row[] {
         point.spp,
         point.renders,
         ...kTimes.flatMap(({ name }) => cells(point[name])),
+        ...cells(point.trial_seconds),
+        ...cells(curve.fixed_cpu_seconds),
         ...study.metrics.flatMap(({ name }) => cells(errorOf(point, name))),
         point.below_reference_noise,
         point.on_frontier,

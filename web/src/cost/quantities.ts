@@ -78,6 +78,7 @@ export function numbersOf(study: CostStudy, point: CostPoint): [string, string][
     ["CPU", withEnds(point.cpu_seconds, seconds)],
     ["wall", withEnds(point.wall_seconds, seconds)],
     ["render", withEnds(point.render_seconds, seconds)],
+    ["trials in it", withEnds(point.trial_seconds, seconds)],
     ...study.metrics.map(({ name, unit }): [string, string] => [
       metricName(name),
       `${withEnds(errorOf(point, name))}${unit ? ` ${unit}` : ""}`,

@@ -63,12 +63,9 @@ export interface MeanRatio extends Interval {
   count: number;
 }
 
-const kNormal95 = 1.96;
-
 /**
- * Geometric mean over targets of the time of `other` divided by that of `base`, at one level. Its
- * interval holds what the intervals of the targets allow, taken as independent and normal in the
- * logarithm; it says nothing about targets that were not measured.
+ * Geometric mean over targets of the time of `other` divided by that of `base`, at one level, with the
+ * interval that the study states: the same as in the terminal and in reports.
  */
 export function meanRatio(
   study: CostStudy,
@@ -77,19 +74,19 @@ export function meanRatio(
   metric: string,
   level: number,
 ): MeanRatio | undefined {
-  let [sum, variance, count] = [0, 0, 0];
-  for (const one of study.comparisons) {
-    const { first, second, time_ratio: ratio } = one;
-    const isPair = (first === base && second === other) || (first === other && second === base);
-    if (!isPair || one.metric !== metric || one.level !== level || !ratio?.value) continue;
-    sum += (first === base ? 1 : -1) * Math.log(ratio.value);
-    const [low, high] = [ratio.low || ratio.value, ratio.high || ratio.value];
-    variance += (Math.log(high / low) / (2 * kNormal95)) ** 2;
-    ++count;
-  }
-  if (count === 0) return undefined;
-  const [mean, half] = [sum / count, (kNormal95 * Math.sqrt(variance)) / count];
-  return { value: Math.exp(mean), low: Math.exp(mean - half), high: Math.exp(mean + half), count };
+  const found = study.mean_ratios.find(
+    (one) =>
+      one.metric === metric &&
+      one.level === level &&
+      ((one.first === base && one.second === other) ||
+        (one.first === other && one.second === base)),
+  );
+  const { value, low, high } = found?.time_ratio ?? {};
+  if (!found || !value || !low || !high) return undefined;
+  const count = found.scenes;
+  return found.first === base
+    ? { value, low, high, count }
+    : { value: 1 / value, low: 1 / high, high: 1 / low, count };
 }
 
 export interface LevelAnswer {
