@@ -1,5 +1,6 @@
 #include "tracer/choose_light.h"
 
+#include "tracer/learn_light_guides.h"
 #include "tracer/learn_light_selection.h"
 #include "tracer/trial_image.h"
 #include "tracer/world/build_world.h"
@@ -80,7 +81,10 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   }
   if (!casters.empty())
     keep_if_better(casters, world.caustic_casters, kPathsWorthwhile, kFewestContributions);
-  if (connects) keep_if_better(connects, world.connects_light_vertices, kConnectionsWorthwhile);
+  if (connects) {
+    add(time, learn_light_guides(world, settings));
+    keep_if_better(connects, world.connects_light_vertices, kConnectionsWorthwhile);
+  }
   return time;
 }
 

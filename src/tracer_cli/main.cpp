@@ -4,6 +4,7 @@
 #include "scene/load/load_scene.h"
 #include "scene/render_fault.h"
 #include "tracer/choose_light.h"
+#include "tracer/learn_light_guides.h"
 #include "tracer/learn_light_selection.h"
 #include "tracer/plugins/plugin_library.h"
 #include "tracer/render.h"
@@ -114,8 +115,10 @@ tracer::RenderTime choose_algorithms(const Options& options,
                                     .connections = options.light_connections == "auto"});
   if (options.light_selection == "learned")
     tracer::add(time, tracer::learn_light_selection(world.light_bvh, world, render_settings(options, scene)));
-  if (options.light_connections == "always")
-    world.connects_light_vertices = tracer::supports_light_connections(world);
+  if (options.light_connections == "always" && tracer::supports_light_connections(world)) {
+    tracer::add(time, tracer::learn_light_guides(world, render_settings(options, scene)));
+    world.connects_light_vertices = true;
+  }
   // What the trial renderings met is no part of the image.
   tracer::reset_counts(world);
   return time;

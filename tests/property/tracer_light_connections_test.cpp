@@ -1,5 +1,6 @@
 // Connections of camera paths to the first hits of light paths, where light enters by way of one small wall.
 #include "tracer/choose_light.h"
+#include "tracer/learn_light_guides.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer/scenes.h"
 
@@ -17,13 +18,14 @@ using tests::scene_text;
 
 // A lamp below a floor shines on a small card beside it; all that the camera sees of the floor and the cube
 // is lit by the card.
-std::string behind_a_card(const std::string& cube) {
+std::string behind_a_card(const std::string& cube, const std::string& card_half_size_m = "0.3") {
   return scene_text("[-0.5, 2.75, 1.5]", "[-0.5, 0, 0]", 24, 8,
                     R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.5, 0.4, 0.3]},
                                      {"name": "cube", )" +
                         cube + R"(}],
                        "meshes": [{"name": "p", "generator": "plane", "half_size": 2, "material": "floor"},
-                                  {"name": "card", "generator": "plane", "half_size": 0.3, "material": "floor"},
+                                  {"name": "card", "generator": "plane", "half_size": )" +
+                        card_half_size_m + R"(, "material": "floor"},
                                   {"name": "c", "generator": "cube", "half_size": 0.2, "material": "cube"}],
                        "instances": [{"mesh": "p", "matrix": [{"translate": [1, 0, 0]}]},
                                      {"mesh": "card", "matrix": [{"translate": [-1.5, 0.3, 0]}, {"rotate_z": 90}]},
@@ -76,6 +78,17 @@ TEST_P(LightConnections, HaveTheSameExpectedImage) {
   EXPECT_LT(error, 0.02 * mean_of_channel(with, 0));  // otherwise the test could not fail
 }
 
+TEST_P(LightConnections, HaveTheSameExpectedImageWithGuides) {
+  auto world = world_of(behind_a_card(GetParam().material));
+  const auto without = rendered(world, true, {.samples_per_pixel = 4096, .seed = 2});
+  tracer::learn_light_guides(world, {.samples_per_pixel = 1024});
+  ASSERT_FALSE(world.light_guides.empty());
+  const auto with = rendered(world, true, {.samples_per_pixel = 1024, .seed = 1});
+  const double error = std::hypot(error_of_mean(with, 0), error_of_mean(without, 0));
+  EXPECT_NEAR(mean_of_channel(with, 0), mean_of_channel(without, 0), 4 * error);
+  EXPECT_LT(error, 0.005 * mean_of_channel(with, 0));
+}
+
 INSTANTIATE_TEST_SUITE_P(Cubes,
                          LightConnections,
                          testing::Values(Cube{"lambert", kLambert},
@@ -89,6 +102,17 @@ TEST(LightConnections, TakeMostOfTheNoiseWhereLightComesBySmallWall) {
   const auto with = rendered(world, true, {.samples_per_pixel = 256, .seed = 1});
   const auto without = rendered(world, false, {.samples_per_pixel = 256, .seed = 1});
   EXPECT_LT(median_noise(with), 0.3 * median_noise(without));
+}
+
+// Few light paths find a small card by power and cosine.
+TEST(LightConnections, FindASmallCardByGuides) {
+  auto world = world_of(behind_a_card(kLambert, "0.04"));
+  const tracer::RenderSettings settings{.samples_per_pixel = 256, .seed = 1};
+  const auto without = rendered(world, true, settings);
+  tracer::choose_light(world, settings, {.selection = false, .paths = false});
+  const auto with = rendered(world, true, settings);
+  ASSERT_TRUE(world.connects_light_vertices);
+  EXPECT_LT(median_noise(with), 0.5 * median_noise(without));
 }
 
 TEST(LightConnections, AreChosenWhereTheyReduceNoise) {
@@ -124,8 +148,13 @@ TEST(LightSelection, TheTreeIsChosenWhereItReducesNoise) {
 }
 
 TEST(LightConnections, DoNotDependOnTheNumberOfThreads) {
-  auto world = world_of(behind_a_card(kLambert));
-  const auto one = rendered(world, true, {.samples_per_pixel = 8, .threads = 1});
-  const auto two = rendered(world, true, {.samples_per_pixel = 8, .threads = 2});
+  const auto with_threads = [](int threads) {
+    auto world = world_of(behind_a_card(kLambert));
+    tracer::learn_light_guides(world, {.samples_per_pixel = 64, .threads = threads});
+    EXPECT_FALSE(world.light_guides.empty());
+    return rendered(world, true, {.samples_per_pixel = 8, .threads = threads});
+  };
+  const auto one = with_threads(1);
+  const auto two = with_threads(2);
   EXPECT_EQ(one.pixels, two.pixels);
 }

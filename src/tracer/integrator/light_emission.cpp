@@ -18,17 +18,37 @@ EmittingPoint point_on(const World& world,
   return point_on(world.lights[emitter].shape, at[0], at[1]);
 }
 
-EmittedRay emitted_ray(
-    const World& world, std::size_t emitter, const EmittingPoint& from, Vec3f direction, float pdf) {
+EmittedRay emitted_ray(std::size_t emitter, const EmittingPoint& from, Vec3f direction, float weight) {
   EmittedRay out;
   out.emitter = emitter;
   out.position = from.position;
   out.texture_uv = from.texture_uv;
   // The origin is offset by the rounding error of the point and of the emitter's surface in the accelerator.
   out.ray = {from.position + from.normal * (2 * from.position_error), direction};
-  const float cosine = dot(from.normal, direction);
-  if (cosine > 0) out.weight = cosine / (world.emitters.probability(emitter) * from.pdf_area * pdf);
+  if (dot(from.normal, direction) > 0) out.weight = weight;
   return out;
+}
+
+/// The start of a light path; `pdf` per m^2 of the emitter.
+struct Start {
+  std::size_t emitter = 0;
+  Vec3f position;
+  Vec3f normal;  // unit, on the side of the direction
+  float pdf = 0;
+  Vec3f direction;  // unit
+};
+
+// As emission_pdf. `chosen`: the guide that the direction was sampled by, if there is one.
+float start_pdf(const World& world, const Start& start, const LightGuide* chosen) {
+  const float unguided = start.pdf * world.emitters.probability(start.emitter);
+  if (world.light_guides.empty()) return unguided;
+  float sum = 0;
+  for (const LightGuide& guide : world.light_guides)
+    if (guide.emitter == start.emitter)
+      sum += guide.probability *
+             pdf_towards(guide.target, start.position, start.normal, start.direction, &guide == chosen);
+  const float cosine = dot(start.normal, start.direction);
+  return kUnguidedShare * unguided + (cosine > 0 ? start.pdf * sum * kPi / cosine : 0);
 }
 
 }  // namespace
@@ -38,23 +58,34 @@ EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::a
   const EmittingPoint from = point_on(world, emitter, at, choice);
   const auto to =
       sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
-  return emitted_ray(world, emitter, from, to.direction, to.pdf);
+  const float cosine = dot(from.normal, to.direction);
+  return emitted_ray(emitter, from, to.direction,
+                     cosine / (world.emitters.probability(emitter) * from.pdf_area * to.pdf));
 }
 
-EmittedRay emit_by_cosine(const World& world,
-                          const std::array<float, 4>& at,
-                          const std::array<float, 4>& choice) {
-  const std::size_t emitter = world.emitters.pick(choice[0]);
+EmittedRay emit_towards_use(const World& world,
+                            const std::array<float, 4>& at,
+                            const std::array<float, 4>& choice) {
+  const LightGuide* guide = pick_guide(world.light_guides, choice[1]);
+  const std::size_t emitter = guide != nullptr ? guide->emitter : world.emitters.pick(choice[0]);
   const EmittingPoint from = point_on(world, emitter, at, choice);
-  const Vec3f local = sample_cosine(at[2], at[3]);
-  return emitted_ray(world, emitter, from, frame_around(from.normal).to_world(local), local.z * kInvPi);
+  const Vec3f direction = guide != nullptr
+                              ? direction_towards(guide->target, from.position, from.normal, at[2], at[3])
+                              : frame_around(from.normal).to_world(sample_cosine(at[2], at[3]));
+  const float pdf = start_pdf(world, {emitter, from.position, from.normal, from.pdf_area, direction}, guide);
+  return emitted_ray(emitter, from, direction, kPi / pdf);
 }
 
-float emission_pdf(const World& world, std::size_t emitter, Vec3f position) {
-  const float selection = world.emitters.probability(emitter);
-  if (emitter >= world.emitters.light_count())
-    return selection * 0.5F / world.emitters.triangle(emitter).area;  // each of its sides
-  return selection * pdf_area(world.lights[emitter].shape, position);
+float emission_pdf(const World& world, std::size_t emitter, Vec3f position, Vec3f target) {
+  const bool is_light = emitter < world.emitters.light_count();
+  const float pdf = is_light ? pdf_area(world.lights[emitter].shape, position)
+                             : 0.5F / world.emitters.triangle(emitter).area;  // each of its sides
+  if (world.light_guides.empty()) return pdf * world.emitters.probability(emitter);
+  const Vec3f to_target = target - position;
+  Vec3f normal =
+      is_light ? normal_of(world.lights[emitter].shape, position) : world.emitters.triangle(emitter).normal;
+  if (!is_light && dot(normal, to_target) < 0) normal = -normal;
+  return start_pdf(world, {emitter, position, normal, pdf, normalised(to_target)}, nullptr);
 }
 
 Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {

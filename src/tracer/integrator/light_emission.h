@@ -22,15 +22,15 @@ struct EmittedRay {
 /// a triangle; all numbers in [0, 1). The world must have emitters and caustic_casters.
 EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice);
 
-/// The same with a direction of cosine-weighted density, so that the weight is pi over the density of the
-/// point (emission_pdf). The world must have emitters.
-EmittedRay emit_by_cosine(const World& world,
-                          const std::array<float, 4>& at,
-                          const std::array<float, 4>& choice);
+/// The same for a light vertex (light_vertex.h): by World::light_guides, and as far as these leave it open by
+/// power and cosine. The weight is pi over the emission_pdf. The world must have emitters.
+EmittedRay emit_towards_use(const World& world,
+                            const std::array<float, 4>& at,
+                            const std::array<float, 4>& choice);
 
-/// Density per m^2 with which light paths start at this point of the emitter, on one of its sides; the
-/// selection of the emitter included.
-float emission_pdf(const World& world, std::size_t emitter, Vec3f position);
+/// Density per m^2 with which emit_towards_use starts light paths at this point of the emitter, on one of its
+/// sides, times the density of their direction to `target` over that of a cosine lobe.
+float emission_pdf(const World& world, std::size_t emitter, Vec3f position, Vec3f target);
 
 /// Radiance that the emitter sends along the ray, which hits a surface at `target`.
 Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target);

@@ -30,8 +30,8 @@ std::optional<SelectedEmitter> select_emitter(const World& world, const LightSam
   return SelectedEmitter{chosen, world.emitters.probability(chosen)};
 }
 
-float emission_pdf_if_connected(const World& world, std::size_t emitter, Vec3f position) {
-  return world.connects_light_vertices ? emission_pdf(world, emitter, position) : 0;
+float emission_pdf_if_connected(const World& world, std::size_t emitter, Vec3f position, Vec3f target) {
+  return world.connects_light_vertices ? emission_pdf(world, emitter, position, target) : 0;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ std::optional<LightSample> sample_light(
                      end_of_shadow_ray(*point, from),
                      point->pdf * probability,
                      chosen,
-                     emission_pdf_if_connected(world, chosen, point->position)};
+                     emission_pdf_if_connected(world, chosen, point->position, from)};
 }
 
 EmissionHit emission_at_light(const World& world,
@@ -93,7 +93,7 @@ EmissionHit emission_at_light(const World& world,
   const float pdf = selection_probability(world, sampled_from, object.light) *
                     pdf_towards(light.shape, sampled_from.position, position);
   return {radiance, pdf, world.emitters.probability(object.light) > 0,
-          emission_pdf_if_connected(world, object.light, position)};
+          emission_pdf_if_connected(world, object.light, position, sampled_from.position)};
 }
 
 EmissionHit emission_at_surface(const World& world,
@@ -112,7 +112,7 @@ EmissionHit emission_at_surface(const World& world,
   const float pdf_area =
       selection_probability(world, sampled_from, emitter) / world.emitters.triangle(emitter).area;
   return {radiance, cosine > 0 ? pdf_area * dot(d, d) / cosine : 0, true,
-          emission_pdf_if_connected(world, emitter, surface.point.position)};
+          emission_pdf_if_connected(world, emitter, surface.point.position, sampled_from.position)};
 }
 
 }  // namespace orbs::tracer

@@ -55,8 +55,8 @@ const LightVertex& candidate(const LightVertexPool& pool,
   return pool.vertices[index % pool.vertices.size()];
 }
 
-// Up to the reflectances and what is common to all vertices. A radiance that is given by its spectrum alone
-// counts as one.
+}  // namespace
+
 float unblocked_contribution(const LightVertex& vertex, const LightSampleContext& at) {
   const Vec3f d = vertex.point.position - at.position;
   const float distance2 = dot(d, d);
@@ -67,8 +67,6 @@ float unblocked_contribution(const LightVertex& vertex, const LightSampleContext
   return brightness * cosines / (distance2 * distance2 * vertex.emission_pdf * vertex.cos_light);
 }
 
-}  // namespace
-
 void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<const Sample> samples) {
   pool.vertices.clear();
   pool.rays.clear();
@@ -77,9 +75,9 @@ void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<c
   for (const Sample& sample : samples) {
     const SampleBlock block = light_block(sample.block);
     // These dimensions are free: the block is another one than the camera path's.
-    pool.emitted.push_back(emit_by_cosine(world,
-                                          draw(block, sample.index, 0, SampleDimension::PixelAndFirstLight),
-                                          draw(block, sample.index, 0, SampleDimension::LightPick)));
+    pool.emitted.push_back(emit_towards_use(world,
+                                            draw(block, sample.index, 0, SampleDimension::PixelAndFirstLight),
+                                            draw(block, sample.index, 0, SampleDimension::LightPick)));
     pool.rays.push_back(pool.emitted.back().ray);
   }
   pool.hits.resize(pool.rays.size());

@@ -23,7 +23,8 @@ struct LightVertex {
   Vec3f light_position;
   std::size_t emitter = 0;
   Radiance radiance;  // that arrives
-  /// Density with which a light path starts at this point of the emitter, selection included, per m^2.
+  /// Density with which a light path starts at this point of the emitter, per m^2, times that of its
+  /// direction over the density of a cosine lobe (emission_pdf).
   float emission_pdf = 0;
   float cos_light = 0;  // of to_light at the geometric normal
 };
@@ -52,6 +53,11 @@ inline float connection_pdf(float emission_pdf, float cos_light, float arrival_p
 /// Traces one light path for each camera sample of the batch and refills the pool. Their random numbers are
 /// functions of those of the samples.
 void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<const Sample> samples);
+
+/// What a connection of this point to the vertex would contribute if nothing stood between, up to the
+/// reflectances and what is common to all vertices. A radiance that is given by its spectrum alone counts as
+/// one.
+float unblocked_contribution(const LightVertex& vertex, const LightSampleContext& at);
 
 /// A vertex of the pool, and the factor that its contribution is multiplied by for the others that were not
 /// selected.

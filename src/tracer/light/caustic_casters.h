@@ -1,17 +1,12 @@
 #pragma once
 
-#include "base/vec.h"
+#include "tracer/light/bounding_sphere.h"
 
 #include <vector>
 
 /// Near-specular surfaces towards which light paths are sent: camera paths rarely find the light of their
 /// caustics.
 namespace orbs::tracer {
-
-struct BoundingSphere {
-  Vec3f centre;
-  float radius = 0;
-};
 
 /// Where a lobe scatters with a smaller pdf per solid angle (of its own sampling, from the camera), it counts
 /// as its tail. Camera paths rarely sample the tail, and contribute much when they do; to a light path the
@@ -26,9 +21,9 @@ struct CasterDirection {
   float pdf = 0;    // per solid angle
 };
 
-/// Samples a direction from a point of an emitter with this unit normal: uniformly over the cone that a
-/// caster subtends, or cosine-weighted about the normal if `from` is inside its sphere; each caster with
-/// equal probability. `pick`, u and v in [0, 1). The pdf is that of the mixture. `casters` must not be empty.
+/// Samples a direction from a point of an emitter with this unit normal towards one of the casters, each with
+/// equal probability (direction_towards). `pick`, u and v in [0, 1). The pdf is that of the mixture.
+/// `casters` must not be empty.
 CasterDirection sample_towards_casters(
     const std::vector<BoundingSphere>& casters, Vec3f from, Vec3f normal, float pick, float u, float v);
 

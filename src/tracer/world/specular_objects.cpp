@@ -1,6 +1,7 @@
 #include "tracer/world/specular_objects.h"
 
 #include "base/nth.h"
+#include "tracer/geometry/box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +12,6 @@ namespace orbs::tracer {
 namespace {
 
 constexpr std::size_t kMostCasters = 16;
-
-class Box {
- public:
-  void add(Vec3f p) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
-  }
-  bool empty() const { return low_.x > high_.x; }
-  Vec3f centre() const { return (low_ + high_) * 0.5F; }
-
- private:
-  Vec3f low_{INFINITY, INFINITY, INFINITY};
-  Vec3f high_{-INFINITY, -INFINITY, -INFINITY};
-};
 
 template <typename F>
 void for_each_near_specular_corner(const World& world, const RenderObject& object, const F& visit) {

@@ -11,6 +11,7 @@
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
 #include "tracer/light/light_bvh.h"
+#include "tracer/light/light_guides.h"
 #include "tracer/plugins/plugin_shape.h"
 #include "tracer/shapes/solid.h"
 #include "tracer/world/camera.h"
@@ -48,6 +49,7 @@ struct World {
   std::vector<BoundingSphere> caustic_casters;
   /// Camera paths also connect to the first hits of light paths (connect_light_vertices.h).
   bool connects_light_vertices = false;
+  std::vector<LightGuide> light_guides;  // of the light paths that they need; empty: by power and cosine
   std::vector<MirrorPlane> mirror_planes;
   DirectLight direct_light = DirectLight::Mis;
   bool roulette = true;
