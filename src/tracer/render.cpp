@@ -88,8 +88,9 @@ Rendering render(const World& world,
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Film film = film_for(world, settings);
   const bool wants_variances = has_variances(world, settings);
-  const Pieces pieces =
+  Pieces pieces =
       wants_variances ? pieces_of(settings.samples_per_pixel) : Pieces{1, settings.samples_per_pixel};
+  pieces.share_passes = film.splats.empty();
   const auto passes = plan_passes(settings.samples_per_pixel, pieces);
   give_pieces(film, wants_variances ? pieces.count : 0);
   const auto pixels = film.pixels.size();
@@ -107,7 +108,7 @@ Rendering render(const World& world,
       report({share * share_of_film, out.samples_per_pixel, seconds()});
     });
     out.samples_per_pixel += static_cast<int>(passes[done].count);
-    finished_pieces = passes[done].piece + (passes[done].ends_piece ? 1 : 0);
+    finished_pieces = passes[done].piece + static_cast<int>(passes[done].ended_pieces);
   }
   end_pieces(film);
   std::vector<Vec3d> variances;

@@ -72,8 +72,8 @@ class TileWorker {
     for (std::size_t k = 0; k < blocked_.size(); ++k) open_[ray_samples_[k]] = blocked_[k] != 0 ? 0 : 1;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       add_sample(film_.pixels[samples_[i].pixel], {open_[i], open_[i], open_[i]});
-      const bool is_last = i + 1 == samples_.size() || samples_[i + 1].pixel != samples_[i].pixel;
-      if (is_last && pass_.ends_piece) end_piece(film_, samples_[i].pixel, pass_.piece);
+      if (const auto piece = piece_ended_by(pass_, samples_[i].index))
+        end_piece(film_, samples_[i].pixel, *piece);
     }
   }
 

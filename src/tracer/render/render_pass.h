@@ -9,7 +9,10 @@
 #include "tracer/render/tile_samples.h"
 
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 /// Rendering with one transport; src/tracer/kernels instantiates it.
 namespace orbs::tracer {
@@ -24,36 +27,40 @@ class TileWorker {
   }
 
   void trace(const Tile& tile, const Pass& pass) {
-    trace_tile(tile, pass, settings_, film_, samples_, [&] { flush(); });
+    trace_tile(tile, pass, settings_, film_, samples_, [&] { flush(pass); });
   }
 
   const BadSamples& bad_samples() const { return bad_; }
   double traversal_seconds() const { return batch_.traversal_seconds; }
 
  private:
-  void flush() {
+  void flush(const Pass& pass) {
     trace_batch<T>(batch_, world_, samples_);
     std::vector<bool> is_bad(samples_.size(), false);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Sample& sample = samples_[i];
-      const PathState<T>& path = batch_.paths[i];
-      const Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
-      const std::size_t pixel = sample.pixel;
-      is_bad[i] = !is_finite(radiance);
-      if (is_bad[i]) {
-        merge(bad_, {1, sample.x, sample.y});
-        continue;
-      }
-      add_sample(film_.pixels[pixel], cast<double>(radiance));
-      if constexpr (T::kHasStokes)
-        for (std::size_t k = 0; k < film_.stokes.size(); ++k)
-          film_.stokes[k][pixel] += cast<double>(T::stokes(path.radiance, k + 1, path.lambda));
+      is_bad[i] = !add(sample, batch_.paths[i]);
+      if (const auto piece = piece_ended_by(pass, sample.index)) end_piece(film_, sample.pixel, *piece);
     }
     for (const ClassedRadiance& entry : batch_.classed) {
       if (is_bad[entry.sample]) continue;
       nth(film_.class_sums, entry.path_class)[samples_[entry.sample].pixel] += cast<double>(entry.radiance);
     }
     samples_.clear();
+  }
+
+  // False if the sample is not finite.
+  bool add(const Sample& sample, const PathState<T>& path) {
+    const Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
+    if (!is_finite(radiance)) {
+      merge(bad_, {1, sample.x, sample.y});
+      return false;
+    }
+    add_sample(film_.pixels[sample.pixel], cast<double>(radiance));
+    if constexpr (T::kHasStokes)
+      for (std::size_t k = 0; k < film_.stokes.size(); ++k)
+        film_.stokes[k][sample.pixel] += cast<double>(T::stokes(path.radiance, k + 1, path.lambda));
+    return true;
   }
 
   const World& world_;
@@ -83,15 +90,27 @@ void render_pass(const World& world,
     out.traversal_seconds += light.traversal_seconds;
     out.light_path_contributions += light.contributions;
   }
+  // A worker's memory is taken once for many tiles.
   std::mutex mutex;
-  for_each_index(tile_count(film), settings.threads, [&](int index) {
-    TileWorker<T> worker(world, settings, film);
-    worker.trace(tile_at(film, index), pass.pass);
+  std::vector<std::unique_ptr<TileWorker<T>>> resting;
+  const auto next_worker = [&] {
     const std::lock_guard lock(mutex);
-    merge(out.bad_samples, worker.bad_samples());
-    out.traversal_seconds += worker.traversal_seconds();
+    if (resting.empty()) return std::make_unique<TileWorker<T>>(world, settings, film);
+    auto worker = std::move(resting.back());
+    resting.pop_back();
+    return worker;
+  };
+  for_each_index(tile_count(film), settings.threads, [&](int index) {
+    auto worker = next_worker();
+    worker->trace(tile_at(film, index), pass.pass);
+    const std::lock_guard lock(mutex);
+    resting.push_back(std::move(worker));
     tile_done();
   });
+  for (const auto& worker : resting) {
+    merge(out.bad_samples, worker->bad_samples());
+    out.traversal_seconds += worker->traversal_seconds();
+  }
 }
 
 }  // namespace orbs::tracer

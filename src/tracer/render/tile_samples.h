@@ -15,7 +15,6 @@ constexpr int kPathsPerBatch = 1024;
 
 /// Gathers the samples of whole pixels in `samples` and calls trace() before they become more than
 /// kPathsPerBatch, and for the rest, if there is any; trace() adds them to the film and empties `samples`.
-/// Ends the piece of the tile's pixels where the pass does.
 template <typename Trace>
 void trace_tile(const Tile& tile,
                 const Pass& pass,
@@ -33,9 +32,6 @@ void trace_tile(const Tile& tile,
       if (samples.size() + pass.count > kPathsPerBatch) trace();
     }
   if (!samples.empty()) trace();
-  if (!pass.ends_piece) return;
-  for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x) end_piece(film, pixel_index(film, x, y), pass.piece);
 }
 
 }  // namespace orbs::tracer
