@@ -33,6 +33,10 @@ std::string image_text(const Alternative& alternative) {
 
 std::string ratio_text(double ratio) { return ratio > 0 ? fmt::format("{:.2f}", ratio) : "-"; }
 
+std::string spread_text(const Spread& ratio) {
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", ratio.median, ratio.least, ratio.most);
+}
+
 void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
   out.key(name)
       .begin_object()
@@ -82,9 +86,9 @@ std::string effect_cost_table(const EffectCosts& list) {
     text += fmt::format("{}{}: {}, {:.2f} million paths per CPU second{}\n", text.empty() ? "" : "\n",
                         scene.scene, scene.transport, scene.paths_per_cpu_second / 1e6,
                         scene.effects.empty() ? "" : fmt::format("; {}", fmt::join(scene.effects, ", ")));
-    std::vector<TableRow> rows{{"  alternative", "time ratio", "to equal noise", "image"}};
+    std::vector<TableRow> rows{{"  alternative", "time ratio (rounds)", "to equal noise", "image"}};
     for (const auto& alternative : scene.alternatives)
-      rows.push_back({fmt::format("  {}", alternative.name), ratio_text(alternative.time_ratio.median),
+      rows.push_back({fmt::format("  {}", alternative.name), spread_text(alternative.time_ratio),
                       ratio_text(alternative.error_ratio), image_text(alternative)});
     text += text_table(rows, {Align::Left, Align::Right, Align::Right});
   }
@@ -97,7 +101,7 @@ std::string effect_cost_markdown(const EffectCosts& list) {
   for (const auto& scene : list.scenes)
     for (const auto& alternative : scene.alternatives)
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene.scene, scene.transport, alternative.name,
-                          ratio_text(alternative.time_ratio.median), ratio_text(alternative.error_ratio),
+                          spread_text(alternative.time_ratio), ratio_text(alternative.error_ratio),
                           image_text(alternative));
   return text;
 }

@@ -52,7 +52,7 @@ TEST(EffectCostReport, CausticsWithoutLightPathsAreNoError) {
 TEST(EffectCostReport, MarkdownAndJsonHoldTheSame) {
   const auto list = list_of(way(false, ""));
   EXPECT_NE(studies::effect_cost_markdown(list).find(
-                "| prism | spectral | other | 1.50 | 2.00 | same but for noise |"),
+                "| prism | spectral | other | 1.50 (1.40 to 1.60) | 2.00 | same but for noise |"),
             std::string::npos)
       << studies::effect_cost_markdown(list);
   const auto document = json::parse("effect-costs.json", studies::effect_cost_json(list));
