@@ -25,9 +25,9 @@ constexpr double kLearningWorthwhile = 0.7;
 // Light paths take a fifth to a half of the rendering time (mirror and glass scenes of ORB.S).
 constexpr double kPathsWorthwhile = 0.78;
 // A light path of one segment for each camera path, and one more shadow ray and two evaluations of BSDFs for
-// each of its vertices take as much time again, so the variance must fall by clearly more. On scene 101 of
-// ORB.S it falls to 0.38, which gains nothing, and on "secondary" of Smits and Jensen's scenes to 0.03.
-constexpr double kConnectionsWorthwhile = 0.25;
+// each of its vertices make renders take 2 to 2.7 times as long, so the variance must fall by more. On scene
+// 101 of ORB.S it falls to 0.4, which gains nothing, and on "secondary" of Smits and Jensen's scenes to 0.01.
+constexpr double kConnectionsWorthwhile = 0.3;
 
 // If the camera sees only a corner of what the emitters illuminate, hardly any light path contributes, and
 // the trial shows no noise because it shows no light. It is believed from this many contributions per pixel
