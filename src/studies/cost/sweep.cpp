@@ -76,15 +76,28 @@ double refill(const std::vector<CostPilot>& pilots,
   return sum;
 }
 
-// The sweep whose samples, its fixed cost aside, take the longest. Nothing when no sweep can get shorter and
-// keep the points that every curve gets.
+// Whether half the samples would save time that is worth their loss: not where the start takes longer than
+// the samples that are left, nor where the whole sweep takes no more than half of an even share of the
+// budget. Else the starts of slow renderers would cost quick ones their curves.
+bool is_worth_halving(const CostPilot& pilot,
+                      const Sweep& sweep,
+                      const CostSettings& settings,
+                      double share_seconds) {
+  const int half = sweep.settings.back().spp / 2;
+  return (half >> kHalvings) >= std::max(1, pilot.least_spp) &&
+         seconds_per_sample(pilot) * half >= pilot.fixed_seconds &&
+         expected_seconds(pilot, sweep, settings) > share_seconds / 2;
+}
+
+// The sweep whose samples, its fixed cost aside, take the longest. Nothing when none is worth halving.
 std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
-                                        const std::vector<Sweep>& sweeps) {
+                                        const std::vector<Sweep>& sweeps,
+                                        const CostSettings& settings,
+                                        double share_seconds) {
   std::optional<std::size_t> slowest;
   double most = 0;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (!pilots[i].settings.empty() ||
-        (sweeps[i].settings.back().spp >> (1 + kHalvings)) < std::max(1, pilots[i].least_spp))
+    if (!pilots[i].settings.empty() || !is_worth_halving(pilots[i], sweeps[i], settings, share_seconds))
       continue;
     const double seconds = seconds_per_sample(pilots[i]) * sweeps[i].settings.back().spp;
     if (seconds <= most) continue;
@@ -134,8 +147,9 @@ std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
   const int points = std::min(settings.points, kFewestPoints);
   // Each turn halves the samples of one sweep, of which none has more than kMostSpp.
   const int most_turns = static_cast<int>(pilots.size()) * kMostHalvings;
+  const double share_seconds = budget_seconds / std::max<double>(1, static_cast<double>(pilots.size()));
   for (int turn = 0; turn < most_turns && sum > budget_seconds; ++turn) {
-    const auto slowest = most_samples(pilots, sweeps);
+    const auto slowest = most_samples(pilots, sweeps, settings, share_seconds);
     if (!slowest) break;  // nothing is left to be saved
     const auto& pilot = pilots[*slowest];
     auto& sweep = sweeps[*slowest];

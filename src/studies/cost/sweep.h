@@ -39,7 +39,9 @@ double expected_seconds(const CostPilot& pilot, const Sweep& sweep, const CostSe
 /// The sweeps of all pilots. The last sample count is enough to be past the target, for an error whose
 /// square falls as 1 / samples; each has half the samples of the next. Where all together would exceed the
 /// budget, in seconds of wall clock, all sweeps first get fewer points, down to the four that a fit needs;
-/// then the one whose samples take the longest gets half of them, again and again, and says so in its note.
+/// then the one whose samples take the longest gets half of them, again and again, and says so in its note;
+/// not beyond where its start takes longer, and not if it takes half of an even share of the budget at most.
+/// What is still too long is for the schedule to leave out.
 std::vector<Sweep> choose_sweeps(const std::vector<CostPilot>& pilots,
                                  const CostSettings& settings,
                                  double budget_seconds);

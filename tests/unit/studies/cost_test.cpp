@@ -200,6 +200,21 @@ TEST(Sweep, EndsWhereTheBudgetEndsAndSaysSo) {
   EXPECT_LE(sum, 600);
 }
 
+// Half the samples of a renderer that mostly starts save nothing, and those of a quick one nearly nothing.
+TEST(Sweep, StartsOfSlowRenderersCostNoCurve) {
+  const CostPilot quick{0, 0, 0.04, 8, 0.08, 25, 1, {}};
+  const CostPilot slow_to_start{0, 1, 1.4, 8, 1.56, 25, 1, {}};
+  const CostPilot listed{.target = 0,
+                         .renderer = 2,
+                         .fixed_seconds = 0.3,
+                         .settings = {{"coarse", 1}},
+                         .setting_seconds = {20},
+                         .is_noise_free = false};
+  const auto sweeps = choose_sweeps({quick, slow_to_start, listed}, {.seeds = 4}, 60);
+  EXPECT_EQ(sweeps.at(0).settings.back().spp, 128);
+  EXPECT_GE(sweeps.at(1).settings.back().spp, 64);
+}
+
 TEST(Sweep, SettingsAreTriedWhileTheNextFitsIntoTheBudget) {
   CostPilot pilot{
       .fixed_seconds = 0.5, .settings = {{"low", 1}, {"usual", 1}, {"fine", 1}}, .is_noise_free = true};
