@@ -4,11 +4,10 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "tracer/integrator/light_vertex.h"
+#include "tracer/render/render_clock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -126,9 +125,7 @@ RenderTime learn_light_guides(World& world, const RenderSettings& settings) {
                        settings.samples_per_pixel;
   const int blocks = static_cast<int>(std::min<double>(kMostBlocks, paths / kPathsPerBlock));
   if (blocks < 1) return {};
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const std::clock_t cpu_start = std::clock();
+  const RenderClock clock;
   const auto seen = seen_points(world);
   if (!seen.empty()) {
     std::vector<std::vector<Connection>> by_block(static_cast<std::size_t>(blocks));
@@ -138,8 +135,7 @@ RenderTime learn_light_guides(World& world, const RenderSettings& settings) {
     for (const auto& some : by_block) all.insert(all.end(), some.begin(), some.end());
     world.light_guides = make_light_guides(trials_of(all, seen.size()));
   }
-  return {std::chrono::duration<double>(Clock::now() - start).count(),
-          static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC, 0};
+  return clock.time();
 }
 
 }  // namespace orbs::tracer

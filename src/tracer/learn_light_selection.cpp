@@ -7,12 +7,11 @@
 #include "tracer/geometry/transforms.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/make_bsdf.h"
+#include "tracer/render/render_clock.h"
 #include "tracer/transport/rgb_transport.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 namespace orbs::tracer {
@@ -145,9 +144,7 @@ RenderTime learn_light_selection(LightBvh& tree, World& world, const RenderSetti
                        settings.samples_per_pixel;
   const int blocks = static_cast<int>(std::min<double>(kMostBlocks, paths / kPathsPerBlock));
   if (blocks < kFewestBlocks) return {};
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const std::clock_t cpu_start = std::clock();
+  const RenderClock clock;
   std::vector<std::vector<LightTrial>> by_block(static_cast<std::size_t>(blocks));
   std::swap(tree, world.light_bvh);
   for_each_index(blocks, settings.threads, [&](int i) { nth(by_block, i) = trials_of_block(world, i); });
@@ -156,8 +153,7 @@ RenderTime learn_light_selection(LightBvh& tree, World& world, const RenderSetti
   for (const auto& trials : by_block) all.insert(all.end(), trials.begin(), trials.end());
   tree.learn(
       all, {.eye = world.camera.position, .cells_per_distance = blocks < kBlocksForFineGrid ? 8.0F : 16.0F});
-  return {std::chrono::duration<double>(Clock::now() - start).count(),
-          static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC, 0};
+  return clock.time();
 }
 
 }  // namespace orbs::tracer

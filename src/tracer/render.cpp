@@ -4,21 +4,18 @@
 #include "tracer/integrator/path_class.h"
 #include "tracer/kernels/kernels.h"
 #include "tracer/render/passes.h"
+#include "tracer/render/render_clock.h"
 #include "tracer/render/variance.h"
 #include "tracer/shapes/build_solids.h"
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
-#include <ctime>
 #include <span>
 #include <vector>
 
 namespace orbs::tracer {
 
 namespace {
-
-double cpu_seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // All classes have sums while rendering; classes that stay black get no layer in the image.
 void drop_unused_classes(Film& film) {
@@ -35,7 +32,7 @@ Film film_for(const World& world, const RenderSettings& settings) {
   return film;
 }
 
-// Pixels that share records of the cache err together: what twins differ by says nothing of that.
+// Pixels that share records of the cache err together: what a replicate differs by says nothing of that.
 bool has_variances(const World& world, const RenderSettings& settings) {
   return settings.variances && !std::holds_alternative<scene::IrradianceCache>(world.integrator);
 }
@@ -58,22 +55,22 @@ struct PassesDone {
   WholePieces pieces;
 };
 
-// Renders the twins with the passes that the film has had, and adds the time to `out`.
-std::vector<Vec3d> variances_by_twins(
+// Renders the replicates with the passes that the film has had, and adds the time to `out`.
+std::vector<Vec3d> variances_by_replicates(
     const World& world, RenderSettings settings, const Film& film, PassesDone done, Rendering& out) {
   if (done.pieces.count < 2) return {};
-  constexpr std::uint64_t kTwinSeed = 0x7517;  // separates their random numbers from those of the image
-  settings.seed = mix(settings.seed, kTwinSeed);
+  constexpr std::uint64_t kReplicateSeed = 0x7517;  // separates their random numbers from those of the image
+  settings.seed = mix(settings.seed, kReplicateSeed);
   settings.split_paths = false;
   const std::vector<Vec3d> scatter = scatter_of(film.pieces, done.pieces.count);
   const std::vector<LikePixels> groups = like_pixels(film, scatter, settings.seed);
-  Film twins = film_of_twins(film, groups);
-  Rendering of_twins;
+  Film replicates = film_of_replicates(film, groups);
+  Rendering of_replicates;
   for (std::uint32_t p = 0; p < done.passes.size(); ++p)
-    kernel_for(world)(world, settings, {p, done.passes[p]}, twins, of_twins, [] {});
-  end_pieces(twins);
-  out.traversal_seconds += of_twins.traversal_seconds;
-  return variances_of_means(film, scatter, groups, twins, done.pieces);
+    kernel_for(world)(world, settings, {p, done.passes[p]}, replicates, of_replicates, [] {});
+  end_pieces(replicates);
+  out.traversal_seconds += of_replicates.traversal_seconds;
+  return variances_of_means(film, scatter, groups, replicates, done.pieces);
 }
 
 }  // namespace
@@ -82,10 +79,7 @@ Rendering render(const World& world,
                  const RenderSettings& settings,
                  const std::atomic<bool>& stop,
                  const std::function<void(const Progress&)>& report) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const double cpu_start = cpu_seconds_now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const RenderClock clock;
   Film film = film_for(world, settings);
   const bool wants_variances = has_variances(world, settings);
   Pieces pieces =
@@ -95,7 +89,8 @@ Rendering render(const World& world,
   give_pieces(film, wants_variances ? pieces.count : 0);
   const auto pixels = film.pixels.size();
   const double share_of_film =
-      wants_variances ? static_cast<double>(pixels) / static_cast<double>(pixels + twin_count(pixels)) : 1;
+      wants_variances ? static_cast<double>(pixels) / static_cast<double>(pixels + replicate_count(pixels))
+                      : 1;
   PassRenderer* const render_pass = kernel_for(world);
   Rendering out;
   std::uint32_t done = 0;
@@ -105,7 +100,7 @@ Rendering render(const World& world,
     render_pass(world, settings, {done, passes[done]}, film, out, [&] {
       const double share =
           (done + static_cast<double>(++tiles_done) / tile_count(film)) / static_cast<double>(passes.size());
-      report({share * share_of_film, out.samples_per_pixel, seconds()});
+      report({share * share_of_film, out.samples_per_pixel, clock.seconds()});
     });
     out.samples_per_pixel += static_cast<int>(passes[done].count);
     finished_pieces = passes[done].piece + static_cast<int>(passes[done].ended_pieces);
@@ -115,7 +110,7 @@ Rendering render(const World& world,
   if (wants_variances) {
     const auto whole = static_cast<int>(std::bit_floor(static_cast<unsigned>(finished_pieces)));
     const double share = static_cast<double>(whole) * pieces.length / out.samples_per_pixel;
-    variances = variances_by_twins(
+    variances = variances_by_replicates(
         world, settings, film, {std::span(passes).first(done), {std::min(whole, pieces.count), share}}, out);
   }
   refuse_unfinished_shapes(world.solids);
@@ -125,8 +120,9 @@ Rendering render(const World& world,
     out.variance_leaves_floats = true;
   }
   out.image = resolve(film, variances);
-  out.seconds = seconds();
-  out.cpu_seconds = cpu_seconds_now() - cpu_start;
+  const RenderTime time = clock.time();
+  out.seconds = time.seconds;
+  out.cpu_seconds = time.cpu_seconds;
   return out;
 }
 

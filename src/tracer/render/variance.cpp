@@ -13,8 +13,9 @@ namespace orbs::tracer {
 
 namespace {
 
-// Half the squared difference of so many twins, of three channels, is known to a sixth.
-constexpr std::size_t kTwinsOfGroup = 64;
+// The mean of half the squared differences of so many pixels from their replicates, of three channels, is
+// known to a sixth.
+constexpr std::size_t kReplicatesOfGroup = 64;
 
 double sum_of(Vec3d v) { return v.x + v.y + v.z; }
 
@@ -86,28 +87,28 @@ std::pair<LikePixels, LikePixels> halves_of(LikePixels group, const std::vector<
 // The variance of a group.
 struct Calibration {
   double per_scatter = 0;
-  double of_channel = 0;  // where nothing scatters, although twins differ
+  double of_channel = 0;  // where nothing scatters, although the replicates differ
 };
 
-// The scatter is that of both twins: a rare bright sample that only one of them has met counts on both sides
-// of the ratio, which it cannot bring above that of independent samples by much.
+// The scatter is that of pixel and replicate: a rare bright sample that only one of them has met counts on
+// both sides of the ratio, which it cannot bring above that of independent samples by much.
 Calibration calibration_of(const LikePixels& group,
                            const std::vector<Vec3d>& scatter,
                            const Film& film,
-                           const std::vector<Vec3d>& scatter_of_twins,
-                           const Film& twins,
-                           std::size_t first_twin) {
+                           const std::vector<Vec3d>& scatter_of_replicates,
+                           const Film& replicates,
+                           std::size_t first_replicate) {
   double squares = 0;  // half the squared differences
   double scattered = 0;
-  for (std::size_t k = 0; k < group.twins; ++k) {
+  for (std::size_t k = 0; k < group.replicates; ++k) {
     const std::uint32_t pixel = group.pixels[k];
-    const std::size_t twin = first_twin + k;
-    const Vec3d apart = mean_of(twins.pixels[twin]) - mean_of(film.pixels[pixel]);
+    const std::size_t replicate = first_replicate + k;
+    const Vec3d apart = mean_of(replicates.pixels[replicate]) - mean_of(film.pixels[pixel]);
     squares += sum_of(apart * apart) / 2;
-    scattered += sum_of(scatter[pixel] + scatter_of_twins[twin]) / 2;
+    scattered += sum_of(scatter[pixel] + scatter_of_replicates[replicate]) / 2;
   }
   if (scattered > 0) return {squares / scattered, 0};
-  return {0, group.twins > 0 ? squares / (3 * static_cast<double>(group.twins)) : 0};
+  return {0, group.replicates > 0 ? squares / (3 * static_cast<double>(group.replicates)) : 0};
 }
 
 }  // namespace
@@ -125,8 +126,8 @@ std::vector<Vec3d> scatter_of(const std::vector<std::vector<Vec3f>>& pieces, int
   return scatter;
 }
 
-std::size_t twin_count(std::size_t pixels) {
-  constexpr std::size_t kFewest = 8 * kTwinsOfGroup;
+std::size_t replicate_count(std::size_t pixels) {
+  constexpr std::size_t kFewest = 8 * kReplicatesOfGroup;
   return std::min(pixels, std::max(kFewest, pixels / 16));
 }
 
@@ -140,8 +141,8 @@ std::vector<LikePixels> like_pixels(const Film& film, const std::vector<Vec3d>& 
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return noise[a] != noise[b] ? noise[a] < noise[b] : by_hash(a, b);
   });
-  const std::size_t twins = twin_count(noise.size());
-  const std::size_t levels = std::max<std::size_t>(1, twins / (2 * kTwinsOfGroup));
+  const std::size_t replicates = replicate_count(noise.size());
+  const std::size_t levels = std::max<std::size_t>(1, replicates / (2 * kReplicatesOfGroup));
   std::vector<LikePixels> by_scatter(levels);
   Places places(noise);
   for (const std::uint32_t pixel : order) {
@@ -153,40 +154,41 @@ std::vector<LikePixels> like_pixels(const Film& film, const std::vector<Vec3d>& 
     auto [dark, bright] = halves_of(std::move(level), light);
     for (LikePixels* group : {&dark, &bright}) {
       std::sort(group->pixels.begin(), group->pixels.end(), by_hash);
-      group->twins = std::min(group->pixels.size(), twins / (2 * levels));
+      group->replicates = std::min(group->pixels.size(), replicates / (2 * levels));
       groups.push_back(std::move(*group));
     }
   }
   return groups;
 }
 
-Film film_of_twins(const Film& film, const std::vector<LikePixels>& groups) {
+Film film_of_replicates(const Film& film, const std::vector<LikePixels>& groups) {
   std::vector<CameraPixel> pixels;
   for (const LikePixels& group : groups)
-    for (std::size_t k = 0; k < group.twins; ++k) {
+    for (std::size_t k = 0; k < group.replicates; ++k) {
       const auto pixel = static_cast<int>(group.pixels[k]);
       pixels.push_back({pixel % film.width, pixel / film.width});
     }
-  Film twins = make_film(static_cast<int>(pixels.size()), 1);
-  twins.camera_pixels = std::move(pixels);
-  twins.pieces.assign(film.pieces.size(), std::vector<Vec3f>(twins.pixels.size()));
-  return twins;
+  Film replicates = make_film(static_cast<int>(pixels.size()), 1);
+  replicates.camera_pixels = std::move(pixels);
+  replicates.pieces.assign(film.pieces.size(), std::vector<Vec3f>(replicates.pixels.size()));
+  return replicates;
 }
 
 std::vector<Vec3d> variances_of_means(const Film& film,
                                       const std::vector<Vec3d>& scatter,
                                       const std::vector<LikePixels>& groups,
-                                      const Film& twins,
+                                      const Film& replicates,
                                       WholePieces pieces) {
-  const std::vector<Vec3d> scatter_of_twins = scatter_of(twins.pieces, pieces.count);
+  const std::vector<Vec3d> scatter_of_replicates = scatter_of(replicates.pieces, pieces.count);
   std::vector<Vec3d> variances(film.pixels.size());
-  std::size_t first_twin = 0;
+  std::size_t first_replicate = 0;
   for (const LikePixels& group : groups) {
-    const auto found = calibration_of(group, scatter, film, scatter_of_twins, twins, first_twin);
+    const auto found =
+        calibration_of(group, scatter, film, scatter_of_replicates, replicates, first_replicate);
     for (const std::uint32_t pixel : group.pixels)
       variances[pixel] =
           scatter[pixel] * found.per_scatter + Vec3d{found.of_channel, found.of_channel, found.of_channel};
-    first_twin += group.twins;
+    first_replicate += group.replicates;
   }
   if (film.splat_pieces.empty()) return variances;
   const std::vector<Vec3d> of_splats = scatter_of(film.splat_pieces, pieces.count);
