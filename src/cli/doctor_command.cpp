@@ -62,8 +62,6 @@ Examined examine(const registry::Renderer& renderer,
       found.unknown_scenes.push_back(
           fmt::format("{}: no suite has a scene '{}'{}", key, name, closest(name, *scenes)));
   };
-  for (const auto& [name, scale] : renderer.sampling.spp_scale_of_scenes)
-    check_scene("spp_scale_of_scenes", name);
   for (const auto& [name, settings] : renderer.format.settings_of_scenes)
     check_scene("scene_settings_of_scenes", name);
   return found;

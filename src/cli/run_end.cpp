@@ -48,6 +48,34 @@ std::string counts_text(const results::RunRecord& record) {
   return text;
 }
 
+// "orbs: 16 to 4096 samples per pixel in 1 to 9 looks, 61 CPU s; undecided: 1 edge, 2 budget". Nothing for
+// fixed samples.
+std::string samples_text(const results::RunRecord& record, const std::string& renderer) {
+  int least = 0;
+  int most = 0;
+  int fewest_looks = 0;
+  int most_looks = 0;
+  double cpu_seconds = 0;
+  std::map<std::string, int> undecided;
+  for (const auto& job : record.jobs) {
+    if (job.identity.renderer != renderer || job.sampling.looks == 0) continue;
+    const bool is_first = least == 0;
+    least = is_first ? job.identity.spp : std::min(least, job.identity.spp);
+    most = std::max(most, job.identity.spp);
+    fewest_looks = is_first ? job.sampling.looks : std::min(fewest_looks, job.sampling.looks);
+    most_looks = std::max(most_looks, job.sampling.looks);
+    cpu_seconds += job.cost.cpu_seconds;
+    if (!job.sampling.end.empty() && job.sampling.end != "decided") ++undecided[job.sampling.end];
+  }
+  if (least == 0) return "";
+  auto text = fmt::format("{}: {} to {} samples per pixel in {} to {} looks, {:.0f} CPU s", renderer, least,
+                          most, fewest_looks, most_looks, cpu_seconds);
+  std::vector<std::string> parts;
+  for (const auto& [end, number] : undecided) parts.push_back(fmt::format("{} {}", number, end));
+  if (!parts.empty()) text += fmt::format("; undecided: {}", fmt::join(parts, ", "));
+  return text + "\n";
+}
+
 }  // namespace
 
 bool fails_run(const results::TargetRecord& target) {
@@ -71,6 +99,8 @@ void print_end(const results::RunRecord& record,
   else
     print_clean("\n{}\n{:.1f} s in all; results: {}\n", report::summary_text(record, style),
                 record.wall_seconds, folder.string());
+  if (!settings.quiet)
+    for (const auto& renderer : record.renderers) print_clean("{}", samples_text(record, renderer.name));
   const auto is_cut = [](const auto& target) {
     const auto reason = reason_text(target);
     return report::line_reason(target.verdict, target.expectation, reason) != reason;

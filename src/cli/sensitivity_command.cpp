@@ -5,6 +5,7 @@
 #include "cli/run_options.h"
 #include "registry/image_size.h"
 #include "run/plan/make_plan.h"
+#include "studies/looks/looks_text.h"
 #include "studies/qualify/reports.h"
 
 #include <filesystem>
@@ -21,6 +22,7 @@ struct SensitivityOptions {
   std::string renderer = "orbs";
   int threads = 0;
   std::string counts;
+  studies::LooksSettings looks{0};
   studies::SensitivitySettings study;
 };
 
@@ -43,7 +45,23 @@ void add_options(const command_line::Command& command, SensitivityOptions& optio
       "--counts", options.counts,
       "CSV file that gets a line for each kind of noise: control images judged, inconclusive, called "
       "wrong");
+  command
+      .add_option(
+          "--looks", options.looks.sequences,
+          "Simulate so many sequences of looks for each gate and error in place of renders: how often "
+          "each is called wrong, and passed; `--counts` is then a CSV file of the table")
+      .range(0, 10'000'000);
   command.add_option("--threads", options.threads, "Threads; 0: all cores").range(0, kMostThreads);
+}
+
+int simulate(const SensitivityOptions& options, const Program& program) {
+  const auto context = study_context(program, stderr);
+  auto settings = options.looks;
+  settings.threads = options.threads;
+  const auto rows = studies::simulate_looks(settings, context.stop);
+  print_clean("{}", studies::looks_text(rows));
+  if (!options.counts.empty() && !is_stopped(context)) write_file(options.counts, studies::looks_csv(rows));
+  return is_stopped(context) ? kInterrupted : 0;
 }
 
 int measure(const command_line::Command& command,
@@ -78,6 +96,7 @@ void add_sensitivity_command(const command_line::Command& command, const Program
       "and as a renderer without noise. It shows what passes silently, and how often a right image is called wrong.");
   command.callback([=, &program, &action] {
     action = [=, &program] {
+      if (options->looks.sequences > 0) return simulate(*options, program);
       return measure(command, read_configuration(*configuration, program), *options, program);
     };
   });

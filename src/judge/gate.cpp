@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "judge/noise.h"
+#include "judge/sequential.h"
 #include "metrics/describe.h"
 #include "metrics/residual.h"
 #include "metrics/table.h"
@@ -23,8 +24,6 @@ using metrics::GateRule;
 using metrics::Limits;
 using metrics::Measurement;
 using results::Verdict;
-
-double mse_srgb8_of(double psnr_db) { return 255 * 255 * std::pow(10, -psnr_db / 10); }
 
 // What noise does to psnr_srgb8, in squared steps of 1/255.
 struct NoiseShare {
@@ -124,6 +123,7 @@ GateResult checked(const registry::Gate& gate,
   const bool reaches = (!gate.max || low <= *gate.max) && (!gate.min || high >= *gate.min);
   switch (measurement.metric->rule) {
     case GateRule::Value:
+    case GateRule::Certain:
       break;
     case GateRule::WholeInterval:
       if (!reaches) return {Verdict::Fail, is};
@@ -142,8 +142,11 @@ GateResult checked(const registry::Gate& gate,
 
 GateResult check_gate(const registry::Gate& gate,
                       const Measurement& measurement,
-                      const metrics::ImagePair& pair) {
-  auto result = checked(gate, measurement, pair);
+                      const metrics::ImagePair& pair,
+                      double of_first_guess) {
+  auto result = pair.looks > 1 && measurement.value
+                    ? check_gate_at_look(gate, measurement, pair, of_first_guess)
+                    : checked(gate, measurement, pair);
   if (result.verdict != Verdict::Pass) result.excess = excess_over(measurement, {gate.min, gate.max});
   return result;
 }

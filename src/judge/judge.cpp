@@ -1,5 +1,6 @@
 #include "judge/judge.h"
 
+#include "base/statistics.h"
 #include "base/text.h"
 #include "judge/bad_samples.h"
 #include "judge/exact_copy.h"
@@ -66,49 +67,85 @@ void add_measures(const metrics::Comparison& comparison, TargetRecord& record) {
 std::vector<GateResult> check_gates(const Case& one_case,
                                     const metrics::ImagePair& pair,
                                     const metrics::Comparison& comparison,
+                                    double of_first_guess,
                                     TargetRecord& record) {
   std::vector<GateResult> results;
   for (const auto& gate : one_case.gates) {
-    const auto result = check_gate(gate, *metrics::find_measurement(comparison, gate.metric), pair);
+    const auto result =
+        check_gate(gate, *metrics::find_measurement(comparison, gate.metric), pair, of_first_guess);
     record.checks.push_back({.what = gate.metric,
                              .passed = result.verdict == Verdict::Pass,
                              .reason = result.reason,
                              .min = gate.min,
                              .max = gate.max,
                              .decided = result.verdict != Verdict::Inconclusive});
+    if (pair.looks > 1 && result.low && gate.metric == "psnr_srgb8")
+      record.measures.push_back(
+          {std::string(results::kPsnrWithoutNoise), *result.low, "dB",
+           "PSNR that is certain of the image without its noise: that of the product of the "
+           "errors of two halves of its samples, and the reach of that; as psnr_srgb8"});
     results.push_back(result);
   }
   return results;
 }
 
+// A check of several standard errors is made at every look, so each of them gets its share of what these
+// leave out. One without is missed by noise, too, until the image has the samples that its case asks for.
+void check_pixels_at_look(registry::PixelCheck pixels,
+                          const image::Image& result,
+                          const Looks& looks,
+                          TargetRecord& record,
+                          std::vector<GateResult>& results) {
+  constexpr double kNormal = 1e9;  // degrees of freedom
+  if (looks.most > 1 && pixels.standard_errors > 0)
+    pixels.standard_errors =
+        student_quantile(student_tail(pixels.standard_errors, kNormal) / looks.most, kNormal);
+  record.checks.push_back(check_pixels(pixels, result));
+  auto& check = record.checks.back();
+  if (!check.measured || check.passed) return;
+  GateResult missed{verdict_of_missed_check(pixels, result), check.reason,
+                    excess_of_missed_check(pixels, result)};
+  const bool is_early = looks.most > 1 && looks.of_first_guess < 1;
+  if (is_early && pixels.standard_errors == 0) missed.verdict = Verdict::Inconclusive;
+  if (looks.most > 1 && missed.verdict == Verdict::Inconclusive) missed.need = Need{2, 1};
+  results.push_back(std::move(missed));
+}
+
 std::vector<GateResult> check_conditions(const Case& one_case,
                                          const image::Image& result,
+                                         const Looks& looks,
                                          TargetRecord& record) {
   std::vector<GateResult> results;
-  for (const auto& pixels : one_case.pixel_checks) {
-    if (pixels.target != record.target) continue;
-    record.checks.push_back(check_pixels(pixels, result));
-    const auto& check = record.checks.back();
-    if (check.measured && !check.passed)
-      results.push_back(
-          {verdict_of_missed_check(pixels, result), check.reason, excess_of_missed_check(pixels, result)});
-  }
+  for (const auto& pixels : one_case.pixel_checks)
+    if (pixels.target == record.target) check_pixels_at_look(pixels, result, looks, record, results);
   for (const auto& share : one_case.path_shares) {
     if (share.scene != record.target) continue;
     record.checks.push_back(check_share(share, record.reference_provenance));
     // Not the renderer's fault: the case does not show what it is about.
     if (!record.checks.back().passed) results.push_back({Verdict::Inconclusive, record.checks.back().reason});
   }
-  if (auto refused = check_bad_samples(result, record)) results.push_back(std::move(*refused));
+  if (auto refused = check_bad_samples(result, record)) {
+    // One in few is no share yet.
+    if (looks.most > 1 && looks.of_first_guess < 1) {
+      refused->verdict = Verdict::Inconclusive;
+      refused->need = Need{2, 1};
+    }
+    results.push_back(std::move(*refused));
+  }
   return results;
+}
+
+Verdict worst_of(const std::vector<GateResult>& results) {
+  auto worst = results.front().verdict;
+  for (const auto& result : results) worst = results::worse(worst, result.verdict);
+  return worst;
 }
 
 // The worst verdict, with the reasons of all results that have it, the farthest from its limit first. The
 // reason of a pass is that of the first gate.
 void take_worst(std::vector<GateResult> results, TargetRecord& record) {
   if (results.empty()) return;
-  auto worst = results.front().verdict;
-  for (const auto& result : results) worst = results::worse(worst, result.verdict);
+  const auto worst = worst_of(results);
   if (worst == Verdict::Pass) {
     take(record, worst, results.front().reason);
     return;
@@ -220,16 +257,67 @@ void refuse_constant_by_checks(const Case& one_case, const image::Image& result,
   }
 }
 
+// Of a gate that passes: how near the interval comes to its limits.
+double nearness(const GateResult& result) {
+  return result.low && result.high ? std::max(std::fabs(*result.low), std::fabs(*result.high)) : 0;
+}
+
+// The verdict is open where noise alone leaves it so.
+Look look_at(const std::vector<GateResult>& results, const Looks& looks) {
+  Look look;
+  if (looks.most == 1 || results.empty()) return look;
+  const auto worst = worst_of(results);
+  look.is_open = worst == Verdict::Inconclusive;
+  const auto rank = [&](const GateResult& result) {
+    if (worst == Verdict::Inconclusive) return result.need ? result.need->samples : Need::kNever;
+    return worst == Verdict::Pass ? nearness(result) : result.excess;
+  };
+  const GateResult* first = nullptr;
+  for (const auto& result : results) {
+    if (result.verdict != worst) continue;
+    if (worst == Verdict::Inconclusive) {
+      look.is_open = look.is_open && result.need.has_value();
+      const auto need = result.need.value_or(Need{});
+      look.need.at_best = std::max(look.need.at_best, need.at_best);
+      look.need.is_reference = look.need.is_reference || need.is_reference;
+    }
+    if (first == nullptr || rank(result) > rank(*first)) first = &result;
+  }
+  if (worst == Verdict::Inconclusive && first->need) {
+    look.need.samples = first->need->samples;
+    look.need.is_edge = first->need->is_edge;
+  }
+  look.gate = *first;
+  return look;
+}
+
+// What only samples can tell that the case asks for: whether an image is black for lack of them, and whether
+// it has an error that noise hides.
+Look opened_where_early(Look look, const Looks& looks, const TargetRecord& record) {
+  if (looks.most == 1 || looks.of_first_guess >= 1) return look;
+  const bool hides = results::passes(record.verdict) && !record.hidden.empty();
+  if (!hides && record.verdict != Verdict::ConstantImage) return look;
+  look.is_open = true;
+  look.need = {1 / looks.of_first_guess, 1};
+  return look;
+}
+
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.
-void judge_by_checks(const Case& one_case, const image::Image& result, TargetRecord& record) {
+Look judge_by_checks(const Case& one_case,
+                     const image::Image& result,
+                     const Looks& looks,
+                     TargetRecord& record) {
   if (refuse_negative(one_case, metrics::count_faults(result, negatives_of(one_case, record.target)), record))
-    return;
-  take_worst(check_conditions(one_case, result, record), record);
+    return {};
+  auto checked = check_conditions(one_case, result, looks, record);
+  auto look = look_at(checked, looks);
+  take_worst(std::move(checked), record);
   refuse_constant_by_checks(one_case, result, record);
   const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(),
                                        [](const Check& check) { return check.measured; });
   take(record, is_measured ? Verdict::Pass : Verdict::Inconclusive,
        is_measured ? "" : "none of the pixel checks, which alone judge it, can be measured at this size");
+  return opened_where_early(std::move(look), looks, record);
 }
 
 // The image without variances that cannot be true.
@@ -264,7 +352,9 @@ metrics::ImagePair pair_of(const Case& one_case,
                            const JudgeSettings& settings,
                            TargetRecord& record) {
   const auto mask = mask_of(one_case, record.target);
-  const metrics::PairSettings how{settings.threads, settings.result_noise};
+  const auto& looks = settings.looks;
+  const metrics::PairSettings how{settings.threads, settings.result_noise, looks.most, looks.sample_ratio,
+                                  looks.halves};
   auto pair = metrics::make_image_pair(result, reference, mask, how);
   if (pair.noise.stated != metrics::StatedNoise::OverstatedByResult) return pair;
   record.remarks.emplace_back(
@@ -289,39 +379,40 @@ bool is_difference(const Case& one_case, const std::string& target) {
                      [&](const auto& difference) { return difference.name == target; });
 }
 
-std::optional<metrics::Comparison> judge_image(const Case& one_case,
-                                               const image::Image& result,
-                                               const Reference& reference,
-                                               const JudgeSettings& settings,
-                                               TargetRecord& record) {
-  if (!registry::no_reference_reason(one_case, record.target).empty()) {
-    judge_by_checks(one_case, result, record);
-    return std::nullopt;
-  }
+Judgement judge_image(const Case& one_case,
+                      const image::Image& result,
+                      const Reference& reference,
+                      const JudgeSettings& settings,
+                      TargetRecord& record) {
+  const auto& looks = settings.looks;
+  if (!registry::no_reference_reason(one_case, record.target).empty())
+    return {std::nullopt, judge_by_checks(one_case, result, looks, record)};
   record.reference = reference.file.string();
   if (!reference.image) {
     const auto faults = metrics::count_faults(result, negatives_of(one_case, record.target));
     if (!refuse_negative(one_case, faults, record))
       take(record, Verdict::MissingReference, reference.problem);
-    return std::nullopt;
+    return {};
   }
   record.reference_provenance = provenance_of(*reference.image);
   auto usable = with_possible_variances(result, record);
-  if (refuse_pair(one_case, usable, *reference.image, record)) return std::nullopt;
+  if (refuse_pair(one_case, usable, *reference.image, record)) return {};
   const auto pair = pair_of(one_case, usable, *reference.image, settings, record);
   auto comparison = metrics::compare(
       pair, {.no_others = settings.measured == Measured::ForTheVerdict, .also = gate_metrics(one_case)});
   add_measures(comparison, record);
   for (const auto& remark : comparison.bias_remarks) record.remarks.push_back(remark);
   record.hidden = metrics::hidden_by_noise(pair.noise);
-  auto checked = check_gates(one_case, pair, comparison, record);
-  for (auto& condition : check_conditions(one_case, usable, record)) checked.push_back(std::move(condition));
+  auto checked = check_gates(one_case, pair, comparison, looks.of_first_guess, record);
+  for (auto& condition : check_conditions(one_case, usable, looks, record))
+    checked.push_back(std::move(condition));
+  auto look = look_at(checked, looks);
   take_worst(std::move(checked), record);
   refuse_constant(pair, record);
   refuse_copy(pair, record);
   if (record.verdict == Verdict::Pass && !record.remarks.empty())
     take(record, Verdict::PassWithRemarks, record.remarks.front());
-  return comparison;
+  return {std::move(comparison), opened_where_early(std::move(look), looks, record)};
 }
 
 }  // namespace orbs::judge

@@ -134,4 +134,6 @@ image::Image without_variances(const image::Image& image) {
 
 double psnr_srgb8_of(double mse) { return metrics::psnr_db(255, mse); }
 
+double mse_srgb8_of(double psnr_db) { return 255 * 255 * std::pow(10, -psnr_db / 10); }
+
 }  // namespace orbs::judge

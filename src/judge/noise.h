@@ -44,4 +44,7 @@ image::Image without_variances(const image::Image& image);
 /// The PSNR in dB that belongs to such an error; infinite for 0.
 double psnr_srgb8_of(double mse);
 
+/// The mean squared error that belongs to a PSNR in dB.
+double mse_srgb8_of(double psnr_db);
+
 }  // namespace orbs::judge

@@ -72,6 +72,7 @@ std::array<double, 3> reference_means(const PairSamples& samples) {
 struct Edge {
   double change = 0;  // |change|
   double error = 0;   // in the direction of the change
+  double noise = 0;   // standard deviation of the error as samples of the result's number have it
 };
 
 // `filtered`: the pixel's three samples.
@@ -95,6 +96,10 @@ Edge edge_at(const PairSamples& samples,
     if (std::fabs(change) <= kStandardDeviations * deviation) continue;
     edge.change += std::fabs(change);
     edge.error += std::copysign(1.0, change) * samples.difference(here) / scale;
+    if (samples.looks > 1)
+      edge.noise +=
+          std::sqrt((samples.variance_ratio.at(c) + 1) * variance_at(samples.reference_variance, here)) /
+          scale;
   }
   return edge;
 }
@@ -121,23 +126,37 @@ std::optional<EdgeBlur> edge_blur(const PairSamples& samples) {
   const auto edges = edges_of(samples);
   if (edges.size() < kFewestPixels) return std::nullopt;
   Edge sum;
-  for (const auto& [change, error] : edges) {
-    sum.change += change;
-    sum.error += error;
+  for (const auto& edge : edges) {
+    sum.change += edge.change;
+    sum.error += edge.error;
   }
   const double value = sum.error / sum.change;
-  double scatter = 0;
-  for (const auto& [change, error] : edges) {
-    const double rest = error - value * change;
-    scatter += rest * rest;
+  PooledVariance scatter;
+  double expected = 0;
+  for (const auto& edge : edges) {
+    const double rest = edge.error - value * edge.change;
+    scatter.add(rest * rest);
+    expected += edge.noise * edge.noise;
   }
-  return EdgeBlur{value, std::sqrt(scatter) / sum.change};
+  return EdgeBlur{value, std::sqrt(scatter.sum) / sum.change, scatter.degrees(),
+                  std::sqrt(expected) / sum.change};
 }
 
 MetricResult compute_edge_blur(const ImagePair& pair) {
   constexpr double kStandardErrors = 3;
   const auto blur = edge_blur(pair);
   if (!blur) return {.value = std::nullopt, .absence = Absence::NothingInReference};
+  if (pair.looks > 1) {
+    const auto within = [&](double error, double one_side) {
+      return student_interval(blur->value, error, blur->degrees, 2 * one_side / pair.looks);
+    };
+    const auto to_fail = within(std::max(blur->standard_error, blur->expected_error), kWrongFails);
+    const auto to_pass = within(blur->standard_error, kWrongPasses);
+    return {.value = blur->value,
+            .low = to_fail.low,
+            .high = to_fail.high,
+            .to_pass = ToPass{to_pass.low, to_pass.high}};
+  }
   const double reach = kStandardErrors * blur->standard_error;
   return {.value = blur->value, .low = blur->value - reach, .high = blur->value + reach};
 }

@@ -24,6 +24,9 @@ namespace orbs::metrics {
 struct EdgeBlur {
   double value = 0;
   double standard_error = 0;  // by the scatter of the pixels about the value; the channels of one are one
+  double degrees = 1;         // of freedom of the standard error
+  double expected_error =
+      0;  // what the numbers of samples make it, where the image is looked at several times
 };
 
 /// Linear Rec.709, no clamp. Counts pixels that are, with their eight neighbours, in the image and not
@@ -43,7 +46,8 @@ inline constexpr MetricInfo kEdgeBlur{
     "reference filtered by [1 2 1] / 4 in x and y less the reference: 1 is as soft as that filter, below 0 "
     "sharper; over unmasked pixels and channels where |change| is above 5 % of filtered reference and its "
     "mean together, each divided by these, and above five standard deviations; linear Rec.709, no clamp. "
-    "The interval is three standard errors",
+    "The interval is three standard errors, or Student's "
+    "where the image is looked at several times",
     kNoMap,
     compute_edge_blur,
     Computed::Always,

@@ -4,6 +4,7 @@
 #include "image/colour.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace orbs::metrics {
@@ -37,6 +38,12 @@ ImagePair make_image_pair(const image::Image& result,
   ImagePair pair;
   static_cast<PairSamples&>(pair) = pair_samples(result, reference, mask, settings.result_noise);
   pair.threads = settings.threads;
+  pair.looks = settings.looks;
+  count_samples(pair, settings.sample_ratio);
+  if (settings.halves != nullptr)
+    for (std::size_t half = 0; half < 2; ++half)
+      pair.half_display.at(half) =
+          display_form(image::select_rgb(settings.halves->at(half), "").pixels).samples;
   for_each_index(3, settings.threads, [&](int task) {
     if (task == 2) {
       pair.noise = test_noise(pair);

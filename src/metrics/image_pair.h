@@ -5,6 +5,7 @@
 #include "metrics/noise_test.h"
 #include "metrics/pair_samples.h"
 
+#include <array>
 #include <vector>
 
 namespace orbs::metrics {
@@ -16,12 +17,18 @@ struct ImagePair : PairSamples {
   std::vector<float> reference_display;
   std::vector<double> result_luma;  // .2126 R + .7152 G + .0722 B of the display values
   std::vector<double> reference_luma;
+  /// Two halves of the result's samples, independent of each other, in the form of result_display; empty
+  /// where there are none.
+  std::array<std::vector<float>, 2> half_display;
   NoiseTest noise;
 };
 
 struct PairSettings {
   int threads = 1;  // that a metric may use, 0: all cores; no result depends on it
   ResultNoise result_noise = ResultNoise::AsTheImageSays;
+  int looks = 1;                                        // see PairSamples
+  double sample_ratio = 0;                              // see count_samples; 0: not known
+  const std::array<image::Image, 2>* halves = nullptr;  // of the result's samples
 };
 
 /// Both images must have passed check_alignment. InputError when the mask does not fit them.

@@ -1,5 +1,6 @@
 #include "metrics/local_bias.h"
 
+#include "base/statistics.h"
 #include "metrics/describe.h"
 #include "metrics/worst_tile.h"
 
@@ -17,6 +18,7 @@ struct Sums {
   double difference = 0;
   double squares = 0;  // of the differences
   double reference = 0;
+  double expected = 0;  // variance of `difference` by the numbers of samples; 0 where there is one look
 };
 
 Sums sums_of(const PairSamples& samples, const Rectangle& tile, std::size_t channel) {
@@ -32,19 +34,40 @@ Sums sums_of(const PairSamples& samples, const Rectangle& tile, std::size_t chan
       sums.difference += difference;
       sums.squares += difference * difference;
       sums.reference += reference;
+      if (samples.looks > 1)
+        sums.expected +=
+            (samples.variance_ratio.at(channel) + 1) * variance_at(samples.reference_variance, i);
     }
   return sums;
 }
 
-// What the tile's mean is off by for sure; not above 0 when noise may be all there is.
-double sure_difference(const Sums& tile) {
-  constexpr double kStandardErrors = 5;
+// By the tile's own pixels.
+double seen_error(const Sums& tile) {
   const double mean = tile.difference / tile.count;
   const double variance = std::max(0.0, tile.squares / tile.count - mean * mean);  // rounding only
-  return std::fabs(mean) - kStandardErrors * std::sqrt(variance / tile.count);
+  return std::sqrt(variance / tile.count);
 }
 
-void find_worst_tile(const PairSamples& samples, std::size_t channel, std::optional<LocalBias>& worst) {
+// How many standard errors are certain, and how many a pass must keep within the limit.
+struct Reaches {
+  double certain = 5;
+  double to_pass = 0;
+};
+
+int tiles_along(int length_px) { return (length_px + worst_tile::kSize_px - 1) / worst_tile::kSize_px; }
+
+Reaches reaches_of(const PairSamples& samples) {
+  constexpr double kPixelsOfATile = worst_tile::kSize_px * worst_tile::kSize_px;
+  if (samples.looks == 1) return {};
+  const double tests = 3.0 * tiles_along(samples.width) * tiles_along(samples.height);
+  return {student_quantile(2 * kWrongFails / (samples.looks * tests), kPixelsOfATile - 1),
+          student_quantile(2 * kWrongPasses / samples.looks, kPixelsOfATile - 1)};
+}
+
+void find_worst_tile(const PairSamples& samples,
+                     std::size_t channel,
+                     const Reaches& reaches,
+                     std::optional<LocalBias>& worst) {
   constexpr int kSize = worst_tile::kSize_px;
   const Rectangle all{0, 0, samples.width, samples.height};
   const Sums image = sums_of(samples, all, channel);
@@ -57,8 +80,13 @@ void find_worst_tile(const PairSamples& samples, std::size_t channel, std::optio
       if (tile.count < static_cast<double>(worst_tile::kFewestPixels)) continue;
       // Below 0 only in a difference of images, where the image's own mean has to do.
       const double scale = std::max(0.0, tile.reference / tile.count) + image_mean;
-      const double value = std::max(0.0, sure_difference(tile)) / scale;
+      const double off = std::fabs(tile.difference / tile.count);
+      const double seen = seen_error(tile);
+      const double error = std::max(seen, std::sqrt(tile.expected) / tile.count);
+      const double value = std::max(0.0, off - reaches.certain * error) / scale;
+      const double largest = std::max(worst ? worst->largest : 0, (off + reaches.to_pass * error) / scale);
       if (!worst || value > worst->value) worst = {value, where};
+      worst->largest = largest;
     }
 }
 
@@ -66,14 +94,17 @@ void find_worst_tile(const PairSamples& samples, std::size_t channel, std::optio
 
 std::optional<LocalBias> local_bias(const PairSamples& samples) {
   std::optional<LocalBias> worst;
-  for (std::size_t channel = 0; channel < 3; ++channel) find_worst_tile(samples, channel, worst);
+  const auto reaches = reaches_of(samples);
+  for (std::size_t channel = 0; channel < 3; ++channel) find_worst_tile(samples, channel, reaches, worst);
   return worst;
 }
 
 MetricResult compute_local_bias(const ImagePair& pair) {
   const auto worst = local_bias(pair);
   if (!worst) return {.value = std::nullopt, .absence = Absence::NothingInReference};
-  return {.value = worst->value, .where = worst->where};
+  MetricResult result{.value = worst->value, .where = worst->where};
+  if (pair.looks > 1) result.to_pass = ToPass{0, worst->largest};
+  return result;
 }
 
 std::string describe_local_bias(const Measurement& measurement, const Limits& limits) {

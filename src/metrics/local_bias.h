@@ -14,10 +14,13 @@ namespace orbs::metrics {
 /// dark tile is measured by what is visible beside it). The standard error is that of the tile's own pixels:
 /// it needs no variance channel, and an error with structure within a tile only makes it larger. Five, as an
 /// image has thousands of tiles: one in some hundred control images would show a tile above 0, and the
-/// tolerance is far from 0.
+/// tolerance is far from 0. An image that is looked at several times has Student's quantile in its place, for
+/// all looks, tiles and channels together, and at least the noise that its number of samples makes.
 struct LocalBias {
   double value = 0;  // 0: no tile is off for sure
   Rectangle where;   // the worst tile, the first by rows
+  /// What a tile may be off by, at most, but for kWrongPasses over all looks; with one look it is not needed.
+  double largest = 0;
 };
 
 /// The worst of R, G, B and all tiles from the upper left corner; tiles with fewer than 64 unmasked pixels
@@ -34,12 +37,12 @@ inline constexpr MetricInfo kLocalBias{
     "1",
     Better::Lower,
     "the largest |mean(result) - mean(reference)| of the unmasked pixels of a tile of 16 x 16 px, less five "
-    "standard errors of the tile's own pixels, over the reference's means of tile and image together; of R, "
+    "standard errors of the tile's own pixels (of several looks: Student's), over the reference's means of tile and image together; of R, "
     "G and B the worst; linear Rec.709, no clamp",
     kNoMap,
     compute_local_bias,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_local_bias};
 
 }  // namespace orbs::metrics

@@ -32,6 +32,7 @@ MetricResult compute(const ImagePair& pair) {
     result.value = ratio->value;
     result.low = ratio->low;
     result.high = ratio->high;
+    if (pair.looks > 1) result.to_pass = {ratio->to_pass.low, ratio->to_pass.high, ratio->reference_share};
   } else {
     result.absence = Absence::NothingInReference;
   }

@@ -18,6 +18,15 @@ namespace orbs::metrics {
 /// the gate fails.
 enum class Absence { Undefined, NothingInReference, MissingInResult };
 
+/// The interval that must lie within the limits of a gate that is met, where the image is looked at while it
+/// gets samples: a gate is not met because noise hides whether it is. `low` and `high` of the metric are then
+/// what must lie beyond them in one that is missed.
+struct ToPass {
+  double low = 0;
+  double high = 0;
+  double reference_share = 0;  // of its variance, which no samples of the result make less
+};
+
 struct MetricResult {
   std::optional<double> value;          // +infinity is a number
   image::Image map = {};                // one or three channels; NaN where the definition gives no value
@@ -26,6 +35,7 @@ struct MetricResult {
   std::optional<double> high = {};
   Absence absence = Absence::Undefined;  // where there is no value
   std::string what = {};                 // what the number is of, in words, where its name does not say it
+  std::optional<ToPass> to_pass = {};
 };
 
 /// The error map that a metric leaves behind.
@@ -47,11 +57,11 @@ enum class Computed { Always, OnDemand };
 /// Which values of a metric are good ones.
 enum class Better { Lower, Higher, NearZero };
 
-/// What a gate compares with its limits. Value: the number. WholeInterval: fails where the whole interval
-/// lies beyond a limit, and is inconclusive where only a part does. AnyOfInterval: fails where the whole
-/// interval lies beyond, and passes else. NoiseAware: the number, but a miss that noise alone explains is
-/// inconclusive.
-enum class GateRule { Value, WholeInterval, AnyOfInterval, NoiseAware };
+/// What a gate compares with its limits. Value: the number. Certain: likewise, of what is certain of an
+/// error, which noise makes no larger. WholeInterval: fails where the whole interval lies beyond a limit, and
+/// is inconclusive where only a part does. AnyOfInterval: fails where the whole interval lies beyond, and
+/// passes else. NoiseAware: the number, but a miss that noise alone explains is inconclusive.
+enum class GateRule { Value, Certain, WholeInterval, AnyOfInterval, NoiseAware };
 
 /// What a gate allows; nothing: no limit on that side.
 struct Limits {
@@ -85,6 +95,7 @@ struct Measurement {
   std::optional<double> high = {};
   Absence absence = Absence::Undefined;
   std::string what = {};
+  std::optional<ToPass> to_pass = {};
 };
 
 /// Mean of error(result sample, reference sample) over the three channels of the included pixels, and the

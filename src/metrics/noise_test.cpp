@@ -30,12 +30,20 @@ Totals totals_of(const PairSamples& samples, std::size_t channel) {
   return totals;
 }
 
+struct RatioVariance {
+  PooledVariance pooled;
+  double of_reference = 0;
+};
+
 // Variance of sum(result - ratio * reference), the numerator of the ratio's error by the delta method.
-PooledVariance from_variances(const PairSamples& samples, std::size_t channel, double ratio) {
-  DifferenceVariance variance(samples, channel, ratio);
+RatioVariance from_variances(const PairSamples& samples,
+                             std::size_t channel,
+                             double ratio,
+                             const std::array<double, 3>& variance_ratio) {
+  DifferenceVariance variance(samples, channel, ratio, variance_ratio);
   for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel)
     if (samples.included[pixel] != 0) variance.add(pixel);
-  return variance.pooled();
+  return {variance.pooled(), variance.of_reference()};
 }
 
 // The same from the sums of blocks in pairs as they are read, neighbours but for those that end a row and
@@ -60,7 +68,7 @@ PooledVariance from_scatter(const PairSamples& samples, std::size_t channel, dou
   return {pooled.sum * scale, pooled.squares * scale * scale};
 }
 
-std::optional<Interval> ratio_of(const PairSamples& samples, std::size_t channel, NoiseSource source) {
+std::optional<MeanRatio> ratio_of(const PairSamples& samples, std::size_t channel) {
   constexpr double kFirmness = 10;  // the delta method is first order: the divisor must stand firm
   const Totals totals = totals_of(samples, channel);
   double reference_variance = 0;
@@ -69,16 +77,27 @@ std::optional<Interval> ratio_of(const PairSamples& samples, std::size_t channel
       reference_variance += variance_at(samples.reference_variance, 3 * pixel + channel);
   if (!(totals.reference > kFirmness * std::sqrt(reference_variance))) return std::nullopt;
   const double ratio = totals.result / totals.reference;
-  if (source == NoiseSource::Scatter && blocks_of(samples).size() < 2) return std::nullopt;
-  const PooledVariance pooled = source == NoiseSource::Scatter ? from_scatter(samples, channel, ratio)
-                                                               : from_variances(samples, channel, ratio);
-  return student_interval(ratio - 1, std::sqrt(pooled.sum) / totals.reference, pooled.degrees(),
-                          kPerTest / 3);
+  const bool is_scatter = samples.noise_source == NoiseSource::Scatter;
+  if (is_scatter && blocks_of(samples).size() < 2) return std::nullopt;
+  const auto variance_by = [&](const std::array<double, 3>& variance_ratio) {
+    return is_scatter ? RatioVariance{from_scatter(samples, channel, ratio)}
+                      : from_variances(samples, channel, ratio, variance_ratio);
+  };
+  const auto interval_by = [&](const RatioVariance& variance, double outside) {
+    return student_interval(ratio - 1, std::sqrt(variance.pooled.sum) / totals.reference,
+                            variance.pooled.degrees(), outside);
+  };
+  const auto counted = variance_by(samples.variance_ratio);
+  const auto whole = interval_by(counted, kPerTest / 3 / samples.looks);
+  if (samples.looks == 1) return MeanRatio{whole, whole};
+  const auto seen = variance_by(samples.seen_variance_ratio);
+  const double share = seen.pooled.sum > 0 ? std::min(1.0, seen.of_reference / seen.pooled.sum) : 0.0;
+  return MeanRatio{whole, interval_by(seen, 2 * kWrongPasses / samples.looks), share};
 }
 
 // Mean of independent numbers; their scatter also holds that of the errors themselves, which only makes the
 // interval wider.
-Interval mean_of(const std::vector<double>& values, double false_alarms = kPerTest) {
+Interval mean_of(const std::vector<double>& values, double false_alarms) {
   const auto count = static_cast<double>(values.size());
   double mean = 0;
   for (const double value : values) mean += value / count;
@@ -131,7 +150,7 @@ std::vector<double> squared_differences(const PairSamples& samples) {
 Interval mean_excess(const std::vector<double>& squares,
                      const std::vector<std::uint8_t>& chosen,
                      const std::vector<double>& variances,
-                     double false_alarms = kPerTest) {
+                     double false_alarms) {
   std::vector<double> excess(variances.size());
   std::size_t count = 0;
   for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
@@ -179,11 +198,12 @@ void split_by_variances(const PairSamples& samples,
                         NoiseTest& test) {
   const bool is_own = all.own_sum >= all.expected_sum;
   test.noise_squared = std::max(all.own_sum, all.expected_sum) / (3 * static_cast<double>(all.own.size()));
-  test.bias_squared = mean_excess(squares, samples.included, is_own ? all.own : all.expected);
+  const double outside = kPerTest / samples.looks;
+  test.bias_squared = mean_excess(squares, samples.included, is_own ? all.own : all.expected, outside);
   if (std::count(smooth.begin(), smooth.end(), 1) < kFewestSmoothPixels) return;
   const PixelVariances there = pixel_variances(samples, smooth);
   const auto& variances = there.own_sum >= there.expected_sum ? there.own : there.expected;
-  test.smooth = {mean_excess(squares, smooth, variances), mean_square(samples, smooth)};
+  test.smooth = {mean_excess(squares, smooth, variances, outside), mean_square(samples, smooth)};
 }
 
 // Whether the squared differences are below half of these variances for sure. Half, as the variances of
@@ -196,7 +216,7 @@ bool is_less_than_half(const PairSamples& samples,
     variance /= 2;
     sum += variance;
   }
-  return sum > 0 && mean_excess(squares, samples.included, variances, kPerNoiseTest).high < 0;
+  return sum > 0 && mean_excess(squares, samples.included, variances, kPerNoiseTest / samples.looks).high < 0;
 }
 
 StatedNoise check_stated_noise(const PairSamples& samples,
@@ -225,7 +245,7 @@ void split_by_scatter(const PairSamples& samples, NoiseTest& test) {
                 });
   if (products.empty()) return;
   test.noise_squared = noise / static_cast<double>(products.size());
-  test.bias_squared = mean_of(products);
+  test.bias_squared = mean_of(products, kPerTest / samples.looks);
 }
 
 }  // namespace
@@ -237,7 +257,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   const auto squares = squared_differences(samples);
   test.stated = check_stated_noise(samples, squares, variances);
   for (std::size_t channel = 0; channel < 3; ++channel)
-    test.mean_ratio.at(channel) = ratio_of(samples, channel, test.source);
+    test.mean_ratio.at(channel) = ratio_of(samples, channel);
   test.reference_squared = mean_square(samples, samples.included);
   test.edge_squared = edge_square(samples);
   const auto smooth = smooth_pixels(samples);
@@ -246,11 +266,12 @@ NoiseTest test_noise(const PairSamples& samples) {
   } else {
     split_by_variances(samples, squares, variances, smooth, test);
   }
-  test.blocks = score_blocks(samples, kPerTest);
+  const double per_test = kPerTest / samples.looks;
+  test.blocks = score_blocks(samples, per_test);
   test.windows = window_errors(samples);
-  test.patterns = find_patterns(samples, kPerTest);
-  test.correlation = strongest_correlation(samples, smooth, kPerTest);
-  test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest);
+  test.patterns = find_patterns(samples, per_test);
+  test.correlation = strongest_correlation(samples, smooth, per_test);
+  test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest / samples.looks);
   if (test.source == NoiseSource::Variances) test.pixels = score_pixels(samples);
   return test;
 }

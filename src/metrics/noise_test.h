@@ -50,12 +50,19 @@ struct SmoothResidual {
   double reference_squared = 0;  // mean square of the reference at these pixels
 };
 
+struct MeanRatio : Interval {
+  /// By which a gate is met, where an image is looked at more than once: what is too dark for lack of rare
+  /// light must not be called wrong, and is met by none. The interval itself at one look.
+  Interval to_pass;
+  double reference_share = 0;  // of the variance, which no samples of the result make less
+};
+
 struct NoiseTest {
   NoiseSource source = NoiseSource::Variances;
   StatedNoise stated = StatedNoise::Plausible;
   /// mean(result) / mean(reference) - 1 of R, G, B; nothing where the mean of the reference is not above ten
   /// times its own noise (black, or a difference of images), as the ratio then says nothing.
-  std::array<std::optional<Interval>, 3> mean_ratio;
+  std::array<std::optional<MeanRatio>, 3> mean_ratio;
   double noise_squared = 0;              // the MSE that the noise of both images explains
   Interval bias_squared;                 // what is left of the MSE; below zero by chance
   double reference_squared = 0;          // mean square of the reference, the measure of what is negligible

@@ -105,7 +105,13 @@ PairSamples pair_samples(const image::Image& result,
   samples.result_variance = variances_of(result);
   if (samples.result_variance.empty()) samples.noise_source = NoiseSource::Scatter;
   set_variance_ratio(samples);
+  samples.seen_variance_ratio = samples.variance_ratio;
   return samples;
+}
+
+void count_samples(PairSamples& samples, double ratio) {
+  if (samples.noise_source == NoiseSource::Reference) return;
+  for (auto& seen : samples.variance_ratio) seen = std::max(seen, ratio);
 }
 
 void reference_steps(const PairSamples& samples, int y, std::vector<double>& steps) {

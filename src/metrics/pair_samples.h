@@ -37,6 +37,11 @@ struct PairSamples {
   /// By channel the variance of the result over that of the reference; 0 where the reference has none, or the
   /// result is free of noise.
   std::array<double, 3> variance_ratio{};
+  /// The same without what the numbers of samples say, see count_samples.
+  std::array<double, 3> seen_variance_ratio{};
+  /// How often the image may be looked at while it gets samples, see docs/understand/verdicts.md: the looks
+  /// share the false alarms of every test evenly (Bonferroni).
+  int looks = 1;
   std::optional<StokesSamples> result_stokes;  // nothing where the image has no Stokes parameters
   std::optional<StokesSamples> reference_stokes;
   std::vector<std::uint8_t> included;  // 1: the pixel counts
@@ -60,6 +65,19 @@ PairSamples pair_samples(const image::Image& result,
                          const image::Image& reference,
                          const Mask& mask = {},
                          ResultNoise result_noise = ResultNoise::AsTheImageSays);
+
+/// The result has 1 / `ratio` of the reference's samples, so its variance is taken to be `ratio` times the
+/// reference's at least. Samples that all missed rare light do not know that they did, and make an image that
+/// is too dark and sure of it; the reference has seen more of them. A renderer with a better estimator than
+/// the reference's pays for this in samples, and not in errors.
+void count_samples(PairSamples& samples, double ratio);
+
+/// What one gate may do wrong to an image that lies on its limit, on one side, over all looks together: be
+/// missed by a right one, and be met by a wrong one. For a pass there is no correction for channels and
+/// tiles, as all of them must pass (intersection-union, Berger 1982); one that is missed decides alone, so
+/// the tests of a gate share kWrongFails.
+constexpr double kWrongFails = 2.5e-4;
+constexpr double kWrongPasses = 1e-3;
 
 /// Whether the image holds the layers S1, S2 and S3.
 bool has_stokes(const image::Image& image);
@@ -117,21 +135,29 @@ struct PooledVariance {
 /// larger.
 class DifferenceVariance {
  public:
-  DifferenceVariance(const PairSamples& samples, std::size_t channel, double weight)
-      : samples_(samples), channel_(channel), weight_(weight) {}
+  DifferenceVariance(const PairSamples& samples,
+                     std::size_t channel,
+                     double weight,
+                     const std::array<double, 3>& variance_ratio)
+      : samples_(samples), channel_(channel), weight_(weight), variance_ratio_(variance_ratio.at(channel)) {}
 
   void add(std::size_t pixel) {
     const std::size_t i = 3 * pixel + channel_;
     const double of_reference = variance_at(samples_.reference_variance, i);
     own_.add(variance_at(samples_.result_variance, i) + weight_ * weight_ * of_reference);
-    expected_.add((samples_.variance_ratio.at(channel_) + weight_ * weight_) * of_reference);
+    expected_.add((variance_ratio_ + weight_ * weight_) * of_reference);
+    of_reference_ += weight_ * weight_ * of_reference;
   }
+  /// The part of the sum that stays however many samples the result gets.
+  double of_reference() const { return of_reference_; }
   const PooledVariance& pooled() const { return own_.sum >= expected_.sum ? own_ : expected_; }
 
  private:
   const PairSamples& samples_;
   std::size_t channel_;
   double weight_;
+  double variance_ratio_;
+  double of_reference_ = 0;
   PooledVariance own_;
   PooledVariance expected_;
 };

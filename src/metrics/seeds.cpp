@@ -39,10 +39,10 @@ void check_seeds(const std::vector<image::Image>& colours) {
         "has no noise");
 }
 
-// Those of one render are not those of their mean: it has the samples of all of them, where each says how
-// many these are.
-void take_sample_counts(const std::vector<image::Image>& images,
-                        std::map<std::string, std::string>& attributes) {
+}  // namespace
+
+std::map<std::string, std::string> with_sample_counts(std::map<std::string, std::string> attributes,
+                                                      const std::vector<image::Image>& images) {
   for (const char* name : {"orbs.spp", "orbs.bad_samples"}) {
     long long sum = 0;
     bool is_known = true;
@@ -55,7 +55,10 @@ void take_sample_counts(const std::vector<image::Image>& images,
     attributes.erase(name);
     if (is_known) attributes[name] = std::to_string(sum);
   }
+  return attributes;
 }
+
+namespace {
 
 // A channel of the mean, and the channel of each render that it is made of.
 struct Layer {
@@ -126,8 +129,7 @@ image::Image mean_and_variance_of(const std::vector<image::Image>& images) {
   std::vector<std::string> channels;
   for (const auto& layer : layers) channels.push_back(layer.name);
   auto out = image::make_image(images.front().width, images.front().height, std::move(channels));
-  out.attributes = images.front().attributes;
-  take_sample_counts(images, out.attributes);
+  out.attributes = with_sample_counts(images.front().attributes, images);
   const auto count = static_cast<double>(images.size());
   for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
     for (std::size_t i = 0; i < layers.size(); ++i) {

@@ -2,6 +2,8 @@
 
 #include "image/image.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace orbs::metrics {
@@ -12,6 +14,11 @@ bool are_equal(const std::vector<image::Image>& images);
 
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& images);
+
+/// The attributes with the counts of samples and of bad samples of all images together, where each states
+/// them; those of one render are not those of their mean.
+std::map<std::string, std::string> with_sample_counts(std::map<std::string, std::string> attributes,
+                                                      const std::vector<image::Image>& images);
 
 /// The mean of renders of one scene with different seeds in all their channels, and the variance of that mean
 /// in "variance.R/G/B" and, where they have Stokes parameters, "variance.S1.R" and so on, from the scatter of

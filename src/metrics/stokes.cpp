@@ -61,7 +61,7 @@ std::optional<StokesScale> scale_of(const PairSamples& samples,
                                     const std::vector<float>& result,
                                     const std::vector<float>& reference) {
   constexpr double kFirmness = 4;  // the reference's sum over its scatter from block to block
-  constexpr double kFalseAlarms = 1e-4 / 3;
+  const double false_alarms = 1e-4 / 3 / samples.looks;
   std::vector<AmplitudeSums> blocks;
   double norm_squares = 0;
   for (const Rectangle& block : blocks_of(samples)) {
@@ -72,8 +72,8 @@ std::optional<StokesScale> scale_of(const PairSamples& samples,
   if (!(off.norm > kFirmness * std::sqrt(norm_squares))) return std::nullopt;
   const double size = std::fabs(off.value());
   StokesScale scale{.ratio = 1 + off.value()};
-  if (size > off.reach(off.of_noise, kFalseAlarms))
-    scale.certain = std::max(0.0, size - off.reach(off.of_remainder, kFalseAlarms));
+  if (size > off.reach(off.of_noise, false_alarms))
+    scale.certain = std::max(0.0, size - off.reach(off.of_remainder, false_alarms));
   return scale;
 }
 

@@ -59,7 +59,7 @@ inline constexpr MetricInfo kStokesScaleError{
     kNoMap,
     compute_stokes_scale_error,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_stokes_scale_error};
 
 }  // namespace orbs::metrics

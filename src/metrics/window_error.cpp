@@ -322,7 +322,7 @@ WindowErrors window_errors(const PairSamples& samples) {
   for (const int side_px : kWindows_px) {
     const double least = (side_px == kWindows_px.front() ? 1 : kDarkest) * *image_mean;
     const double windows = std::max(1.0, windows_in(samples, side_px));
-    searches.push_back({samples, least, Reach(kFalseAlarmsOfAllWindows / (3 * windows))});
+    searches.push_back({samples, least, Reach(kFalseAlarmsOfAllWindows / (3 * windows * samples.looks))});
   }
   auto px1 = no_cells(1, static_cast<std::size_t>(samples.width), static_cast<std::size_t>(samples.height));
   for (std::size_t channel = 0; channel < 3; ++channel) {

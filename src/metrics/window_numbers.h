@@ -25,7 +25,7 @@ inline constexpr MetricInfo kWindowError8{
     kNoMap,
     compute_window_error<0>,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_window_error};
 
 inline constexpr MetricInfo kWindowError16{
@@ -38,7 +38,7 @@ inline constexpr MetricInfo kWindowError16{
     kNoMap,
     compute_window_error<1>,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_window_error};
 
 inline constexpr MetricInfo kWindowError64{
@@ -49,7 +49,7 @@ inline constexpr MetricInfo kWindowError64{
     kNoMap,
     compute_window_error<2>,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_window_error};
 
 /// A difference of images has no mean level, and black has no patterns. What lies beyond a pattern's range is
@@ -75,7 +75,7 @@ inline constexpr MetricInfo kPatternError{
     kNoMap,
     compute_pattern_error,
     Computed::Always,
-    GateRule::Value,
+    GateRule::Certain,
     describe_pattern_error};
 
 }  // namespace orbs::metrics

@@ -138,9 +138,10 @@ void fields(Visitor& visit, Record& support) {
 /// How many samples and seeds a render gets, and what is known of its noise.
 struct Sampling {
   double spp_scale = 1;  // samples of this renderer for one sample of the case
-  std::map<std::string, double> spp_scale_of_scenes;
   int seeds = 1;
   int seed_stride = 1;
+  int least_spp = 1;               // of one render
+  bool has_fixed_samples = false;  // further renders with other seeds are no more samples
   std::string biased;          // why no quality of it is right to the last digit; "" where nothing is known
   bool is_noise_free = false;  // draws no random samples: what differs from a reference is an error
   bool has_box_filter = true;  // only then is an image of fewer pixels the average of the full one
@@ -151,11 +152,6 @@ void fields(Visitor& visit, Record& sampling) {
   // The id of a render has its samples.
   visit("spp_scale", sampling.spp_scale,
         {.help = "Its samples for one sample of the case", .range = json::kPositive, .changes_image = false});
-  visit("spp_scale_of_scenes", sampling.spp_scale_of_scenes,
-        {.help =
-             "In place of `spp_scale`, by the name of the scene: where it finds the light harder than others",
-         .range = json::kPositive,
-         .changes_image = false});
   visit("seeds", sampling.seeds,
         {.help =
              "So many renders with consecutive seeds in place of one, which share the samples: their scatter "
@@ -166,6 +162,17 @@ void fields(Visitor& visit, Record& sampling) {
       {.help = "`{seed}` is the seed times this: for renderers whose neighbouring seeds draw the same random "
                "numbers in neighbouring pixels, such as Mitsuba",
        .range = {1, kLargestSeed}});
+  visit("least_spp", sampling.least_spp,
+        {.help =
+             "The fewest samples that one of its renders has: more where its start takes longer than they do",
+         .range = {1, 1 << 20},
+         .changes_image = false});
+  visit(
+      "fixed_samples", sampling.has_fixed_samples,
+      {.help =
+           "`true`: the mean of its renders with several seeds is no image of more samples, as of a photon map "
+           "or a denoiser, so one render with the samples of the case decides",
+       .changes_image = false});
   visit("biased", sampling.biased,
         {.help = "Why it converges to another image than the right one, in a few words: `irradiance cache`, "
                  "`denoised`; `orbs cost` labels its curves with it",

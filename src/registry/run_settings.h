@@ -29,13 +29,16 @@ struct RunSettings {
   int seed = 1;
   double spp_scale = 1;
   SizeDivisor size_divisor = FullSize;
-  bool log = true;       // keep log.txt of renders that passed, too
-  bool strict = false;   // a pass with remarks makes the run fail
-  bool sandbox = false;  // renders see no network and no references
+  bool fixed_samples = false;  // those of the cases, in place of as many as decide
+  bool log = true;             // keep log.txt of renders that passed, too
+  bool strict = false;         // a pass with remarks makes the run fail
+  bool sandbox = false;        // renders see no network and no references
   bool dry_run = false;
   bool view = false;  // serve the page at the end and open it in the browser
   // Of one call: a run that is resumed has these anew.
-  int max_fail = 0;  // 0: no limit
+  double budget_seconds = 0;         // of rendering in the whole run; 0: no limit
+  double target_budget_seconds = 0;  // of one target; 0: by the size, see run/looks.h
+  int max_fail = 0;                  // 0: no limit
   bool last_failed = false;
   int durations = 0;
   int repeat = 1;
@@ -47,6 +50,8 @@ struct RunSettings {
 /// The settings without those of one call.
 inline RunSettings lasting(RunSettings settings) {
   const RunSettings initial;
+  settings.budget_seconds = initial.budget_seconds;
+  settings.target_budget_seconds = initial.target_budget_seconds;
   settings.max_fail = initial.max_fail;
   settings.last_failed = initial.last_failed;
   settings.durations = initial.durations;
@@ -57,8 +62,9 @@ inline RunSettings lasting(RunSettings settings) {
 }
 
 /// The keys of settings that say how a run goes on and what it prints, not what is rendered.
-inline const std::set<std::string> kCallSettings{"output",    "dry_run", "view",  "max_fail", "last_failed",
-                                                 "durations", "repeat",  "quiet", "verbose",  "label"};
+inline const std::set<std::string> kCallSettings{"budget", "target_budget", "output",      "dry_run",
+                                                 "view",   "max_fail",      "last_failed", "durations",
+                                                 "repeat", "quiet",         "verbose",     "label"};
 
 /// What is rendered, and how.
 template <class Visitor, json::RecordOf<RunSettings> Settings>
@@ -102,6 +108,9 @@ void fields_of_renders(Visitor& visit, Settings& run) {
   visit("size", run.size_divisor,
         {.help = "Width and height of all images, as a share of the scenes': `1`, `1/2`, `1/4` or `1/8`",
          .option = "--size SHARE"});
+  visit("fixed_samples", run.fixed_samples,
+        {.help = "Render the samples of the cases, in one go, in place of as many as decide the verdict",
+         .option = "--fixed-samples"});
 }
 
 /// What a run keeps, when it ends, and what it says.
@@ -109,6 +118,20 @@ template <class Visitor, json::RecordOf<RunSettings> Settings>
 void fields_of_conduct(Visitor& visit, Settings& run) {
   visit("log", run.log,
         {.help = "Keep `log.txt` of every render, not only of those that fail", .option = "-l,--log"});
+  visit(
+      "budget", run.budget_seconds,
+      {.help =
+           "Seconds of rendering after which nothing gets more samples; what decides soonest comes first. 0: "
+           "no limit",
+       .option = "--budget SECONDS",
+       .range = json::kNotNegative});
+  visit(
+      "target_budget", run.target_budget_seconds,
+      {.help =
+           "Seconds of rendering that one target gets at most; 0: 120 at `1/4` and below, 4 times as much for "
+           "each doubling of the size",
+       .option = "--target-budget SECONDS",
+       .range = json::kNotNegative});
   visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
   visit(
       "sandbox", run.sandbox,

@@ -109,9 +109,8 @@ std::string shared_numbers_note(const RunRecord& run) {
     for (const auto& target : run.targets) {
       const auto cell = requirement.cells.find(target.renderer);
       if (target.requirement != requirement.code || cell == requirement.cells.end()) continue;
-      for (const auto& measure : target.measures)
-        if (measure.name == "psnr_srgb8" && cell->second.lowest_psnr_db == measure.value)
-          codes_of[{target.renderer, target.target}].insert(requirement.code);
+      if (const auto psnr = judged_psnr_db(target); psnr && cell->second.lowest_psnr_db == psnr)
+        codes_of[{target.renderer, target.target}].insert(requirement.code);
     }
   std::map<std::string, std::set<std::string>> shared;  // codes by image, of all renderers
   for (const auto& [image, codes] : codes_of)

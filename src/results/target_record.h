@@ -3,6 +3,7 @@
 #include "json/fields.h"
 #include "results/verdict.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -79,6 +80,27 @@ void fields(Visitor& visit, Record& check) {
   visit("max", check.max);
 }
 
+/// What one look of a sequential verdict saw: the gate that decided it, or that was farthest from being
+/// decided.
+struct LookRecord {
+  int spp = 1;  // samples per pixel that were there
+  Verdict verdict = Verdict::Skipped;
+  std::string gate;  // "mean_ratio_g"; "" where no gate has a number
+  std::optional<double> value = {};
+  std::optional<double> low = {};  // ends of the interval that the decision rests on
+  std::optional<double> high = {};
+};
+
+template <class Visitor, json::RecordOf<LookRecord> Record>
+void fields(Visitor& visit, Record& look) {
+  visit.required("spp", look.spp, {.range = {.min = 1}});
+  visit.required("verdict", look.verdict);
+  visit("gate", look.gate);
+  visit("value", look.value);
+  visit("low", look.low);
+  visit("high", look.high);
+}
+
 /// The diagnosis of an image that no usual fault explains.
 inline constexpr std::string_view kNoUsualFault = "none of the usual faults explains the error";
 
@@ -96,6 +118,7 @@ struct TargetRecord {
   std::string expected;  // why the failure is known, or what is news about it; "" if none is expected
   std::vector<Measure> measures;
   std::vector<Check> checks;
+  std::vector<LookRecord> looks;     // none: its samples were fixed
   std::vector<std::string> remarks;  // facts that change no verdict
   std::string diagnosis;  // which usual fault explains a failure, or that none does; "" if none was tried
   std::string hidden;     // what errors its noise hides; "" for none worth it
@@ -120,6 +143,7 @@ void fields(Visitor& visit, Record& target) {
   visit("expected", target.expected);
   visit("measures", target.measures);
   visit("checks", target.checks);
+  visit("looks", target.looks);
   visit("remarks", target.remarks);
   visit("diagnosis", target.diagnosis);
   visit("hidden", target.hidden);
@@ -128,6 +152,18 @@ void fields(Visitor& visit, Record& target) {
   visit.inside_folder("image", target.image);
   visit.inside_folder("reference_image", target.reference_image);
   visit("maps", target.maps);
+}
+
+/// The measure of a target that is judged in looks: the PSNR that is certain of the image without its noise.
+inline constexpr std::string_view kPsnrWithoutNoise = "psnr_without_noise";
+
+/// The PSNR in dB, without the noise where the verdict rests on that; nothing where it was not measured.
+inline std::optional<double> judged_psnr_db(const TargetRecord& target) {
+  std::optional<double> psnr;
+  for (const auto& measure : target.measures)
+    if (measure.name == "psnr_srgb8" || measure.name == kPsnrWithoutNoise)
+      psnr = std::max(psnr.value_or(measure.value), measure.value);
+  return psnr;
 }
 
 /// "known", "unexpected pass", or the name of the verdict.

@@ -145,6 +145,7 @@ Execution execute(const Plan& plan,
   std::error_code ignored;
   if (!keep_log) std::filesystem::remove(folder / "log.txt", ignored);
   execution.image = std::move(rendered.outcome.image);
+  execution.renders = std::move(rendered.renders);
   return execution;
 }
 

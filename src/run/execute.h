@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "judge/reference.h"
+#include "metrics/merged_renders.h"
 #include "results/record.h"
 #include "run/plan/plan.h"
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace orbs::run {
 
@@ -23,6 +25,8 @@ struct WorkFolders {
 struct Execution {
   results::JobRecord record;
   std::optional<image::Image> image;
+  std::vector<image::Image> renders{};                // of the look, where the job has one
+  std::optional<metrics::MergedRenders> merged = {};  // of all looks; `image` is its mean
 };
 
 /// Prepares the scene, runs the renderer once for each seed replica and classifies the outcome. Touches only

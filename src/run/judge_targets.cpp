@@ -2,14 +2,19 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "judge/diagnosis.h"
 #include "judge/difference.h"
 #include "judge/judge.h"
+#include "judge/provenance.h"
+#include "metrics/merged_renders.h"
+#include "run/looks.h"
 #include "run/other_references.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,21 +89,51 @@ void leave_out(const std::vector<std::string>& remarks, TargetRecord& record) {
   });
 }
 
-judge::JudgeSettings judge_settings(const Plan& plan, const PlannedTarget& planned) {
+// What is judged. Halves: of the samples of one that is rendered in looks, nullptr for fixed samples.
+struct JudgedImage {
+  const image::Image& image;
+  const std::array<image::Image, 2>* halves = nullptr;
+  int spp = 0;
+  int first_guess = 1;
+};
+
+// The samples of the reference for one sample of the image, each pixel of which covers several of the full
+// size; in samples of the case, of which the renderer may count others. 0 where the reference does not say.
+double sample_ratio(const Plan& plan,
+                    const PlannedTarget& planned,
+                    const image::Image& reference,
+                    const JudgedImage& judged) {
+  const auto stated = to_integer(judge::provenance_of(reference)["spp"]);
+  const auto divisor = static_cast<double>(plan.settings.size_divisor);
+  const double scale = plan.renderers[planned.renderer].entry.sampling.spp_scale;
+  return stated ? static_cast<double>(*stated) * divisor * divisor * scale / judged.spp : 0;
+}
+
+judge::JudgeSettings judge_settings(const Plan& plan,
+                                    const PlannedTarget& planned,
+                                    const judge::Reference& reference,
+                                    const JudgedImage& judged) {
   const bool is_noise_free = plan.renderers[planned.renderer].entry.sampling.is_noise_free;
   const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
-  return {.threads = plan.threads, .result_noise = noise};
+  judge::JudgeSettings settings{.threads = plan.threads, .result_noise = noise};
+  if (judged.halves == nullptr) return settings;
+  settings.looks.most = kMostLooks;
+  settings.looks.halves = judged.halves;
+  settings.looks.of_first_guess = static_cast<double>(judged.spp) / judged.first_guess;
+  if (reference.image) settings.looks.sample_ratio = sample_ratio(plan, planned, *reference.image, judged);
+  return settings;
 }
 
 struct Judged {
   TargetRecord record;
   judge::Reference reference;
+  judge::Look look;
 };
 
 // The image judged by another reference that its case accepts, if it passes by one with a better verdict.
 std::optional<Judged> passed_by_accepted(const Plan& plan,
                                          const PlannedTarget& planned,
-                                         const image::Image& result,
+                                         const JudgedImage& image,
                                          Verdict verdict,
                                          const WorkFolders& folders) {
   const auto& one_case = plan.cases[planned.one_case];
@@ -108,10 +143,13 @@ std::optional<Judged> passed_by_accepted(const Plan& plan,
   for (const auto& accepted : scene->accepted) {
     Judged judged{blank_target(plan, planned, folders.run),
                   judge::load_reference(one_case, accepted.reference, plan.suite.references,
-                                        plan.reference_hashes, folders.references)};
+                                        plan.reference_hashes, folders.references),
+                  {}};
     if (!judged.reference.image) continue;
     auto& record = judged.record;
-    judge::judge_image(one_case, result, judged.reference, judge_settings(plan, planned), record);
+    judged.look = judge::judge_image(one_case, image.image, judged.reference,
+                                     judge_settings(plan, planned, judged.reference, image), record)
+                      .look;
     if (!passes(record.verdict) || record.verdict >= verdict) continue;
     record.remarks.push_back(fmt::format("judged by the reference of '{}', which is accepted, too: {}",
                                          accepted.reference, accepted.reason));
@@ -125,48 +163,55 @@ std::optional<Judged> passed_by_accepted(const Plan& plan,
 // Judges one image that is there, and writes what people look at first. Maps of the error are not kept: they
 // follow from the image and its reference, took 60 % of the size of a run, and the page and 'orbs compare
 // --maps' compute them.
-void judge_target(const Plan& plan,
-                  const PlannedTarget& planned,
-                  const image::Image& result,
-                  const WorkFolders& folders,
-                  TargetRecord& record) {
+judge::Look judge_target(const Plan& plan,
+                         const PlannedTarget& planned,
+                         const JudgedImage& image,
+                         const WorkFolders& folders,
+                         TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
   auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
                                          plan.reference_hashes, folders.references);
-  const auto comparison =
-      judge::judge_image(one_case, result, reference, judge_settings(plan, planned), record);
-  if (!comparison) return;
+  const auto judgement = judge::judge_image(one_case, image.image, reference,
+                                            judge_settings(plan, planned, reference, image), record);
+  auto look = judgement.look;
+  if (!judgement.comparison) return look;
   if (auto judged = record.verdict == Verdict::Pass
                         ? std::nullopt
-                        : passed_by_accepted(plan, planned, result, record.verdict, folders)) {
+                        : passed_by_accepted(plan, planned, image, record.verdict, folders)) {
     judged->record.image = record.image;
     record = std::move(judged->record);
     reference = std::move(judged->reference);
+    look = judged->look;
   }
-  record.diagnosis = diagnosis_of(plan, one_case, result, *reference.image, folders, record);
-  if (results::names_a_fault(record)) leave_out(comparison->bias_remarks, record);
+  record.diagnosis = diagnosis_of(plan, one_case, image.image, *reference.image, folders, record);
+  if (results::names_a_fault(record)) leave_out(judgement.comparison->bias_remarks, record);
   const auto relative = std::filesystem::path(record.renderer) / record.target;
-  image::write_png(image::display_image(result), folders.unfinished / relative / "result.png");
+  image::write_png(image::display_image(image.image), folders.unfinished / relative / "result.png");
+  return look;
 }
 
 }  // namespace
 
-std::vector<TargetRecord> judge_scene(const Plan& plan,
+std::vector<JudgedTarget> judge_scene(const Plan& plan,
                                       std::size_t job,
                                       const Execution& execution,
                                       const WorkFolders& folders) {
-  std::vector<TargetRecord> records;
+  std::vector<JudgedTarget> all;
+  const auto* halves = execution.merged ? &execution.merged->halves : nullptr;
   for (const auto& planned : plan.targets) {
     if (planned.jobs.size() != 1 || planned.jobs.front() != job) continue;
-    auto& record = records.emplace_back(blank_target(plan, planned, folders.run));
+    auto& [record, look] = all.emplace_back(JudgedTarget{blank_target(plan, planned, folders.run)});
     record.image = execution.record.files.image;
     if (execution.image) {
-      judge_target(plan, planned, *execution.image, folders, record);
+      look = judge_target(
+          plan, planned,
+          {*execution.image, halves, execution.record.identity.spp, first_guess_spp(plan.jobs[job])}, folders,
+          record);
     } else {
       take_job_verdict(execution.record, record);
     }
   }
-  return records;
+  return all;
 }
 
 namespace {
@@ -181,27 +226,42 @@ image::Image unchanged_image(const JobRecord& job, const std::filesystem::path& 
   return image::read_exr(file.string(), bytes);
 }
 
+std::array<image::Image, 2> halves_of_difference(const std::vector<const JobRecord*>& jobs,
+                                                 const std::filesystem::path& run) {
+  std::vector<std::array<image::Image, 2>> both;
+  for (const auto* job : jobs) {
+    const auto all = image::read_image(run / job->files.folder / kHalvesFile);
+    both.push_back(metrics::halves_of(all));
+  }
+  return {judge::difference_of(both.front()[0], both.back()[0]),
+          judge::difference_of(both.front()[1], both.back()[1])};
+}
+
 }  // namespace
 
-TargetRecord judge_difference(const Plan& plan,
+JudgedTarget judge_difference(const Plan& plan,
                               const PlannedTarget& planned,
-                              const std::vector<JobRecord>& jobs,
+                              const std::vector<const JobRecord*>& jobs,
                               const WorkFolders& folders) {
-  auto record = blank_target(plan, planned, folders.run);
-  for (const auto job : planned.jobs)
-    if (!has_image(jobs[job])) {
-      take_job_verdict(jobs[job], record);
-      record.reason = fmt::format("its scene '{}': {}", jobs[job].identity.scene, jobs[job].end.reason);
-      return record;
+  JudgedTarget judged{blank_target(plan, planned, folders.run)};
+  auto& record = judged.record;
+  for (const auto* job : jobs)
+    if (!has_image(*job)) {
+      take_job_verdict(*job, record);
+      record.reason = fmt::format("its scene '{}': {}", job->identity.scene, job->end.reason);
+      return judged;
     }
   std::vector<image::Image> images;
-  for (const auto job : planned.jobs) {
+  std::array<image::Image, 2> halves;
+  const bool has_halves = jobs.front()->sampling.looks > 0 && jobs.back()->sampling.looks > 0;
+  for (const auto* job : jobs) {
     try {
-      images.push_back(unchanged_image(jobs[job], folders.run));
+      images.push_back(unchanged_image(*job, folders.run));
+      if (has_halves && job == jobs.back()) halves = halves_of_difference(jobs, folders.run);
     } catch (const InputError& e) {
       record.verdict = Verdict::Unreadable;
-      record.reason = fmt::format("its scene '{}': {}", jobs[job].identity.scene, e.what());
-      return record;
+      record.reason = fmt::format("its scene '{}': {}", job->identity.scene, e.what());
+      return judged;
     }
   }
   const auto result = judge::difference_of(images.front(), images.back());
@@ -209,9 +269,13 @@ TargetRecord judge_difference(const Plan& plan,
   make_folder(folders.unfinished / relative);
   image::write_exr(result, folders.unfinished / relative / "result.exr");
   record.image = (relative / "result.exr").string();
-  judge_target(plan, planned, result, folders, record);
+  judged.look = judge_target(plan, planned,
+                             {result, has_halves ? &halves : nullptr,
+                              std::min(jobs.front()->identity.spp, jobs.back()->identity.spp),
+                              first_guess_spp(plan.jobs[planned.jobs.front()])},
+                             folders, record);
   put_in_place(folders.unfinished / relative, folders.run / relative);
-  return record;
+  return judged;
 }
 
 }  // namespace orbs::run

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "judge/judge.h"
 #include "results/record.h"
 #include "run/execute.h"
 #include "run/plan/plan.h"
@@ -28,17 +29,23 @@ results::TargetRecord unsupported_target(const Plan& plan,
 /// The outcome of the render becomes the verdict of its target.
 void take_job_verdict(const results::JobRecord& job, results::TargetRecord& record);
 
+struct JudgedTarget {
+  results::TargetRecord record;
+  judge::Look look = {};  // closed where the samples are fixed
+};
+
 /// All targets that are judged from this render alone, one for each case that judges it; their maps lie in
 /// the render's unfinished folder.
-std::vector<results::TargetRecord> judge_scene(const Plan& plan,
-                                               std::size_t job,
-                                               const Execution& execution,
-                                               const WorkFolders& folders);
+std::vector<JudgedTarget> judge_scene(const Plan& plan,
+                                      std::size_t job,
+                                      const Execution& execution,
+                                      const WorkFolders& folders);
 
-/// A difference of two renders that are in their places; its own folder is put into its place.
-results::TargetRecord judge_difference(const Plan& plan,
-                                       const PlannedTarget& planned,
-                                       const std::vector<results::JobRecord>& jobs,
-                                       const WorkFolders& folders);
+/// A difference of two renders, `of` and `minus`, that are in their places; its own folder is put into its
+/// place.
+JudgedTarget judge_difference(const Plan& plan,
+                              const PlannedTarget& planned,
+                              const std::vector<const results::JobRecord*>& jobs,
+                              const WorkFolders& folders);
 
 }  // namespace orbs::run

@@ -108,6 +108,17 @@ std::vector<adapters::Job> replicas_of(const Plan& plan,
   settings.executable = renderer.executable;
   settings.arguments = scene_arguments(plan, job);
   settings.scene_file = job.native_scene.filename().string();
+  if (job.look) {
+    std::vector<adapters::Job> two;
+    settings.spp = job.look->spp;
+    for (const int seed : job.look->seeds) {
+      settings.seed = seed;
+      settings.image_file = fmt::format("seed-{}.exr", seed);
+      two.push_back(adapters::make_job(renderer.entry, *plan.scenes[job.scene].scene, settings,
+                                       run_folder / job.folder));
+    }
+    return two;
+  }
   return replicas_of(renderer.entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder);
 }
 

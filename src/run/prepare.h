@@ -43,7 +43,8 @@ std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
                                        const adapters::JobSettings& settings,
                                        const std::filesystem::path& folder);
 
-/// The same for a job of the plan, with all paths below `run_folder`.
+/// The same for a job of the plan, with all paths below `run_folder`; for one with a look those of its two
+/// renders.
 std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const PlannedJob& job,
                                        const std::filesystem::path& run_folder);

@@ -243,6 +243,7 @@ Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
   if (images.empty()) return rendered;
   rendered.image = job.replicas.front().folder / adapters::JobSettings{}.image_file;
   rendered.outcome.image = merged_image(job.replicas, images, rendered.image);
+  rendered.renders = std::move(images);
   return rendered;
 }
 

@@ -81,6 +81,7 @@ struct RenderJob {
 struct Rendered {
   Outcome outcome;
   std::filesystem::path image;                     // the mean of all replicas, or what the last of them left
+  std::vector<image::Image> renders;               // of several replicas, if all have left one
   std::vector<adapters::ProcessResult> processes;  // of the replicas that were started
   std::optional<double> render_seconds;            // of all of them, as the renderer itself states
   std::optional<double> trial_seconds;             // likewise

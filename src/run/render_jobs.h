@@ -4,45 +4,28 @@
 #include "run/execute.h"
 #include "run/plan/plan.h"
 #include "run/program_hash.h"
+#include "run/render_context.h"
 
-#include <atomic>
-#include <functional>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace orbs::run {
 
-/// Called after each render that was not skipped, one at a time: how many are done, of how many, the render,
-/// and the images judged from it.
-using Progress = std::function<void(
-    std::size_t, std::size_t, const results::JobRecord&, const std::vector<results::TargetRecord>&)>;
-
-/// Called when a render starts, one at a time.
-using Started = std::function<void(const results::JobIdentity&)>;
-
-struct RenderContext {
-  std::string orbs_version;
-  std::string day{};  // of the run's start, "2026-11-25", by which known failures expire; run() sets it
-  const std::atomic<bool>* stop = nullptr;  // set when the user interrupts
-  Started started = {};
-  Progress progress;                                 // not called for jobs that an earlier run has finished
-  std::function<void(const std::string&)> say = {};  // why something is rendered again
-};
-
-/// A job, and the targets that are judged from its render alone.
-struct JudgedJob {
-  results::JobRecord job;
-  std::vector<results::TargetRecord> targets;
+struct RenderedJobs {
+  std::vector<JudgedJob> jobs;                                 // one for each of the plan
+  std::map<std::size_t, results::TargetRecord> differences{};  // by target: those that looks have judged
 };
 
 /// Renders and judges each job that is not in the run's folder yet or is outdated there; a job that only has
-/// another reference or gate now is judged again. Each job's folder is renamed into place when it is
-/// complete. One result for each job of the plan. WriteError when the disk refuses: the jobs that are in
-/// place by then stay.
-std::vector<JudgedJob> render_jobs(const Plan& plan,
-                                   const std::vector<std::string>& versions,
-                                   const WorkFolders& folders,
-                                   const RenderContext& context,
-                                   ProgramWatch& programs);
+/// another reference or gate now is judged again. Jobs in looks get samples until their targets are decided,
+/// see looks.h. Each job's folder is renamed into place when a render, or a look, is complete. WriteError
+/// when the disk refuses: what is in place by then stays.
+RenderedJobs render_jobs(const Plan& plan,
+                         const std::vector<std::string>& versions,
+                         const WorkFolders& folders,
+                         const RenderContext& context,
+                         ProgramWatch& programs);
 
 }  // namespace orbs::run

@@ -31,19 +31,24 @@ using results::TargetRecord;
 
 // In the order of the plan, not in that in which the renders ended.
 std::vector<TargetRecord> all_targets(const Plan& plan,
-                                      std::vector<JudgedJob>& judged,
+                                      RenderedJobs& rendered,
                                       const std::vector<JobRecord>& jobs,
                                       const WorkFolders& folders) {
   std::vector<TargetRecord> records;
   std::vector<std::size_t> taken(plan.jobs.size(), 0);
-  for (const auto& planned : plan.targets) {
+  for (std::size_t target = 0; target < plan.targets.size(); ++target) {
+    const auto& planned = plan.targets[target];
     if (planned.jobs.empty()) {
       records.push_back(unsupported_target(plan, planned, folders.run));
     } else if (planned.jobs.size() == 1) {
       const auto job = planned.jobs.front();
-      records.push_back(judged[job].targets[taken[job]++]);
+      records.push_back(rendered.jobs[job].targets[taken[job]++]);
+    } else if (const auto judged = rendered.differences.find(target); judged != rendered.differences.end()) {
+      records.push_back(std::move(judged->second));
     } else {
-      records.push_back(judge_difference(plan, planned, jobs, folders));
+      records.push_back(
+          judge_difference(plan, planned, {&jobs[planned.jobs.front()], &jobs[planned.jobs.back()]}, folders)
+              .record);
     }
   }
   return records;
@@ -142,14 +147,14 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   ProgramWatch programs(plan);
   auto rendering = context.rendering;
   rendering.day = registry::day_of(context.file.started);
-  auto judged = render_jobs(plan, versions, folders, rendering, programs);
+  auto rendered = render_jobs(plan, versions, folders, rendering, programs);
   record.jobs.clear();
-  for (auto& job : judged) record.jobs.push_back(std::move(job.job));
-  record.targets = all_targets(plan, judged, record.jobs, folders);
+  for (auto& job : rendered.jobs) record.jobs.push_back(std::move(job.job));
+  record.targets = all_targets(plan, rendered, record.jobs, folders);
   mark_expected(plan.expected, record);
   // An interrupt that came when all was done has interrupted nothing.
   record.interrupted = std::any_of(record.jobs.begin(), record.jobs.end(), [](const JobRecord& job) {
-    return job.end.outcome == results::JobOutcome::Skipped;
+    return job.end.outcome == results::JobOutcome::Skipped || results::goes_on(job);
   });
   record.finished = true;
   summarise(plan, versions, record);

@@ -20,9 +20,8 @@ void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
     cell.expectation = target.expectation;
     cell.reason = reason_text(target);
   }
-  for (const auto& measure : target.measures)
-    if (measure.name == "psnr_srgb8")
-      cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(measure.value), measure.value);
+  if (const auto psnr = judged_psnr_db(target))
+    cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(*psnr), *psnr);
 }
 
 void fill_requirements(results::RunRecord& record) {

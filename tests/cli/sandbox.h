@@ -53,7 +53,7 @@ void replace_in(const Sandbox& sandbox,
                 const std::string& with);
 
 /// configuration.json of the sandbox: one renderer per mode of the fake renderer, called as its mode, and
-/// "absent", whose program is not there. `defaults` are the members of "defaults".
+/// "absent", whose program is not there. Samples are fixed. `defaults` are further members of "defaults".
 std::string configuration_with(const std::string& defaults);
 
 }  // namespace orbs::cli_tests

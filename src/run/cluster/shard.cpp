@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/nth.h"
+#include "run/plan/job_groups.h"
 #include "run/plan/plan_file.h"
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <queue>
 #include <set>
 #include <utility>
@@ -16,27 +16,6 @@
 namespace orbs::run {
 
 namespace {
-
-// The first job of each job's group: those that share a target, by union and find.
-std::vector<std::size_t> groups_of(const Plan& plan) {
-  std::vector<std::size_t> first(plan.jobs.size());
-  std::iota(first.begin(), first.end(), 0);
-  const auto find = [&](std::size_t job) {
-    while (first[job] != job) {
-      first[job] = first[first[job]];  // halves the path, so that the next search is short
-      job = first[job];
-    }
-    return job;
-  };
-  for (const auto& target : plan.targets)
-    for (const auto job : target.jobs) {
-      const auto a = find(target.jobs.front());
-      const auto b = find(job);
-      first[std::max(a, b)] = std::min(a, b);
-    }
-  for (std::size_t job = 0; job < first.size(); ++job) first[job] = find(job);
-  return first;
-}
 
 // By group, whose number is that of its first job; 0 for numbers that are no group's.
 std::vector<double> seconds_of_groups(const std::vector<std::size_t>& groups, const Plan& plan) {
@@ -108,7 +87,7 @@ void keep_cases(Plan& plan) {
 }  // namespace
 
 std::vector<int> shards_of_jobs(const Plan& plan, int count) {
-  const auto groups = groups_of(plan);
+  const auto groups = group_of_jobs(plan);
   const auto order = longest_first(seconds_of_groups(groups, plan));
   // The shard that has least to do gets the next group.
   using Load = std::pair<double, int>;
@@ -133,7 +112,7 @@ std::vector<int> shards_of_jobs(const Plan& plan, int count) {
 }
 
 int shard_count(const Plan& plan) {
-  const auto groups = groups_of(plan);
+  const auto groups = group_of_jobs(plan);
   int count = 0;
   for (std::size_t job = 0; job < groups.size(); ++job)
     if (groups[job] == job) ++count;

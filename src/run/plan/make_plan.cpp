@@ -11,6 +11,7 @@
 #include "registry/cases.h"
 #include "registry/image_size.h"
 #include "run/expected.h"
+#include "run/looks.h"
 #include "run/plan/choose_renderers.h"
 #include "run/plan/plan_file.h"
 #include "run/plan/render_seconds.h"
@@ -54,9 +55,13 @@ void check_regions(const Plan& plan, const registry::Case& one_case) {
 }
 
 // Everything that makes the image what it is, but not the folder and the time: the same id in every run.
-std::string job_id(const Plan& plan, const PlannedScene& scene, const ChosenRenderer& renderer, int spp) {
-  auto text = fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name, renderer.entry.name, spp,
+std::string job_id(const Plan& plan,
+                   const PlannedScene& scene,
+                   const ChosenRenderer& renderer,
+                   const PlannedJob& job) {
+  auto text = fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name, renderer.entry.name, job.spp,
                           plan.settings.seed);
+  if (job.first_spp > 0) text += fmt::format("\nlooks from {}", job.first_spp);
   if (const int divisor = plan.settings.size_divisor; divisor != 1)
     text += fmt::format("\n{}", registry::size_text(divisor));
   return hash_text(content_hash(text));
@@ -72,13 +77,13 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   while (plan.scenes[job.scene].name != scene_name) ++job.scene;
   const auto& scene = plan.scenes[job.scene];
   const auto& chosen = plan.renderers[renderer];
-  const auto& own_scales = chosen.entry.sampling.spp_scale_of_scenes;
-  const auto own_scale = own_scales.find(scene.name);
-  job.spp = adapters::scaled_spp(
-      enough_spp(plan, scene, chosen.entry),
-      own_scale == own_scales.end() ? chosen.entry.sampling.spp_scale : own_scale->second,
-      plan.settings.spp_scale);
-  job.id = job_id(plan, scene, chosen, job.spp);
+  const auto scaled = [&](int spp) {
+    return adapters::scaled_spp(spp, chosen.entry.sampling.spp_scale, plan.settings.spp_scale);
+  };
+  job.first_spp = first_look_spp(plan, chosen.entry, scaled(scene.spp));
+  // What a smaller image needs more for its means, looks find out themselves.
+  job.spp = job.first_spp > 0 ? scaled(scene.spp) : scaled(enough_spp(plan, scene, chosen.entry));
+  job.id = job_id(plan, scene, chosen, job);
   job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
   job.native_scene = adapters::native_scene(chosen.entry, scene.file, scene.name);
   plan.jobs.push_back(job);

@@ -5,10 +5,12 @@
 #include "results/record.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +34,20 @@ struct PlannedScene {
   std::uint64_t hash = 0;                                       // scene_content_hash
 };
 
+/// Two renders of a job that is rendered in looks, see run/looks.h.
+struct PlannedLook {
+  int spp = 1;  // of each of the two
+  std::array<int, 2> seeds{};
+};
+
 /// One render. Each pair of scene and renderer is rendered once, however many cases look at it.
 struct PlannedJob {
   std::string id;
   std::size_t scene = 0;                 // of Plan::scenes
   std::size_t renderer = 0;              // of Plan::renderers
-  int spp = 64;                          // that the renderer gets
+  int spp = 64;                          // that the renderer gets; of one in looks, the first guess
+  int first_spp = 0;                     // of the first look; 0: all samples at once
+  std::optional<PlannedLook> look{};     // that is rendered now
   std::filesystem::path folder;          // relative to the run's
   std::filesystem::path native_scene{};  // hand-written for the renderer; "" when it is exported
   bool may_be_negative = false;          // some case that judges its image allows negative values

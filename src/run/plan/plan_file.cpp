@@ -100,7 +100,7 @@ FiledPlan filed_plan(const Plan& plan, const std::string& orbs_version) {
   filed.reference_hashes = plan.reference_hashes;
   for (const auto& job : plan.jobs)
     filed.jobs.push_back({job.id, plan.renderers[job.renderer].entry.name, plan.scenes[job.scene].name,
-                          job.spp, job.native_scene.empty() ? "" : text(job.native_scene),
+                          job.spp, job.first_spp, job.native_scene.empty() ? "" : text(job.native_scene),
                           scene_hash(plan, job), job.may_be_negative, job.cpu_seconds});
   for (const auto& target : plan.targets) {
     auto& added = filed.targets.emplace_back();
@@ -202,6 +202,7 @@ void load_jobs(const FiledPlan& filed, LoadedPlan& loaded) {
     planned.scene = index_of(plan.scenes, job.scene, of_scene);
     planned.renderer = index_of(plan.renderers, job.renderer, of_renderer);
     planned.spp = job.spp;
+    planned.first_spp = job.first_spp;
     planned.folder = fs::path(job.renderer) / job.scene;
     if (!job.native_scene.empty()) planned.native_scene = resolve_path(plan.root, job.native_scene);
     planned.may_be_negative = job.may_be_negative;

@@ -54,6 +54,7 @@ struct FiledJob {
   std::string renderer;
   std::string scene;
   int spp = 1;
+  int first_spp = 0;
   std::string native_scene;
   std::string scene_hash;  // see scene_hash()
   bool may_be_negative = false;
@@ -66,6 +67,7 @@ void fields(Visitor& visit, Record& job) {
   visit.required("renderer", job.renderer);
   visit.required("scene", job.scene);
   visit.required("spp", job.spp, {.range = {1, 1 << 30}});
+  visit("first_spp", job.first_spp, {.range = {0, 1 << 30}});
   visit("native_scene", job.native_scene);
   visit.required("scene_hash", job.scene_hash);
   visit("may_be_negative", job.may_be_negative);

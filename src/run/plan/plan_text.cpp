@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "registry/image_size.h"
+#include "run/looks.h"
 #include "run/prepare.h"
 
 #include <fmt/format.h>
@@ -23,8 +24,12 @@ std::string plan_text(const Plan& plan) {
       continue;
     }
     if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
-    for (const auto& replica : replicas_of(plan, job, "OUTPUT"))
+    auto first = job;
+    if (job.first_spp > 0) first.look = next_look(job, 0, plan.settings.seed);
+    for (const auto& replica : replicas_of(plan, first, "OUTPUT"))
       text += fmt::format("    {}\n", shell_text(replica.argv));
+    if (job.first_spp > 0)
+      text += fmt::format("    then as many samples again with other seeds, until its targets are decided\n");
   }
   for (const auto& target : plan.targets)
     if (!target.unsupported.empty())

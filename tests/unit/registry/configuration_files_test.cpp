@@ -24,7 +24,7 @@ struct Stand {
   "defaults": {"suite": "s", "jobs": 2},
   "suites": [{"name": "s", "cases": "data/cases/s", "references": "data/references/s"}],
   "renderers": [
-    {"name": "a", "executable": "a", "declares": "G1", "spp_scale": 2, "spp_scale_of_scenes": {"1": 3, "2": 4},
+    {"name": "a", "executable": "a", "declares": "G1", "spp_scale": 2, "transports": {"rgb": "1", "spectral": "2"},
      "limits": {"wall_seconds": 9}, "plugins": ["p.so"],
      "command": ["{executable}", "{root}/a.py", "{plugin}", "{scene}", "{output}", "{data}/x", "{data}/../c.py"]}],
   "expected": [{"renderer": "a", "scene": "1", "verdict": "fail", "reason": "r"}]})");
@@ -53,7 +53,7 @@ std::string message_of(const std::function<void()>& action) {
 
 TEST(ConfigurationFiles, OneOverAnotherChangesSingleKeys) {
   const Stand stand;
-  stand.own(R"("defaults": {"jobs": 3}, "renderers": [{"name": "a", "spp_scale_of_scenes": {"2": 5},
+  stand.own(R"("defaults": {"jobs": 3}, "renderers": [{"name": "a", "transports": {"spectral": "3"},
  "limits": {"memory_megabytes": 2}}], "limits": {"log_megabytes": 4},
  "expected": [{"renderer": "a", "scene": "2", "verdict": "fail", "reason": "q"}])");
   const auto read = stand.read();
@@ -62,7 +62,8 @@ TEST(ConfigurationFiles, OneOverAnotherChangesSingleKeys) {
   ASSERT_EQ(read.renderers.size(), 1U);
   const auto& renderer = read.renderers[0];
   EXPECT_EQ(renderer.sampling.spp_scale, 2);
-  EXPECT_EQ(renderer.sampling.spp_scale_of_scenes, (std::map<std::string, double>{{"1", 3}, {"2", 5}}));
+  EXPECT_EQ(renderer.format.transports,
+            (std::map<std::string, std::string>{{"rgb", "1"}, {"spectral", "3"}}));
   EXPECT_EQ(renderer.limits.wall_seconds, 9);
   EXPECT_EQ(renderer.limits.memory_bytes, std::size_t{2} << 20);
   EXPECT_EQ(renderer.limits.log_bytes, std::size_t{4} << 20);

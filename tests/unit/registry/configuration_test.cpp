@@ -174,8 +174,8 @@ TEST(Configuration, SettingsOfAScenePrecedeThoseOfASize) {
 }
 
 TEST(Configuration, ScalesOfSamplesMustBePositive) {
-  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "spp_scale_of_scenes": {"101": 0})")),
-            "configuration.json:3:163: /renderers/0/spp_scale_of_scenes/101: must be above 0, is 0");
+  EXPECT_EQ(message_of(with_renderer(kRenderer + R"(, "spp_scale": 0)")),
+            "configuration.json:3:145: /renderers/0/spp_scale: must be above 0, is 0");
 }
 
 TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {

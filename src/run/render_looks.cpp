@@ -1,0 +1,305 @@
+#include "run/render_looks.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "image/image_io.h"
+#include "metrics/seeds.h"
+#include "results/run_folder.h"
+#include "run/looks.h"
+#include "run/resume.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace orbs::run {
+
+namespace {
+
+using results::JobOutcome;
+using results::JobRecord;
+using results::Verdict;
+
+// What was measured of an earlier look, added to by the next.
+void add_cost(const results::JobCost& before, results::JobCost& cost) {
+  cost.wall_seconds += before.wall_seconds;
+  cost.cpu_seconds += before.cpu_seconds;
+  if (before.render_seconds) cost.render_seconds = cost.render_seconds.value_or(0) + *before.render_seconds;
+  cost.peak_rss_bytes = std::max(cost.peak_rss_bytes, before.peak_rss_bytes);
+  if (!before.started.empty()) cost.started = before.started;
+}
+
+metrics::MergedRenders merged_before(const RenderSession& session, const JobRecord& before) {
+  const auto& run = session.folders.run;
+  return metrics::merged_renders_of(image::read_image(run / before.files.image),
+                                    image::read_image(run / before.files.folder / kHalvesFile),
+                                    2 * before.sampling.looks, before.identity.spp);
+}
+
+// Merges the two renders of a look with those before, and writes what the next look needs.
+void merge_look(const RenderSession& session,
+                const PlannedJob& job,
+                const JobRecord& before,
+                Execution& execution) {
+  auto& record = execution.record;
+  const int looks = before.sampling.looks;
+  metrics::MergedRenders merged;
+  if (looks > 0) merged = merged_before(session, before);
+  metrics::add_renders(merged, {std::move(execution.renders[0]), std::move(execution.renders[1])},
+                       job.look->spp);
+  record.identity.spp = merged.samples;
+  record.sampling = {looks + 1, kMostLooks, ""};
+  const auto folder = session.folders.unfinished / job.folder;
+  image::write_exr(merged.mean, folder / std::filesystem::path(record.files.image).filename());
+  image::write_exr(metrics::halves_image(merged), folder / kHalvesFile);
+  execution.image = merged.mean;
+  execution.merged = std::move(merged);
+}
+
+// A renderer that ignores its seed, or a scene without noise: all samples at once.
+bool are_equal_renders(const Execution& execution) {
+  return execution.renders.size() == 2 && metrics::are_equal(execution.renders);
+}
+
+// Renders a look of the job. What it leaves without a usable image, or what cannot be merged, ends the job.
+Execution rendered_look(RenderSession& session, std::size_t index, const JobRecord& before) {
+  auto job = session.plan.jobs[index];
+  job.look = next_look(job, before.sampling.looks, session.plan.settings.seed);
+  auto execution = render_job(session, index, job);
+  add_cost(before.cost, execution.record.cost);
+  if (!has_image(execution.record)) return execution;
+  if (are_equal_renders(execution)) {
+    const auto cost = execution.record.cost;
+    job.look.reset();
+    execution = render_job(session, index, job);
+    add_cost(cost, execution.record.cost);
+    return execution;
+  }
+  try {
+    merge_look(session, job, before, execution);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const InputError& e) {
+    execution.record.end.outcome = JobOutcome::WrongChannels;
+    execution.record.end.reason = e.what();
+    execution.image.reset();
+  }
+  return execution;
+}
+
+// The path to the verdict goes on from that of the look before.
+void continue_paths(const JudgedJob& before, JudgedJob& judged) {
+  for (std::size_t i = 0; i < judged.targets.size(); ++i) {
+    auto& target = judged.targets[i];
+    if (i < before.targets.size()) target.looks = before.targets[i].looks;
+    const int spp = judged.job.identity.spp;
+    if (!target.looks.empty() && target.looks.back().spp == spp) target.looks.pop_back();
+    if (judged.job.sampling.looks > 0)
+      target.looks.push_back(look_record(judged.looks[i], target.verdict, spp));
+  }
+}
+
+// The job.json was written without the paths; the targets get theirs, and the file is written anew.
+void place_paths(RenderSession& session, std::size_t index, const JudgedJob& before, JudgedJob& judged) {
+  continue_paths(before, judged);
+  write_job(session, session.folders.run / session.plan.jobs[index].folder, judged);
+}
+
+JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob& before) {
+  auto execution = rendered_look(session, index, before.job);
+  if (execution.record.end.outcome == JobOutcome::Skipped) {
+    // Interrupted: what the looks before have left stays.
+    if (before.job.sampling.looks > 0) return before;
+    return skipped_job(session, index);
+  }
+  auto judged = judge_and_place(session, index, std::move(execution));
+  place_paths(session, index, before, judged);
+  return judged;
+}
+
+// What an earlier run has left: nothing, what is done, or looks that go on, judged by today's cases.
+struct Earlier {
+  bool is_found = false;
+  bool is_done = false;
+  JudgedJob judged{};
+};
+
+Earlier earlier_job(RenderSession& session, std::size_t index) {
+  const auto& now = session.at_start[index];
+  auto earlier = resumption_of(session.plan, index, now, session.folders);
+  if (earlier.step == Step::Render) {
+    if (!earlier.reason.empty()) say(session, now, earlier.reason);
+    return {};
+  }
+  const auto& found = earlier.found->job;
+  const bool goes_on = found.sampling.looks > 0 && has_image(found) &&
+                       (found.sampling.end.empty() || found.sampling.end == "budget");
+  JudgedJob kept{found, std::move(earlier.found->targets), {}};
+  kept.looks.resize(kept.targets.size());
+  if (earlier.step == Step::Keep && !goes_on) return {true, true, std::move(kept)};
+  auto execution = take_over(found, session.plan.jobs[index].folder, session.folders);
+  if (!execution) return {};
+  try {
+    if (found.sampling.looks > 0) execution->merged = merged_before(session, found);
+  } catch (const InputError& e) {
+    say(session, now, fmt::format("rendered again: {}", e.what()));
+    return {};
+  }
+  execution->record.sampling.end = "";
+  auto judged = judge_and_place(session, index, std::move(*execution));
+  place_paths(session, index, kept, judged);
+  return {true, found.sampling.looks == 0, std::move(judged)};
+}
+
+const JobRecord* record_of(const std::vector<JudgedJob>& results, std::size_t job) {
+  return &results[job].job;
+}
+
+void judge_differences(const RenderSession& session, JobGroup& group, const std::vector<JudgedJob>& results) {
+  for (const auto index : group.differences) {
+    const auto& planned = session.plan.targets[index];
+    const std::vector<const JobRecord*> jobs{record_of(results, planned.jobs.front()),
+                                             record_of(results, planned.jobs.back())};
+    if (std::any_of(jobs.begin(), jobs.end(),
+                    [](const auto* job) { return job->end.outcome == JobOutcome::Skipped; }))
+      continue;
+    auto judged = judge_difference(session.plan, planned, jobs, session.folders);
+    auto& kept = group.judged_differences[index];
+    judged.record.looks = std::move(kept.record.looks);
+    if (jobs.front()->sampling.looks > 0)
+      judged.record.looks.push_back(
+          look_record(judged.look, judged.record.verdict, jobs.front()->identity.spp));
+    kept = std::move(judged);
+  }
+}
+
+// Calls visit(record, look, the jobs of the target) for each target of the group.
+template <typename Visit>
+void for_each_target(const RenderSession& session,
+                     JobGroup& group,
+                     std::vector<JudgedJob>& results,
+                     Visit visit) {
+  for (const auto job : group.jobs)
+    for (std::size_t i = 0; i < results[job].targets.size(); ++i)
+      visit(results[job].targets[i], results[job].looks[i], std::vector<std::size_t>{job});
+  for (auto& [index, judged] : group.judged_differences)
+    visit(judged.record, judged.look, session.plan.targets[index].jobs);
+}
+
+// The jobs that some open target of the group needs more samples of.
+std::set<std::size_t> open_jobs(const RenderSession& session,
+                                JobGroup& group,
+                                std::vector<JudgedJob>& results) {
+  std::set<std::size_t> open;
+  for_each_target(session, group, results, [&](const auto&, const judge::Look& look, const auto& jobs) {
+    if (!look.is_open) return;
+    for (const auto job : jobs)
+      if (results[job].job.sampling.looks > 0 && has_image(results[job].job)) open.insert(job);
+  });
+  return open;
+}
+
+// Writes why the group ends into its jobs and undecided targets, and tells of them.
+template <typename EndOf>
+void end_group(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results, EndOf end_of) {
+  std::map<std::size_t, std::string> ends;
+  for_each_target(session, group, results,
+                  [&](results::TargetRecord& target, const judge::Look& look, const auto& jobs) {
+                    const End end = end_of(look);
+                    if (target.verdict == Verdict::Inconclusive && !end.text.empty())
+                      target.reason += "; undecided: " + end.text;
+                    for (const auto job : jobs)
+                      if (auto& name = ends[job]; name.empty() || name == "decided") name = end.name;
+                  });
+  for (const auto job : group.jobs) {
+    auto& judged = results[job];
+    const auto found = ends.find(job);
+    if (judged.job.sampling.looks > 0)
+      judged.job.sampling.end = found == ends.end() ? "decided" : found->second;
+    write_job(session, session.folders.run / session.plan.jobs[job].folder, judged);
+    count_done(session, judged, true);
+  }
+  group.is_done = true;
+}
+
+void begin(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  group.is_begun = true;
+  bool is_all_done = true;
+  for (const auto job : group.jobs) {
+    auto earlier = earlier_job(session, job);
+    is_all_done = is_all_done && earlier.is_done;
+    if (earlier.is_found) {
+      results[job] = std::move(earlier.judged);
+    } else if (is_stopped(session)) {
+      results[job] = skipped_job(session, job);
+    } else {
+      results[job] = look_at_job(session, job, {session.at_start[job], {}, {}});
+    }
+  }
+  if (!is_all_done) return;
+  for (const auto job : group.jobs) count_done(session, results[job], false);
+  group.is_done = true;
+}
+
+// Jobs that had not begun when the run was stopped have left nothing.
+bool is_cut(const JobGroup& group, const std::vector<JudgedJob>& results) {
+  return std::any_of(group.jobs.begin(), group.jobs.end(),
+                     [&](auto job) { return results[job].job.end.outcome == JobOutcome::Skipped; });
+}
+
+void sum_looks(JobGroup& group, const std::vector<JudgedJob>& results) {
+  group.seconds = 0;
+  group.looks = 0;
+  for (const auto job : group.jobs) {
+    group.seconds += results[job].job.cost.wall_seconds;
+    group.looks = std::max(group.looks, results[job].job.sampling.looks);
+  }
+}
+
+}  // namespace
+
+void take_look(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  if (!group.is_begun) {
+    begin(session, group, results);
+    if (group.is_done) return;
+  } else {
+    for (const auto job : open_jobs(session, group, results))
+      results[job] = look_at_job(session, job, results[job]);
+  }
+  if (is_cut(group, results)) {
+    group.is_done = true;
+    return;
+  }
+  judge_differences(session, group, results);
+  sum_looks(group, results);
+  if (open_jobs(session, group, results).empty()) {
+    end_group(session, group, results, [](const auto&) { return End{"decided", ""}; });
+    return;
+  }
+  if (is_stopped(session)) {
+    group.is_done = true;
+    return;
+  }
+  const double budget = target_budget_seconds(session.plan.settings);
+  const auto end_of = [&](const judge::Look& look) {
+    return end_after(look, group.looks, group.seconds, budget);
+  };
+  bool goes_on = false;
+  group.seconds_to_decide = 0;
+  for_each_target(session, group, results, [&](const auto&, const judge::Look& look, const auto&) {
+    goes_on = goes_on || end_of(look).name.empty();
+    if (look.is_open)
+      group.seconds_to_decide = std::max(group.seconds_to_decide, seconds_to_decide(look, group.seconds));
+  });
+  if (!goes_on) end_group(session, group, results, end_of);
+}
+
+void end_by_run_budget(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  end_group(session, group, results, [&](const judge::Look& look) {
+    return look.is_open ? end_by_budget(look, group.seconds) : End{"decided", ""};
+  });
+}
+
+}  // namespace orbs::run
