@@ -18,7 +18,7 @@ struct JobIdentity {
   std::string suite;
   std::string scene;
   std::string renderer;
-  int spp = 1;
+  int spp = 1;    // of a sequential render: all so far
   int seed = 0;   // the first seed
   int seeds = 1;  // number of consecutive seeds that share the samples
 };
@@ -112,6 +112,21 @@ void fields(Visitor& visit, Record& end) {
   visit("core_dumped", end.core_dumped);
 }
 
+/// How the samples of a sequential render came about.
+struct JobSampling {
+  int looks = 0;       // 0: the samples were fixed beforehand
+  int most_looks = 0;  // that the error rates allow for
+  /// Why there are no more: "decided", "edge", "reference", "budget", "looks"; "" while it goes on.
+  std::string end;
+};
+
+template <class Visitor, json::RecordOf<JobSampling> Record>
+void fields(Visitor& visit, Record& sampling) {
+  visit("looks", sampling.looks, {.range = {.min = 0}});
+  visit("most_looks", sampling.most_looks, {.range = {.min = 0}});
+  visit("end", sampling.end);
+}
+
 /// Paths, relative to the run's folder.
 struct JobFiles {
   std::string folder;
@@ -136,6 +151,7 @@ struct JobRecord {
   JobCost cost;
   JobEnd end;
   JobFiles files;
+  JobSampling sampling;
 };
 
 template <class Visitor, json::RecordOf<JobRecord> Record>
@@ -146,6 +162,7 @@ void fields(Visitor& visit, Record& job) {
   visit("cost", job.cost);
   visit.required("end", job.end);
   visit("files", job.files);
+  visit("sampling", job.sampling);
 }
 
 inline bool has_image(const JobRecord& job) { return job.end.outcome == JobOutcome::Image; }

@@ -79,6 +79,27 @@ void fields(Visitor& visit, Record& check) {
   visit("max", check.max);
 }
 
+/// What one look of a sequential verdict saw: the gate that decided it, or that was farthest from being
+/// decided.
+struct LookRecord {
+  int spp = 1;  // samples per pixel that were there
+  Verdict verdict = Verdict::Skipped;
+  std::string gate;  // "mean_ratio_g"; "" where no gate has a number
+  std::optional<double> value = {};
+  std::optional<double> low = {};  // ends of the interval that the decision rests on
+  std::optional<double> high = {};
+};
+
+template <class Visitor, json::RecordOf<LookRecord> Record>
+void fields(Visitor& visit, Record& look) {
+  visit.required("spp", look.spp, {.range = {.min = 1}});
+  visit.required("verdict", look.verdict);
+  visit("gate", look.gate);
+  visit("value", look.value);
+  visit("low", look.low);
+  visit("high", look.high);
+}
+
 /// The diagnosis of an image that no usual fault explains.
 inline constexpr std::string_view kNoUsualFault = "none of the usual faults explains the error";
 
@@ -96,6 +117,7 @@ struct TargetRecord {
   std::string expected;  // why the failure is known, or what is news about it; "" if none is expected
   std::vector<Measure> measures;
   std::vector<Check> checks;
+  std::vector<LookRecord> looks;     // none: its samples were fixed
   std::vector<std::string> remarks;  // facts that change no verdict
   std::string diagnosis;  // which usual fault explains a failure, or that none does; "" if none was tried
   std::string hidden;     // what errors its noise hides; "" for none worth it
@@ -120,6 +142,7 @@ void fields(Visitor& visit, Record& target) {
   visit("expected", target.expected);
   visit("measures", target.measures);
   visit("checks", target.checks);
+  visit("looks", target.looks);
   visit("remarks", target.remarks);
   visit("diagnosis", target.diagnosis);
   visit("hidden", target.hidden);
