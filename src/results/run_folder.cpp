@@ -68,12 +68,13 @@ bool update_jobs(RunView& view) {
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
     if (view.states[i] == JobState::Done) continue;
     auto state = view.states[i];
+    const int looks = view.run.jobs[i].sampling.looks;
     if (take_job_file(view, i)) {
-      state = JobState::Done;
+      state = goes_on(view.run.jobs[i]) ? JobState::Running : JobState::Done;
     } else if (is_unfinished(view.run.folder, view.run.jobs[i].files.folder)) {
       state = JobState::Running;
     }
-    changed = changed || state != view.states[i];
+    changed = changed || state != view.states[i] || looks != view.run.jobs[i].sampling.looks;
     view.states[i] = state;
   }
   return changed;

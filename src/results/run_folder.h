@@ -44,7 +44,13 @@ class RunLock {
 /// True while a process holds the lock of the run in `folder`.
 bool is_running(const std::filesystem::path& folder);
 
-enum class JobState { Waiting, Running, Done };
+enum class JobState { Waiting, Running, Done };  // Running: also between two looks
+
+/// Whether another look at the render may follow: it is rendered in looks, and nothing has ended them. Its
+/// job.json lies there from the first look on, with preliminary verdicts, and each look replaces it.
+inline bool goes_on(const JobRecord& job) {
+  return has_image(job) && job.sampling.looks > 0 && job.sampling.end.empty();
+}
 
 struct RunView {
   RunRecord run;
