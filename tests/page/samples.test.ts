@@ -2,6 +2,8 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import type { Overview } from "../../web/src/data/generated";
+import { worstCell, type Row } from "../../web/src/overview/rows";
 import { open } from "./browser";
 import { playLive, serve } from "./runs";
 import { startSession } from "./session";
@@ -19,6 +21,20 @@ test("the overview shows samples beside times, and sorts by them", async () => {
   await page.goto(`${session.url}#/?by=target&show=spp&order=value`);
   await page.locator(".cell .value", { hasText: /^4096$/ }).waitFor();
   await page.close();
+});
+
+test("a preliminary verdict is no failure in the order of the overview", () => {
+  const overview = (preliminary: number) =>
+    ({
+      states: [
+        { name: "inconclusive", failure: true },
+        { name: "known", failure: false },
+      ],
+      cells: { state: [0, 1], declared: [1, 1], preliminary: [preliminary, 0] },
+    }) as unknown as Overview;
+  const row = { cells: [0, 1] } as Row;
+  assert.equal(worstCell(overview(0), row, [0, 1]), 0);
+  assert.equal(worstCell(overview(1), row, [0, 1]), 1);
 });
 
 test("a render that goes on is shown with its preliminary verdict and its samples", async () => {
